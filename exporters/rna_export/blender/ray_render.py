@@ -1,0 +1,107 @@
+"""Renders rays given one by one with stock Cycles, under one sun."""
+
+import sys
+from pathlib import Path
+
+import bpy
+import mathutils
+
+_FORMATS = {"file_format": "OPEN_EXR_MULTILAYER", "color_depth": "32", "exr_codec": "NONE"}
+
+
+def configure(threads, clamp_direct, clamp_indirect):
+    """Cycles as a teacher: point samples, no filter, no denoiser, no clamping but the named one."""
+    scene = bpy.context.scene
+    render, cycles = scene.render, scene.cycles
+    render.engine = "CYCLES"
+    cycles.device = "CPU"
+    render.threads_mode, render.threads = "FIXED", threads
+    render.use_persistent_data = True
+    render.film_transparent = True
+    render.use_compositing = render.use_sequencer = False
+    render.resolution_percentage = 100
+    render.pixel_aspect_x = render.pixel_aspect_y = 1.0
+    render.use_border = False
+    render.use_motion_blur = False
+    cycles.use_adaptive_sampling = cycles.use_denoising = False
+    cycles.sample_clamp_direct, cycles.sample_clamp_indirect = clamp_direct, clamp_indirect
+    cycles.light_sampling_threshold = 0.0
+    cycles.use_light_tree = False
+    for name, value in _FORMATS.items():
+        setattr(render.image_settings, name, value)
+    layer = bpy.context.view_layer
+    layer.use_pass_position = True
+    _set_up_lamp(scene)
+
+
+def render_rays(request):
+    """Trace the rays of two images; writes a multilayer EXR with `Combined` and `Position`."""
+    camera = _camera("rays", "CUSTOM")
+    if not camera.custom_bytecode:
+        _compile_ray_camera(camera)
+    camera.cycles_custom["origins"] = request["origins"]
+    camera.cycles_custom["directions"] = request["directions"]
+    cycles = bpy.context.scene.cycles
+    cycles.pixel_filter_type, cycles.filter_width = "BOX", 0.01
+    camera.update_tag()
+    _render(request)
+
+
+def render_view(request):
+    """Render an ordinary pinhole image: `matrix` is camera to world, Blender's axes."""
+    camera = _camera("view", "PERSP")
+    camera.sensor_fit = "VERTICAL"
+    camera.angle = request["fovY"]
+    bpy.context.scene.camera.matrix_world = mathutils.Matrix(request["matrix"])
+    cycles = bpy.context.scene.cycles
+    cycles.pixel_filter_type, cycles.filter_width = "BOX", 1.0
+    _render(request)
+
+
+def _render(request):
+    scene = bpy.context.scene
+    lamp = bpy.data.objects["rna sun"]
+    towards = mathutils.Vector(request["wi"])
+    lamp.rotation_quaternion = towards.to_track_quat("Z", "Y")
+    scene.cycles.samples = request["samples"]
+    scene.cycles.seed = request["seed"] & 0x7FFFFFFF
+    scene.render.resolution_x, scene.render.resolution_y = request["width"], request["height"]
+    scene.render.filepath = request["out"]
+    bpy.ops.render.render(write_still=True)
+
+
+def _set_up_lamp(scene):
+    sun = bpy.data.lights.new("rna sun", "SUN")
+    sun.energy, sun.angle = 1.0, 0.0
+    lamp = bpy.data.objects.new("rna sun", sun)
+    lamp.rotation_mode = "QUATERNION"
+    scene.collection.objects.link(lamp)
+
+
+def _camera(name, kind):
+    scene = bpy.context.scene
+    name = f"rna {name}"
+    if name not in bpy.data.objects:
+        data = bpy.data.cameras.new(name)
+        data.type = kind
+        data.clip_start, data.clip_end = 1e-6, 1e6  # a ray counts from its very origin
+        scene.collection.objects.link(bpy.data.objects.new(name, data))
+    scene.camera = bpy.data.objects[name]
+    return scene.camera.data
+
+
+def _compile_ray_camera(camera):
+    # The wheel ships oslquery in a folder that is not on sys.path. It goes last: an old numpy
+    # lies beside it.
+    root = Path(bpy.utils.resource_path("LOCAL"))
+    sys.path.append(str(root / "python" / "lib" / "python3.11" / "site-packages"))
+    from cycles import osl
+
+    text = bpy.data.texts.new("ray_camera.osl")
+    text.write((Path(__file__).parent / "ray_camera.osl").read_text())
+    camera.custom_mode, camera.custom_shader = "INTERNAL", text
+    problems = []
+    osl.update_custom_camera_shader(camera, lambda kind, message: problems.append((kind, message)))
+    errors = [message for kind, message in problems if "ERROR" in kind]
+    if errors or not camera.custom_bytecode:
+        raise RuntimeError(f"the ray camera did not compile: {errors}")

@@ -1,0 +1,83 @@
+"""Loads what the user gave (.blend, glTF, OBJ, PLY, or a script) and leaves only the asset."""
+
+import runpy
+import sys
+from pathlib import Path
+
+import bpy
+
+
+def load(source, arguments):
+    """Replace the current scene by `source`; `arguments` become the script's `sys.argv[1:]`."""
+    suffix = Path(source).suffix.lower()
+    if suffix == ".blend":
+        bpy.ops.wm.open_mainfile(filepath=source)
+        return
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    if suffix in (".gltf", ".glb"):
+        bpy.ops.import_scene.gltf(filepath=source)
+    elif suffix == ".obj":
+        bpy.ops.wm.obj_import(filepath=source)
+    elif suffix == ".ply":
+        bpy.ops.wm.ply_import(filepath=source)
+    elif suffix == ".py":
+        sys.argv = [source, *arguments]
+        runpy.run_path(source, run_name="__main__")
+    else:
+        raise ValueError(f"cannot load {source}: expected .blend, .gltf, .glb, .obj, .ply or .py")
+
+
+def keep_only_the_asset():
+    """Remove lights and cameras, blacken the world, switch emission off.
+
+    Returns what a user should know about, one sentence each.
+    """
+    notes = []
+    for item in list(bpy.data.objects):
+        if item.type in ("LIGHT", "CAMERA", "LIGHT_PROBE"):
+            bpy.data.objects.remove(item, do_unlink=True)
+    world = bpy.data.worlds.new("black")
+    world.use_nodes = False
+    world.color = (0.0, 0.0, 0.0)
+    bpy.context.scene.world = world
+    for material in bpy.data.materials:
+        if material.use_nodes and _switch_emission_off(material.node_tree):
+            notes.append(
+                f"material {material.name!r} emits light; emission is not part of the "
+                "transport and was switched off"
+            )
+    return notes
+
+
+def _switch_emission_off(tree):
+    switched = False
+    for node in tree.nodes:
+        strength = {"EMISSION": "Strength", "BSDF_PRINCIPLED": "Emission Strength"}.get(node.type)
+        if strength is None:
+            continue
+        socket = node.inputs[strength]
+        black = node.type == "BSDF_PRINCIPLED" and not node.inputs["Emission Color"].is_linked and (
+            max(node.inputs["Emission Color"].default_value[:3]) == 0.0
+        )
+        switched |= not black and (socket.is_linked or socket.default_value > 0.0)
+        for link in list(socket.links):
+            tree.links.remove(link)
+        socket.default_value = 0.0
+    return switched
+
+
+def blender_version():
+    return bpy.app.version_string
+
+
+def has_cutouts():
+    """Whether any material lets the camera see through it without refraction."""
+    nodes = [n for m in bpy.data.materials if m.use_nodes for n in m.node_tree.nodes]
+    return any(
+        node.type == "BSDF_TRANSPARENT"
+        or (
+            node.type == "BSDF_PRINCIPLED"
+            and (node.inputs["Alpha"].is_linked or node.inputs["Alpha"].default_value < 1.0)
+        )
+        for node in nodes
+    )

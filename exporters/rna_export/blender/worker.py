@@ -1,0 +1,56 @@
+"""The capture worker: runs inside Blender's Python, with `bpy` and numpy and nothing else of ours.
+
+Requests come as one JSON object a line on standard input; each is answered by one line on
+standard output that begins with `RNA `. Whatever else Blender prints there is not for us.
+"""
+
+import json
+import os
+import sys
+import traceback
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import mesh_export
+import ray_render
+import source_scene
+
+
+def open_scene(request):
+    source_scene.load(request["source"], request["arguments"])
+    notes = source_scene.keep_only_the_asset()
+    ray_render.configure(request["threads"], request["clampDirect"], request["clampIndirect"])
+    return {
+        "notes": notes,
+        "blender": source_scene.blender_version(),
+        "cutouts": source_scene.has_cutouts(),
+    }
+
+
+HANDLERS = {
+    "open": open_scene,
+    "exportMesh": lambda request: mesh_export.export_mesh(request["out"]),
+    "renderRays": ray_render.render_rays,
+    "renderView": ray_render.render_view,
+}
+
+
+def reply(message):
+    sys.stdout.write("\nRNA " + json.dumps(message) + "\n")
+    sys.stdout.flush()
+
+
+def main():
+    for line in sys.stdin:
+        request = json.loads(line)
+        try:
+            reply({"ok": True, **(HANDLERS[request["op"]](request) or {})})
+        except Exception as error:
+            traceback.print_exc()
+            reply({"ok": False, "error": f"{type(error).__name__}: {error}"})
+    os._exit(0)  # bpy may crash while it unloads; every result is already a file
+
+
+if __name__ == "__main__":
+    main()

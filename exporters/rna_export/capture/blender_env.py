@@ -1,0 +1,50 @@
+"""Finds, or makes, the Python environment that Blender's module lives in.
+
+`bpy` needs numpy below 2 and is GPL; so it stays out of the SDK's own environment and process.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+from rna_sdk.errors import CaptureError
+
+BPY_VERSION = "4.5.15"  # LTS
+VARIABLE = "RNA_BLENDER_PYTHON"
+
+
+def default_folder() -> Path:
+    """Where `--setup-blender` puts the environment."""
+    cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    return cache / "rna-sdk" / f"blender-{BPY_VERSION}"
+
+
+def find_python() -> Path:
+    """The interpreter that can `import bpy`; `CaptureError` says how to get one."""
+    named = os.environ.get(VARIABLE)
+    python = Path(named) if named else default_folder() / "bin" / "python"
+    if not python.is_file():
+        raise CaptureError(
+            f"no Blender environment: {python} does not exist; run 'rna-capture --setup-blender', "
+            f"or set {VARIABLE} to a Python 3.11 that can import bpy"
+        )
+    return python
+
+
+def set_up() -> Path:
+    """Create the environment and install `bpy` into it; returns its interpreter."""
+    if sys.version_info[:2] != (3, 11):
+        found = f"{sys.version_info.major}.{sys.version_info.minor}"
+        raise CaptureError(f"bpy {BPY_VERSION} needs Python 3.11, this is Python {found}")
+    folder = default_folder()
+    python = folder / "bin" / "python"
+    if not python.is_file():
+        venv.create(folder, with_pip=True)
+    command = [str(python), "-m", "pip", "install", "--quiet", f"bpy=={BPY_VERSION}"]
+    if subprocess.run(command).returncode != 0:
+        raise CaptureError(f"could not install bpy {BPY_VERSION} into {folder}")
+    return python

@@ -1,0 +1,124 @@
+"""`rna-capture`: renders an asset in all views and lights into a dataset."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from rna_export.capture import blender_env
+from rna_export.capture.dataset import CaptureSettings, Dataset
+from rna_export.capture.run import Crew, begin, default_workers, finish
+from rna_export.capture.worker import Source
+from rna_export.console import run_command
+from rna_sdk.errors import CaptureError
+
+_SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".py")
+_OPTIONS = {  # option -> field of CaptureSettings
+    "samples": "samples",
+    "rays": "rays",
+    "lights": "lights",
+    "domain": "domain",
+    "clamp_direct": "clamp_direct",
+    "clamp_indirect": "clamp_indirect",
+    "validation_views": "validation_views",
+    "validation_resolution": "validation_resolution",
+    "validation_samples": "validation_samples",
+    "seed": "seed",
+}
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-capture`."""
+    p = argparse.ArgumentParser(
+        prog="rna-capture",
+        description="Render an asset in all views and lights with Blender Cycles into a dataset.\n\n"
+        "    rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="The same command continues a capture that was stopped. Arguments after -- go to a "
+        "source that is a Python script.",
+    )
+    p.add_argument("source", nargs="?", type=Path, help="a .blend, .gltf, .glb, .obj, .ply or .py")
+    p.add_argument("--out", type=Path, help="folder of the dataset")
+    p.add_argument("--setup-blender", action="store_true", help="install Blender's module, then end")
+    p.add_argument("--minutes", type=float, help="time budget; sets the number of lights")
+    for name, field in _OPTIONS.items():
+        info = CaptureSettings.model_fields[field]
+        p.add_argument(
+            "--" + name.replace("_", "-"),
+            type=type(info.default),
+            choices=("sphere", "hemisphere") if field == "domain" else None,
+            help=f"{info.description or 'random seed'} "
+            f"({type(info.default).__name__}, default {info.default})",
+        )
+    p.add_argument("--workers", type=int, default=default_workers(),
+                   help="Blender processes, one thread each (int, default: one a core, %(default)s)")
+    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    argv = sys.argv[1:] if argv is None else argv
+    split = argv.index("--") if "--" in argv else len(argv)
+    options = parser()
+    args = options.parse_args(argv[:split])
+    if not args.setup_blender and (args.source is None or args.out is None):
+        options.error("a source and --out are needed (or --setup-blender)")
+    if args.minutes is not None and args.lights is not None:
+        options.error("--minutes sets the number of lights: give one of the two")
+    return run_command(lambda: _run(args, tuple(argv[split + 1 :])), args.debug)
+
+
+def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
+    if args.setup_blender:
+        print(f"Blender {blender_env.BPY_VERSION} is ready: {blender_env.set_up()}")
+        return
+    _check_source(args.source)
+    asked = {f: getattr(args, name) for name, f in _OPTIONS.items() if getattr(args, name) is not None}
+    python = blender_env.find_python()
+    scratch = Path(tempfile.mkdtemp(prefix="rna-capture-"))
+    crew = Crew(python, scratch, args.workers)
+    begun = (args.out / "manifest.json").is_file()
+    try:
+        if begun:
+            dataset = _continue(args.out, args.source, arguments, asked)
+            settings = dataset.manifest.settings
+        else:
+            settings = CaptureSettings(**asked)
+        source = Source(args.source, arguments, settings.clamp_direct, settings.clamp_indirect)
+        if not begun:
+            dataset = begin(source, settings, args.out, crew, args.minutes, print)
+        finish(dataset, source, crew)
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+    print(f"wrote {args.out}\nnext: rna-train {args.out} --preset small --out runs/{args.source.stem}")
+
+
+def _check_source(source: Path) -> None:
+    if not source.is_file():
+        raise CaptureError(f"{source}: no such file")
+    if source.suffix.lower() not in _SUFFIXES:
+        raise CaptureError(f"{source}: found {source.suffix!r}, expected one of {', '.join(_SUFFIXES)}")
+
+
+def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) -> Dataset:
+    """The dataset begun in `out`, if it was begun with the same source and settings."""
+    dataset = Dataset(out)
+    manifest = dataset.manifest
+    sha = hashlib.sha256(source.read_bytes()).hexdigest()
+    if (sha, arguments) != (manifest.source_sha256, manifest.arguments):
+        raise CaptureError(f"{out} was begun from another {manifest.source} or other arguments")
+    for field, value in asked.items():
+        begun = getattr(manifest.settings, field)
+        if value != begun:
+            raise CaptureError(f"{out} was begun with {field} {begun}, found {value}")
+    print(f"continuing {out}")
+    return dataset
+
+
+if __name__ == "__main__":
+    sys.exit(main())

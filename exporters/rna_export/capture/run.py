@@ -1,0 +1,196 @@
+"""Runs a capture: opens the source, plans, renders what is missing, can be stopped at any time."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import queue
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from tqdm import tqdm
+
+import rna_sdk
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.directions import light_direction
+from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
+from rna_export.capture.view_rays import sample_view_rays
+from rna_export.capture.worker import BlenderWorker, Source
+from rna_sdk.errors import CaptureError
+from rna_sdk.package.mesh import Mesh
+
+_TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
+
+
+@dataclass(frozen=True)
+class Crew:
+    """How workers are started: one thread each, since a small render scales badly."""
+
+    python: Path
+    scratch: Path
+    workers: int
+
+    def worker(self, source: Source, name: str) -> BlenderWorker:
+        return BlenderWorker(self.python, source, self.scratch, threads=1, name=name)
+
+
+def weld(corners: dict[str, np.ndarray]) -> Mesh:
+    """One vertex for each different corner (position, normal, uv); degenerate triangles go."""
+    with_uv = bool(corners["has_uv"])
+    rows = np.concatenate(
+        [corners["positions"], corners["normals"]] + ([corners["uvs"]] if with_uv else []), axis=1
+    )
+    vertices, index = np.unique(rows + 0.0, axis=0, return_inverse=True)
+    triangles = index.reshape(-1, 3).astype(np.uint32)
+    p = vertices[:, :3].astype(np.float64)[triangles]
+    area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1)
+    vertices = np.ascontiguousarray(vertices, np.float32)
+    normals = np.ascontiguousarray(vertices[:, 3:6])
+    uvs = np.ascontiguousarray(vertices[:, 6:8]) if with_uv else None
+    return Mesh(np.ascontiguousarray(vertices[:, :3]), normals, uvs, triangles[area > 0.0])
+
+
+def begin(
+    source: Source,
+    settings: CaptureSettings,
+    out: Path,
+    crew: Crew,
+    minutes: float | None,
+    say: Callable[[str], None],
+) -> Dataset:
+    """Open the source once: export the geometry, measure the speed, fix and write the plan.
+
+    `minutes` replaces the number of lights by as many as fit.
+    """
+    with crew.worker(source, "probe") as worker:
+        mesh = weld(worker.export_corners())
+        scene = AssetScene(mesh)
+        rate = _paths_a_second(scene, settings, worker) * crew.workers
+        opened = worker.opened
+    if minutes is not None:
+        settings = settings.model_copy(update={"lights": _lights_in(minutes, rate, settings)})
+    low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+    manifest = CaptureManifest(
+        name=source.path.stem,
+        source=source.path.name,
+        source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
+        arguments=source.arguments,
+        settings=settings,
+        blender=opened["blender"],
+        generator=f"rna-capture {rna_sdk.__version__}",
+        has_uv=mesh.uvs is not None,
+        cutouts=opened["cutouts"],
+        bounds=(tuple(low.tolist()), tuple(high.tolist())),
+        notes=tuple(opened["notes"]),
+    )
+    for note in manifest.notes:
+        say(f"note: {note}")
+    dataset = Dataset.create(out, manifest, mesh)
+    say(_plan(dataset, mesh, rate))
+    return dataset
+
+
+def finish(dataset: Dataset, source: Source, crew: Crew) -> None:
+    """Render every task whose file is missing. Ctrl-C loses only the tasks under way."""
+    missing = [task for task in all_tasks(dataset) if not task.path(dataset).is_file()]
+    if not missing:
+        return
+    todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = queue.SimpleQueue()
+    for task in missing:
+        todo.put(task)
+    total = sum(task.paths_to_trace(dataset) for task in missing)
+    failures: list[Exception] = []
+    stop = threading.Event()
+    scene = AssetScene(dataset.mesh())
+    with tqdm(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
+        threads = [
+            threading.Thread(
+                target=_work,
+                args=(dataset, source, scene, crew, str(k), todo, bar, stop, failures),
+            )
+            for k in range(crew.workers)
+        ]
+        for thread in threads:
+            thread.start()
+        try:
+            while any(thread.is_alive() for thread in threads):
+                time.sleep(0.2)
+        finally:
+            stop.set()
+            for thread in threads:
+                thread.join()
+    if failures:
+        raise failures[0]
+
+
+def _work(dataset, source, scene, crew, name, todo, bar, stop, failures) -> None:
+    try:
+        with crew.worker(source, name) as worker:
+            done = 0
+            while not stop.is_set():
+                try:
+                    task = todo.get_nowait()
+                except queue.Empty:
+                    return
+                if done and done % _TASKS_A_PROCESS == 0:
+                    worker.restart()
+                try:
+                    task.run(dataset, scene, worker)
+                except CaptureError:  # Blender may die of its own; a second failure is ours
+                    worker.restart()
+                    task.run(dataset, scene, worker)
+                done += 1
+                bar.update(task.paths_to_trace(dataset))
+    except Exception as error:  # reported by the main thread
+        failures.append(error)
+        stop.set()
+
+
+def _paths_a_second(scene: AssetScene, settings: CaptureSettings, worker: BlenderWorker) -> float:
+    """Measured over three renders as the capture will do them; the first only warms up."""
+    seconds = []
+    for k in range(4):
+        start = time.perf_counter()
+        wi = light_direction(k, settings.seed, settings.domain)
+        rng = np.random.default_rng(k)
+        rays = sample_view_rays(scene, wi, settings.rays, settings.domain, rng)
+        worker.render_rays(rays.origins, rays.directions, wi, settings.samples, k)
+        seconds.append(time.perf_counter() - start)
+    return settings.rays * settings.samples / float(np.mean(seconds[1:]))
+
+
+def _lights_in(minutes: float, rate: float, settings: CaptureSettings) -> int:
+    validation = 0.4 * settings.validation_resolution**2 * settings.validation_samples
+    left = minutes * 60.0 * rate - validation * settings.validation_views
+    lights = int(left / (settings.rays * settings.samples))
+    if lights < 16:
+        raise CaptureError(
+            f"--minutes {minutes:g} leaves time for {max(lights, 0)} lights after the validation "
+            "images, expected at least 16: give more minutes or smaller validation images"
+        )
+    return lights
+
+
+def _plan(dataset: Dataset, mesh: Mesh, rate: float) -> str:
+    settings = dataset.manifest.settings
+    paths = sum(task.paths_to_trace(dataset) for task in all_tasks(dataset))
+    samples = settings.lights * settings.rays
+    return (
+        f"{dataset.manifest.name}: {len(mesh.triangles):,} triangles\n"
+        f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
+        f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
+        f"validation: {settings.validation_views} images of {settings.validation_resolution}"
+        f"x{settings.validation_resolution}, {settings.validation_samples} paths a pixel\n"
+        f"about {paths / rate / 60.0:.1f} minutes at {rate / 1e6:.2f} M paths/s, "
+        f"{samples * 69 / 1e6:,.0f} MB"
+    )
+
+
+def default_workers() -> int:
+    """One a core."""
+    return len(os.sched_getaffinity(0))

@@ -1,0 +1,140 @@
+"""The units of a capture: each task renders one file of the dataset, and only that."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.dataset import CaptureSettings, Dataset, write_arrays
+from rna_export.capture.directions import light_direction, sphere
+from rna_export.capture.view_rays import ViewRays, sample_view_rays
+from rna_export.capture.worker import BlenderWorker
+
+_RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
+_VALIDATION_FOV = np.radians(40.0)
+
+
+@dataclass(frozen=True)
+class TrainingShard:
+    """Samples of `lights_per_shard` light directions."""
+
+    index: int
+
+    def path(self, dataset: Dataset) -> Path:
+        return dataset.train_path(self.index)
+
+    def paths_to_trace(self, dataset: Dataset) -> int:
+        settings = dataset.manifest.settings
+        return len(self._lights(dataset)) * settings.rays * settings.samples
+
+    def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
+        parts = [self._light(dataset, scene, worker, light) for light in self._lights(dataset)]
+        names = parts[0].keys()
+        joined = {name: np.concatenate([part[name] for part in parts]) for name in names}
+        write_arrays(self.path(dataset), joined)
+
+    def _lights(self, dataset: Dataset) -> range:
+        settings = dataset.manifest.settings
+        first = self.index * settings.lights_per_shard
+        return range(first, min(first + settings.lights_per_shard, settings.lights))
+
+    def _light(
+        self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker, light: int
+    ) -> dict[str, np.ndarray]:
+        settings = dataset.manifest.settings
+        wi = light_direction(light, settings.seed, settings.domain)
+        rng = np.random.default_rng([settings.seed, 1, light])
+        rays = sample_view_rays(scene, wi, settings.rays, settings.domain, rng)
+        seed = int(rng.integers(2**31))
+        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed)
+
+
+@dataclass(frozen=True)
+class ValidationHalf:
+    """One of the two independent estimates of a validation image."""
+
+    view: int
+    half: int
+
+    def path(self, dataset: Dataset) -> Path:
+        return dataset.validation_path(self.view, self.half)
+
+    def paths_to_trace(self, dataset: Dataset) -> int:
+        settings = dataset.manifest.settings
+        covered = 0.4 * settings.validation_resolution**2  # about; known only after the hits
+        return int(covered * (settings.validation_samples // 2))
+
+    def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
+        settings = dataset.manifest.settings
+        rng = np.random.default_rng([settings.seed, 2, self.view])
+        wi = sphere(rng.random((1, 2)), settings.domain)[0]
+        rays = _validation_camera(scene, settings, self.view, rng)
+        hit = np.flatnonzero(scene.hit_mask(rays.origins, rays.directions))
+        samples = settings.validation_samples // 2
+        parts = []
+        for first in range(0, len(hit), _RAYS_A_RENDER):
+            pixel = hit[first : first + _RAYS_A_RENDER]
+            seed = int(np.random.default_rng([settings.seed, 3, self.view, self.half]).integers(2**31))
+            extra = {"pixel": pixel.astype(np.int32)}
+            parts.append(_capture(dataset, scene, worker, rays[pixel], wi, samples, seed, extra))
+        names = parts[0].keys()
+        write_arrays(self.path(dataset), {n: np.concatenate([p[n] for p in parts]) for n in names})
+
+
+def all_tasks(dataset: Dataset) -> list[TrainingShard | ValidationHalf]:
+    """Every task of the dataset's plan, validation first."""
+    settings = dataset.manifest.settings
+    views = [ValidationHalf(v, half) for v in range(settings.validation_views) for half in (0, 1)]
+    return views + [TrainingShard(k) for k in range(dataset.manifest.shards)]
+
+
+def _capture(
+    dataset: Dataset,
+    scene: AssetScene,
+    worker: BlenderWorker,
+    rays: ViewRays,
+    wi: np.ndarray,
+    samples: int,
+    seed: int,
+    extra: dict[str, np.ndarray] | None = None,
+) -> dict[str, np.ndarray]:
+    """Samples of view rays under one light: geometry from our scene, radiance from Cycles."""
+    points = scene.shade_points(rays.origins, rays.directions)
+    radiance, alpha, _ = worker.render_rays(rays.origins, rays.directions, wi, samples, seed)
+    wi_rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), rays.origins.shape))
+    sample = {
+        "position": points.position,
+        "normal": points.normal,
+        "wo": -rays.directions,
+        "wi": wi_rows,
+        "radiance": radiance,
+        "visible": scene.visible(points, wi_rows).astype(np.uint8),
+        **(extra or {}),
+    }
+    if dataset.manifest.has_uv:
+        sample["uv"] = points.uv
+    # A ray along a silhouette may hit here and miss there; such a sample would be black.
+    keep = points.hit & (dataset.manifest.cutouts | (alpha > 0.999)) & np.isfinite(radiance).all(1)
+    return {name: values[keep] for name, values in sample.items()}
+
+
+def _validation_camera(
+    scene: AssetScene, settings: CaptureSettings, view: int, rng: np.random.Generator
+) -> ViewRays:
+    """Rays through the pixel centres of a pinhole camera; every fourth view is a close-up."""
+    wo = sphere(rng.random((1, 2)), settings.domain)[0].astype(np.float64)
+    zoom = 0.35 if view % 4 == 3 else 1.0
+    forward, right = -wo, np.cross(-wo, [0.0, 1.0, 0.0])
+    right /= max(np.linalg.norm(right), 1e-9)
+    up = np.cross(right, forward)
+    eye = scene.centre + wo * scene.radius / np.sin(_VALIDATION_FOV / 2)
+    n = settings.validation_resolution
+    offset = (np.arange(n) + 0.5) / n * 2.0 - 1.0
+    x, y = np.meshgrid(offset, -offset)
+    size = zoom * np.tan(_VALIDATION_FOV / 2)
+    d = forward + size * (x.reshape(-1, 1) * right + y.reshape(-1, 1) * up)
+    d = (d / np.linalg.norm(d, axis=1, keepdims=True)).astype(np.float32)
+    return ViewRays(np.broadcast_to(eye.astype(np.float32), d.shape).copy(), d)

@@ -1,0 +1,103 @@
+"""Chooses the view rays that Cycles is asked about; every one of them hits the asset.
+
+Three kinds are mixed. *Outside* rays are uniform chords of the bounding sphere: what cameras
+around the asset see. *Close* rays start anywhere in the free space over a random point, down to
+contact: crevices, grazing views, strong zoom. *Highlight* rays look at a visible point from near
+the mirror direction of the light: where glossy materials keep almost all of their error
+(a share of 3% of the points under uniform views).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.directions import around, frame, reflect, sphere
+
+OUTSIDE, CLOSE, HIGHLIGHT = 0.5, 0.25, 0.25  # shares of the rays
+
+
+@dataclass(frozen=True)
+class ViewRays:
+    origins: np.ndarray  # (n, 3) float32, object space
+    directions: np.ndarray  # (n, 3) float32, unit
+
+    def __getitem__(self, index: object) -> ViewRays:
+        return ViewRays(self.origins[index], self.directions[index])
+
+    def __len__(self) -> int:
+        return len(self.origins)
+
+
+def sample_view_rays(
+    scene: AssetScene, wi: np.ndarray, n: int, domain: str, rng: np.random.Generator
+) -> ViewRays:
+    """n rays towards the asset, lit from wi (3,); views stay in `domain` ("hemisphere": +Y)."""
+    close = round(n * CLOSE)
+    highlight = _repeat(lambda k: _highlight(scene, wi, k, rng), scene, round(n * HIGHLIGHT),
+                        domain, tries=8)
+    near = _repeat(lambda k: _close(scene, k, rng), scene, close, domain, tries=16)
+    rest = n - len(highlight) - len(near)
+    outside = _repeat(lambda k: _outside(scene, k, domain, rng), scene, rest, domain, tries=200)
+    parts = (outside, near, highlight)
+    mixed = ViewRays(
+        np.concatenate([p.origins for p in parts]), np.concatenate([p.directions for p in parts])
+    )
+    return mixed[rng.permutation(len(mixed))]
+
+
+def _repeat(draw, scene: AssetScene, n: int, domain: str, tries: int) -> ViewRays:
+    """Up to n of the drawn rays that hit the asset and look from inside the domain."""
+    origins, directions, found = [], [], 0
+    for _ in range(tries):
+        if found >= n:
+            break
+        rays = draw(max(2 * (n - found), 256))
+        keep = scene.hit_mask(rays.origins, rays.directions)
+        if domain == "hemisphere":
+            keep &= rays.directions[:, 1] <= 0.0
+        origins.append(rays.origins[keep])
+        directions.append(rays.directions[keep])
+        found += int(keep.sum())
+    empty = np.zeros((0, 3), np.float32)
+    return ViewRays(np.concatenate([empty, *origins])[:n], np.concatenate([empty, *directions])[:n])
+
+
+def _outside(scene: AssetScene, n: int, domain: str, rng: np.random.Generator) -> ViewRays:
+    wo = sphere(rng.random((n, 2)), domain)
+    s, t = frame(wo)
+    r, phi = scene.radius * np.sqrt(rng.random(n)), 2.0 * np.pi * rng.random(n)
+    disk = (r * np.cos(phi))[:, None] * s + (r * np.sin(phi))[:, None] * t
+    origins = scene.centre + disk + 1.5 * scene.radius * wo
+    return ViewRays(origins.astype(np.float32), -wo)
+
+
+def _close(scene: AssetScene, n: int, rng: np.random.Generator) -> ViewRays:
+    points, normals = scene.sample_points(n, rng)
+    wo = around(normals, np.sqrt(rng.random(n)), 2.0 * np.pi * rng.random(n))
+    free = scene.free_distance(points, normals, wo)
+    open_enough = free > 0.01 * scene.radius  # skips what lies inside solids
+    distance = rng.random(n).astype(np.float32) * np.minimum(free, 2.0 * scene.radius)
+    distance = np.maximum(distance, 0.005 * scene.radius)
+    origins = points + distance[:, None] * wo
+    return ViewRays(origins, -wo)[open_enough]
+
+
+def _highlight(scene: AssetScene, wi: np.ndarray, n: int, rng: np.random.Generator) -> ViewRays:
+    seen = _outside(scene, 2 * n, "sphere", rng)
+    hits = scene.shade_points(seen.origins, seen.directions)
+    lit = np.flatnonzero(hits.hit & (hits.normal @ wi > 0.02))[:n]
+    normal = hits.normal[lit]
+    width = 0.02 * 40.0 ** rng.random(len(lit))  # GGX roughness alpha, 0.02 to 0.8
+    u = rng.random(len(lit))
+    cosine = np.sqrt((1.0 - u) / (1.0 + (width**2 - 1.0) * u))  # GGX half vectors
+    h = around(normal, cosine, 2.0 * np.pi * rng.random(len(lit)))
+    wo = reflect(np.broadcast_to(wi, h.shape), h)
+    above = np.sum(wo * hits.geometric_normal[lit], axis=1) > 0.02
+    points, ng, wo = hits.position[lit][above], hits.geometric_normal[lit][above], wo[above]
+    free = scene.free_distance(points, ng, wo)
+    open_enough = free > 0.01 * scene.radius
+    distance = 0.95 * np.minimum(free, 2.0 * scene.radius)
+    return ViewRays(points + distance[:, None] * wo, -wo)[open_enough]

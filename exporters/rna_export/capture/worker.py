@@ -1,0 +1,187 @@
+"""One Blender process: starts it, talks to it in JSON lines, ends it, starts it again."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import OpenEXR
+
+from rna_export.capture.axes import from_blender, to_blender
+from rna_sdk.errors import CaptureError
+
+_WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
+
+
+@dataclass(frozen=True)
+class Source:
+    """What is captured and how Cycles is set; enough to open a worker again."""
+
+    path: Path
+    arguments: tuple[str, ...] = ()
+    clamp_direct: float = 20.0  # the paper, section 4.1
+    clamp_indirect: float = 10.0
+
+
+class BlenderWorker:
+    """Stock Cycles in a process of its own, holding one opened source.
+
+    Raises `CaptureError` when Blender cannot start, cannot load the source or fails to render.
+    """
+
+    def __init__(self, python: Path, source: Source, folder: Path, threads: int, name: str = "0"):
+        self._python, self._source, self._threads = python, source, threads
+        self._folder, self._name = folder, name
+        self._renders = 0
+        folder.mkdir(parents=True, exist_ok=True)
+        self._start()
+
+    def __enter__(self) -> BlenderWorker:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _start(self) -> None:
+        self._log = (self._folder / f"worker-{self._name}.log").open("w")
+        self._process = subprocess.Popen(
+            [str(self._python), str(_WORKER)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=self._log,
+            text=True,
+        )
+        self.opened = self._ask(
+            op="open",
+            source=str(self._source.path.resolve()),
+            arguments=list(self._source.arguments),
+            threads=self._threads,
+            clampDirect=self._source.clamp_direct,
+            clampIndirect=self._source.clamp_indirect,
+        )
+
+    def close(self) -> None:
+        """End the process; safe to call twice."""
+        self._process.kill()
+        self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout, self._log):
+            stream.close()
+
+    def restart(self) -> None:
+        """A fresh process with the same source: Blender's memory grows over many renders."""
+        self.close()
+        self._start()
+
+    def _ask(self, **request: Any) -> dict[str, Any]:
+        try:
+            self._process.stdin.write(json.dumps(request) + "\n")
+            self._process.stdin.flush()
+            for line in self._process.stdout:
+                if line.startswith("RNA "):
+                    answer = json.loads(line[4:])
+                    if not answer["ok"]:
+                        raise CaptureError(f"{self._source.path}: Blender says: {answer['error']}")
+                    return answer
+                self._log.write(line)
+        except BrokenPipeError:
+            pass
+        raise CaptureError(
+            f"{self._source.path}: the Blender worker ended without an answer to "
+            f"{request['op']!r}; its output is in {self._log.name}"
+        )
+
+    def export_corners(self) -> dict[str, np.ndarray]:
+        """Triangle corners of the whole scene: see `blender/mesh_export.py`."""
+        path = self._folder / f"corners-{self._name}.npz"
+        self._ask(op="exportMesh", out=str(path))
+        with np.load(path) as data:
+            corners = dict(data)
+        path.unlink()
+        return corners
+
+    def render_rays(
+        self, origins: np.ndarray, directions: np.ndarray, wi: np.ndarray, samples: int, seed: int
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Radiance along rays, the asset lit from `wi` with irradiance 1.
+
+        `origins`, `directions`: (n, 3) float32, object space, +Y up; `wi`: (3,) towards the light.
+        Returns radiance (n, 3), alpha (n,) and Cycles' own hit positions (n, 3), all float32.
+        """
+        n = len(origins)
+        width = min(n, max(1, math.isqrt(n)))
+        height = -(-n // width)
+        stem = self._folder / f"rays-{self._name}-{self._renders}"
+        paths = {k: stem.with_name(f"{stem.name}-{k}.exr") for k in ("origins", "directions", "out")}
+        _write_rays(paths["origins"], to_blender(origins), width, height)
+        _write_rays(paths["directions"], to_blender(directions), width, height)
+        request = {k: str(p) for k, p in paths.items()}
+        self._render("renderRays", request, wi, samples, seed, width, height)
+        combined, position = _read_render(paths["out"])
+        for path in paths.values():
+            path.unlink(missing_ok=True)
+        combined, position = combined.reshape(-1, 4)[:n], position.reshape(-1, 3)[:n]
+        return combined[:, :3], combined[:, 3], from_blender(position)
+
+    def render_view(
+        self,
+        to_world: np.ndarray,
+        fov_y: float,
+        wi: np.ndarray,
+        samples: int,
+        seed: int,
+        width: int,
+        height: int,
+    ) -> np.ndarray:
+        """An ordinary pinhole image, (height, width, 4) float32 premultiplied RGBA.
+
+        `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians.
+        """
+        matrix = np.eye(4)
+        matrix[:3] = to_blender(np.asarray(to_world, np.float64)[:3].T).T
+        out = self._folder / f"view-{self._name}-{self._renders}.exr"
+        request = {"out": str(out), "matrix": matrix.tolist(), "fovY": float(fov_y)}
+        self._render("renderView", request, wi, samples, seed, width, height)
+        combined, _ = _read_render(out)
+        out.unlink()
+        return combined
+
+    def _render(
+        self,
+        op: str,
+        request: dict[str, Any],
+        wi: np.ndarray,
+        samples: int,
+        seed: int,
+        width: int,
+        height: int,
+    ) -> None:
+        self._renders += 1
+        towards = [float(v) for v in to_blender(np.asarray(wi, np.float64))]
+        size = {"width": width, "height": height}
+        self._ask(op=op, **request, **size, wi=towards, samples=samples, seed=seed)
+
+
+def _write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> None:
+    image = np.zeros((height * width, 3), np.float32)
+    image[: len(vectors)] = vectors
+    header = {"compression": OpenEXR.NO_COMPRESSION, "type": OpenEXR.scanlineimage}
+    channels = {"RGB": image.reshape(height, width, 3)}
+    with OpenEXR.File(header, channels) as file:
+        file.write(str(path))
+
+
+def _read_render(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Combined (h, w, 4) and Position (h, w, 3) of a multilayer or multi-part EXR."""
+    planes: dict[str, np.ndarray] = {}
+    with OpenEXR.File(str(path), separate_channels=True) as file:
+        for part in file.parts:
+            for name, channel in part.channels.items():
+                planes[".".join(name.split(".")[-2:])] = np.asarray(channel.pixels, np.float32)
+    combined = np.stack([planes[f"Combined.{c}"] for c in "RGBA"], axis=-1)
+    position = np.stack([planes[f"Position.{c}"] for c in "XYZ"], axis=-1)
+    return combined, position
