@@ -8,7 +8,7 @@ import numpy as np
 
 from rna_render.embree import TriangleScene
 from rna_render.surface import interpolate_normals, interpolate_positions, visible
-from rna_sdk.package.mesh import Mesh
+from rna_sdk.package import Mesh
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from pydantic.alias_generators import to_camel
 from safetensors.numpy import load_file, save
 
 from rna_sdk.errors import CaptureError
-from rna_sdk.package.mesh import Mesh
+from rna_sdk.package import Mesh
 
 SAMPLE_FIELDS = ("position", "normal", "wo", "wi", "radiance", "visible")
 

@@ -22,7 +22,7 @@ from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_sdk.errors import CaptureError
-from rna_sdk.package.mesh import Mesh
+from rna_sdk.package import Mesh
 
 _TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
 

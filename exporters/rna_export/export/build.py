@@ -1,0 +1,198 @@
+"""Checkpoints to one package: a tier each, with its measured error and cost."""
+
+from __future__ import annotations
+
+import os
+import platform
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+import torch
+
+import rna_sdk
+from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.export.decoder import check_decoder, export_decoder
+from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
+from rna_export.training.checkpoint import Trained
+from rna_export.training.validation import score
+from rna_sdk.errors import ExportError
+from rna_sdk.package import (
+    Agreement,
+    Bounds,
+    Cost,
+    Domain,
+    Manifest,
+    Provenance,
+    Tier,
+    TierData,
+    Validation,
+    write_package,
+)
+from rna_sdk.runtime import Asset, load
+
+_COST_ROWS = 200_000
+
+
+def build_package(
+    trained: list[Trained],
+    dataset: Dataset,
+    out: Path,
+    source: str | None,
+    license_: str,
+    say: Callable[[str], None],
+) -> Manifest:
+    """Write `out` with one tier a checkpoint, named for its preset; returns its manifest.
+
+    Each tier's error and cost are measured through the runtime, from a package like the one
+    written. Raises `ExportError` when the checkpoints do not belong together or to the dataset.
+    """
+    _check_together(trained, dataset)
+    tiers, data = [], {}
+    for one in trained:
+        tier, tier_data = _tier(one, say)
+        tiers.append(tier)
+        data[tier.name] = tier_data
+    bounds = trained[0].model.triplane
+    domain = dataset.manifest.settings.domain
+    manifest = Manifest(
+        generator=f"rna-export {rna_sdk.__version__}",
+        name=dataset.manifest.name,
+        bounds=Bounds(min=tuple(bounds.low.tolist()), max=tuple(bounds.high.tolist())),
+        domain=Domain(wo=domain, wi=domain),
+        tiers=tuple(tiers),
+        provenance=_provenance(trained, dataset, source),
+        license=license_,
+    )
+    costs = {one.preset_name: _multiply_adds(one) for one in trained}
+    measured = _measure(manifest, dataset, data, costs, say)
+    return write_package(out, measured, dataset.mesh(), data)
+
+
+def _check_together(trained: list[Trained], dataset: Dataset) -> None:
+    names = [one.preset_name for one in trained]
+    if len(set(names)) < len(names):
+        raise ExportError(f"found presets {', '.join(names)}, expected each only once: a tier's name")
+    for one in trained:
+        if one.capture.source_sha256 != dataset.manifest.source_sha256:
+            raise ExportError(
+                f"the {one.preset_name} checkpoint was trained on {one.capture.source} "
+                f"({one.capture.source_sha256[:12]}), expected the dataset's "
+                f"{dataset.manifest.source} ({dataset.manifest.source_sha256[:12]})"
+            )
+
+
+def _tier(one: Trained, say: Callable[[str], None]) -> tuple[Tier, TierData]:
+    decoder = export_decoder(one.model)
+    agreement = check_decoder(decoder, one.model)
+    say(
+        f"{one.preset_name}: ONNX and PyTorch differ by at most {agreement.max_absolute:.1e} "
+        f"absolute, {agreement.max_relative:.1e} relative"
+    )
+    config = one.preset.model
+    tier = Tier(
+        name=one.preset_name,
+        planes=f"features/{one.preset_name}.safetensors",
+        decoder=f"decoders/{one.preset_name}.onnx",
+        inputs=config.inputs,
+        resolution=config.resolution,
+        channels=config.channels,
+        plane_precision="float16",
+        decoder_precision="float32",
+        agreement=Agreement(**asdict(agreement)),
+    )
+    planes = one.model.triplane.planes.detach().numpy().astype(np.float16)
+    return tier, TierData(planes=planes, decoder=decoder)
+
+
+def _measure(
+    manifest: Manifest,
+    dataset: Dataset,
+    data: dict[str, TierData],
+    multiply_adds: dict[str, int],
+    say: Callable[[str], None],
+) -> Manifest:
+    """The manifest with each tier's error and cost, as the runtime gives them."""
+    views, tiers = dataset.validation_views(), []
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "measured.rna"
+        write_package(path, manifest, dataset.mesh(), data)
+        for tier in manifest.tiers:
+            asset = load(path, tier=tier.name)
+            validation = _validation(asset, views)
+            cost = _cost(asset, multiply_adds[tier.name], views)
+            say(
+                f"{tier.name}: PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f} "
+                f"({validation.definition})\n"
+                f"{tier.name}: {cost.ns_per_query:.0f} ns a query on {cost.threads} threads"
+            )
+            tiers.append(tier.model_copy(update={"validation": validation, "cost": cost}))
+    return manifest.model_copy(update={"tiers": tuple(tiers)})
+
+
+def _validation(asset: Asset, views: list[ValidationView]) -> Validation:
+    radiance = []
+    for view in views:
+        visible, shadowed = asset.evaluate(*_inputs(view))
+        lit = view.samples["visible"].astype(bool)[:, None]
+        radiance.append(np.where(lit, visible, shadowed))
+    scores = score(radiance, views)
+    return Validation(
+        psnr=scores.psnr,
+        flip=scores.flip,
+        relative_mse=scores.relative_mse,
+        images=scores.images,
+        definition=f"psnr: {PSNR_DEFINITION}; flip: {FLIP_DEFINITION}",
+    )
+
+
+def _cost(asset: Asset, multiply_adds: int, views: list[ValidationView]) -> Cost:
+    """Median over five runs on real queries."""
+    rows = [np.concatenate([_inputs(view)[k] for view in views]) for k in range(4)]
+    repeat = -(-_COST_ROWS // len(rows[0]))
+    rows = [np.tile(values, (repeat, 1))[:_COST_ROWS] for values in rows]
+    seconds = []
+    for _ in range(6):
+        start = time.perf_counter()
+        asset.evaluate(*rows)
+        seconds.append(time.perf_counter() - start)
+    return Cost(
+        multiply_adds=multiply_adds,
+        ns_per_query=1e9 * float(np.median(seconds[1:])) / _COST_ROWS,
+        threads=asset.threads,
+        machine=f"{_processor()}, {len(os.sched_getaffinity(0))} cores",
+    )
+
+
+def _multiply_adds(one: Trained) -> int:
+    linear = [m for m in one.model.decoder if isinstance(m, torch.nn.Linear)]
+    return sum(layer.in_features * layer.out_features for layer in linear)
+
+
+def _inputs(view: ValidationView) -> list[np.ndarray]:
+    return [np.ascontiguousarray(view.samples[k]) for k in ("position", "normal", "wo", "wi")]
+
+
+def _processor() -> str:
+    try:
+        with open("/proc/cpuinfo") as file:
+            return next(line.split(":", 1)[1].strip() for line in file if "model name" in line)
+    except (OSError, StopIteration):
+        return platform.machine()
+
+
+def _provenance(trained: list[Trained], dataset: Dataset, source: str | None) -> Provenance:
+    manifest = dataset.manifest
+    runs = {
+        one.preset_name: {"steps": one.steps, "seed": one.seed, **one.preset.model_dump(mode="json")}
+        for one in trained
+    }
+    return Provenance(
+        source=source or f"{manifest.source} (sha256 {manifest.source_sha256})",
+        tool=f"Blender {manifest.blender} Cycles, {manifest.generator}, PyTorch {torch.__version__}",
+        capture=manifest.settings.model_dump(mode="json", by_alias=True),
+        training=runs,
+    )

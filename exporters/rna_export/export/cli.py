@@ -1,0 +1,51 @@
+"""`rna-export`: makes an `.rna` package from trained checkpoints."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from rna_export.console import run_command
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-export`."""
+    p = argparse.ArgumentParser(
+        prog="rna-export",
+        description="Write trained checkpoints as one .rna package, a tier each.\n\n"
+        "    rna-export runs/helmet/best.ckpt --out helmet.rna",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    p.add_argument("checkpoints", nargs="+", type=Path, help="of rna-train, one a tier; the first "
+                   "is the package's default tier")
+    p.add_argument("--out", type=Path, required=True, help="the package to write")
+    p.add_argument("--dataset", type=Path,
+                   help="folder of rna-capture (default: where the first checkpoint was trained)")
+    p.add_argument("--source", help="name, author and address of the original model")
+    p.add_argument("--license", default="NOASSERTION",
+                   help="SPDX expression of the asset's terms (default: %(default)s)")
+    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    args = parser().parse_args(argv)
+    return run_command(lambda: _run(args), args.debug)
+
+
+def _run(args: argparse.Namespace) -> None:
+    from rna_export.capture.dataset import Dataset
+    from rna_export.export.build import build_package
+    from rna_export.training.checkpoint import load_checkpoint
+
+    trained = [load_checkpoint(path) for path in args.checkpoints]
+    dataset = Dataset(args.dataset or trained[0].dataset)
+    build_package(trained, dataset, args.out, args.source, args.license, print)
+    size = args.out.stat().st_size / 1e6
+    print(f"wrote {args.out}, {size:.2f} MB\nnext: rna-validate {args.out}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,48 @@
+"""Image error as this project reports it; every number says which definition it follows."""
+
+from __future__ import annotations
+
+import flip_evaluator
+import numpy as np
+
+PSNR_DEFINITION = (
+    "PSNR of linear radiance under a light of irradiance pi, clamped to [0, 1], over the asset's "
+    "pixels only; mean over images"
+)
+FLIP_DEFINITION = "mean LDR-FLIP of the sRGB image over black, whole image"
+IRRADIANCE = np.pi
+
+
+def display(radiance: np.ndarray) -> np.ndarray:
+    """Radiance at irradiance 1 as displayed under irradiance pi: linear, in [0, 1]."""
+    return np.clip(radiance * IRRADIANCE, 0.0, 1.0)
+
+
+def psnr(radiance: np.ndarray, reference: np.ndarray) -> float:
+    """See `PSNR_DEFINITION`; both (n, 3), at irradiance 1, the asset's pixels only."""
+    error = display(radiance).astype(np.float64) - display(reference)
+    return -10.0 * float(np.log10(max(np.mean(error**2), 1e-12)))
+
+
+def relative_mse(radiance: np.ndarray, reference: np.ndarray) -> float:
+    """Mean squared error over the mean squared reference; unclamped."""
+    reference = reference.astype(np.float64)
+    return float(np.mean((radiance - reference) ** 2) / max(np.mean(reference**2), 1e-12))
+
+
+def to_srgb(linear: np.ndarray) -> np.ndarray:
+    """Linear [0, 1] to sRGB-encoded [0, 1] (IEC 61966-2-1)."""
+    low = 12.92 * linear
+    return np.where(linear <= 0.0031308, low, 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055)
+
+
+def flip(image: np.ndarray, reference: np.ndarray) -> tuple[float, np.ndarray]:
+    """See `FLIP_DEFINITION`; images (h, w, 3) of radiance at irradiance 1. Mean and map (h, w)."""
+    shown = [np.ascontiguousarray(display(i), np.float32) for i in (reference, image)]
+    error, mean, _ = flip_evaluator.evaluate(*shown, "LDR", inputsRGB=False, applyMagma=False)
+    return float(mean), np.asarray(error).reshape(image.shape[:2])
+
+
+def to_png(radiance: np.ndarray) -> np.ndarray:
+    """Radiance image (h, w, 3) at irradiance 1 as uint8 sRGB under irradiance pi."""
+    return (255.0 * to_srgb(display(radiance)) + 0.5).astype(np.uint8)

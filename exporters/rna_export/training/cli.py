@@ -1,0 +1,66 @@
+"""`rna-train`: fits a neural asset to a captured dataset."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from rna_export.console import run_command
+from rna_export.training.presets import PRESETS
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-train`."""
+    p = argparse.ArgumentParser(
+        prog="rna-train",
+        description="Fit a neural asset to a captured dataset.\n\n"
+        "    rna-train helmet.rays/ --preset small --out runs/helmet --minutes 10",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="The same command continues a training that was stopped.",
+    )
+    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
+    p.add_argument("--out", type=Path, required=True, help="folder for checkpoints, curves, images")
+    p.add_argument("--preset", choices=PRESETS, default="small", help="(default: %(default)s)")
+    length = p.add_mutually_exclusive_group()
+    length.add_argument("--minutes", type=float, help="length of the run (default: the preset's steps)")
+    length.add_argument("--steps", type=int, help="length of the run, exactly")
+    p.add_argument("--seed", type=int, default=0, help="a seed repeats a run (default: %(default)s)")
+    p.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto",
+                   help="(default: %(default)s, the GPU if there is one)")
+    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    args = parser().parse_args(argv)
+    return run_command(lambda: _run(args), args.debug)
+
+
+def _run(args: argparse.Namespace) -> None:
+    import torch
+
+    from rna_export.capture.dataset import Dataset
+    from rna_export.training.run import Run, train
+    from rna_sdk.errors import TrainingError
+
+    if args.device == "cuda" and not torch.cuda.is_available():
+        raise TrainingError("--device cuda: torch finds no CUDA device here")
+    device = args.device
+    if device == "auto":
+        device = "cuda" if torch.cuda.is_available() else "cpu"
+    preset = PRESETS[args.preset]
+    if args.steps is not None:
+        training = preset.training.model_copy(update={"steps": args.steps})
+        preset = preset.model_copy(update={"training": training})
+    run = Run(Dataset(args.dataset), preset, args.preset, args.out, args.seed, args.minutes, device)
+    best = train(run)
+    print(
+        f"wrote {best}, {args.out / 'curves.png'}, {args.out / 'validation'}\n"
+        f"next: rna-export {best} --out {run.dataset.manifest.name}.rna"
+    )
+
+
+if __name__ == "__main__":
+    sys.exit(main())

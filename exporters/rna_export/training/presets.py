@@ -1,0 +1,92 @@
+"""What a model is and how it is trained: the paper's two presets and ours."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+PAPER_INPUTS = ("features", "normal", "wo", "wi")
+OUR_INPUTS = ("features", "normal", "wo", "wi", "half_vector")
+
+
+class ModelConfig(BaseModel):
+    """The shape of a model; kept in its checkpoints and, by way of them, in packages."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    inputs: tuple[str, ...] = Field(description="decoder input blocks, in column order")
+    width: int = Field(gt=0, description="neurons of a hidden layer")
+    hidden_layers: int = Field(4, gt=0)
+    resolution: int = Field(gt=0, description="texels along a plane's side")
+    channels: int = Field(8, gt=0)
+
+
+class TrainingConfig(BaseModel):
+    """How a model is fitted."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    loss: Literal["log_l2", "relative_l2"] = Field(
+        description="log_l2: the paper's. relative_l2: squared error over the prediction's own "
+        "magnitude, which noise in the targets does not bias"
+    )
+    steps: int = Field(gt=0, description="length of the run; --steps and --minutes replace it")
+    batch: int = Field(gt=0, description="samples a step")
+    learning_rate: float = Field(description="of the decoder, at the start")
+    plane_learning_rate: float = Field(description="of the planes, at the start")
+    schedule: Literal["halving", "cosine"] = Field(
+        description="halving: by half every fifth of the run (the paper's). cosine: to zero"
+    )
+    blur: float = Field(
+        description="footprint in texels that planes are blurred with at first; decays to 1, "
+        "no blur, over the first fifth of the run"
+    )
+
+
+class Preset(BaseModel):
+    """A named pair of both."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    model: ModelConfig
+    training: TrainingConfig
+
+
+def _paper(width: int) -> Preset:
+    # The paper, sections 3.2 and 4.2. One batch there is an image slice; here, as many samples.
+    return Preset(
+        model=ModelConfig(inputs=PAPER_INPUTS, width=width, resolution=512),
+        training=TrainingConfig(
+            loss="log_l2",
+            steps=100_000,
+            batch=32768,
+            learning_rate=1e-3,
+            plane_learning_rate=1e-3,
+            schedule="halving",
+            blur=4.0,
+        ),
+    )
+
+
+def _ours(width: int, learning_rate: float) -> Preset:
+    return Preset(
+        model=ModelConfig(inputs=OUR_INPUTS, width=width, resolution=256),
+        training=TrainingConfig(
+            loss="relative_l2",
+            steps=10_000,
+            batch=16384,
+            learning_rate=learning_rate,
+            plane_learning_rate=1e-2,
+            schedule="cosine",
+            blur=4.0,
+        ),
+    )
+
+
+PRESETS = {
+    "small": _ours(64, 4e-3),
+    "hq": _ours(512, 1e-3),
+    "paper-small": _paper(64),
+    "paper-hq": _paper(512),
+}

@@ -1,0 +1,65 @@
+"""Shades whole captured images in PyTorch: the paper's deferred shading, and its scores."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import torch
+from PIL import Image
+
+from rna_export.capture.dataset import ValidationView
+from rna_export.metrics import flip, psnr, relative_mse, to_png
+from rna_export.training.model import NeuralAsset
+
+_ROWS = 65536
+
+
+@dataclass(frozen=True)
+class Scores:
+    """Means over the validation images, as `rna_export.metrics` defines them."""
+
+    psnr: float
+    flip: float
+    relative_mse: float
+    psnr_of_references: float  # one half of the paths against the other: what noise allows
+    images: int
+
+
+@torch.no_grad()
+def shade(model: NeuralAsset, view: ValidationView) -> np.ndarray:
+    """Radiance (n, 3) of a view's rows, the output picked by visibility."""
+    device = model.ceiling.device
+    names = ("position", "normal", "wo", "wi")
+    parts = []
+    for first in range(0, len(view.pixel), _ROWS):
+        rows = slice(first, first + _ROWS)
+        inputs = [torch.from_numpy(view.samples[name][rows]).to(device) for name in names]
+        both = model.transport(model(*inputs)).cpu().numpy()
+        visible = view.samples["visible"][rows].astype(bool)
+        parts.append(np.where(visible[:, None], both[:, 0], both[:, 1]))
+    return np.concatenate(parts)
+
+
+def score(radiance: list[np.ndarray], views: list[ValidationView]) -> Scores:
+    """Scores of shaded rows against the captured ones."""
+    pairs = [(r, v.samples["radiance"], v) for r, v in zip(radiance, views, strict=True)]
+    return Scores(
+        psnr=float(np.mean([psnr(r, t) for r, t, _ in pairs])),
+        flip=float(np.mean([flip(v.image(r), v.image(t))[0] for r, t, v in pairs])),
+        relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
+        # The mean of both halves has half the variance of either, their difference twice it.
+        psnr_of_references=float(np.mean([psnr(*v.halves) + 6.02 for v in views])),
+        images=len(views),
+    )
+
+
+def write_images(folder: Path, radiance: list[np.ndarray], views: list[ValidationView]) -> None:
+    """One PNG a view: ours, Cycles, the FLIP map."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for shaded, view in zip(radiance, views, strict=True):
+        ours, cycles = view.image(shaded), view.image(view.samples["radiance"])
+        error = np.clip(255.0 * flip(ours, cycles)[1], 0, 255).astype(np.uint8)
+        row = [to_png(ours), to_png(cycles), np.repeat(error[..., None], 3, axis=2)]
+        Image.fromarray(np.concatenate(row, axis=1)).save(folder / f"view-{view.index:02d}.png")
