@@ -5,6 +5,8 @@ from __future__ import annotations
 import flip_evaluator
 import numpy as np
 
+from rna_render.srgb import encode_srgb
+
 PSNR_DEFINITION = (
     "PSNR of linear radiance under a light of irradiance pi, clamped to [0, 1], over the asset's "
     "pixels only; mean over images"
@@ -30,12 +32,6 @@ def relative_mse(radiance: np.ndarray, reference: np.ndarray) -> float:
     return float(np.mean((radiance - reference) ** 2) / max(np.mean(reference**2), 1e-12))
 
 
-def to_srgb(linear: np.ndarray) -> np.ndarray:
-    """Linear [0, 1] to sRGB-encoded [0, 1] (IEC 61966-2-1)."""
-    low = 12.92 * linear
-    return np.where(linear <= 0.0031308, low, 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055)
-
-
 def flip(image: np.ndarray, reference: np.ndarray) -> tuple[float, np.ndarray]:
     """See `FLIP_DEFINITION`; images (h, w, 3) of radiance at irradiance 1. Mean and map (h, w)."""
     shown = [np.ascontiguousarray(display(i), np.float32) for i in (reference, image)]
@@ -45,4 +41,4 @@ def flip(image: np.ndarray, reference: np.ndarray) -> tuple[float, np.ndarray]:
 
 def to_png(radiance: np.ndarray) -> np.ndarray:
     """Radiance image (h, w, 3) at irradiance 1 as uint8 sRGB under irradiance pi."""
-    return (255.0 * to_srgb(display(radiance)) + 0.5).astype(np.uint8)
+    return (255.0 * encode_srgb(display(radiance)) + 0.5).astype(np.uint8)

@@ -1,0 +1,84 @@
+"""`rna-compare`: a package beside Cycles rendering the original."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from rna_export.console import run_command
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-compare`."""
+    p = argparse.ArgumentParser(
+        prog="rna-compare",
+        description="Render a package and its original with Cycles, and write a page with both.\n\n"
+        "    rna-compare helmet.rna helmet.gltf --out compare/helmet",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="Three cameras (one a close-up) x three lights. Arguments after -- go to a source "
+        "that is a Python script.",
+    )
+    p.add_argument("package", type=Path, help="the .rna file")
+    p.add_argument("source", type=Path, help="what it was captured from")
+    p.add_argument("--out", type=Path, required=True, help="folder for the page")
+    p.add_argument("--tier", help="tier of the package (default: its first)")
+    p.add_argument("--samples", type=int, default=16, help="ours a pixel (int, default %(default)s)")
+    p.add_argument("--cycles-samples", type=int, default=256, help="a pixel (int, default %(default)s)")
+    p.add_argument("--resolution", type=int, default=384, help="pixels a side (int, default %(default)s)")
+    p.add_argument("--turn", type=float, default=0.0, metavar="DEG",
+                   help="turn the cameras about +Y, if the asset's front is not +Z (default 0)")
+    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    argv = sys.argv[1:] if argv is None else argv
+    split = argv.index("--") if "--" in argv else len(argv)
+    args = parser().parse_args(argv[:split])
+    return run_command(lambda: _run(args, tuple(argv[split + 1 :])), args.debug)
+
+
+def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
+    from rna_export.capture import blender_env
+    from rna_export.capture.run import default_workers
+    from rna_export.capture.worker import BlenderWorker, Source
+    from rna_export.compare.page import write_page
+    from rna_export.compare.run import compare
+    from rna_sdk.errors import CaptureError
+    from rna_sdk.runtime import load
+
+    if not args.source.is_file():
+        raise CaptureError(f"{args.source}: no such file")
+    asset = load(args.package, tier=args.tier)
+    scratch = Path(tempfile.mkdtemp(prefix="rna-compare-"))
+    try:
+        with BlenderWorker(
+            blender_env.find_python(), Source(args.source, arguments), scratch, default_workers()
+        ) as worker:
+            pairs = compare(
+                asset, args.package, worker, args.samples, args.cycles_samples, args.resolution,
+                args.turn,
+                lambda p: print(
+                    f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, ours "
+                    f"{p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s"
+                ),
+            )
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+    settings = {
+        "tier": args.tier or "default",
+        "samples": args.samples,
+        "cyclesSamples": args.cycles_samples,
+        "resolution": args.resolution,
+        "threads": default_workers(),
+    }
+    write_page(args.out, f"{args.package.stem}: the package and Cycles", pairs, settings)
+    print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,78 @@
+"""The page of a comparison: a table of pictures, the numbers as JSON, and one sheet as PNG."""
+
+from __future__ import annotations
+
+import html
+import json
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from rna_export.compare.run import Pair
+from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, display, to_png
+
+_STYLE = (
+    "body{font:15px/1.4 sans-serif;margin:2em;background:#181818;color:#ddd}"
+    "img{width:100%;display:block}td{padding:4px;vertical-align:top;width:25%}"
+    "table{border-collapse:collapse;width:100%}th{text-align:left}"
+)
+
+
+def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, object]) -> None:
+    """Write `index.html`, `results.json`, `sheet.png` and the single pictures into `folder`."""
+    folder.mkdir(parents=True, exist_ok=True)
+    rows = []
+    for number, pair in enumerate(pairs):
+        cells = []
+        for kind, image in _images(pair).items():
+            name = f"{number}-{kind}.png"
+            Image.fromarray(image).save(folder / name)
+            cells.append(f'<td><img src="{name}" alt="{kind}">{_caption(kind, pair)}</td>')
+        rows.append(f'<tr><th colspan="4">{html.escape(pair.shot.name)}</th></tr>')
+        rows.append(f"<tr>{''.join(cells)}</tr>")
+    summary = _summary(pairs)
+    page = (
+        f"<!doctype html><meta charset=utf-8><title>{html.escape(title)}</title>"
+        f"<style>{_STYLE}</style><h1>{html.escape(title)}</h1>"
+        f"<p>{html.escape(json.dumps(settings))}</p><p>mean PSNR {summary['psnr']:.2f} dB, "
+        f"mean FLIP {summary['flip']:.4f}</p><p>{html.escape(PSNR_DEFINITION)}; FLIP: "
+        f"{html.escape(FLIP_DEFINITION)}</p><table>{''.join(rows)}</table>"
+    )
+    (folder / "index.html").write_text(page)
+    results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
+    (folder / "results.json").write_text(json.dumps(results, indent=1) + "\n")
+    sheet = np.concatenate(
+        [np.concatenate(list(_images(pair).values()), axis=1) for pair in pairs], axis=0
+    )
+    Image.fromarray(sheet).save(folder / "sheet.png")
+
+
+def _images(pair: Pair) -> dict[str, np.ndarray]:
+    difference = np.abs(display(pair.ours) - display(pair.cycles))
+    heat = np.repeat(np.clip(255.0 * pair.flip_map, 0, 255).astype(np.uint8)[..., None], 3, axis=2)
+    return {
+        "ours": to_png(pair.ours),
+        "cycles": to_png(pair.cycles),
+        "difference": np.clip(255.0 * 4.0 * difference, 0, 255).astype(np.uint8),
+        "flip": heat,
+    }
+
+
+def _caption(kind: str, pair: Pair) -> str:
+    return {
+        "ours": f"ours, {pair.seconds_ours:.2f} s",
+        "cycles": f"Cycles, {pair.seconds_cycles:.2f} s",
+        "difference": f"difference x 4, PSNR {pair.psnr:.2f} dB",
+        "flip": f"FLIP {pair.flip:.4f}",
+    }[kind]
+
+
+def _summary(pairs: list[Pair]) -> dict[str, float]:
+    names = ("psnr", "flip", "seconds_ours", "seconds_cycles")
+    return {name: float(np.mean([getattr(pair, name) for pair in pairs])) for name in names}
+
+
+def _numbers(pairs: list[Pair]) -> list[dict[str, object]]:
+    names = ("psnr", "flip", "seconds_ours", "seconds_cycles")
+    return [{"name": p.shot.name, **{n: getattr(p, n) for n in names}} for p in pairs]

@@ -1,0 +1,47 @@
+"""Read, write and validate `.rna` packages (format: spec/RNA-1.0.md).
+
+>>> with Package.open("toy.rna") as package:
+...     planes = package.planes("small")
+"""
+
+from rna_sdk.errors import PackageError
+from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
+from rna_sdk.package.issues import Code, Issue, Severity
+from rna_sdk.package.manifest import (
+    Agreement,
+    Bounds,
+    Cost,
+    Domain,
+    Manifest,
+    Provenance,
+    Tier,
+    Validation,
+)
+from rna_sdk.package.mesh import Mesh
+from rna_sdk.package.package import Package
+from rna_sdk.package.planes import Planes
+from rna_sdk.package.validator import validate
+from rna_sdk.package.writer import TierData, write_package
+
+__all__ = [
+    "INPUT_BLOCKS",
+    "Agreement",
+    "Bounds",
+    "Code",
+    "Cost",
+    "Domain",
+    "Issue",
+    "Manifest",
+    "Mesh",
+    "Package",
+    "PackageError",
+    "Planes",
+    "Provenance",
+    "Severity",
+    "Tier",
+    "TierData",
+    "Validation",
+    "query_width",
+    "validate",
+    "write_package",
+]

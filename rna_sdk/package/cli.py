@@ -1,0 +1,69 @@
+"""`rna-validate`: check packages and print what is wrong with them."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict
+
+from rna_sdk.package.issues import Issue, Severity
+from rna_sdk.package.validator import validate
+
+VALID, INVALID = 0, 1
+"""Exit statuses; argparse exits with 2 for wrong usage."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command. Returns 0 when every file is valid, 1 when one is not."""
+    options = _parser().parse_args(arguments)
+    reports: dict[str, list[Issue]] = {}
+    for path in options.files:
+        try:
+            reports[path] = validate(path)
+        except Exception as error:  # a defect of the validator: say so, in one line
+            if options.debug:
+                raise
+            print(f"{path}: internal error, {error!r}; try --debug", file=sys.stderr)
+            return INVALID
+    if options.json:
+        print(json.dumps([_as_json(path, issues) for path, issues in reports.items()], indent=2))
+    else:
+        for path, issues in reports.items():
+            _print_report(path, issues)
+    return VALID if all(map(_is_valid, reports.values())) else INVALID
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="rna-validate",
+        usage=argparse.SUPPRESS,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Check .rna packages against the format.\n\n    rna-validate asset.rna",
+        epilog="Exit status: 0 valid, 1 invalid, 2 wrong usage. Codes: spec/ISSUES.md.",
+    )
+    parser.add_argument(
+        "files", nargs="+", metavar="FILE", help="package to check (path), one or more"
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON (default: text)")
+    parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
+    return parser
+
+
+def _is_valid(issues: list[Issue]) -> bool:
+    return all(issue.severity is not Severity.ERROR for issue in issues)
+
+
+def _as_json(path: str, issues: list[Issue]) -> dict[str, object]:
+    return {"file": path, "valid": _is_valid(issues), "issues": [asdict(i) for i in issues]}
+
+
+def _print_report(path: str, issues: list[Issue]) -> None:
+    for issue in issues:
+        print(f"{path}: {issue}")
+    print(f"{path}: {'valid' if _is_valid(issues) else 'invalid'}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

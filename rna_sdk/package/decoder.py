@@ -1,0 +1,186 @@
+"""Check a tier's ONNX decoder: its structure first, then that it loads and keeps its word."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.limits import (
+    IR_VERSIONS,
+    MAX_DECODER_BYTES,
+    MAX_DECODER_NODES,
+    MAX_DECODER_WIDTH,
+    OPSET_VERSIONS,
+)
+from rna_sdk.package.manifest import Tier
+from rna_sdk.package.onnx_model import FLOAT, Model, Node, Tensor, Value, read_model
+from rna_sdk.package.protobuf import WireError
+
+INPUT_NAME = "queries"
+OUTPUT_NAME = "transport"
+OUTPUT_WIDTH = 6
+"""Columns of `transport`: visible R, G, B, shadowed R, G, B."""
+
+QUANTIZERS = frozenset({"QuantizeLinear", "DequantizeLinear"})
+
+# Operators whose row i of the result depends on row i of the queries alone, and whose
+# dimensions do not grow, Concat aside (so that a small file cannot ask for much memory).
+OPERATORS = QUANTIZERS | frozenset(
+    "Abs Add And Atan Cast Ceil Clip Concat Constant Cos Div Elu Equal Erf Exp Floor Gelu Gemm "
+    "Greater GreaterOrEqual HardSigmoid HardSwish Identity IsInf IsNaN LayerNormalization "
+    "LeakyRelu Less LessOrEqual Log MatMul Max Min Mish Mul Neg Not Or PRelu Pow Reciprocal Relu "
+    "Selu Sigmoid Sign Sin Slice Softplus Softsign Split Sqrt Sub Sum Tanh ThresholdedRelu "
+    "Where Xor".split()
+)
+
+# TensorProto.DataType: float32, uint8, int8, int32, int64, bool, float16
+TENSOR_TYPES = frozenset({1, 2, 3, 6, 7, 9, 10})
+DEFAULT_DOMAINS = frozenset({"", "ai.onnx"})
+
+_PROBES = (0.0, 1.0, -1.0, 1e4, -1e4, float(np.finfo(np.float32).max), -3.4e38)
+
+
+def check_decoder(data: memoryview, tier: Tier) -> None:
+    """Check the entry `data` against the tier.
+
+    The inference engine sees the bytes only after the structure has passed.
+
+    Raises:
+        PackageError: with the first DECODER_* issue found.
+    """
+    if len(data) > MAX_DECODER_BYTES:
+        expected = f"at most {MAX_DECODER_BYTES}"
+        refuse(Code.DECODER_TOO_LARGE, tier.decoder, f"{len(data)} bytes", expected)
+    try:
+        model = read_model(data)
+    except WireError as error:
+        refuse(Code.DECODER_NOT_ONNX, tier.decoder, error, "an ONNX ModelProto")
+    _check_versions(model, tier.decoder)
+    _check_interface(model, tier)
+    _check_nodes(model, tier)
+    _check_tensors(model, tier.decoder)
+    _check_widths(model, tier)
+    _check_results(bytes(data), tier)
+
+
+def _check_versions(model: Model, name: str) -> None:
+    if not model.opsets or not model.nodes:
+        refuse(Code.DECODER_NOT_ONNX, name, "no operator set or no nodes", "an ONNX ModelProto")
+    for i, (domain, version) in enumerate(model.opsets):
+        where = f"{name}#/opset_import/{i}"
+        if domain not in DEFAULT_DOMAINS or i > 0:
+            refuse(Code.DECODER_DOMAIN, where, repr(domain), "the default domain, once")
+        if version not in OPSET_VERSIONS:
+            refuse(Code.DECODER_VERSION, where, version, _span(OPSET_VERSIONS))
+    if model.ir_version not in IR_VERSIONS:
+        where = f"{name}#/ir_version"
+        refuse(Code.DECODER_VERSION, where, model.ir_version, _span(IR_VERSIONS))
+
+
+def _span(versions: range) -> str:
+    return f"{versions.start} to {versions.stop - 1}"
+
+
+def _check_interface(model: Model, tier: Tier) -> None:
+    sides = (
+        (Code.DECODER_INPUT, "input", model.inputs, INPUT_NAME, tier.query_width),
+        (Code.DECODER_OUTPUT, "output", model.outputs, OUTPUT_NAME, OUTPUT_WIDTH),
+    )
+    for code, side, values, name, width in sides:
+        if list(values) != [Value(name, FLOAT, (None, width))]:
+            where = f"{tier.decoder}#/graph/{side}"
+            found = [f"{v.name} type {v.dtype} {list(v.dims)}" for v in values]
+            refuse(code, where, found, f"{name} float32 [N, {width}], N symbolic")
+
+
+def _check_nodes(model: Model, tier: Tier) -> None:
+    if model.nested:
+        found = "functions, training info or sparse tensors"
+        refuse(Code.DECODER_NESTED, f"{tier.decoder}#", found, "none")
+    if len(model.nodes) > MAX_DECODER_NODES:
+        where = f"{tier.decoder}#/graph/node"
+        refuse(Code.DECODER_GRAPH, where, len(model.nodes), f"at most {MAX_DECODER_NODES} nodes")
+    for i, node in enumerate(model.nodes):
+        where = f"{tier.decoder}#/graph/node/{i}"
+        if node.domain not in DEFAULT_DOMAINS:
+            refuse(Code.DECODER_DOMAIN, where, node.domain, "the default domain")
+        if node.nested:
+            refuse(Code.DECODER_NESTED, where, f"a graph in {node.operator}", "none")
+        if node.operator not in OPERATORS:
+            refuse(Code.DECODER_OPERATOR, where, node.operator, "one of the list in the spec")
+    quantized = any(node.operator in QUANTIZERS for node in model.nodes)
+    actual = "int8" if quantized else "float32"
+    if actual != tier.decoder_precision:
+        refuse(Code.DECODER_PRECISION, tier.decoder, actual, tier.decoder_precision)
+
+
+def _check_tensors(model: Model, name: str) -> None:
+    tensors = [*model.initializers, *(t for node in model.nodes for t in node.tensors)]
+    for tensor in tensors:
+        where = f"{name}#{tensor.name}"
+        if tensor.external:
+            refuse(Code.DECODER_EXTERNAL, where, "external data", "data in the file")
+        small = len(tensor.dims) <= 2 and _width(tensor) <= MAX_DECODER_WIDTH
+        if tensor.dtype not in TENSOR_TYPES or not small:
+            found = f"type {tensor.dtype} {list(tensor.dims)}"
+            expected = f"at most 2 dimensions of at most {MAX_DECODER_WIDTH}"
+            refuse(Code.DECODER_TENSOR, where, found, expected)
+
+
+def _width(tensor: Tensor) -> int:
+    return max(tensor.dims, default=1)
+
+
+def _check_widths(model: Model, tier: Tier) -> None:
+    """Every input is made before it is used, and no tensor can grow past the limit.
+
+    The bound needs no shape inference: no operator here gives a larger dimension than its
+    operands have, but for Concat, whose result is at most their sum.
+    """
+    bounds = {"": 1, INPUT_NAME: tier.query_width}
+    bounds.update((tensor.name, _width(tensor)) for tensor in model.initializers)
+    for i, node in enumerate(model.nodes):
+        where = f"{tier.decoder}#/graph/node/{i}"
+        missing = [name for name in node.inputs if name not in bounds]
+        twice = [name for name in node.outputs if name and name in bounds]
+        if missing or twice:
+            found = f"{missing} not made before, {twice} made again"
+            refuse(Code.DECODER_GRAPH, where, found, "each value made once, before its use")
+        bound = _bound(node, [bounds[name] for name in node.inputs])
+        if bound > MAX_DECODER_WIDTH:
+            refuse(Code.DECODER_TENSOR, where, f"width {bound}", f"at most {MAX_DECODER_WIDTH}")
+        bounds.update((name, bound) for name in node.outputs if name)
+    if OUTPUT_NAME not in bounds:
+        refuse(Code.DECODER_GRAPH, f"{tier.decoder}#/graph/output", "nothing makes it", OUTPUT_NAME)
+
+
+def _bound(node: Node, widths: list[int]) -> int:
+    own = max([node.longest_list, *map(_width, node.tensors)])
+    return max(own, sum(widths) if node.operator == "Concat" else max(widths, default=1))
+
+
+def _check_results(data: bytes, tier: Tier) -> None:
+    """Load the decoder and ask it a few constant queries, batch and row alike."""
+    # Imported here: everything but this last check works, and starts fast, without it.
+    import onnxruntime as ort
+
+    options = ort.SessionOptions()
+    options.intra_op_num_threads = options.inter_op_num_threads = 1
+    options.graph_optimization_level = ort.GraphOptimizationLevel.ORT_DISABLE_ALL
+    options.log_severity_level = 4
+    queries = np.repeat(np.array(_PROBES, np.float32)[:, None], tier.query_width, axis=1)
+    try:
+        session = ort.InferenceSession(data, options, providers=["CPUExecutionProvider"])
+        transport = session.run([OUTPUT_NAME], {INPUT_NAME: queries})[0]
+        empty = session.run([OUTPUT_NAME], {INPUT_NAME: queries[:0]})[0]
+    except Exception as error:  # the engine's exceptions share no narrower base
+        refuse(Code.DECODER_LOAD, tier.decoder, error, "a model that loads and runs")
+    for result, rows in ((transport, len(queries)), (empty, 0)):
+        if result.dtype != np.float32 or result.shape != (rows, OUTPUT_WIDTH):
+            found = f"{result.dtype} {list(result.shape)}"
+            refuse(Code.DECODER_RESULT, tier.decoder, found, f"float32 {[rows, OUTPUT_WIDTH]}")
+    good = (np.isfinite(transport) & (transport >= 0)).all(axis=1)
+    if not good.all():
+        row = int(np.argmin(good))
+        found = f"{transport[row].tolist()} where all inputs are {_PROBES[row]:g}"
+        refuse(Code.DECODER_RESULT, tier.decoder, found, "finite and >= 0 for any finite input")

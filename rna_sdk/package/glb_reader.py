@@ -1,0 +1,135 @@
+"""Read the package's binary glTF from hostile bytes; `glb_writer` is the inverse."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from rna_sdk.package import gltf
+from rna_sdk.package.glb_writer import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
+from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.limits import MAX_GLTF_JSON_BYTES
+from rna_sdk.package.mesh import Mesh
+from rna_sdk.package.strict_json import parse_object, pointer
+
+NORMAL_TOLERANCE = 1e-3
+
+
+def mesh_from_glb(data: memoryview, name: str) -> Mesh:
+    """The mesh in the .glb `data`; its arrays are read-only views of `data`.
+
+    Args:
+        data: the bytes of the entry.
+        name: the entry's name, for issues.
+
+    Raises:
+        PackageError: with the first GEOMETRY_* or JSON_* issue found.
+    """
+    document, blob = _split(data, name)
+    primitive = document.meshes[0].primitives[0]
+    attributes = primitive.attributes
+    uv_index = attributes.TEXCOORD_0
+    indices = _array(document, blob, primitive.indices, "SCALAR", name)
+    if indices.size % 3:
+        refuse(Code.GEOMETRY_ARRAY, name, f"{indices.size} indices", "a multiple of 3")
+    mesh = Mesh(
+        positions=_array(document, blob, attributes.POSITION, "VEC3", name),
+        normals=_array(document, blob, attributes.NORMAL, "VEC3", name),
+        uvs=None if uv_index is None else _array(document, blob, uv_index, "VEC2", name),
+        triangles=indices.reshape(-1, 3),
+    )
+    _check_values(mesh, name)
+    accessor = document.accessors[attributes.POSITION]
+    _check_range(mesh, accessor, f"{name}#/accessors/{attributes.POSITION}")
+    return mesh
+
+
+def _split(data: memoryview, name: str) -> tuple[gltf.Gltf, memoryview]:
+    """The JSON chunk, parsed, and the binary chunk."""
+    if len(data) < HEADER.size + 2 * CHUNK.size:
+        refuse(Code.GEOMETRY_CONTAINER, name, f"{len(data)} bytes", "a header and two chunks")
+    header = HEADER.unpack_from(data)
+    if header != (MAGIC, 2, len(data)):
+        refuse(Code.GEOMETRY_CONTAINER, name, header, (MAGIC, 2, len(data)))
+    json_size, json_type = CHUNK.unpack_from(data, HEADER.size)
+    json_start = HEADER.size + CHUNK.size
+    bin_start = json_start + json_size + CHUNK.size
+    if json_type != CHUNK_JSON or json_size > MAX_GLTF_JSON_BYTES or bin_start > len(data):
+        expected = f"a JSON chunk of at most {MAX_GLTF_JSON_BYTES} bytes"
+        refuse(Code.GEOMETRY_CONTAINER, name, f"{json_type!r} of {json_size} bytes", expected)
+    bin_size, bin_type = CHUNK.unpack_from(data, bin_start - CHUNK.size)
+    if bin_type != CHUNK_BIN or bin_start + bin_size != len(data) or bin_start % 4:
+        expected = f"a BIN chunk of {len(data) - bin_start} bytes at a multiple of 4"
+        refuse(Code.GEOMETRY_CONTAINER, name, f"{bin_type!r} of {bin_size} bytes", expected)
+    document = _document(bytes(data[json_start : json_start + json_size]), name)
+    declared = document.buffers[0].byte_length
+    if not declared <= bin_size <= declared + 3:
+        where = f"{name}#/buffers/0/byteLength"
+        refuse(Code.GEOMETRY_RANGE, where, declared, f"{bin_size} less at most 3 of padding")
+    return document, data[bin_start : bin_start + declared]
+
+
+def _document(data: bytes, name: str) -> gltf.Gltf:
+    parse_object(data, name, Code.GEOMETRY_CONTAINER)
+    try:
+        return gltf.Gltf.model_validate_json(data, strict=True, by_alias=True, by_name=False)
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = f"{name}#{pointer(*first['loc'])}"
+        refuse(Code.GEOMETRY_PROFILE, where, repr(first["input"]), first["msg"])
+
+
+def _array(document: gltf.Gltf, blob: memoryview, index: int, kind: gltf.Shape, name: str) -> Any:
+    """(count, width) float32 of an attribute, or (count,) uint32 of SCALAR indices."""
+    where = f"{name}#/accessors/{index}"
+    if index >= len(document.accessors):
+        refuse(Code.GEOMETRY_RANGE, where, "no such accessor", f"{len(document.accessors)} of them")
+    accessor = document.accessors[index]
+    component = gltf.UNSIGNED_INT if kind == "SCALAR" else gltf.FLOAT
+    if (accessor.type, accessor.component_type) != (kind, component):
+        found = f"{accessor.type} of {accessor.component_type}"
+        refuse(Code.GEOMETRY_PROFILE, where, found, f"{kind} of {component}")
+    if accessor.buffer_view >= len(document.buffer_views):
+        refuse(Code.GEOMETRY_RANGE, where, f"view {accessor.buffer_view}", "an existing one")
+    view = document.buffer_views[accessor.buffer_view]
+    width = gltf.WIDTHS[kind]
+    start = view.byte_offset + accessor.byte_offset
+    size = 4 * width * accessor.count
+    view_end = view.byte_offset + view.byte_length
+    if start + size > view_end or view_end > len(blob) or start % 4:
+        found = f"{size} bytes at {start}, view to {view_end}, buffer of {len(blob)}"
+        refuse(Code.GEOMETRY_RANGE, where, found, "aligned bytes inside both")
+    dtype = "<u4" if kind == "SCALAR" else "<f4"
+    flat = np.frombuffer(blob[start : start + size], dtype)
+    return flat if kind == "SCALAR" else flat.reshape(-1, width)
+
+
+def _check_values(mesh: Mesh, name: str) -> None:
+    attributes: dict[str, NDArray[np.float32] | None] = {
+        "POSITION": mesh.positions,
+        "NORMAL": mesh.normals,
+        "TEXCOORD_0": mesh.uvs,
+    }
+    for attribute, array in attributes.items():
+        if array is not None and not np.isfinite(array).all():
+            refuse(Code.GEOMETRY_NOT_FINITE, name, attribute, "finite values")
+    largest = int(mesh.triangles.max())
+    if largest >= len(mesh.positions):
+        refuse(Code.GEOMETRY_INDEX, name, largest, f"below {len(mesh.positions)}")
+    lengths = np.linalg.norm(mesh.normals.astype(np.float64), axis=1)
+    worst = float(lengths[np.argmax(np.abs(lengths - 1))])
+    if abs(worst - 1) > NORMAL_TOLERANCE:
+        refuse(Code.GEOMETRY_NORMAL, name, f"length {worst:.6g}", f"1 within {NORMAL_TOLERANCE}")
+
+
+def _check_range(mesh: Mesh, accessor: gltf.Accessor, where: str) -> None:
+    """POSITION's min and max are those of its values, as float32."""
+    low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+    for found, actual in ((accessor.min, low), (accessor.max, high)):
+        with np.errstate(over="ignore"):
+            same = found is not None and np.array_equal(np.asarray(found, np.float32), actual)
+        if not same:
+            refuse(Code.GEOMETRY_BOUNDS, where, found, actual.tolist())

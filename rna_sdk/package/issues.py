@@ -1,0 +1,149 @@
+"""Everything that can be wrong with a package: the table of codes, and one finding."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum, StrEnum
+from typing import NoReturn
+
+from rna_sdk.errors import PackageError
+
+
+class Severity(StrEnum):
+    """An error makes a reader refuse the package; a warning does not."""
+
+    ERROR = "error"
+    WARNING = "warning"
+
+
+class Code(Enum):
+    """The stable issue codes. Each value is (severity, what is wrong, in one sentence).
+
+    `spec/ISSUES.md` is generated from this table. A published code keeps its meaning.
+    """
+
+    def __init__(self, severity: Severity, meaning: str) -> None:
+        self.severity = severity
+        self.meaning = meaning
+
+    # The file and its ZIP container
+    FILE_UNREADABLE = (Severity.ERROR, "The file cannot be opened.")
+    FILE_EMPTY = (Severity.ERROR, "The file has no bytes.")
+    FILE_TOO_LARGE = (Severity.ERROR, "The file is larger than a 1.x container can address.")
+    ZIP_NOT_ZIP = (Severity.ERROR, "The file is not a ZIP archive.")
+    ZIP_TRUNCATED = (Severity.ERROR, "A ZIP record or its data reaches past where it must end.")
+    ZIP_DIRECTORY = (Severity.ERROR, "The ZIP central directory is malformed.")
+    ZIP_ZIP64 = (Severity.ERROR, "The archive uses ZIP64 or several disks.")
+    ZIP_TOO_MANY = (Severity.ERROR, "The archive has more entries than allowed.")
+    ZIP_ENCRYPTED = (Severity.ERROR, "An entry is encrypted.")
+    ZIP_HEADER = (Severity.ERROR, "A flag, version, date or attribute is not the fixed one.")
+    ZIP_COMPRESSED = (Severity.ERROR, "An entry is not stored (compression method 0).")
+    ZIP_SIZE = (Severity.ERROR, "A stored entry declares two different sizes.")
+    ZIP_NAME = (Severity.ERROR, "An entry's name is not a plain relative path.")
+    ZIP_DUPLICATE = (Severity.ERROR, "Two entries have the same name, letter case ignored.")
+    ZIP_LOCAL_HEADER = (Severity.ERROR, "A local header disagrees with the central directory.")
+    ZIP_EXTRA = (Severity.ERROR, "An extra field is not the zero-filled padding field.")
+    ZIP_OVERLAP = (Severity.ERROR, "Two entries share bytes of the file.")
+    ZIP_GAP = (Severity.ERROR, "Bytes of the file belong to no entry.")
+    ZIP_ALIGNMENT = (Severity.ERROR, "An entry's data does not start on a 64-byte boundary.")
+    ZIP_ORDER = (Severity.ERROR, "manifest.json is not the first entry.")
+    ZIP_CRC = (Severity.ERROR, "An entry's bytes do not have the CRC-32 in its header.")
+
+    # manifest.json, and the JSON inside other entries
+    MANIFEST_TOO_LARGE = (Severity.ERROR, "manifest.json is larger than allowed.")
+    MANIFEST_NOT_JSON = (Severity.ERROR, "manifest.json is not a JSON object in UTF-8.")
+    JSON_DUPLICATE_KEY = (Severity.ERROR, "A JSON object has the same key twice.")
+    JSON_NOT_FINITE = (Severity.ERROR, "A JSON number is NaN, infinite or out of range.")
+    FORMAT_UNKNOWN = (Severity.ERROR, "The manifest does not say that this is an RNA package.")
+    VERSION_TOO_NEW = (Severity.ERROR, "The package needs a newer reader.")
+    KIND_UNSUPPORTED = (Severity.ERROR, "This version does not know the kind of asset.")
+    EXTENSION_REQUIRED = (Severity.ERROR, "The package requires an extension that is not known.")
+    EXTENSION_UNKNOWN = (Severity.WARNING, "The package uses an extension that is not known.")
+    EXTENSION_UNDECLARED = (Severity.ERROR, "An extension is present but not in extensionsUsed.")
+    FIELD_UNKNOWN = (Severity.ERROR, "The manifest has a field that the format does not define.")
+    FIELD_MISSING = (Severity.ERROR, "The manifest lacks a field.")
+    FIELD_VALUE = (Severity.ERROR, "A field has the wrong type or a value out of range.")
+    BOUNDS_EMPTY = (Severity.ERROR, "The bounds have no extent along an axis.")
+    TIER_DUPLICATE = (Severity.ERROR, "Two tiers have the same name.")
+    INPUT_UNKNOWN = (Severity.ERROR, "A decoder input block is not known, or named twice.")
+    REFERENCE_MISSING = (Severity.ERROR, "A path in the manifest names no declared entry.")
+
+    # Entries against the manifest
+    ENTRY_UNDECLARED = (Severity.ERROR, "The archive holds an entry that the manifest lacks.")
+    ENTRY_MISSING = (Severity.ERROR, "The manifest declares an entry that the archive lacks.")
+    ENTRY_UNREFERENCED = (Severity.ERROR, "Nothing in the manifest refers to a declared entry.")
+    ENTRY_SIZE = (Severity.ERROR, "An entry's size is not the declared one.")
+    ENTRY_HASH = (Severity.ERROR, "An entry's SHA-256 is not the declared one.")
+
+    # geometry/mesh.glb
+    GEOMETRY_CONTAINER = (Severity.ERROR, "The geometry is not a well-formed binary glTF 2.0.")
+    GEOMETRY_PROFILE = (Severity.ERROR, "The glTF is outside the profile of RNA geometry.")
+    GEOMETRY_RANGE = (Severity.ERROR, "A glTF buffer view or accessor reaches past its bytes.")
+    GEOMETRY_ARRAY = (Severity.ERROR, "The arrays of a mesh have wrong shapes or dtypes.")
+    GEOMETRY_NOT_FINITE = (Severity.ERROR, "A vertex attribute is NaN or infinite.")
+    GEOMETRY_INDEX = (Severity.ERROR, "A triangle names a vertex that does not exist.")
+    GEOMETRY_NORMAL = (Severity.ERROR, "A vertex normal is not of unit length.")
+    GEOMETRY_BOUNDS = (Severity.ERROR, "The accessor's min and max are not those of POSITION.")
+    GEOMETRY_OUTSIDE = (Severity.WARNING, "Part of the mesh lies outside the manifest's bounds.")
+
+    # features/*.safetensors
+    PLANES_HEADER = (Severity.ERROR, "The planes are not a well-formed safetensors file.")
+    PLANES_TENSOR = (Severity.ERROR, "The file does not hold exactly one tensor, `planes`.")
+    PLANES_DTYPE = (Severity.ERROR, "The planes' dtype is not the tier's planePrecision.")
+    PLANES_SHAPE = (Severity.ERROR, "The planes' shape is not [3, R, R, C] of the tier.")
+    PLANES_ALIGNMENT = (Severity.ERROR, "The tensor data does not start on a 64-byte boundary.")
+    PLANES_NOT_FINITE = (Severity.ERROR, "The planes hold NaN or infinite values.")
+
+    # decoders/*.onnx
+    DECODER_TOO_LARGE = (Severity.ERROR, "The decoder is larger than allowed.")
+    DECODER_NOT_ONNX = (Severity.ERROR, "The decoder is not a well-formed ONNX model.")
+    DECODER_VERSION = (Severity.ERROR, "The ONNX IR version or opset is outside the pinned range.")
+    DECODER_DOMAIN = (Severity.ERROR, "The decoder uses an operator set other than the default.")
+    DECODER_OPERATOR = (Severity.ERROR, "The decoder uses an operator that is not allowed.")
+    DECODER_NESTED = (Severity.ERROR, "The decoder holds functions, training data or subgraphs.")
+    DECODER_EXTERNAL = (Severity.ERROR, "The decoder refers to data outside its own file.")
+    DECODER_TENSOR = (Severity.ERROR, "A tensor's type, rank or size is not allowed.")
+    DECODER_INPUT = (Severity.ERROR, "The inputs are not exactly `queries` float32 [N, K].")
+    DECODER_OUTPUT = (Severity.ERROR, "The outputs are not exactly `transport` float32 [N, 6].")
+    DECODER_GRAPH = (Severity.ERROR, "The graph is not a list of nodes in order of use.")
+    DECODER_PRECISION = (Severity.ERROR, "The decoder's arithmetic is not the tier's precision.")
+    DECODER_LOAD = (Severity.ERROR, "The inference engine refuses the decoder.")
+    DECODER_RESULT = (Severity.ERROR, "The decoder breaks the output contract on a test query.")
+
+
+@dataclass(frozen=True)
+class Issue:
+    """One finding.
+
+    Attributes:
+        code: a name in `Code`, stable across versions.
+        severity: error or warning.
+        pointer_or_offset: an int is a byte offset in the file; a string is a JSON pointer
+            into manifest.json ("" is all of it), or `ENTRY#POINTER` into another entry.
+        message: the code's sentence.
+        found, expected: what is there, and what the format asks for.
+    """
+
+    code: str
+    severity: Severity
+    pointer_or_offset: str | int
+    message: str
+    found: str
+    expected: str
+
+    @classmethod
+    def of(cls, code: Code, where: str | int, found: object, expected: object) -> Issue:
+        """The issue with this code, its severity and sentence taken from the table."""
+        found_text, expected_text = str(found)[:200], str(expected)[:200]
+        return cls(code.name, code.severity, where, code.meaning, found_text, expected_text)
+
+    def __str__(self) -> str:
+        where = self.pointer_or_offset
+        place = f"byte {where}" if isinstance(where, int) else where or "manifest.json"
+        text = f"{self.severity.value} {self.code} at {place}: {self.message}"
+        return f"{text} Found {self.found}; expected {self.expected}."
+
+
+def refuse(code: Code, where: str | int, found: object, expected: object) -> NoReturn:
+    """Raise PackageError with one issue."""
+    raise PackageError([Issue.of(code, where, found, expected)])

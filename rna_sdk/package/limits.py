@@ -1,0 +1,26 @@
+"""Limits a reader enforces before it touches what a file declares (spec, "Limits")."""
+
+ALIGNMENT = 64
+"""Bytes; every entry's data, and the tensor inside a planes entry, starts on a multiple."""
+
+MAX_FILE_BYTES = 2**32 - 2
+"""Largest file that 32-bit ZIP fields address; 0xFFFFFFFF would announce ZIP64."""
+
+MAX_ENTRIES = 256
+MAX_NAME_BYTES = 200
+MAX_MANIFEST_BYTES = 2**20
+MAX_JSON_DEPTH = 64
+
+MAX_TIERS = 16
+MAX_RESOLUTION = 4096
+MAX_CHANNELS = 64
+MAX_PLANES_HEADER_BYTES = 2**16
+MAX_GLTF_JSON_BYTES = 2**16
+
+MAX_DECODER_BYTES = 2**26
+MAX_DECODER_NODES = 4096
+MAX_DECODER_WIDTH = 8192
+"""Largest non-batch dimension any tensor of a decoder may reach."""
+
+IR_VERSIONS = range(7, 11)
+OPSET_VERSIONS = range(13, 22)

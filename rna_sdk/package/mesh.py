@@ -1,0 +1,47 @@
+"""The geometry of a surface asset, as arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package.issues import Code, refuse
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A triangle mesh in object space, metres, right-handed with +Y up.
+
+    Attributes:
+        positions: (v, 3) float32.
+        normals: (v, 3) float32, unit; corner normals of the exported mesh, so a vertex on a
+            hard edge is there once for each normal.
+        uvs: (v, 2) float32 with glTF's origin (top left), or None.
+        triangles: (t, 3) uint32, counter-clockwise from outside.
+
+    Raises:
+        PackageError: GEOMETRY_ARRAY, where a shape or dtype is another.
+    """
+
+    positions: NDArray[np.float32]
+    normals: NDArray[np.float32]
+    uvs: NDArray[np.float32] | None
+    triangles: NDArray[np.uint32]
+
+    def __post_init__(self) -> None:
+        v, t = len(self.positions), len(self.triangles)
+        _check("positions", self.positions, (v, 3), np.float32)
+        _check("normals", self.normals, (v, 3), np.float32)
+        _check("triangles", self.triangles, (t, 3), np.uint32)
+        if self.uvs is not None:
+            _check("uvs", self.uvs, (v, 2), np.float32)
+        if v == 0 or t == 0:
+            refuse(Code.GEOMETRY_ARRAY, "/geometry", f"{v} vertices, {t} triangles", "some of both")
+
+
+def _check(name: str, array: NDArray[np.generic], shape: tuple[int, int], dtype: type) -> None:
+    if array.shape != shape or array.dtype != dtype:
+        found = f"{name} {array.dtype} {list(array.shape)}"
+        refuse(Code.GEOMETRY_ARRAY, "/geometry", found, f"{np.dtype(dtype)} {list(shape)}")

@@ -1,0 +1,127 @@
+"""Check a whole package: container, manifest, entries, then what is inside each entry."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from os import PathLike
+
+from rna_sdk.errors import PackageError
+from rna_sdk.package.container import MANIFEST_NAME, Container
+from rna_sdk.package.decoder import check_decoder
+from rna_sdk.package.glb_reader import mesh_from_glb
+from rna_sdk.package.issues import Code, Issue, Severity
+from rna_sdk.package.manifest import Bounds, Manifest
+from rna_sdk.package.manifest_reader import manifest_warnings, parse_manifest
+from rna_sdk.package.mesh import Mesh
+from rna_sdk.package.planes import check_finite, planes_from_bytes
+from rna_sdk.package.strict_json import pointer
+
+_OUTSIDE_TOLERANCE = 1e-4
+"""Part of the bounds' extent that a vertex may lie outside before a warning says so."""
+
+
+@dataclass
+class Inspection:
+    """What a full check of a file gave.
+
+    Attributes:
+        container, manifest: None where the file is too broken to have one.
+        issues: all findings, in the order of the checks.
+    """
+
+    container: Container | None = None
+    manifest: Manifest | None = None
+    issues: list[Issue] = field(default_factory=list)
+
+    @property
+    def errors(self) -> list[Issue]:
+        return [issue for issue in self.issues if issue.severity is Severity.ERROR]
+
+    @contextmanager
+    def collect(self) -> Iterator[None]:
+        """Note the issues that stop the block, and go on behind it."""
+        try:
+            yield
+        except PackageError as error:
+            self.issues += error.issues
+
+
+def validate(path: str | PathLike[str]) -> list[Issue]:
+    """All issues of the file; a package is valid when none is an error.
+
+    Nothing in the file is executed, unpickled or extracted, and no size is trusted before it
+    was checked. Does not raise for anything the file holds.
+    """
+    return inspect(path).issues
+
+
+def inspect(path: str | PathLike[str]) -> Inspection:
+    """Check the file, and keep what was opened on the way."""
+    result = Inspection()
+    with result.collect():
+        result.container = Container.open(path)
+        result.container.check_crc(MANIFEST_NAME)
+        manifest = parse_manifest(bytes(result.container.view(MANIFEST_NAME)))
+        result.manifest = manifest
+        result.issues += manifest_warnings(manifest)
+        intact = _check_entries(result, result.container, manifest)
+        _check_contents(result, result.container, manifest, intact)
+    return result
+
+
+def _check_entries(result: Inspection, container: Container, manifest: Manifest) -> set[str]:
+    """Compare the archive with the manifest; the names of the entries that are as declared."""
+    for name, entry in container.entries.items():
+        if name != MANIFEST_NAME and name not in manifest.entries:
+            issue = Issue.of(Code.ENTRY_UNDECLARED, entry.header_offset, name, "a declared entry")
+            result.issues.append(issue)
+    intact = set()
+    for name, record in manifest.entries.items():
+        where = pointer("entries", name)
+        if name not in container.entries:
+            result.issues.append(Issue.of(Code.ENTRY_MISSING, where, "nothing", name))
+            continue
+        size = container.entries[name].size
+        if size != record.size:
+            issue = Issue.of(Code.ENTRY_SIZE, f"{where}/size", f"{size} bytes", record.size)
+            result.issues.append(issue)
+            continue
+        digest = hashlib.sha256(container.view(name)).hexdigest()
+        if digest != record.sha256:
+            issue = Issue.of(Code.ENTRY_HASH, f"{where}/sha256", digest, record.sha256)
+            result.issues.append(issue)
+            continue
+        with result.collect():
+            container.check_crc(name)
+            intact.add(name)
+    return intact
+
+
+def _check_contents(
+    result: Inspection, container: Container, manifest: Manifest, intact: set[str]
+) -> None:
+    if manifest.geometry in intact:
+        with result.collect():
+            mesh = mesh_from_glb(container.view(manifest.geometry), manifest.geometry)
+            result.issues += _outside(mesh, manifest.bounds)
+    for tier in manifest.tiers:
+        if tier.planes in intact:
+            with result.collect():
+                check_finite(planes_from_bytes(container.view(tier.planes), tier), tier.planes)
+        if tier.decoder in intact:
+            with result.collect():
+                check_decoder(container.view(tier.decoder), tier)
+
+
+def _outside(mesh: Mesh, bounds: Bounds) -> list[Issue]:
+    low, high = mesh.positions.min(axis=0).tolist(), mesh.positions.max(axis=0).tolist()
+    for axis in range(3):
+        slack = _OUTSIDE_TOLERANCE * (bounds.max[axis] - bounds.min[axis])
+        if low[axis] < bounds.min[axis] - slack or high[axis] > bounds.max[axis] + slack:
+            found = f"{low[axis]:.6g} to {high[axis]:.6g} along {'xyz'[axis]}"
+            expected = f"{bounds.min[axis]:.6g} to {bounds.max[axis]:.6g}"
+            return [Issue.of(Code.GEOMETRY_OUTSIDE, "/bounds", found, expected)]
+    return []

@@ -1,0 +1,171 @@
+"""Small good packages, and the pieces to make bad ones of."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import onnx
+from numpy.typing import NDArray
+from onnx import TensorProto, helper, numpy_helper
+
+from rna_sdk.package import (
+    Bounds,
+    Domain,
+    Manifest,
+    Mesh,
+    Provenance,
+    Tier,
+    TierData,
+    query_width,
+    write_package,
+)
+from rna_sdk.package.container import MANIFEST_NAME, Container
+from rna_sdk.package.container_writer import write_container
+
+INPUTS = ("features", "normal", "wo", "wi", "half_vector")
+
+
+def make_mesh(uvs: bool = True) -> Mesh:
+    """A tetrahedron inside the bounds [-1, 1]^3, flat shaded: 12 vertices, 4 triangles."""
+    corners = np.float32([[0, 0.9, 0], [-0.8, -0.5, 0.6], [0.8, -0.5, 0.6], [0, -0.5, -0.9]])
+    faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])
+    positions = corners[faces].reshape(-1, 3)
+    a, b, c = (corners[faces[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    return Mesh(
+        positions=positions,
+        normals=np.repeat(normals, 3, axis=0).astype(np.float32),
+        uvs=np.abs(positions[:, :2]) if uvs else None,
+        triangles=np.arange(12, dtype=np.uint32).reshape(-1, 3),
+    )
+
+
+def make_planes(
+    resolution: int = 8, channels: int = 4, precision: str = "float16", seed: int = 1
+) -> NDArray[Any]:
+    """(3, R, R, C) of normal random numbers."""
+    shape = (3, resolution, resolution, channels)
+    return np.random.default_rng(seed).normal(0, 0.5, shape).astype(precision)
+
+
+def make_decoder_model(
+    columns: int = 18, width: int = 8, layers: int = 1, seed: int = 2, **overrides: Any
+) -> onnx.ModelProto:
+    """An MLP of ReLU layers that ends in exp(x) - 1, safe for every finite input.
+
+    `overrides`: opset, ir_version, outputs.
+    """
+    rng = np.random.default_rng(seed)
+    outputs = overrides.get("outputs", 6)
+    sizes = [columns, *[width] * layers, outputs]
+    constants: dict[str, NDArray[np.float32]] = {
+        "low": np.float32(-65504.0),
+        "high": np.float32(65504.0),
+        "one": np.float32(1.0),
+        "zero": np.float32(0.0),
+        "largest": np.float32(11.0),
+    }
+    nodes = [helper.make_node("Clip", ["queries", "low", "high"], ["x0"])]
+    for i, (rows, cols) in enumerate(pairwise(sizes)):
+        constants[f"w{i}"] = rng.normal(0, (2 / rows) ** 0.5, (rows, cols)).astype(np.float32)
+        constants[f"b{i}"] = rng.normal(0, 0.1, cols).astype(np.float32)
+        last = i == len(sizes) - 2
+        nodes.append(helper.make_node("Gemm", [f"x{i}", f"w{i}", f"b{i}"], [f"y{i}"]))
+        if not last:
+            nodes.append(helper.make_node("Relu", [f"y{i}"], [f"x{i + 1}"]))
+    nodes += [
+        helper.make_node("Clip", [f"y{len(sizes) - 2}", "zero", "largest"], ["logs"]),
+        helper.make_node("Exp", ["logs"], ["exps"]),
+        helper.make_node("Sub", ["exps", "one"], ["transport"]),
+    ]
+    graph = helper.make_graph(
+        nodes,
+        "decoder",
+        [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", columns])],
+        [helper.make_tensor_value_info("transport", TensorProto.FLOAT, ["N", outputs])],
+        [numpy_helper.from_array(value, name) for name, value in constants.items()],
+    )
+    opsets = [helper.make_opsetid("", overrides.get("opset", 18))]
+    return helper.make_model(
+        graph, opset_imports=opsets, ir_version=overrides.get("ir_version", 10)
+    )
+
+
+def make_tier(name: str = "small", **changes: Any) -> Tier:
+    """The manifest's record of a tier that `make_planes` and `make_decoder_model` fit."""
+    fields: dict[str, Any] = {
+        "name": name,
+        "planes": f"features/{name}.safetensors",
+        "decoder": f"decoders/{name}.onnx",
+        "inputs": INPUTS,
+        "resolution": 8,
+        "channels": 4,
+        "plane_precision": "float16",
+        "decoder_precision": "float32",
+    }
+    return Tier(**{**fields, **changes})
+
+
+def make_manifest(*tiers: Tier, **changes: Any) -> Manifest:
+    """A manifest without entries, for these tiers (or for one, `small`)."""
+    fields: dict[str, Any] = {
+        "generator": "tests",
+        "name": "tetrahedron",
+        "bounds": Bounds(min=(-1, -1, -1), max=(1, 1, 1)),
+        "domain": Domain(wo="sphere", wi="sphere"),
+        "tiers": tiers or (make_tier(),),
+        "provenance": Provenance(source="tests/package/builders.py", tool="tests"),
+        "license": "Apache-2.0",
+    }
+    return Manifest(**{**fields, **changes})
+
+
+def make_tier_data(tier: Tier, width: int = 8, layers: int = 1, seed: int = 1) -> TierData:
+    """Random planes and a random decoder that fit the tier."""
+    columns = query_width(tier.inputs, tier.channels)
+    return TierData(
+        planes=make_planes(tier.resolution, tier.channels, tier.plane_precision, seed),
+        decoder=make_decoder_model(columns, width, layers, seed).SerializeToString(),
+    )
+
+
+def make_tiny_package(path: str | Path, *tiers: Tier, **changes: Any) -> Path:
+    """Write a good package of a few kilobytes to `path`; `changes` are manifest fields."""
+    manifest = make_manifest(*tiers, **changes)
+    data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
+    write_package(path, manifest, make_mesh(), data)
+    return Path(path)
+
+
+def read_entries(path: str | Path) -> dict[str, bytes]:
+    """All entries of a good package, name -> data."""
+    container = Container.open(path)
+    return {name: bytes(container.view(name)) for name in container.entries}
+
+
+def pack(entries: Iterable[tuple[str, bytes]]) -> bytes:
+    """The container of these (name, data) entries, none of them checked."""
+    file = io.BytesIO()
+    write_container(file, entries)
+    return file.getvalue()
+
+
+__all__ = [
+    "INPUTS",
+    "MANIFEST_NAME",
+    "make_decoder_model",
+    "make_manifest",
+    "make_mesh",
+    "make_planes",
+    "make_tier",
+    "make_tier_data",
+    "make_tiny_package",
+    "pack",
+    "read_entries",
+]

@@ -1,0 +1,21 @@
+"""One good package for the tests here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.package.builders import make_tiny_package, read_entries
+
+
+@pytest.fixture(scope="session")
+def tiny(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Path of a good package; do not change it."""
+    return make_tiny_package(tmp_path_factory.mktemp("package") / "tiny.rna")
+
+
+@pytest.fixture(scope="session")
+def entries(tiny: Path) -> dict[str, bytes]:
+    """Its entries, name -> data."""
+    return read_entries(tiny)

@@ -1,0 +1,426 @@
+"""Packages whose mesh, planes or decoder is wrong, though declared with its true hash."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import onnx
+from onnx import TensorProto, helper, numpy_helper
+
+from rna_sdk.package.glb_writer import CHUNK, HEADER, mesh_to_glb, pack_glb
+from rna_sdk.package.planes import planes_to_bytes
+from tests.package.builders import make_decoder_model, make_mesh, make_planes
+from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_entry
+
+
+def with_gltf(entries: Entries, edit: Callable[[dict[str, Any]], object]) -> bytes:
+    """The package with an edited JSON chunk in its geometry."""
+    glb = entries[MESH]
+    size = CHUNK.unpack_from(glb, HEADER.size)[0]
+    start = HEADER.size + CHUNK.size
+    document = json.loads(glb[start : start + size])
+    edit(document)
+    blob = glb[start + size + CHUNK.size :]
+    return with_entry(entries, MESH, pack_glb(json.dumps(document).encode(), blob))
+
+
+def with_decoder(entries: Entries, edit: Callable[[onnx.ModelProto], object]) -> bytes:
+    """The package with an edited decoder."""
+    model = onnx.load_from_string(entries[DECODER])
+    edit(model)
+    return with_entry(entries, DECODER, model.SerializeToString())
+
+
+def with_model(entries: Entries, **options: Any) -> bytes:
+    return with_entry(entries, DECODER, make_decoder_model(**options).SerializeToString())
+
+
+def with_planes_header(entries: Entries, header: dict[str, Any], pad: int = 64) -> bytes:
+    text = json.dumps(header).encode()
+    text += b" " * (-(8 + len(text)) % pad)
+    data = len(text).to_bytes(8, "little") + text + make_planes().tobytes()
+    return with_entry(entries, PLANES, data)
+
+
+# Geometry
+
+
+@case("GEOMETRY_CONTAINER")
+def glb_truncated(entries: Entries) -> bytes:
+    return with_entry(entries, MESH, entries[MESH][:-8])
+
+
+@case("GEOMETRY_CONTAINER")
+def glb_of_three_bytes(entries: Entries) -> bytes:
+    return with_entry(entries, MESH, b"glT")
+
+
+@case("GEOMETRY_CONTAINER")
+def glb_chunk_past_the_end(entries: Entries) -> bytes:
+    data = bytearray(entries[MESH])
+    data[HEADER.size : HEADER.size + 4] = b"\xff\xff\xff\x7f"
+    return with_entry(entries, MESH, bytes(data))
+
+
+@case("GEOMETRY_CONTAINER")
+def glb_without_json(entries: Entries) -> bytes:
+    return with_entry(entries, MESH, pack_glb(b"no json", bytes(64)))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_a_moved_node(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["nodes"][0].update(translation=[1, 0, 0]))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_an_outside_buffer(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["buffers"][0].update(uri="file:///etc/passwd"))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_short_indices(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][3].update(componentType=5123))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_float_indices(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][3].update(componentType=5126))
+
+
+@case("GEOMETRY_RANGE")
+def glb_accessor_past_its_view(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][0].update(count=13))
+
+
+@case("GEOMETRY_RANGE")
+def glb_view_past_the_buffer(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["bufferViews"][3].update(byteOffset=10**9))
+
+
+@case("GEOMETRY_RANGE")
+def glb_buffer_past_its_chunk(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["buffers"][0].update(byteLength=10**9))
+
+
+@case("GEOMETRY_RANGE")
+def glb_without_the_accessor(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"].pop())
+
+
+@case("GEOMETRY_ARRAY")
+def glb_with_fewer_normals(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][1].update(count=11))
+
+
+@case("GEOMETRY_ARRAY")
+def glb_with_part_of_a_triangle(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][3].update(count=11))
+
+
+@case("GEOMETRY_NOT_FINITE")
+def glb_with_nan(entries: Entries) -> bytes:
+    mesh = make_mesh()
+    uvs = np.full_like(mesh.uvs, np.nan)
+    return with_entry(entries, MESH, mesh_to_glb(replace(mesh, uvs=uvs)))
+
+
+@case("GEOMETRY_INDEX")
+def glb_index_out_of_range(entries: Entries) -> bytes:
+    mesh = make_mesh()
+    return with_entry(entries, MESH, mesh_to_glb(replace(mesh, triangles=mesh.triangles + 1)))
+
+
+@case("GEOMETRY_NORMAL")
+def glb_with_zero_normals(entries: Entries) -> bytes:
+    mesh = make_mesh()
+    return with_entry(entries, MESH, mesh_to_glb(replace(mesh, normals=mesh.normals * 0)))
+
+
+@case("GEOMETRY_BOUNDS")
+def glb_with_wrong_bounds(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][0].update(max=[1e300, 1, 1]))
+
+
+@case("GEOMETRY_BOUNDS")
+def glb_without_bounds(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][0].pop("min"))
+
+
+@case("GEOMETRY_OUTSIDE")
+def mesh_outside_the_bounds(entries: Entries) -> bytes:
+    mesh = make_mesh()
+    return with_entry(entries, MESH, mesh_to_glb(replace(mesh, positions=mesh.positions * 2)))
+
+
+# Planes
+
+
+@case("PLANES_HEADER")
+def planes_of_three_bytes(entries: Entries) -> bytes:
+    return with_entry(entries, PLANES, b"abc")
+
+
+@case("PLANES_HEADER")
+def planes_header_past_the_end(entries: Entries) -> bytes:
+    return with_entry(entries, PLANES, b"\xff" * 8 + entries[PLANES][8:])
+
+
+@case("PLANES_HEADER")
+def planes_header_no_json(entries: Entries) -> bytes:
+    return with_entry(entries, PLANES, (56).to_bytes(8, "little") + b"x" * 56)
+
+
+@case("PLANES_HEADER")
+def planes_cut_short(entries: Entries) -> bytes:
+    return with_entry(entries, PLANES, entries[PLANES][:-2])
+
+
+@case("PLANES_TENSOR")
+def planes_by_another_name(entries: Entries) -> bytes:
+    tensor = {"dtype": "F16", "shape": [3, 8, 8, 4], "data_offsets": [0, 1536]}
+    return with_planes_header(entries, {"weights": tensor})
+
+
+@case("PLANES_TENSOR")
+def planes_and_another_tensor(entries: Entries) -> bytes:
+    tensor = {"dtype": "F16", "shape": [3, 8, 8, 4], "data_offsets": [0, 1536]}
+    return with_planes_header(entries, {"planes": tensor, "more": tensor})
+
+
+@case("PLANES_DTYPE")
+def planes_of_another_dtype(entries: Entries) -> bytes:
+    return with_entry(entries, PLANES, planes_to_bytes(make_planes(precision="float32")))
+
+
+@case("PLANES_SHAPE")
+def planes_of_another_shape(entries: Entries) -> bytes:
+    return with_entry(entries, PLANES, planes_to_bytes(make_planes(resolution=16)))
+
+
+@case("PLANES_SHAPE")
+def planes_channel_first(entries: Entries) -> bytes:
+    return with_entry(entries, PLANES, planes_to_bytes(np.moveaxis(make_planes(), -1, 1).copy()))
+
+
+@case("PLANES_ALIGNMENT")
+def planes_unaligned(entries: Entries) -> bytes:
+    tensor = {"dtype": "F16", "shape": [3, 8, 8, 4], "data_offsets": [0, 1536]}
+    return with_planes_header(entries, {"planes": tensor}, pad=1)
+
+
+@case("PLANES_NOT_FINITE")
+def planes_with_nan(entries: Entries) -> bytes:
+    planes = make_planes()
+    planes[2, 7, 7, 3] = np.nan
+    return with_entry(entries, PLANES, planes_to_bytes(planes))
+
+
+@case("PLANES_NOT_FINITE")
+def planes_with_infinity(entries: Entries) -> bytes:
+    planes = make_planes()
+    planes[0, 0, 0, 0] = -np.inf
+    return with_entry(entries, PLANES, planes_to_bytes(planes))
+
+
+# Decoder
+
+
+@case("DECODER_TOO_LARGE")
+def decoder_too_large(entries: Entries) -> bytes:
+    return with_entry(entries, DECODER, bytes(2**26 + 1))
+
+
+@case("DECODER_NOT_ONNX")
+def decoder_garbage(entries: Entries) -> bytes:
+    return with_entry(entries, DECODER, bytes(range(255, 0, -1)))
+
+
+@case("DECODER_NOT_ONNX")
+def decoder_empty(entries: Entries) -> bytes:
+    return with_entry(entries, DECODER, b"")
+
+
+@case("DECODER_NOT_ONNX")
+def decoder_truncated(entries: Entries) -> bytes:
+    return with_entry(entries, DECODER, entries[DECODER][:-20])
+
+
+@case("DECODER_NOT_ONNX")
+def decoder_with_two_graphs(entries: Entries) -> bytes:
+    """Protobuf merges the two; a reader that takes the last sees another model."""
+    return with_entry(entries, DECODER, entries[DECODER] + b"\x3a\x00")
+
+
+@case("DECODER_NOT_ONNX")
+def decoder_of_countless_fields(entries: Entries) -> bytes:
+    return with_entry(entries, DECODER, entries[DECODER] + b"\x28\x01" * 300_000)
+
+
+@case("DECODER_VERSION")
+def decoder_opset_too_new(entries: Entries) -> bytes:
+    return with_model(entries, opset=22)
+
+
+@case("DECODER_VERSION")
+def decoder_opset_too_old(entries: Entries) -> bytes:
+    return with_model(entries, opset=12)
+
+
+@case("DECODER_VERSION")
+def decoder_ir_too_new(entries: Entries) -> bytes:
+    return with_model(entries, ir_version=11)
+
+
+@case("DECODER_DOMAIN")
+def decoder_imports_a_custom_domain(entries: Entries) -> bytes:
+    return with_decoder(
+        entries, lambda m: m.opset_import.append(helper.make_opsetid("com.microsoft", 1))
+    )
+
+
+@case("DECODER_DOMAIN")
+def decoder_node_of_a_custom_domain(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: setattr(m.graph.node[0], "domain", "evil"))
+
+
+@case("DECODER_OPERATOR")
+def decoder_operator_that_grows(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: setattr(m.graph.node[0], "op_type", "Expand"))
+
+
+@case("DECODER_NESTED")
+def decoder_with_a_branch(entries: Entries) -> bytes:
+    branch = helper.make_graph([], "branch", [], [])
+    return with_decoder(
+        entries, lambda m: m.graph.node[0].attribute.append(helper.make_attribute("body", branch))
+    )
+
+
+@case("DECODER_NESTED")
+def decoder_with_a_function(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: m.functions.add(name="f"))
+
+
+@case("DECODER_EXTERNAL")
+def decoder_with_external_data(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        tensor = model.graph.initializer[-1]
+        tensor.data_location = TensorProto.EXTERNAL
+        tensor.external_data.add(key="location", value="/etc/passwd")
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_EXTERNAL")
+def decoder_with_external_data_in_a_constant(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        tensor = TensorProto(name="t", data_type=1, dims=[1])
+        tensor.external_data.add(key="location", value="weights.bin")
+        model.graph.node.append(helper.make_node("Constant", [], ["spare"], value=tensor))
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_TENSOR")
+def decoder_tensor_of_strings(entries: Entries) -> bytes:
+    text = helper.make_tensor("text", TensorProto.STRING, [1], [b"x"])
+    return with_decoder(entries, lambda m: m.graph.initializer.append(text))
+
+
+@case("DECODER_TENSOR")
+def decoder_tensor_of_three_dimensions(entries: Entries) -> bytes:
+    cube = numpy_helper.from_array(np.zeros((2, 2, 2), np.float32), "cube")
+    return with_decoder(entries, lambda m: m.graph.initializer.append(cube))
+
+
+@case("DECODER_TENSOR")
+def decoder_that_doubles_its_width(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        names = ["queries", *(f"grow{i}" for i in range(60))]
+        for old, new in pairwise(names):
+            model.graph.node.append(helper.make_node("Concat", [old, old], [new], axis=1))
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_INPUT")
+def decoder_with_other_columns(entries: Entries) -> bytes:
+    return with_model(entries, columns=17)
+
+
+@case("DECODER_INPUT")
+def decoder_input_by_another_name(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: setattr(m.graph.input[0], "name", "x"))
+
+
+@case("DECODER_INPUT")
+def decoder_with_two_inputs(entries: Entries) -> bytes:
+    return with_decoder(entries, lambda m: m.graph.input.append(m.graph.input[0]))
+
+
+@case("DECODER_INPUT")
+def decoder_with_a_fixed_batch(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        model.graph.input[0].type.tensor_type.shape.dim[0].dim_value = 1
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_OUTPUT")
+def decoder_with_one_colour(entries: Entries) -> bytes:
+    return with_model(entries, outputs=3)
+
+
+@case("DECODER_OUTPUT")
+def decoder_output_of_doubles(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        model.graph.output[0].type.tensor_type.elem_type = TensorProto.DOUBLE
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_GRAPH")
+def decoder_nodes_out_of_order(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        nodes = list(model.graph.node)
+        del model.graph.node[:]
+        model.graph.node.extend(reversed(nodes))
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_PRECISION")
+def decoder_of_another_precision(entries: Entries) -> bytes:
+    return with_entry(
+        entries,
+        DECODER,
+        entries[DECODER],
+        lambda m: m["tiers"][0].update(decoderPrecision="int8"),
+    )
+
+
+@case("DECODER_LOAD")
+def decoder_with_weights_that_do_not_fit(entries: Entries) -> bytes:
+    wrong = numpy_helper.from_array(np.zeros((5, 5), np.float32), "w0")
+
+    def edit(model: onnx.ModelProto) -> None:
+        index = [tensor.name for tensor in model.graph.initializer].index("w0")
+        model.graph.initializer[index].CopyFrom(wrong)
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_RESULT")
+def decoder_without_clamps(entries: Entries) -> bytes:
+    """Negative light: the last operator is a plain layer."""
+
+    def edit(model: onnx.ModelProto) -> None:
+        del model.graph.node[-3:]
+        model.graph.node[-1].output[0] = "transport"
+
+    return with_decoder(entries, edit)

@@ -1,0 +1,215 @@
+"""Packages whose manifest is wrong, or does not fit the entries."""
+
+from __future__ import annotations
+
+import json
+
+from rna_sdk.package.container import MANIFEST_NAME
+from tests.package.builders import pack
+from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_manifest
+
+
+def with_text(entries: Entries, old: str, new: str) -> bytes:
+    """The package with a replacement in the text of the manifest."""
+    text = entries[MANIFEST_NAME].decode()
+    assert old in text
+    return pack({**entries, MANIFEST_NAME: text.replace(old, new, 1).encode()}.items())
+
+
+@case("MANIFEST_TOO_LARGE")
+def huge_manifest(entries: Entries) -> bytes:
+    return pack({**entries, MANIFEST_NAME: entries[MANIFEST_NAME] + b" " * 2**20}.items())
+
+
+@case("MANIFEST_NOT_JSON")
+def manifest_cut_short(entries: Entries) -> bytes:
+    return pack({**entries, MANIFEST_NAME: entries[MANIFEST_NAME][:200]}.items())
+
+
+@case("MANIFEST_NOT_JSON")
+def manifest_not_utf8(entries: Entries) -> bytes:
+    return with_manifest_bytes(entries, "utf-16")
+
+
+@case("MANIFEST_NOT_JSON")
+def manifest_with_byte_order_mark(entries: Entries) -> bytes:
+    return with_manifest_bytes(entries, "utf-8-sig")
+
+
+def with_manifest_bytes(entries: Entries, encoding: str) -> bytes:
+    text = entries[MANIFEST_NAME].decode()
+    return pack({**entries, MANIFEST_NAME: text.encode(encoding)}.items())
+
+
+@case("MANIFEST_NOT_JSON")
+def manifest_not_an_object(entries: Entries) -> bytes:
+    return pack({**entries, MANIFEST_NAME: b"[]"}.items())
+
+
+@case("MANIFEST_NOT_JSON")
+def manifest_deeply_nested(entries: Entries) -> bytes:
+    return with_text(entries, '"extras": {}', '"extras": {"x": ' + "[" * 90 + "]" * 90 + "}")
+
+
+@case("MANIFEST_NOT_JSON")
+def manifest_nested_past_the_stack(entries: Entries) -> bytes:
+    return with_text(entries, '"extras": {}', '"extras": ' + "[" * 200_000 + "]" * 200_000)
+
+
+@case("JSON_DUPLICATE_KEY")
+def duplicate_key(entries: Entries) -> bytes:
+    return with_text(entries, '"kind": "surface"', '"kind": "surface", "kind": "surface"')
+
+
+@case("JSON_NOT_FINITE")
+def nan_in_the_manifest(entries: Entries) -> bytes:
+    return with_text(entries, "-1.0", "NaN")
+
+
+@case("JSON_NOT_FINITE")
+def number_too_large(entries: Entries) -> bytes:
+    return with_text(entries, '"extras": {}', '"extras": {"x": 1e999}')
+
+
+@case("FORMAT_UNKNOWN")
+def other_format(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(format="gltf"))
+
+
+@case("VERSION_TOO_NEW")
+def next_major_version(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(minReaderVersion="2.0", novel=1))
+
+
+@case("VERSION_TOO_NEW")
+def next_minor_version(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.1", version="1.1"))
+
+
+@case("KIND_UNSUPPORTED")
+def reserved_kind(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(kind="fiber"))
+
+
+@case("EXTENSION_REQUIRED")
+def unknown_required_extension(entries: Entries) -> bytes:
+    names = ["EXT_novel"]
+    return with_manifest(
+        entries, lambda m: m.update(extensionsUsed=names, extensionsRequired=names)
+    )
+
+
+@case("EXTENSION_UNKNOWN")
+def unknown_used_extension(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(extensionsUsed=["EXT_novel"]))
+
+
+@case("EXTENSION_UNDECLARED")
+def undeclared_extension(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(extensions={"EXT_novel": {}}))
+
+
+@case("FIELD_UNKNOWN")
+def unknown_field(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0].update(colour="red"))
+
+
+@case("FIELD_UNKNOWN")
+def python_name_of_a_field(entries: Entries) -> bytes:
+    return with_text(entries, '"extensionsUsed"', '"extensions_used"')
+
+
+@case("FIELD_MISSING")
+def missing_field(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.pop("license"))
+
+
+@case("FIELD_MISSING")
+def missing_version(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.pop("minReaderVersion"))
+
+
+@case("FIELD_VALUE")
+def number_as_text(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0].update(resolution="8"))
+
+
+@case("FIELD_VALUE")
+def malformed_version(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(minReaderVersion="one"))
+
+
+@case("FIELD_VALUE")
+def no_tiers(entries: Entries) -> bytes:
+    manifest = json.loads(entries[MANIFEST_NAME])
+    only_mesh = {MESH: manifest["entries"][MESH]}
+    kept = {name: entries[name] for name in (MANIFEST_NAME, MESH)}
+    return with_manifest(kept, lambda m: m.update(tiers=[], entries=only_mesh))
+
+
+@case("FIELD_VALUE")
+def resolution_over_the_limit(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0].update(resolution=10**9))
+
+
+@case("FIELD_VALUE")
+def unpaired_surrogate(entries: Entries) -> bytes:
+    return with_text(entries, '"tetrahedron"', '"\\ud800"')
+
+
+@case("BOUNDS_EMPTY")
+def bounds_inverted(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(bounds={"min": [1, 1, 1], "max": [0, 2, 2]}))
+
+
+@case("BOUNDS_EMPTY")
+def bounds_flat(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["bounds"]["max"].__setitem__(1, -1.0))
+
+
+@case("TIER_DUPLICATE")
+def duplicate_tier_names(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"].append(m["tiers"][0]))
+
+
+@case("INPUT_UNKNOWN")
+def unknown_input_block(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].append("albedo"))
+
+
+@case("INPUT_UNKNOWN")
+def input_block_twice(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].append("wo"))
+
+
+@case("REFERENCE_MISSING")
+def path_to_nowhere(entries: Entries) -> bytes:
+    kept = {name: data for name, data in entries.items() if name != DECODER}
+    return with_manifest(kept, lambda m: m["entries"].pop(DECODER))
+
+
+@case("ENTRY_UNDECLARED")
+def undeclared_entry(entries: Entries) -> bytes:
+    return pack([*entries.items(), ("notes.txt", b"hello")])
+
+
+@case("ENTRY_MISSING")
+def missing_entry(entries: Entries) -> bytes:
+    return pack((name, data) for name, data in entries.items() if name != PLANES)
+
+
+@case("ENTRY_UNREFERENCED")
+def unreferenced_entry(entries: Entries) -> bytes:
+    record = json.loads(entries[MANIFEST_NAME])["entries"][MESH]
+    copied = {**entries, "geometry/copy.glb": entries[MESH]}
+    return with_manifest(copied, lambda m: m["entries"].update({"geometry/copy.glb": record}))
+
+
+@case("ENTRY_SIZE")
+def wrong_size(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["entries"][PLANES].update(size=10**12))
+
+
+@case("ENTRY_HASH")
+def wrong_hash(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["entries"][PLANES].update(sha256="0" * 64))

@@ -1,0 +1,84 @@
+"""`rna-validate`: what it prints, and its exit status."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from rna_sdk.package import cli
+from tests.package.corpus.content_cases import mesh_outside_the_bounds
+from tests.package.corpus.manifest_cases import wrong_hash
+
+
+@pytest.fixture
+def broken(entries: dict[str, bytes], tmp_path: Path) -> Path:
+    path = tmp_path / "broken.rna"
+    path.write_bytes(wrong_hash(entries))
+    return path
+
+
+def test_valid(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main([str(tiny)]) == 0
+    assert capsys.readouterr().out == f"{tiny}: valid\n"
+
+
+def test_invalid_names_code_severity_and_pointer(
+    tiny: Path, broken: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main([str(tiny), str(broken)]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    pointer = "/entries/features~1small.safetensors/sha256"
+    assert lines[1].startswith(f"{broken}: error ENTRY_HASH at {pointer}: ")
+    assert lines[2] == f"{broken}: invalid"
+
+
+def test_warning_is_valid(
+    entries: dict[str, bytes], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "warned.rna"
+    path.write_bytes(mesh_outside_the_bounds(entries))
+    assert cli.main([str(path)]) == 0
+    assert "warning GEOMETRY_OUTSIDE at /bounds" in capsys.readouterr().out
+
+
+def test_json(tiny: Path, broken: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["--json", str(tiny), str(broken)]) == 1
+    first, second = json.loads(capsys.readouterr().out)
+    assert first == {"file": str(tiny), "valid": True, "issues": []}
+    assert second["valid"] is False
+    (issue,) = second["issues"]
+    assert issue["code"] == "ENTRY_HASH"
+    assert issue["severity"] == "error"
+    assert issue["pointer_or_offset"] == "/entries/features~1small.safetensors/sha256"
+    assert issue["expected"] == "0" * 64
+
+
+def test_usage_error(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as caught:
+        cli.main([])
+    assert caught.value.code == 2
+    assert "FILE" in capsys.readouterr().err
+
+
+def test_help_starts_with_a_sentence_and_a_command(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as caught:
+        cli.main(["--help"])
+    assert caught.value.code == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].endswith(".")
+    assert lines[2].strip() == "rna-validate asset.rna"
+
+
+def test_defect_is_one_line_unless_debug(
+    tiny: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def defect(path: str) -> None:
+        raise RuntimeError("defect")
+
+    monkeypatch.setattr(cli, "validate", defect)
+    assert cli.main([str(tiny)]) == 1
+    assert capsys.readouterr().err.count("\n") == 1
+    with pytest.raises(RuntimeError, match="defect"):
+        cli.main([str(tiny), "--debug"])

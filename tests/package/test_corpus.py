@@ -1,0 +1,90 @@
+"""Every broken package is refused with its code, and every code has a broken package."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_sdk.package import Code, Package, PackageError, Severity, validate
+from rna_sdk.package.limits import MAX_FILE_BYTES
+from tests.package.builders import pack
+from tests.package.corpus import container_cases, content_cases, manifest_cases
+from tests.package.corpus.registry import CASES, Case, Entries
+
+MODULES = (container_cases, manifest_cases, content_cases)
+
+OUTSIDE_THE_CORPUS = {"FILE_UNREADABLE", "FILE_TOO_LARGE"}
+"""Codes about the file itself, with tests of their own below."""
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_broken_package_gets_its_code(case: Case, entries: Entries, tmp_path: Path) -> None:
+    path = tmp_path / f"{case.name}.rna"
+    path.write_bytes(case.breaker(entries))
+    issues = validate(path)
+    assert [issue.code for issue in issues] == [case.code], "\n".join(map(str, issues))
+    assert issues[0].found and issues[0].expected
+    if issues[0].severity is Severity.ERROR:
+        with pytest.raises(PackageError, match=case.code) as caught:
+            Package.open(path)
+        assert caught.value.issues == issues
+    else:
+        Package.open(path).close()
+
+
+def test_every_code_has_a_case() -> None:
+    assert {case.code for case in CASES} | OUTSIDE_THE_CORPUS == set(Code.__members__)
+
+
+def test_missing_file_and_folder(tmp_path: Path) -> None:
+    for path in (tmp_path / "absent.rna", tmp_path):
+        assert [issue.code for issue in validate(path)] == ["FILE_UNREADABLE"]
+
+
+def test_file_too_large_is_not_read(tmp_path: Path) -> None:
+    path = tmp_path / "sparse.rna"
+    with open(path, "wb") as file:
+        file.truncate(MAX_FILE_BYTES + 1)
+    assert [issue.code for issue in validate(path)] == ["FILE_TOO_LARGE"]
+
+
+def test_all_issues_of_a_manifest_come_at_once(entries: Entries, tmp_path: Path) -> None:
+    path = tmp_path / "many.rna"
+
+    def edit(manifest: dict) -> None:
+        manifest.pop("license")
+        manifest["tiers"][0]["channels"] = -1
+        manifest["bounds"]["max"][0] = -7
+
+    path.write_bytes(manifest_cases.with_manifest(entries, edit))
+    found = {(issue.code, issue.pointer_or_offset) for issue in validate(path)}
+    assert found == {
+        ("FIELD_MISSING", "/license"),
+        ("FIELD_VALUE", "/tiers/0/channels"),
+        ("BOUNDS_EMPTY", "/bounds/max"),
+    }
+
+
+def test_every_flipped_byte_of_a_header_is_noticed(entries: Entries, tmp_path: Path) -> None:
+    good = pack(entries.items())
+    directory = container_cases.read_end(good).directory_offset
+    path = tmp_path / "flipped.rna"
+    for at in [*range(0, 64), *range(directory, len(good))]:
+        path.write_bytes(good[:at] + bytes([good[at] ^ 0x41]) + good[at + 1 :])
+        assert any(i.severity is Severity.ERROR for i in validate(path)), f"byte {at}"
+
+
+def test_random_damage_never_escapes(entries: Entries, tmp_path: Path) -> None:
+    """Garbage inside entries whose hashes were made to fit gives issues, not exceptions."""
+    rng = np.random.default_rng(7)
+    path = tmp_path / "damaged.rna"
+    names = [name for name in entries if name != "manifest.json"]
+    for _ in range(150):
+        name = names[rng.integers(len(names))]
+        data = bytearray(entries[name])
+        for at in rng.integers(0, min(len(data), 900), 3):
+            data[at] = rng.integers(256)
+        path.write_bytes(content_cases.with_entry(entries, name, bytes(data)))
+        validate(path)

@@ -1,0 +1,83 @@
+"""The spec's generated files are current, its lists complete, and its worked example right."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import jsonschema
+import numpy as np
+import pytest
+
+from rna_sdk.package import INPUT_BLOCKS, Code
+from rna_sdk.package.decoder import OPERATORS
+from rna_sdk.package.issue_list import ISSUES_FILE, issue_list
+from rna_sdk.package.schema import SCHEMA_FILE, manifest_schema
+
+SPEC = Path(__file__).parents[2] / "spec"
+TEXT = (SPEC / "RNA-1.0.md").read_text(encoding="utf-8")
+
+
+def test_schema_is_current() -> None:
+    assert (SPEC / SCHEMA_FILE).read_text(encoding="utf-8") == manifest_schema()
+
+
+def test_issue_list_is_current() -> None:
+    assert (SPEC / ISSUES_FILE).read_text(encoding="utf-8") == issue_list()
+
+
+@pytest.mark.parametrize("module", ["rna_sdk.package.schema", "rna_sdk.package.issue_list"])
+def test_generator_checks_and_writes(module: str, tmp_path: Path) -> None:
+    command = [sys.executable, "-m", module, "--spec", str(tmp_path)]
+    stale = subprocess.run([*command, "--check"], capture_output=True, text=True)
+    assert stale.returncode == 1 and "stale" in stale.stdout
+    assert subprocess.run(command, capture_output=True).returncode == 0
+    assert subprocess.run([*command, "--check"], capture_output=True).returncode == 0
+
+
+def test_schema_accepts_a_good_manifest_only(entries: dict[str, bytes]) -> None:
+    schema = json.loads(manifest_schema())
+    validator = jsonschema.Draft202012Validator(schema)
+    validator.check_schema(schema)
+    manifest = json.loads(entries["manifest.json"])
+    assert validator.is_valid(manifest)
+    for field in ("format", "entries", "tiers", "license"):
+        broken = {key: value for key, value in manifest.items() if key != field}
+        assert not validator.is_valid(broken), field
+    assert not validator.is_valid({**manifest, "novel": 1})
+
+
+def test_spec_names_every_code_block_and_operator() -> None:
+    for code in Code:
+        assert f"`{code.name}`" in TEXT, code.name
+    for block, width in INPUT_BLOCKS.items():
+        assert f"| `{block}` | {'C' if width is None else width} |" in TEXT, block
+    listed = re.search(r"<!-- operators -->\n(.*?)\n<!-- end -->", TEXT, re.DOTALL)
+    assert listed is not None
+    assert set(re.findall(r"\w+", listed[1])) == set(OPERATORS)
+
+
+def bilinear(plane: np.ndarray, u: float, v: float) -> np.ndarray:
+    """The spec's interpolation, written from its text."""
+    size = plane.shape[0]
+    s, t = (float(np.clip(p * size - 0.5, 0, size - 1)) for p in (u, v))
+    i, j = min(int(s), size - 2), min(int(t), size - 2)
+    a, b = s - i, t - j
+    low = (1 - a) * plane[j, i] + a * plane[j, i + 1]
+    high = (1 - a) * plane[j + 1, i] + a * plane[j + 1, i + 1]
+    return (1 - b) * low + b * high
+
+
+def test_worked_example_of_the_planes() -> None:
+    planes = np.zeros((3, 4, 4, 1))
+    k, row, column = np.meshgrid(range(3), range(4), range(4), indexing="ij")
+    planes[..., 0] = 100 * k + 10 * row + column
+    low, high, x = np.array([-1, 0, 2]), np.array([1, 4, 4]), np.array([0, 1, 3.9])
+    p = (x - low) / (high - low)
+    parts = [bilinear(planes[i], *p[list(uv)]) for i, uv in enumerate([(0, 1), (1, 2), (2, 0)])]
+    values = [float(part[0]) for part in parts]
+    np.testing.assert_allclose(values, [6.5, 130.5, 218.0])
+    assert "6.5 + 130.5 + 218 = 355" in TEXT
