@@ -40,12 +40,16 @@ class Crew:
 
 
 def weld(corners: dict[str, np.ndarray]) -> Mesh:
-    """One vertex for each different corner (position, normal, uv); degenerate triangles go."""
+    """One vertex for each different corner (position, normal, uv); degenerate triangles go.
+
+    A corner without a normal gets its triangle's.
+    """
     with_uv = bool(corners["has_uv"])
+    normals = _whole_normals(corners["positions"], corners["normals"])
     rows = np.concatenate(
-        [corners["positions"], corners["normals"]] + ([corners["uvs"]] if with_uv else []), axis=1
+        [corners["positions"], normals] + ([corners["uvs"]] if with_uv else []), axis=1
     )
-    vertices, index = np.unique(rows + 0.0, axis=0, return_inverse=True)
+    vertices, index = np.unique(rows.astype(np.float32) + 0.0, axis=0, return_inverse=True)
     triangles = index.reshape(-1, 3).astype(np.uint32)
     p = vertices[:, :3].astype(np.float64)[triangles]
     area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1)
@@ -53,6 +57,13 @@ def weld(corners: dict[str, np.ndarray]) -> Mesh:
     normals = np.ascontiguousarray(vertices[:, 3:6])
     uvs = np.ascontiguousarray(vertices[:, 6:8]) if with_uv else None
     return Mesh(np.ascontiguousarray(vertices[:, :3]), normals, uvs, triangles[area > 0.0])
+
+
+def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    p = positions.reshape(-1, 3, 3).astype(np.float64)
+    flat = np.repeat(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), 3, axis=0)
+    chosen = np.where(np.linalg.norm(normals, axis=1, keepdims=True) > 0.5, normals, flat)
+    return chosen / np.maximum(np.linalg.norm(chosen, axis=1, keepdims=True), 1e-30)
 
 
 def begin(

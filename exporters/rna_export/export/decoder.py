@@ -15,6 +15,7 @@ from rna_sdk.errors import ExportError
 
 OPSET = 17
 RELATIVE, ABSOLUTE = 1e-4, 1e-5  # a larger difference refuses the export
+LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
 
 
@@ -27,9 +28,13 @@ class Agreement:
 
 
 def export_decoder(model: NeuralAsset) -> bytes:
-    """Gemm and Relu per layer, then expm1 and the clamps: `queries` (N, K) to `transport` (N, 6)."""
+    """Clamp, Gemm and Relu per layer, clamp, expm1: `queries` (N, K) to `transport` (N, 6)."""
     linear = [m for m in model.decoder if isinstance(m, torch.nn.Linear)]
-    nodes, constants, name = [], [], "queries"
+    ceiling = float(model.ceiling)
+    limits = {"low": -LARGEST_INPUT, "high": LARGEST_INPUT, "zero": 0.0,
+              "highest": np.log1p(ceiling), "one": 1.0}
+    constants = [numpy_helper.from_array(np.float32(v), name) for name, v in limits.items()]
+    nodes, name = [helper.make_node("Clip", ["queries", "low", "high"], ["inputs"])], "inputs"
     for k, layer in enumerate(linear):
         weight, bias = f"weight{k}", f"bias{k}"
         constants += [
@@ -41,9 +46,6 @@ def export_decoder(model: NeuralAsset) -> bytes:
         if layer is not linear[-1]:
             nodes.append(helper.make_node("Relu", [name], [f"hidden{k}"]))
             name = f"hidden{k}"
-    ceiling = float(model.ceiling)
-    for value, constant in ((0.0, "zero"), (np.log1p(ceiling), "highest"), (1.0, "one")):
-        constants.append(numpy_helper.from_array(np.float32(value), constant))
     nodes += [
         helper.make_node("Clip", [name, "zero", "highest"], ["y"]),
         helper.make_node("Exp", ["y"], ["x_plus_one"]),

@@ -21,7 +21,9 @@ class NeuralAsset(nn.Module):
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
         self.config = config
-        self.triplane = Triplane(config.resolution, config.channels, bounds[0], bounds[1])
+        self.triplane = Triplane(
+            config.resolution, config.channels, bounds[0], bounds[1], config.levels
+        )
         width, layers = config.width, []
         columns = query_width(config.inputs, config.channels)
         for _ in range(config.hidden_layers):

@@ -20,6 +20,10 @@ class ModelConfig(BaseModel):
     hidden_layers: int = Field(4, gt=0)
     resolution: int = Field(gt=0, description="texels along a plane's side")
     channels: int = Field(8, gt=0)
+    levels: int = Field(
+        1, gt=0, description="resolutions that the planes are summed from in training, each half "
+        "the one before; baked into one at export"
+    )
 
 
 class TrainingConfig(BaseModel):

@@ -16,9 +16,11 @@ PLANE_AXES = ((0, 1), (1, 2), (2, 0))
 class Triplane(nn.Module):
     """Planes (3, R, R, C) float32 over the object-space box `low`..`high`, (3,) each."""
 
-    def __init__(self, resolution: int, channels: int, low: Tensor, high: Tensor):
+    def __init__(self, resolution: int, channels: int, low: Tensor, high: Tensor, levels: int = 1):
         super().__init__()
-        self.planes = nn.Parameter(0.1 * torch.randn(3, resolution, resolution, channels))
+        self.pyramid = nn.ParameterList(
+            0.1 * torch.randn(3, resolution >> k, resolution >> k, channels) for k in range(levels)
+        )
         self.register_buffer("low", low.float())
         self.register_buffer("high", high.float())
 
@@ -28,11 +30,24 @@ class Triplane(nn.Module):
         Positions get no gradient.
         """
         p = (position - self.low) / (self.high - self.low)
-        planes = self.planes
+        planes = self.planes()
         on_cpu = planes.device.type == "cpu"
         if blur > 1.0:
             planes = _Blur.apply(planes, blur) if on_cpu else blurred(planes, blur)
         return _Gather.apply(planes, p) if on_cpu else gathered(planes, p)
+
+
+    def planes(self) -> Tensor:
+        """The planes (3, R, R, C): the sum of the pyramid's levels, upsampled."""
+        total = self.pyramid[-1]
+        for finer in reversed(self.pyramid[:-1]):
+            total = finer + _upsampled(total, finer.shape[1])
+        return total
+
+
+def _upsampled(planes: Tensor, resolution: int) -> Tensor:
+    image = F.interpolate(planes.permute(0, 3, 1, 2), size=(resolution, resolution), mode="bilinear")
+    return image.permute(0, 2, 3, 1)
 
 
 def gathered(planes: Tensor, p: Tensor) -> Tensor:

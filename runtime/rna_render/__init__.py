@@ -1,0 +1,1 @@
+"""The reference path tracer for relightable neural assets, and `rna-run`."""

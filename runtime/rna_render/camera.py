@@ -1,0 +1,54 @@
+"""The pinhole camera: from points of the image to rays."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit, prange
+
+from rna_render.scene_model import CameraModel
+
+
+class Camera:
+    """World-space rays through the pixels of an image; row 0 is at the top.
+
+    model: where it stands and looks. resolution: width, height in pixels.
+    """
+
+    def __init__(self, model: CameraModel, resolution: tuple[int, int]) -> None:
+        self.width, self.height = resolution
+        self.position = np.asarray(model.position, np.float32)
+        forward = _unit(np.subtract(model.look_at, model.position))
+        right = _unit(np.cross(forward, model.up))
+        up = np.cross(right, forward)
+        half_height = np.tan(np.radians(model.vertical_fov_deg) / 2.0)
+        half_width = half_height * self.width / self.height
+        # Direction through the image's top left corner, and the steps of a pixel.
+        self._corner = forward - half_width * right + half_height * up
+        self._step_x = right * (2.0 * half_width / self.width)
+        self._step_y = -up * (2.0 * half_height / self.height)
+
+    def directions(self, pixels: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Unit directions through points of pixels: (n, 3) float32.
+
+        pixels: (n,) uint32, row * width + column. u: (n, 2) in [0, 1), place in the pixel from
+        its top left corner; uniform points give a box filter one pixel wide.
+        """
+        result = np.empty((len(pixels), 3), np.float32)
+        _directions(pixels, u, self.width, self._corner, self._step_x, self._step_y, result)
+        return result
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    return vector / np.linalg.norm(vector)
+
+
+@njit(cache=True, parallel=True)
+def _directions(pixels, u, width, corner, step_x, step_y, result):
+    for i in prange(len(pixels)):
+        x = pixels[i] % width + u[i, 0]
+        y = pixels[i] // width + u[i, 1]
+        dx = corner[0] + x * step_x[0] + y * step_y[0]
+        dy = corner[1] + x * step_x[1] + y * step_y[1]
+        dz = corner[2] + x * step_x[2] + y * step_y[2]
+        scale = 1.0 / np.sqrt(dx * dx + dy * dy + dz * dz)
+        result[i, 0], result[i, 1], result[i, 2] = dx * scale, dy * scale, dz * scale

@@ -1,0 +1,5 @@
+"""Limits of a scene's whole numbers, for the scene file and the command line alike."""
+
+MAX_PIXELS_A_SIDE = 32768
+MAX_SAMPLES = 1 << 20
+MAX_SEED = (1 << 32) - 1

@@ -1,0 +1,34 @@
+"""Checks that every batch of rays passes before compiled code reads it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_sdk.errors import QueryError
+
+
+def vectors(name: str, values: np.ndarray, count: int | None = None) -> np.ndarray:
+    """`values` as a contiguous (n, 3) float32 array.
+
+    Raises QueryError for another type, dtype or shape, or if n is not `count`.
+    """
+    if not isinstance(values, np.ndarray) or values.dtype != np.float32:
+        found = getattr(values, "dtype", type(values).__name__)
+        raise QueryError(f"{name}: expected a float32 array, found {found}")
+    expected = ("n" if count is None else count, 3)
+    if values.ndim != 2 or values.shape[1] != 3 or (count is not None and len(values) != count):
+        raise QueryError(f"{name}: expected shape {expected}, found {values.shape}")
+    return np.ascontiguousarray(values)
+
+
+def per_ray(
+    name: str, values: np.ndarray | float, count: int, dtype: type = np.float32
+) -> np.ndarray:
+    """`values`, one number or one a ray, as a contiguous (1,) or (count,) array of `dtype`.
+
+    Raises QueryError for another shape.
+    """
+    array = np.asarray(values, dtype)
+    if array.shape not in ((), (count,)):
+        raise QueryError(f"{name}: expected one number or shape ({count},), found {array.shape}")
+    return np.ascontiguousarray(array.reshape(-1))

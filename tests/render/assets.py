@@ -1,0 +1,70 @@
+"""Assets with a known transport, and meshes to put them on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import trimesh
+
+from rna_sdk.package.mesh import Mesh
+
+UP, RIGHT, TOWARDS_US = (0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True)
+class LambertAsset:
+    """Transport of a diffuse surface: albedo / pi * max(n.wi, 0) where wi is free.
+
+    Where the asset blocks wi it answers `shadowed`, another colour, to tell the two apart.
+    """
+
+    mesh: Mesh
+    albedo: tuple[float, float, float] = (0.8, 0.5, 0.2)
+    shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def evaluate(self, positions, normals, wo, wi):
+        cosine = np.maximum(np.sum(normals * wi, axis=1, keepdims=True), 0.0)
+        visible = np.asarray(self.albedo) / np.pi * cosine
+        shadowed = np.broadcast_to(np.asarray(self.shadowed), visible.shape)
+        return visible.astype(np.float32), shadowed.astype(np.float32)
+
+
+def sphere(subdivisions: int = 4, radius: float = 1.0) -> Mesh:
+    """An icosphere about the origin with smooth normals."""
+    ball = trimesh.creation.icosphere(subdivisions=subdivisions)
+    unit = np.asarray(ball.vertices, np.float32)
+    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    faces = np.asarray(ball.faces, np.uint32)
+    return Mesh(positions=radius * unit, normals=unit, uvs=None, triangles=faces)
+
+
+def square(size: float = 1.0, height: float = 0.0) -> Mesh:
+    """A square of half-side `size` at y = `height` that faces +Y."""
+    corners = [[-size, height, size], [size, height, size], [size, height, -size]]
+    positions = np.array([*corners, [-size, height, -size]], np.float32)
+    return Mesh(
+        positions=positions,
+        normals=np.tile(np.float32(UP), (4, 1)),
+        uvs=None,
+        triangles=np.array([[0, 1, 2], [0, 2, 3]], np.uint32),
+    )
+
+
+def merged(*meshes: Mesh) -> Mesh:
+    """All meshes as one."""
+    starts = np.cumsum([0] + [len(mesh.positions) for mesh in meshes])
+    return Mesh(
+        positions=np.concatenate([mesh.positions for mesh in meshes]),
+        normals=np.concatenate([mesh.normals for mesh in meshes]),
+        uvs=None,
+        triangles=np.concatenate(
+            [mesh.triangles + np.uint32(s) for mesh, s in zip(meshes, starts[:-1], strict=True)]
+        ),
+    )
+
+
+def unit_vectors(rng: np.random.Generator, n: int) -> np.ndarray:
+    """Uniform directions, (n, 3) float32."""
+    vectors = rng.normal(size=(n, 3))
+    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)

@@ -1,0 +1,198 @@
+"""rna-run, from a scene file to images."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from rna_render.cli import INTERRUPTED, main
+from rna_render.images import read_exr
+
+from tests.render.assets import sphere, square
+from tests.render.packages import ALBEDO, SHADOWED, write_lambert_package
+
+SCENE = """\
+assets:
+  - path: ball.rna
+camera: {position: [0, 4, 0], look_at: [0, 0, 0], up: [0, 0, -1], vertical_fov_deg: 5}
+lights:
+  - {type: directional, direction: [0, LIGHT, 0], irradiance: [1, 2, 3]}
+resolution: [12, 8]
+samples: 4
+exposure: 1
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    """Two scenes and their package; tests write their images elsewhere."""
+    folder = tmp_path_factory.mktemp("scene")
+    write_lambert_package(folder / "ball.rna", sphere(4), tiers=("small", "hq"))
+    (folder / "lit.yaml").write_text(SCENE.replace("LIGHT", "1"))
+    (folder / "backlit.yaml").write_text(SCENE.replace("LIGHT", "-1"))
+    return folder
+
+
+def run(*arguments: object) -> int:
+    return main([str(argument) for argument in arguments])
+
+
+def test_a_scene_becomes_an_exr_and_a_png(folder, tmp_path, capsys):
+    out, png = tmp_path / "out.exr", tmp_path / "out.png"
+    assert run(folder / "lit.yaml", "--out", out, "--png", png) == 0
+    channels, header = read_exr(out)
+    # The camera looks down the light's direction at a ball: cosines from 1 to about 0.98.
+    expected = np.divide(ALBEDO, np.pi) * [1, 2, 3]
+    rgb = np.stack([channels[c] for c in "RGB"], axis=-1)
+    np.testing.assert_allclose(rgb, np.broadcast_to(expected, (8, 12, 3)), rtol=0.05)
+    assert (channels["visibility"] == 1).all() and (channels["assetId"] == 1).all()
+    assert json.loads(header["rnaScene"])["samples"] == 4 and header["rnaSamples"] == "4"
+    assert np.asarray(Image.open(png)).shape == (8, 12, 3)
+    printed = capsys.readouterr()
+    assert printed.out.splitlines() == [f"wrote {out}", f"wrote {png}"]
+    assert "first rays traced after" in printed.err
+
+
+def test_light_from_behind_shows_the_shadowed_output(folder, tmp_path):
+    assert run(folder / "backlit.yaml", "--out", tmp_path / "out.exr") == 0
+    channels, _ = read_exr(tmp_path / "out.exr")
+    rgb = np.stack([channels[c] for c in "RGB"], axis=-1)
+    expected = np.multiply(SHADOWED, [1, 2, 3]).astype(np.float32)
+    np.testing.assert_allclose(rgb, np.broadcast_to(expected, (8, 12, 3)), rtol=1e-6)
+    assert (channels["visibility"] == 0).all()
+
+
+def test_options_replace_what_the_scene_says(folder, tmp_path):
+    options = ["--samples", 2, "--resolution", "6x5", "--seed", 9, "--tier", "hq", "--threads", 1]
+    assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr", *options) == 0
+    channels, header = read_exr(tmp_path / "out.exr")
+    assert channels["R"].shape == (5, 6)
+    scene = json.loads(header["rnaScene"])
+    assert (scene["samples"], scene["seed"], scene["assets"][0]["tier"]) == (2, 9, "hq")
+
+
+def test_threads_and_repetition_change_no_byte(folder, tmp_path):
+    for name, threads in (("a", 1), ("b", 2), ("c", 2)):
+        run(folder / "lit.yaml", "--out", tmp_path / f"{name}.exr", "--threads", threads)
+    a, b, c = ((tmp_path / f"{name}.exr").read_bytes() for name in "abc")
+    assert a == b == c
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        [],
+        ["--out", "out.png"],
+        ["--out", "out.exr", "--png", "out.jpg"],
+        ["--out", "no/such/folder/out.exr"],
+        ["--out", "out.exr", "--samples", "0"],
+        ["--out", "out.exr", "--samples", "1.5"],
+        ["--out", "out.exr", "--resolution", "640"],
+        ["--out", "out.exr", "--resolution", "0x480"],
+        ["--out", "out.exr", "--seed", "-1"],
+        ["--out", "out.exr", "--threads", "0"],
+        ["--out", "out.exr", "--unknown"],
+    ],
+)
+def test_bad_usage_exits_with_2(folder, options, capsys):
+    with pytest.raises(SystemExit) as caught:
+        run(folder / "lit.yaml", *options)
+    assert caught.value.code == 2
+    assert "rna-run: error: " in capsys.readouterr().err
+
+
+BAD_INPUT = [
+    (lambda text: None, "No such file or directory"),
+    (lambda text: text.replace("ball", "none"), ":2: assets[0].path: no such file: "),
+    (lambda text: text.replace("ball.rna", "bad.yaml"), "bad.yaml"),
+    (lambda text: text.replace("path:", "tier: huge\n    path:"), ":2: assets[0].tier: "),
+    (lambda text: text.replace("samples: 4", "samples: x"), ":7: samples: "),
+]
+
+
+@pytest.mark.parametrize(("change", "message"), BAD_INPUT)
+def test_bad_input_is_one_line_and_exits_with_1(folder, tmp_path, capsys, change, message):
+    (tmp_path / "ball.rna").symlink_to(folder / "ball.rna")
+    text = change(SCENE.replace("LIGHT", "1"))
+    if text is not None:
+        (tmp_path / "bad.yaml").write_text(text)
+    assert run(tmp_path / "bad.yaml", "--out", tmp_path / "out.exr") == 1
+    error = capsys.readouterr().err
+    assert error.startswith("error: ") and error.count("\n") == 1 and message in error
+    assert not (tmp_path / "out.exr").exists()
+
+
+def test_debug_shows_the_traceback(tmp_path, capsys):
+    assert run(tmp_path / "none.yaml", "--out", tmp_path / "out.exr", "--debug") == 1
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_an_unknown_tier_is_an_error(folder, tmp_path, capsys):
+    assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr", "--tier", "huge") == 1
+    assert "assets[0].tier: " in capsys.readouterr().err
+
+
+def test_help_starts_with_a_sentence_and_a_command(capsys):
+    with pytest.raises(SystemExit) as caught:
+        main(["--help"])
+    assert caught.value.code == 0
+    text = capsys.readouterr().out
+    assert "Render a scene of relightable neural assets to an image.\n" in text
+    assert "\n  rna-run scene.yaml --out out.exr --png out.png\n" in text
+
+
+@pytest.fixture
+def long_render(folder, tmp_path):
+    """rna-run with more samples than anyone waits for, stopped by the test."""
+    command = [sys.executable, "-m", "rna_render.cli", folder / "lit.yaml", "--samples", "1000000"]
+    started = subprocess.Popen(
+        [*command, "--out", tmp_path / "out.exr"], stderr=subprocess.PIPE, stdout=subprocess.PIPE
+    )
+    yield started
+    started.kill()
+    started.communicate()
+
+
+def test_ctrl_c_writes_the_mean_of_the_finished_samples(long_render, tmp_path):
+    said = b""
+    while b"first rays traced" not in said:
+        said += long_render.stderr.read1()
+    while b"/96.0M" not in said:  # the bar shows finished work of 12 x 8 x 1,000,000 rays
+        said += long_render.stderr.read1()
+    long_render.send_signal(signal.SIGINT)
+    out, error = long_render.communicate(timeout=60)
+    assert long_render.returncode == INTERRUPTED
+    channels, header = read_exr(tmp_path / "out.exr")
+    assert 1 <= int(header["rnaSamples"]) < 1_000_000
+    assert f"the image is the mean of {header['rnaSamples']} of 1000000 samples" in error.decode()
+    assert f"wrote {tmp_path / 'out.exr'}" in out.decode()
+    np.testing.assert_allclose(channels["R"], ALBEDO[0] / np.pi, rtol=0.05)
+
+
+def test_shadows_of_other_assets_and_shared_packages(folder, tmp_path):
+    """A ball over a floor, both packages, the ball there twice."""
+    write_lambert_package(tmp_path / "floor.rna", square(size=5.0))
+    (tmp_path / "ball.rna").symlink_to(folder / "ball.rna")
+    (tmp_path / "scene.yaml").write_text(
+        "assets:\n"
+        "  - {path: floor.rna}\n"
+        "  - {path: ball.rna, transform: {translation: [0, 3, 0], scale: 0.5}}\n"
+        "  - {path: ball.rna, transform: {translation: [3, 1, 0], scale: 0.5}}\n"
+        "camera: {position: [0, 0.4, 4], look_at: [0, 0, 0], vertical_fov_deg: 2}\n"
+        "lights: [{type: directional, direction: [0, 1, 0], irradiance: [1, 1, 1]}]\n"
+        "resolution: [32, 24]\n"
+    )
+    assert run(tmp_path / "scene.yaml", "--out", tmp_path / "out.exr", "--samples", 16) == 0
+    channels, _ = read_exr(tmp_path / "out.exr")
+    x, z = channels["position.X"], channels["position.Z"]
+    assert (channels["assetId"] == 1).all()
+    inside, outside = np.hypot(x, z) < 0.45, np.hypot(x, z) > 0.55
+    assert inside.any() and outside.any()
+    assert (channels["visibility"][inside] == 0).all() and (channels["R"][inside] == 0).all()
+    assert (channels["visibility"][outside] == 1).all()

@@ -1,0 +1,79 @@
+"""Placed scenes: where rays hit them, and which of them block."""
+
+from __future__ import annotations
+
+import numpy as np
+from rna_render.embree import TriangleScene
+from rna_render.instances import InstanceScene
+from rna_render.scene_model import TransformModel
+from rna_render.transforms import world_from_object
+
+from tests.render.assets import sphere, square, unit_vectors
+
+
+def placed(**transform) -> np.ndarray:
+    return world_from_object(TransformModel(**transform))
+
+
+def scene_of(mesh) -> TriangleScene:
+    return TriangleScene([(mesh.positions, mesh.triangles)])
+
+
+def test_an_instance_is_hit_where_a_moved_mesh_would_be():
+    mesh = sphere(3)
+    matrix = placed(translation=(1, -2, 3), rotation_deg=(10, 70, -40), scale=0.4)
+    moved = (mesh.positions @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
+    rng = np.random.default_rng(3)
+    origins = (unit_vectors(rng, 5000) * np.float32(2) + np.float32([1, -2, 3])).astype(np.float32)
+    directions = unit_vectors(rng, 5000)
+    directions[::2] = np.float32([1, -2, 3]) - origins[::2]
+    hits = InstanceScene([(scene_of(mesh), matrix)]).intersect(origins, directions)
+    expected = TriangleScene([(moved, mesh.triangles)]).intersect(origins, directions)
+    assert np.mean(hits.triangle == expected.triangle) > 0.999
+    same = (hits.triangle == expected.triangle) & (hits.instance >= 0)
+    assert same.mean() > 0.4
+    np.testing.assert_allclose(hits.t[same], expected.t[same], rtol=1e-4)
+    np.testing.assert_allclose(hits.u[same], expected.u[same], atol=2e-3)
+
+
+def test_hits_name_the_instance_in_front():
+    one = scene_of(square())
+    scene = InstanceScene([(one, placed(translation=(0, y, 0))) for y in (0, 2, 1)])
+    origins = np.float32([[0, 3, 0], [0, -1, 0], [0, 1.5, 0], [9, 3, 0]])
+    directions = np.float32([[0, -1, 0], [0, 1, 0], [0, -1, 0], [0, -1, 0]])
+    hits = scene.intersect(origins, directions)
+    assert hits.instance.tolist() == [1, 0, 2, -1]
+    assert hits.t.tolist() == [1, 1, 0.5, np.inf]
+    assert hits.triangle[-1] == -1
+
+
+def test_a_ray_passes_through_its_own_instance_and_no_other():
+    """From inside a ball, with or without a lid over it."""
+    ball, lid = scene_of(sphere(3)), scene_of(square(size=3.0))
+    scene = InstanceScene([(ball, np.eye(4)), (lid, placed(translation=(0, 2, 0)))])
+    instance = np.int32([0, 0, 1, 1])
+    origins = np.float32([[0, 0, 0], [0, 0, 0], [0, 2, 0], [0, 2, 0]])
+    directions = np.float32([[0, 1, 0], [0, -1, 0], [0, 1, 0], [0, -1, 0]])
+    blocked = scene.occluded_by_others(instance, origins, directions)
+    assert blocked.tolist() == [True, False, False, True]
+    near = scene.occluded_by_others(instance, origins, directions, np.float32([1.5, 9, 9, 0.5]))
+    assert near.tolist() == [False] * 4
+
+
+def test_two_copies_of_one_scene_block_one_another_many_times_over():
+    """Rays through many layers of their own instance still find the other one behind."""
+    layers = [square(height=y) for y in np.linspace(-1, 1, 50)]
+    stack = TriangleScene([(mesh.positions, mesh.triangles) for mesh in layers])
+    scene = InstanceScene([(stack, np.eye(4)), (stack, placed(translation=(0, 5, 0)))])
+    rng = np.random.default_rng(4)
+    origins = (0.1 * unit_vectors(rng, 2000)).astype(np.float32)
+    up = np.tile(np.float32([0, 1, 0]), (2000, 1))
+    own = np.zeros(2000, np.int32)
+    assert scene.occluded_by_others(own, origins, up).all()
+    assert not scene.occluded_by_others(own, origins, -up).any()
+
+
+def test_one_instance_has_no_others():
+    scene = InstanceScene([(scene_of(square()), np.eye(4))])
+    ray = np.float32([[0, -1, 0]]), np.float32([[0, 1, 0]])
+    assert scene.occluded_by_others(np.int32([0]), *ray).tolist() == [False]

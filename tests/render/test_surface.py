@@ -1,0 +1,112 @@
+"""Points on meshes, and rays that leave them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from rna_render.embree import TriangleScene
+from rna_render.surface import (
+    geometric_normals,
+    interpolate_normals,
+    interpolate_positions,
+    offset_origins,
+    visible,
+)
+
+from rna_sdk.errors import QueryError
+from rna_sdk.package.mesh import Mesh
+from tests.render.assets import merged, sphere, square, unit_vectors
+
+
+def points_on(mesh: Mesh, n: int, seed: int = 0):
+    """n random points of the mesh, with their geometric normals."""
+    rng = np.random.default_rng(seed)
+    triangle = rng.integers(0, len(mesh.triangles), n).astype(np.int32)
+    u, v = rng.random((2, n), np.float32)
+    u, v = np.where(u + v > 1, (1 - u, 1 - v), (u, v)).astype(np.float32)
+    x = interpolate_positions(mesh.positions, mesh.triangles, triangle, u, v)
+    return x, geometric_normals(mesh.positions, mesh.triangles, triangle)
+
+
+def scene_of(mesh: Mesh) -> TriangleScene:
+    return TriangleScene([(mesh.positions, mesh.triangles)])
+
+
+def moved(mesh: Mesh, scale: float, shift: float) -> Mesh:
+    positions = (mesh.positions * np.float32(scale) + np.float32(shift)).astype(np.float32)
+    return Mesh(positions=positions, normals=mesh.normals, uvs=None, triangles=mesh.triangles)
+
+
+def test_interpolation_is_the_barycentric_sum():
+    mesh = sphere(1)
+    triangle = np.arange(80, dtype=np.int32)
+    u, v = np.full(80, 0.2, np.float32), np.full(80, 0.5, np.float32)
+    weights = np.array([0.3, 0.2, 0.5])
+    at = mesh.triangles, triangle, u, v
+    expected = np.einsum("c,tck->tk", weights, mesh.positions[mesh.triangles].astype(np.float64))
+    np.testing.assert_allclose(interpolate_positions(mesh.positions, *at), expected, atol=1e-7)
+    n = interpolate_normals(mesh.normals, *at)
+    np.testing.assert_allclose(n, expected / np.linalg.norm(expected, axis=1)[:, None], atol=1e-6)
+
+
+def test_geometric_normals_are_those_of_the_counter_clockwise_side():
+    mesh = square()
+    ng = geometric_normals(mesh.positions, mesh.triangles, np.int32([0, 1, 0]))
+    assert ng.tolist() == [[0, 1, 0]] * 3
+
+
+def test_triangles_that_are_not_there_are_refused():
+    mesh = square()
+    u = np.zeros(1, np.float32)
+    for number in (-1, 2):
+        with pytest.raises(QueryError, match="outside"):
+            interpolate_positions(mesh.positions, mesh.triangles, np.int32([number]), u, u)
+
+
+# Sizes and places of an asset, in metres: as modelled, a grain of rice, a stadium, and a chair
+# at the far end of one.
+PLACES = [(1.0, 0.0), (1e-3, 0.0), (200.0, 0.0), (1.0, 300.0)]
+
+
+@pytest.mark.parametrize(("scale", "shift"), PLACES)
+def test_a_convex_body_blocks_exactly_the_light_from_behind(scale, shift):
+    mesh = moved(sphere(4), scale, shift)
+    x, ng = points_on(mesh, 100_000)
+    wi = unit_vectors(np.random.default_rng(1), len(x))
+    cosine = np.sum(ng.astype(np.float64) * wi, axis=1)
+    clear = np.abs(cosine) > 1e-3 * (1.0 + shift / 3.0)  # at 300 m the facets themselves are rough
+    free = visible(scene_of(mesh), x, ng, wi)
+    np.testing.assert_array_equal(free[clear], cosine[clear] > 0)
+
+
+@pytest.mark.parametrize(("scale", "shift"), PLACES)
+def test_a_flat_sheet_never_blocks_its_own_light(scale, shift):
+    mesh = moved(square(size=3.0), scale, shift)
+    x, ng = points_on(mesh, 100_000)
+    assert visible(scene_of(mesh), x, ng, unit_vectors(np.random.default_rng(2), len(x))).all()
+
+
+def test_a_roof_close_above_blocks():
+    mesh = merged(square(), square(size=10.0, height=1e-3))
+    x, ng = np.float32([[0.3, 0, 0.1]] * 2), np.float32([[0, 1, 0]] * 2)
+    wi = np.float32([[0, 1, 0], [0, -1, 0]])
+    assert visible(scene_of(mesh), x, ng, wi).tolist() == [False, True]
+
+
+def test_what_lies_behind_the_light_does_not_block():
+    mesh = merged(square(), square(height=2.0))
+    x, ng = np.float32([[0.3, 0, 0.1]] * 2), np.float32([[0, 1, 0]] * 2)
+    assert visible(scene_of(mesh), x, ng, ng, tfar=np.float32([1.5, 2.5])).tolist() == [True, False]
+
+
+def test_offset_goes_to_the_side_of_the_direction():
+    x, ng = np.zeros((3, 3), np.float32), np.float32([[0, 1, 0]] * 3)
+    directions = np.float32([[0, 1, 0], [0, -1, 0], [1, 0, 0]])
+    height = offset_origins(x, ng, directions, extent=2.0)[:, 1]
+    assert height[0] == height[2] == -height[1] > 0
+    assert height[0] < 2e-5
+
+
+def test_no_points_are_legal():
+    none = np.zeros((0, 3), np.float32)
+    assert visible(scene_of(square()), none, none, none).shape == (0,)
