@@ -104,7 +104,7 @@ def _tier(one: Trained, say: Callable[[str], None]) -> tuple[Tier, TierData]:
         decoder_precision="float32",
         agreement=Agreement(**asdict(agreement)),
     )
-    planes = one.model.triplane.planes().detach().numpy().astype(np.float16)
+    planes = one.model.triplane.planes.detach().numpy().astype(np.float16)
     return tier, TierData(planes=planes, decoder=decoder)
 
 

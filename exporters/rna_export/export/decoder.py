@@ -28,41 +28,52 @@ class Agreement:
 
 
 def export_decoder(model: NeuralAsset) -> bytes:
-    """Clamp, Gemm and Relu per layer, clamp, expm1: `queries` (N, K) to `transport` (N, 6)."""
-    linear = [m for m in model.decoder if isinstance(m, torch.nn.Linear)]
-    ceiling = float(model.ceiling)
-    limits = {"low": -LARGEST_INPUT, "high": LARGEST_INPUT, "zero": 0.0,
-              "highest": np.log1p(ceiling), "one": 1.0}
-    constants = [numpy_helper.from_array(np.float32(v), name) for name, v in limits.items()]
-    nodes, name = [helper.make_node("Clip", ["queries", "low", "high"], ["inputs"])], "inputs"
-    for k, layer in enumerate(linear):
-        weight, bias = f"weight{k}", f"bias{k}"
-        constants += [
-            numpy_helper.from_array(layer.weight.detach().numpy().T.copy(), weight),
-            numpy_helper.from_array(layer.bias.detach().numpy(), bias),
-        ]
-        nodes.append(helper.make_node("Gemm", [name, weight, bias], [f"sum{k}"]))
-        name = f"sum{k}"
-        if layer is not linear[-1]:
-            nodes.append(helper.make_node("Relu", [name], [f"hidden{k}"]))
-            name = f"hidden{k}"
-    nodes += [
-        helper.make_node("Clip", [name, "zero", "highest"], ["y"]),
-        helper.make_node("Exp", ["y"], ["x_plus_one"]),
-        helper.make_node("Sub", ["x_plus_one", "one"], ["transport"]),
-    ]
-    columns = linear[0].in_features
-    graph = helper.make_graph(
-        nodes,
-        "decoder",
-        [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", columns])],
-        [helper.make_tensor_value_info("transport", TensorProto.FLOAT, ["N", 6])],
-        constants,
-    )
-    opsets = [helper.make_opsetid("", OPSET)]
-    model_proto = helper.make_model(graph, opset_imports=opsets, ir_version=8, producer_name="rna-export")
-    onnx.checker.check_model(model_proto)
-    return model_proto.SerializeToString(deterministic=True)
+    """`queries` (N, K) to `transport` (N, 6), with no more than RNA-1.0's operators."""
+    graph = _Graph()
+    value = graph.clip("queries", -LARGEST_INPUT, LARGEST_INPUT)
+    for layer in model.decoder:
+        if isinstance(layer, torch.nn.Linear):
+            weight, bias = layer.weight.detach().numpy().T, layer.bias.detach().numpy()
+            value = graph.add("Gemm", [value, graph.constant(weight), graph.constant(bias)])
+        else:
+            value = graph.add("Relu", [value])
+    y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling)))
+    graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)], "transport")
+    return graph.serialize(model.decoder[0].in_features)
+
+
+class _Graph:
+    """An ONNX graph under construction; values and constants get names by number."""
+
+    def __init__(self) -> None:
+        self._nodes: list[onnx.NodeProto] = []
+        self._constants: list[onnx.TensorProto] = []
+
+    def constant(self, value: np.ndarray | float) -> str:
+        name = f"c{len(self._constants)}"
+        self._constants.append(numpy_helper.from_array(np.array(value, np.float32), name))
+        return name
+
+    def add(self, operator: str, inputs: list[str], output: str | None = None) -> str:
+        output = output or f"v{len(self._nodes)}"
+        self._nodes.append(helper.make_node(operator, inputs, [output]))
+        return output
+
+    def clip(self, value: str, low: float, high: float) -> str:
+        return self.add("Clip", [value, self.constant(low), self.constant(high)])
+
+    def serialize(self, columns: int) -> bytes:
+        graph = helper.make_graph(
+            self._nodes,
+            "decoder",
+            [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", columns])],
+            [helper.make_tensor_value_info("transport", TensorProto.FLOAT, ["N", 6])],
+            self._constants,
+        )
+        opsets = [helper.make_opsetid("", OPSET)]
+        model = helper.make_model(graph, opset_imports=opsets, ir_version=8, producer_name="rna-export")
+        onnx.checker.check_model(model)
+        return model.SerializeToString(deterministic=True)
 
 
 @torch.no_grad()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import torch
-import torch.nn.functional as F
 from torch import Tensor
 
 
@@ -35,7 +34,4 @@ _BLOCKS = {
     "wo": lambda features, position, n, wo, wi: wo,
     "wi": lambda features, position, n, wo, wi: wi,
     "half_vector": lambda features, position, n, wo, wi: half_vector(n, wo, wi),
-    "bent_half_vector": lambda features, position, n, wo, wi: half_vector(
-        F.normalize(n + features[:, :3], dim=1), wo, wi
-    ),
 }

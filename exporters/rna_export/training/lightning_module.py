@@ -11,7 +11,7 @@ import torch
 from torch import Tensor
 
 from rna_export.capture.dataset import ValidationView
-from rna_export.training.losses import LOSSES
+from rna_export.training.losses import log_l2
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
 from rna_export.training.samples import columns
@@ -37,7 +37,6 @@ class NeuralAssetTraining(lightning.LightningModule):
         self.model.ceiling.fill_(ceiling)
         self._config, self._steps = preset.training, steps
         self._views, self._out = views, out
-        self._loss = LOSSES[preset.training.loss]
 
     @property
     def progress(self) -> float:
@@ -50,7 +49,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * self.progress)
         both = self.model(at["position"], at["normal"], at["wo"], at["wi"], blur)
         y = torch.where(at["visible"][:, None] > 0.5, both[:, 0], both[:, 1])
-        loss = self._loss(y, at["radiance"])
+        loss = log_l2(y, at["radiance"])
         self.log("loss", loss)
         return loss
 

@@ -21,9 +21,7 @@ class NeuralAsset(nn.Module):
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
         self.config = config
-        self.triplane = Triplane(
-            config.resolution, config.channels, bounds[0], bounds[1], config.levels
-        )
+        self.triplane = Triplane(config.resolution, config.channels, bounds[0], bounds[1])
         width, layers = config.width, []
         columns = query_width(config.inputs, config.channels)
         for _ in range(config.hidden_layers):

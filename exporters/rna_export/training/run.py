@@ -18,7 +18,7 @@ from torch.utils.data import DataLoader
 from rna_export.capture.dataset import Dataset
 from rna_export.training.curves import draw_curves
 from rna_export.training.lightning_module import NeuralAssetTraining
-from rna_export.training.losses import LOSSES
+from rna_export.training.losses import log_l2
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
 from rna_export.training.samples import SampleTable, columns
@@ -123,7 +123,7 @@ def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: fl
         at = columns(rows)
         y = model(at["position"], at["normal"], at["wo"], at["wi"], blur)[:, 0]
         optimizer.zero_grad()
-        loss = LOSSES[run.preset.training.loss](y, at["radiance"])
+        loss = log_l2(y, at["radiance"])
         loss.backward()
         optimizer.step()
         loss.item()

@@ -1,0 +1,67 @@
+"""Trains presets on one dataset for the same time and compares them on its validation images.
+
+    python benchmarks/quality.py toy.rays --minutes 4 --presets small paper-small \
+        --runs runs/toy --out benchmarks/results/quality-toy.json
+
+Every training is a process of its own, one after the other; run it on an otherwise idle machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+from dataclasses import asdict
+from pathlib import Path
+
+from rna_export.capture.dataset import Dataset
+from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, psnr
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.validation import score, shade
+
+
+def main() -> None:
+    args = _parser().parse_args()
+    dataset = Dataset(args.dataset)
+    results = {
+        "dataset": dataset.manifest.model_dump(mode="json", by_alias=True),
+        "psnr": PSNR_DEFINITION,
+        "flip": FLIP_DEFINITION,
+        "minutes": args.minutes,
+        "cores": len(os.sched_getaffinity(0)),
+        "presets": {},
+    }
+    for preset in args.presets:
+        out = args.runs / preset
+        command = [sys.executable, "-m", "rna_export.training.cli", str(args.dataset)]
+        command += ["--preset", preset, "--out", str(out), "--minutes", str(args.minutes)]
+        subprocess.run(command, check=True)
+        results["presets"][preset] = _scores(out / "best.ckpt", dataset)
+        args.out.write_text(json.dumps(results, indent=1) + "\n")
+    for preset, result in results["presets"].items():
+        print(f"{preset}: PSNR {result['psnr']:.2f} dB, FLIP {result['flip']:.4f}")
+    print(f"wrote {args.out}")
+
+
+def _scores(checkpoint: Path, dataset: Dataset) -> dict[str, object]:
+    trained, views = load_checkpoint(checkpoint), dataset.validation_views()
+    radiance = [shade(trained.model, view) for view in views]
+    each = [psnr(r, view.samples["radiance"]) for r, view in zip(radiance, views, strict=True)]
+    return {**asdict(score(radiance, views)), "psnr_of_each_image": each, "steps": trained.steps,
+            "preset": trained.preset.model_dump(mode="json")}
+
+
+def _parser() -> argparse.ArgumentParser:
+    p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    p.add_argument("dataset", type=Path, help="folder of rna-capture")
+    p.add_argument("--presets", nargs="+", default=["small", "paper-small"])
+    p.add_argument("--minutes", type=float, default=4.0, help="of each training")
+    p.add_argument("--runs", type=Path, required=True, help="folder for the trainings")
+    p.add_argument("--out", type=Path, required=True, help="JSON to write")
+    return p
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,39 @@
+"""Checks of what callers hand to the runtime."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.errors import QueryError
+
+
+def vectors(name: str, value: object, count: int | None = None) -> NDArray[np.float32]:
+    """`value` as a C-contiguous (n, 3) float32 array, copied only where it is not contiguous.
+
+    Raises:
+        QueryError: it is no such array, or has other than `count` rows.
+    """
+    expected = f"({'n' if count is None else count}, 3) float32 array"
+    if not isinstance(value, np.ndarray):
+        raise QueryError(f"{name}: expected a {expected}, found {type(value).__name__}")
+    wrong_rows = count is not None and len(value.shape) == 2 and value.shape[0] != count
+    if value.dtype != np.float32 or value.shape[1:] != (3,) or wrong_rows:
+        raise QueryError(f"{name}: expected a {expected}, found {value.shape} {value.dtype}")
+    return np.require(value, requirements=["C", "ALIGNED"])
+
+
+def thread_count(threads: int | None) -> int:
+    """The number of threads to use: `threads`, or one for each core this process may use.
+
+    Raises:
+        QueryError: `threads` is no integer of at least 1.
+    """
+    if threads is None:
+        affinity = getattr(os, "sched_getaffinity", None)  # Linux alone has it
+        return len(affinity(0)) if affinity else os.cpu_count() or 1
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+        raise QueryError(f"threads: expected an integer of at least 1 or None, found {threads!r}")
+    return threads

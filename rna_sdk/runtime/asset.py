@@ -1,0 +1,95 @@
+"""An asset that is loaded and can be asked for its transport."""
+
+from __future__ import annotations
+
+from os import PathLike
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package import Package, Tier
+from rna_sdk.runtime.arguments import thread_count, vectors
+from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime.tiers import choose_tier
+from rna_sdk.runtime.tiles import Batch, QueryFiller, TileEvaluator
+
+
+def load(
+    path: str | PathLike[str],
+    tier: str | None = None,
+    threads: int | None = None,
+    *,
+    min_psnr: float | None = None,
+) -> Asset:
+    """Open the package at `path` for evaluation. Its planes stay in the file, mapped to memory.
+
+    tier: name of a tier; None takes the package's first.
+    threads: threads of an evaluation; None takes one for each core this process may use.
+    min_psnr: instead of a name: takes the tier with the fewest multiply-adds a query among
+        those whose recorded validation PSNR is at least this many dB.
+
+    Raises:
+        PackageError: the file cannot be read or breaks the format.
+        QueryError: there is no such tier, none is good enough, or an argument is no such value.
+    """
+    count = thread_count(threads)
+    with Package.open(path) as package:
+        return Asset(package, choose_tier(package, tier, min_psnr), count)
+
+
+class Asset:
+    """One tier of a package, ready to evaluate; make one with `load`.
+
+    Threads may evaluate at the same time.
+
+    Attributes:
+        tier: the tier's record in the manifest (`tier.name`, `tier.validation`, ...).
+        threads: threads of an evaluation.
+        mesh: the geometry, object space, metres.
+        bounds: (2, 3) float32, read-only: lower and upper corner of the box that the features
+            span, object space, metres.
+    """
+
+    def __init__(self, package: Package, tier: Tier, threads: int) -> None:
+        """package: open; tier: one of its manifest's; threads: at least 1."""
+        box = package.manifest.bounds
+        self.tier = tier
+        self.threads = threads
+        self.mesh = package.mesh()
+        self.bounds = np.array([box.min, box.max], np.float32)
+        self.bounds.flags.writeable = False
+        filler = QueryFiller(package.planes(tier.name), box, tier)
+        decoder = Decoder(package.decoder(tier.name), filler.largest_query)
+        self._evaluator = TileEvaluator(filler, decoder, threads)
+
+    def evaluate(
+        self,
+        positions: NDArray[np.float32],
+        normals: NDArray[np.float32],
+        wo: NDArray[np.float32],
+        wi: NDArray[np.float32],
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Transport at surface points: radiance towards wo under irradiance 1 from wi.
+
+        positions: metres. normals: of the surface. wo, wi: where light goes to and comes from,
+        both away from the surface. All (n, 3) float32, object space; n may be 0. Vectors of
+        another length than 1 are brought to it; positions outside the bounds are moved to
+        their nearest point on them.
+
+        Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and never negative:
+        for the case that the asset itself does not, or does, block the ray from the position
+        along wi. Both contain the cosine. A row with NaN or an infinity, or with a normal, wo
+        or wi of length zero, gets 0. A row's result is the same to the bit in whatever batch
+        it comes and for any number of threads.
+
+        Raises:
+            QueryError: an argument is not an (n, 3) float32 array, or they differ in n.
+        """
+        positions = vectors("positions", positions)
+        count = len(positions)
+        normals = vectors("normals", normals, count)
+        wo = vectors("wo", wo, count)
+        wi = vectors("wi", wi, count)
+        visible, shadowed = np.empty((2, count, 3), np.float32)
+        self._evaluator.run(Batch(positions, normals, wo, wi, visible, shadowed))
+        return visible, shadowed

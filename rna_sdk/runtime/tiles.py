@@ -1,0 +1,129 @@
+"""Evaluate a batch in tiles that stay in a core's cache, on several threads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package import Bounds, Planes, Tier
+from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime.output_kernel import split_transport
+from rna_sdk.runtime.query_kernel import block_columns, query_kernel
+
+Vectors = NDArray[np.float32]
+
+_ROW_STEP = 16
+"""The decoder always sees a multiple of this many rows: vector instructions then leave no
+remainder, whose elements a library may compute by another formula with other rounding."""
+
+_SMALLEST_TILE = 256
+"""Rows; below this a call of the decoder costs more than its work."""
+
+
+@dataclass(frozen=True)
+class Batch:
+    """The arrays of one evaluation, each (n, 3) float32; the last two are written."""
+
+    positions: Vectors
+    normals: Vectors
+    wo: Vectors
+    wi: Vectors
+    visible: Vectors
+    shadowed: Vectors
+
+
+class QueryFiller:
+    """Gathers features and lays out decoder inputs for one tier.
+
+    Attributes:
+        largest_query: no number in the queries is further from 0.
+    """
+
+    def __init__(self, planes: Planes, bounds: Bounds, tier: Tier) -> None:
+        low, high = np.array([bounds.min, bounds.max], np.float64)
+        # The smallest normal number keeps 1 / extent finite.
+        extent = np.maximum(high - low, np.finfo(np.float64).tiny)
+        self._box = np.stack([low, 1 / extent])
+        self._columns = block_columns(tier.inputs, tier.channels)
+        self._resolution = tier.resolution
+        # float16 stays as it is in the file: half the memory and cache, converted as it is read.
+        stored = np.uint16 if tier.plane_precision == "float16" else np.float32
+        self._planes = planes.view(stored).reshape(-1)
+        self.largest_query = _largest_query(planes)
+        self._kernel = query_kernel(tier.channels, tier.plane_precision)
+
+    def fill(self, batch: Batch, rows: slice, queries: Vectors, valid: NDArray[np.bool_]) -> None:
+        """Write K columns of `queries`, and `valid` (m,), for the m rows of the batch."""
+        sources = (a[rows] for a in (batch.positions, batch.normals, batch.wo, batch.wi))
+        self._kernel(
+            self._planes, self._resolution, self._box, self._columns, *sources, queries, valid
+        )
+
+
+def _largest_query(planes: Planes) -> float:
+    """A bound for three features summed, and for all the other blocks, which are below 4."""
+    if planes.dtype == np.float16:  # without the sign bit, the bits of a number grow with it
+        largest = (planes.view(np.uint16) & 0x7FFF).max().view(np.float16)
+    else:
+        largest = np.abs(planes).max()
+    return max(3.01 * float(largest), 4.0)
+
+
+class TileEvaluator:
+    """Runs batches through query filling and decoder, tile by tile.
+
+    One thread takes a tile through all steps while it is hot in its cache. A row's result
+    depends on that row alone, to the bit: not on its tile, nor on the thread that took it.
+    """
+
+    def __init__(self, filler: QueryFiller, decoder: Decoder, threads: int) -> None:
+        self._filler = filler
+        self._decoder = decoder
+        self._threads = threads
+        self._helpers = ThreadPoolExecutor(max(threads - 1, 1), thread_name_prefix="rna-tile")
+
+    def run(self, batch: Batch) -> None:
+        """Write `batch.visible` and `batch.shadowed`."""
+        count = len(batch.positions)
+        rows = self._tile_rows(count)
+        starts = iter(range(0, count, rows))  # shared: each tile goes to the next free thread
+        helpers = min(self._threads, -(-count // rows)) - 1
+        running = [
+            self._helpers.submit(self._run_tiles, batch, starts, rows) for _ in range(helpers)
+        ]
+        try:
+            self._run_tiles(batch, starts, rows)
+        finally:
+            for _ in starts:  # after an error or Ctrl-C: leave no tile to begin
+                pass
+            for helper in running:
+                if not helper.cancel():  # busy threads may not have come to it; none is needed
+                    helper.result()
+
+    def _tile_rows(self, count: int) -> int:
+        """Rows a tile: the decoder's best, or less where some threads would get none."""
+        share = -(-count // self._threads)
+        return min(self._decoder.tile_rows, max(_SMALLEST_TILE, _rounded_up(share)))
+
+    def _run_tiles(self, batch: Batch, starts: Iterator[int], rows: int) -> None:
+        queries = np.zeros((rows, self._decoder.columns), np.float32)
+        valid = np.empty(rows, np.bool_)
+        for start in starts:
+            tile = slice(start, min(start + rows, len(batch.positions)))
+            self._run_tile(batch, tile, queries, valid)
+
+    def _run_tile(
+        self, batch: Batch, tile: slice, queries: Vectors, valid: NDArray[np.bool_]
+    ) -> None:
+        count = tile.stop - tile.start
+        self._filler.fill(batch, tile, queries[:count], valid[:count])
+        transport = self._decoder.run(queries[: _rounded_up(count)])
+        split_transport(transport, valid[:count], batch.visible[tile], batch.shadowed[tile])
+
+
+def _rounded_up(rows: int) -> int:
+    return -(-rows // _ROW_STEP) * _ROW_STEP

@@ -1,0 +1,114 @@
+"""Between an asset's object space and world space."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rna_sdk.errors import QueryError
+from rna_sdk.runtime.arguments import vectors
+from rna_sdk.runtime.compiled import compiled
+
+_TOLERANCE = 1e-5
+"""Largest departure from a rotation, of its entries; matrices often come from float32."""
+
+
+class Transform:
+    """A rotation, a uniform scale and a translation from object space to world space.
+
+    Transport is measured in the asset's own size and shape, which no shear, mirror or uneven
+    scale keeps; so those are refused. Scale changes no radiance: a point moves, directions turn.
+
+    Attributes:
+        matrix: (4, 4) float64, read-only; columns are the object's axes and origin in the world.
+        scale: world lengths over object lengths.
+    """
+
+    def __init__(self, matrix: ArrayLike) -> None:
+        """matrix: (4, 4), object to world, acting on column vectors; the last row is 0 0 0 1.
+
+        Raises:
+            QueryError: it is anything but a rotation, a uniform scale and a translation.
+        """
+        self.matrix = _as_matrix(matrix)
+        linear = self.matrix[:3, :3]
+        self.scale = float(np.cbrt(np.linalg.det(linear)))
+        if not self.scale > 0:
+            raise QueryError("transform: the matrix mirrors or flattens space")
+        rotation = linear / self.scale
+        error = np.abs(rotation.T @ rotation - np.eye(3)).max()
+        if not error <= _TOLERANCE:
+            raise QueryError("transform: the matrix shears, or scales axes differently")
+        # Contiguous copies: the kernel is compiled for these alone.
+        self._to_world = np.ascontiguousarray(linear)
+        self._to_object = np.ascontiguousarray(np.linalg.inv(linear), np.float64)
+        self._rotate = np.ascontiguousarray(rotation)
+        self._rotate_back = np.ascontiguousarray(rotation.T)
+        self._origin = np.ascontiguousarray(self.matrix[:3, 3])
+
+    def to_world_points(self, points: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Points of object space in world space; both (n, 3) float32."""
+        return _mapped(points, self._to_world, np.zeros(3), self._origin)
+
+    def to_object_points(self, points: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Points of world space in object space; both (n, 3) float32."""
+        return _mapped(points, self._to_object, self._origin, np.zeros(3))
+
+    def to_world_directions(self, directions: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Directions of object space in world space, as long as before; both (n, 3) float32."""
+        return _mapped(directions, self._rotate, np.zeros(3), np.zeros(3))
+
+    def to_object_directions(self, directions: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Directions of world space in object space, as long as before; both (n, 3) float32."""
+        return _mapped(directions, self._rotate_back, np.zeros(3), np.zeros(3))
+
+    def to_world_normals(self, normals: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Normals of object space in world space: as directions, since scale is uniform."""
+        return self.to_world_directions(normals)
+
+    def to_object_normals(self, normals: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Normals of world space in object space: as directions, since scale is uniform."""
+        return self.to_object_directions(normals)
+
+
+def _as_matrix(matrix: ArrayLike) -> NDArray[np.float64]:
+    try:
+        result = np.array(matrix, np.float64)
+    except (TypeError, ValueError) as error:
+        raise QueryError(f"transform: expected a (4, 4) matrix of numbers: {error}") from None
+    if result.shape != (4, 4):
+        raise QueryError(f"transform: expected a (4, 4) matrix, found {result.shape}")
+    if not np.isfinite(result).all():
+        raise QueryError("transform: the matrix holds NaN or infinite values")
+    if not np.array_equal(result[3], [0, 0, 0, 1]):
+        raise QueryError(f"transform: expected a last row 0 0 0 1, found {result[3].tolist()}")
+    result.flags.writeable = False
+    return result
+
+
+def _mapped(
+    values: NDArray[np.float32],
+    linear: NDArray[np.float64],
+    before: NDArray[np.float64],
+    after: NDArray[np.float64],
+) -> NDArray[np.float32]:
+    """linear @ (v - before) + after for each row v, in float64, rounded to float32."""
+    source = vectors("values", values)
+    result = np.empty_like(source)
+    _map_rows(source, linear, before, after, result)
+    return result
+
+
+@compiled()
+def _map_rows(
+    values: NDArray[np.float32],
+    linear: NDArray[np.float64],
+    before: NDArray[np.float64],
+    after: NDArray[np.float64],
+    result: NDArray[np.float32],
+) -> None:
+    for i in range(len(values)):
+        x, y, z = values[i, 0] - before[0], values[i, 1] - before[1], values[i, 2] - before[2]
+        for k in range(3):
+            total = linear[k, 0] * x + linear[k, 1] * y + linear[k, 2] * z
+            result[i, k] = np.float32(total + after[k])

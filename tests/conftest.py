@@ -1,0 +1,60 @@
+"""Tests that need something outside the repository: skipped with a reason, and counted."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from rna_export.capture.blender_env import find_python
+
+from rna_sdk.errors import CaptureError
+
+REPOSITORY = Path(__file__).parent.parent
+DATA = REPOSITORY.parent / "shared" / "data"
+
+_skipped: Counter[str] = Counter()
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for marker, reason in (("blender", _no_blender), ("data", _no_data), ("gpu", _no_gpu)):
+        marked = [item for item in items if item.get_closest_marker(marker)]
+        if marked and (why := reason()):
+            for item in marked:
+                item.add_marker(pytest.mark.skip(reason=why))
+            _skipped[f"{marker}: {why}"] += len(marked)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    for why, count in _skipped.items():
+        terminalreporter.write_line(f"skipped {count} marked {why}", yellow=True)
+
+
+@pytest.fixture(scope="session")
+def blender_python() -> Path:
+    """The interpreter that can `import bpy`; for tests marked `blender`."""
+    return find_python()
+
+
+@pytest.fixture(scope="session")
+def data_folder() -> Path:
+    """The real models; for tests marked `data`."""
+    return DATA
+
+
+def _no_blender() -> str | None:
+    try:
+        find_python()
+    except CaptureError as error:
+        return str(error)
+    return None
+
+
+def _no_data() -> str | None:
+    return None if DATA.is_dir() else f"{DATA} is not there"
+
+
+def _no_gpu() -> str | None:
+    import torch
+
+    return None if torch.cuda.is_available() else "torch finds no CUDA device"

@@ -1,0 +1,30 @@
+"""Blender workers for the tests of the exporters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from rna_export.capture.worker import BlenderWorker, Source
+
+from tests.exporters.scenes import write_scene
+
+OpenWorker = Callable[..., BlenderWorker]
+
+
+@pytest.fixture
+def open_worker(blender_python: Path, tmp_path: Path) -> Iterator[OpenWorker]:
+    """Opens a worker on a file, or on the text of a script; ends it after the test."""
+    workers: list[BlenderWorker] = []
+
+    def open_(scene: Path | str, *arguments: str) -> BlenderWorker:
+        name = f"scene{len(workers)}"
+        path = write_scene(tmp_path, name, scene) if isinstance(scene, str) else scene
+        source = Source(path, arguments)
+        workers.append(BlenderWorker(blender_python, source, tmp_path / "scratch", 1, name))
+        return workers[-1]
+
+    yield open_
+    for worker in workers:
+        worker.close()

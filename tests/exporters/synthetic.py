@@ -1,0 +1,109 @@
+"""Datasets that numpy makes: a ball of translucent plastic with known transport."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset, write_arrays
+from rna_export.training.presets import PRESETS, Preset
+
+from tests.render.assets import sphere, unit_vectors
+
+ALBEDO = np.array([0.8, 0.5, 0.2])
+LIGHTS_A_SHARD = 8
+RAYS = 256
+
+
+def tiny(preset: str = "small", **training: object) -> Preset:
+    """A preset of its kind that trains within a second: 16 texels, 2 layers of 16."""
+    full = PRESETS[preset]
+    model = full.model.model_copy(update={"resolution": 16, "width": 16, "hidden_layers": 2})
+    changes = {"steps": 40, "batch": 512, **training}
+    return Preset(model=model, training=full.training.model_copy(update=changes))
+
+
+def make_dataset(
+    folder: Path, seed: int = 0, shards: int = 3, views: int = 2, domain: str = "sphere"
+) -> Dataset:
+    """A finished dataset without noise; `domain` is only what it says of itself."""
+    settings = CaptureSettings(
+        lights=shards * LIGHTS_A_SHARD,
+        lights_per_shard=LIGHTS_A_SHARD,
+        rays=RAYS,
+        validation_views=views,
+        validation_resolution=24,
+        domain=domain,
+        seed=seed,
+    )
+    manifest = CaptureManifest(
+        name="ball",
+        source="ball.py",
+        source_sha256=f"{seed:064x}",
+        settings=settings,
+        blender="none",
+        generator="tests",
+        has_uv=False,
+        cutouts=False,
+        bounds=((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)),
+    )
+    dataset = Dataset.create(folder, manifest, sphere(3))
+    rng = np.random.default_rng(seed)
+    for shard in range(shards):
+        wi = np.repeat(unit_vectors(rng, LIGHTS_A_SHARD), RAYS, axis=0)
+        write_arrays(dataset.train_path(shard), _samples(*_seen(rng, len(wi)), wi))
+    for view in range(views):
+        _write_view(dataset, view, rng)
+    return dataset
+
+
+def transport(n: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Radiance (n, 3) and visibility (n,) on the ball: a diffuse coat that glows through, shiny."""
+    cosine = np.sum(n * wi, axis=1, keepdims=True)
+    h = wi + wo
+    h = h / np.maximum(np.linalg.norm(h, axis=1, keepdims=True), 1e-6)
+    shine = np.maximum(np.sum(n * h, axis=1, keepdims=True), 0.0) ** 60
+    lit = ALBEDO / np.pi * cosine + 0.5 * shine * cosine + 0.03
+    through = 0.03 + 0.02 * ALBEDO * cosine
+    visible = cosine[:, 0] > 0.0
+    return np.where(visible[:, None], lit, through).astype(np.float32), visible
+
+
+def _seen(rng: np.random.Generator, count: int) -> tuple[np.ndarray, np.ndarray]:
+    n = unit_vectors(rng, count)
+    wo = unit_vectors(rng, count)
+    return n, np.where(np.sum(n * wo, axis=1, keepdims=True) < 0.0, -wo, wo)
+
+
+def _samples(n: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> dict[str, np.ndarray]:
+    radiance, visible = transport(n, wo, wi)
+    wi = wi.astype(np.float32)
+    return {
+        "position": n,
+        "normal": n,
+        "wo": wo,
+        "wi": wi,
+        "radiance": radiance,
+        "visible": visible.astype(np.uint8),
+    }
+
+
+def _write_view(dataset: Dataset, view: int, rng: np.random.Generator) -> None:
+    size = dataset.manifest.settings.validation_resolution
+    at = (np.arange(size) + 0.5) / size * 2.0 - 1.0
+    x, y = (values.reshape(-1) for values in np.meshgrid(at, -at))
+    pixel = np.flatnonzero(x**2 + y**2 < 0.95)
+    x, y = x[pixel], y[pixel]
+    n = np.stack([x, y, np.sqrt(1.0 - x**2 - y**2)], axis=1).astype(np.float32)
+    wo = np.tile(np.float32([0, 0, 1]), (len(n), 1))
+    wi = np.tile(
+        unit_vectors(rng, 1) * np.float32([1, 1, 0.3]) + np.float32([0, 0, 0.7]), (len(n), 1)
+    )
+    wi /= np.linalg.norm(wi, axis=1, keepdims=True)
+    samples = _samples(n, wo, wi)
+    for half, sign in ((0, 1.0), (1, -1.0)):
+        noise = (sign * 1e-4 * np.ones_like(n)).astype(np.float32)
+        arrays = {**samples, "radiance": samples["radiance"] + noise}
+        write_arrays(
+            dataset.validation_path(view, half), {**arrays, "pixel": pixel.astype(np.int32)}
+        )

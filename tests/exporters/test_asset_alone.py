@@ -1,0 +1,127 @@
+"""The asset is captured alone: no light but ours, no emission; and cut-outs are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.run import weld
+from rna_export.capture.tasks import TrainingShard
+
+from tests.exporters.conftest import OpenWorker
+from tests.exporters.cycles import trace, unit
+
+pytestmark = pytest.mark.blender
+BELOW = unit(0, -1, 0)
+
+FOREIGN_LIGHT = """
+add(*square(1), diffuse((1, 1, 1)))
+for kind in ("POINT", "SUN", "AREA"):
+    lamp = bpy.data.objects.new(kind, bpy.data.lights.new(kind, kind))
+    lamp.location = (0, 0, 2)
+    bpy.context.scene.collection.objects.link(lamp)
+bpy.context.scene.collection.objects.link(bpy.data.objects.new("c", bpy.data.cameras.new("c")))
+world = bpy.data.worlds.new("bright")
+world.use_nodes = True
+world.node_tree.nodes["Background"].inputs["Strength"].default_value = 5.0
+bpy.context.scene.world = world
+"""
+
+PRINCIPLED_GLOW = """
+black, white = (0, 0, 0, 1), (1, 1, 1, 1)
+add(*square(1), principled(Emission_Color=white, Emission_Strength=3.0, Base_Color=black))
+"""
+
+EMISSION_NODE = """
+material = principled()
+tree = material.node_tree
+glow = tree.nodes.new("ShaderNodeEmission")
+tree.links.new(glow.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+add(*square(1), material)
+"""
+
+EMISSION_IN_A_GROUP = """
+group = bpy.data.node_groups.new("glow", "ShaderNodeTree")
+group.interface.new_socket("shader", in_out="OUTPUT", socket_type="NodeSocketShader")
+glow, end = group.nodes.new("ShaderNodeEmission"), group.nodes.new("NodeGroupOutput")
+group.links.new(glow.outputs[0], end.inputs[0])
+material = principled()
+tree = material.node_tree
+node = tree.nodes.new("ShaderNodeGroup")
+node.node_tree = group
+tree.links.new(node.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+add(*square(1), material)
+"""
+
+ALPHA_IN_A_GROUP = EMISSION_IN_A_GROUP.replace("ShaderNodeEmission", "ShaderNodeBsdfTransparent")
+
+
+def seen_from_above(worker) -> np.ndarray:
+    """Radiance of the upper side, lit from below only: black for what is opaque."""
+    traced = trace(worker, BELOW, 512)
+    assert traced.front.sum() > 100
+    return traced.radiance[traced.front]
+
+
+def test_only_our_sun_shines(open_worker: OpenWorker) -> None:
+    worker = open_worker(FOREIGN_LIGHT)
+    assert not seen_from_above(worker).any()
+    assert worker.opened["notes"] == []
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [PRINCIPLED_GLOW, EMISSION_NODE, EMISSION_IN_A_GROUP],
+    ids=["principled", "node", "group"],
+)
+def test_emission_is_switched_off_and_noted(open_worker: OpenWorker, scene: str) -> None:
+    worker = open_worker(scene)
+    assert not seen_from_above(worker).any()
+    (note,) = worker.opened["notes"]
+    assert "principled" in note and "emission" in note
+
+
+@pytest.mark.parametrize(
+    ("scene", "expected"),
+    [
+        ("add(*square(1), principled())", False),
+        ("add(*square(1), principled(Transmission_Weight=1.0))", False),
+        ("add(*square(1), principled(Alpha=0.5))", True),
+        (ALPHA_IN_A_GROUP, True),
+    ],
+    ids=["opaque", "glass", "alpha", "group"],
+)
+def test_cutouts_are_known(open_worker: OpenWorker, scene: str, expected: bool) -> None:
+    assert open_worker(scene).opened["cutouts"] is expected
+
+
+def test_a_hit_on_a_cutout_is_a_sample(open_worker: OpenWorker, tmp_path) -> None:
+    """See-through parts are opaque at the first hit: what shines through is their radiance."""
+    worker = open_worker(
+        "add(*square(1, z=1), principled(Alpha=0.0))\nadd(*square(1), diffuse((1, 1, 1)))"
+    )
+    dataset = one_light_dataset(tmp_path / "rays", worker)
+    scene = AssetScene(dataset.mesh())
+    TrainingShard(0).run(dataset, scene, worker)
+    samples = dataset.training_samples()
+    assert len(samples["wo"]) == dataset.manifest.settings.rays
+    on_the_cutout = (samples["position"][:, 1] > 0.99) & (samples["wo"][:, 1] > 0.95)
+    assert samples["radiance"][on_the_cutout].mean() > 0.05
+
+
+def one_light_dataset(folder, worker) -> Dataset:
+    mesh = weld(worker.export_corners())
+    low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+    manifest = CaptureManifest(
+        name="test",
+        source="test.py",
+        source_sha256="0" * 64,
+        settings=CaptureSettings(samples=4, rays=512, lights=1, domain="hemisphere"),
+        blender=worker.opened["blender"],
+        generator="test",
+        has_uv=False,
+        cutouts=worker.opened["cutouts"],
+        bounds=(tuple(low.tolist()), tuple(high.tolist())),
+    )
+    return Dataset.create(folder, manifest, mesh)

@@ -1,0 +1,175 @@
+"""From checkpoints to a package: two tiers, measured through the runtime, valid."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+from rna_export.capture.dataset import Dataset
+from rna_export.export.cli import main
+from rna_export.metrics import psnr
+from rna_export.training import run as run_module
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.run import Run, train
+from rna_export.training.validation import score, shade
+
+from rna_sdk.package import Package, validate
+from rna_sdk.runtime import load
+from tests.exporters.synthetic import make_dataset, tiny
+
+
+@dataclass(frozen=True)
+class Exported:
+    dataset: Dataset
+    checkpoints: dict[str, Path]
+    package: Path
+    said: str
+
+
+@pytest.fixture(scope="module")
+def exported(tmp_path_factory: pytest.TempPathFactory) -> Exported:
+    folder = tmp_path_factory.mktemp("export")
+    dataset = make_dataset(folder / "ball.rays", domain="hemisphere")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(run_module, "draw_curves", lambda _: None)
+        checkpoints = {
+            name: train(Run(dataset, tiny(name, steps=60), name, folder / name))
+            for name in ("small", "paper-small")
+        }
+    package = folder / "ball.rna"
+    arguments = [*map(str, checkpoints.values()), "--out", str(package), "--license", "CC0-1.0"]
+    with pytest.MonkeyPatch.context() as patch:
+        said: list[str] = []
+        patch.setattr("builtins.print", lambda *a, **_: said.append(" ".join(map(str, a))))
+        assert main([*arguments, "--source", "a ball"]) == 0
+    return Exported(dataset, checkpoints, package, "\n".join(said))
+
+
+def evaluate(package: Path, tier: str, dataset: Dataset) -> list[np.ndarray]:
+    """Radiance of the validation views, as a host would ask for it."""
+    asset, radiance = load(package, tier=tier), []
+    for view in dataset.validation_views():
+        rows = [view.samples[name] for name in ("position", "normal", "wo", "wi")]
+        visible, shadowed = asset.evaluate(*rows)
+        radiance.append(np.where(view.samples["visible"][:, None] > 0, visible, shadowed))
+    return radiance
+
+
+def test_the_package_is_valid(exported: Exported) -> None:
+    assert validate(exported.package) == []
+
+
+def test_a_tier_a_checkpoint_in_their_order(exported: Exported) -> None:
+    with Package.open(exported.package) as package:
+        assert [tier.name for tier in package.manifest.tiers] == ["small", "paper-small"]
+        assert package.manifest.tiers[0].inputs == tiny("small").model.inputs
+        assert package.manifest.tiers[1].inputs == tiny("paper-small").model.inputs
+
+
+@pytest.mark.parametrize("tier", ["small", "paper-small"])
+def test_the_runtime_answers_what_pytorch_answers(exported: Exported, tier: str) -> None:
+    model = load_checkpoint(exported.checkpoints[tier]).model
+    views = exported.dataset.validation_views()
+    for found, view in zip(evaluate(exported.package, tier, exported.dataset), views, strict=True):
+        expected = shade(model, view)
+        # Planes are float16 in the package.
+        assert np.abs(found - expected).max() < 5e-3 * max(1.0, float(expected.max()))
+        assert np.abs(found - expected).mean() < 5e-4
+
+
+@pytest.mark.parametrize("tier", ["small", "paper-small"])
+def test_the_recorded_error_is_what_a_host_gets(exported: Exported, tier: str) -> None:
+    radiance = evaluate(exported.package, tier, exported.dataset)
+    views = exported.dataset.validation_views()
+    with Package.open(exported.package) as package:
+        record = package.tier(tier)
+    references = [view.samples["radiance"] for view in views]
+    found = np.mean([psnr(r, t) for r, t in zip(radiance, references, strict=True)])
+    assert record.validation is not None
+    assert record.validation.psnr == pytest.approx(found, abs=1e-4)
+    assert record.validation.flip == pytest.approx(score(radiance, views).flip, abs=1e-6)
+    assert record.validation.images == 2
+    assert "irradiance pi" in record.validation.definition
+
+
+def test_cost_and_agreement_are_recorded(exported: Exported) -> None:
+    with Package.open(exported.package) as package:
+        small, paper = package.manifest.tiers
+    for tier, columns in ((small, 22), (paper, 17)):
+        assert tier.cost.multiply_adds == columns * 16 + 16 * 16 + 16 * 6
+        assert tier.cost.ns_per_query > 0.0 and tier.cost.machine
+        assert 0.0 <= tier.agreement.max_relative < 1e-4
+
+
+def test_where_it_came_from_is_recorded(exported: Exported) -> None:
+    with Package.open(exported.package) as package:
+        manifest = package.manifest
+    assert (manifest.domain.wo, manifest.domain.wi) == ("hemisphere", "hemisphere")
+    assert manifest.license == "CC0-1.0"
+    assert manifest.provenance.source == "a ball"
+    assert manifest.provenance.training["small"]["steps"] == 60
+    assert manifest.provenance.capture["rays"] == exported.dataset.manifest.settings.rays
+    low, high = np.array(manifest.bounds.min), np.array(manifest.bounds.max)
+    assert np.all(low < -1.0) and np.all(high > 1.0)
+
+
+def test_the_geometry_is_the_captured_one(exported: Exported) -> None:
+    with Package.open(exported.package) as package:
+        mesh = package.mesh()
+    captured = exported.dataset.mesh()
+    assert np.array_equal(mesh.positions, captured.positions)
+    assert np.array_equal(mesh.triangles, captured.triangles)
+
+
+def test_the_command_prints_error_path_and_next_command(exported: Exported) -> None:
+    assert f"wrote {exported.package}" in exported.said
+    assert f"next: rna-validate {exported.package}" in exported.said
+    for word in ("PSNR", "FLIP", "irradiance pi", "relative", "ns a query"):
+        assert word in exported.said
+
+
+def refusal(capsys, *arguments: object) -> str:
+    assert main([str(a) for a in arguments]) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("error: ") and error.count("\n") == 1
+    return error
+
+
+def test_the_same_preset_twice_is_refused(exported: Exported, tmp_path: Path, capsys) -> None:
+    one = exported.checkpoints["small"]
+    assert "only once" in refusal(capsys, one, one, "--out", tmp_path / "x.rna")
+    assert not (tmp_path / "x.rna").exists()
+
+
+def test_another_assets_checkpoint_is_refused(exported: Exported, tmp_path: Path, capsys) -> None:
+    other = make_dataset(tmp_path / "other.rays", seed=9)
+    error = refusal(
+        capsys,
+        exported.checkpoints["small"],
+        "--dataset",
+        other.folder,
+        "--out",
+        tmp_path / "x.rna",
+    )
+    assert "expected the dataset's" in error
+
+
+def test_planes_that_float16_cannot_hold_are_refused(
+    exported: Exported, tmp_path: Path, capsys
+) -> None:
+    saved = torch.load(exported.checkpoints["small"], weights_only=True)
+    for name, value in saved["state_dict"].items():
+        if name.startswith("model.triplane.") and value.ndim == 4:
+            value[0, 0, 0, 0] = 1e6
+    torch.save(saved, tmp_path / "bright.ckpt")
+    refusal(capsys, tmp_path / "bright.ckpt", "--out", tmp_path / "x.rna")
+    assert not (tmp_path / "x.rna").exists()
+
+
+def test_wrong_usage_exits_with_2(capsys) -> None:
+    with pytest.raises(SystemExit) as exit_:
+        main(["--out", "x.rna"])
+    assert exit_.value.code == 2

@@ -1,0 +1,164 @@
+"""`rna-capture` before Blender starts: what it refuses, and how."""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from rna_export.capture import blender_env
+from rna_export.capture.cli import main
+from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+
+from rna_sdk.errors import CaptureError
+from tests.render.assets import sphere
+
+
+@pytest.fixture
+def source(tmp_path: Path) -> Path:
+    path = tmp_path / "asset.py"
+    path.write_text("pass")
+    return path
+
+
+@pytest.fixture
+def some_python(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An interpreter is named; it has no bpy, and nothing here gets as far as starting it."""
+    monkeypatch.setenv(blender_env.VARIABLE, sys.executable)
+
+
+@pytest.fixture
+def begun(source: Path, tmp_path: Path) -> Path:
+    """A dataset begun from `source` with the default settings."""
+    manifest = CaptureManifest(
+        name="asset",
+        source=source.name,
+        source_sha256=hashlib.sha256(source.read_bytes()).hexdigest(),
+        settings=CaptureSettings(lights=64),
+        blender="4.5",
+        generator="test",
+        has_uv=False,
+        cutouts=False,
+        bounds=((-1, -1, -1), (1, 1, 1)),
+    )
+    return Dataset.create(tmp_path / "begun.rays", manifest, sphere(1)).folder
+
+
+def refusal(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
+    """The one line that the command prints before it exits with 1."""
+    assert main([str(a) for a in arguments]) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("error: ") and error.count("\n") == 1
+    return error
+
+
+def test_without_blender_it_says_how_to_get_it(
+    source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
+    monkeypatch.delenv(blender_env.VARIABLE, raising=False)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "empty"))
+    error = refusal(capsys, source, "--out", tmp_path / "x.rays")
+    assert "rna-capture --setup-blender" in error
+    assert not (tmp_path / "x.rays").exists()
+
+
+def test_a_named_interpreter_that_is_not_there(
+    source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
+    monkeypatch.setenv(blender_env.VARIABLE, "/nowhere/python")
+    assert "/nowhere/python" in refusal(capsys, source, "--out", tmp_path / "x.rays")
+
+
+@pytest.mark.parametrize(("name", "found"), [("gone.blend", "no such file"), ("a.stl", "'.stl'")])
+def test_a_bad_source(tmp_path: Path, name: str, found: str, capsys) -> None:
+    if name == "a.stl":
+        (tmp_path / name).write_bytes(b"")
+    error = refusal(capsys, tmp_path / name, "--out", tmp_path / "x.rays")
+    assert name in error and found in error
+
+
+@pytest.mark.parametrize(
+    "option",
+    [
+        "--samples 0",
+        "--rays 0",
+        "--lights -1",
+        "--validation-samples 1",
+        "--validation-views 0",
+        "--minutes 0",
+        "--workers 0",
+    ],
+)
+def test_a_number_that_makes_no_sense(
+    option: str, source: Path, tmp_path: Path, some_python: None, capsys
+) -> None:
+    with pytest.raises(SystemExit) as exit_:
+        main([str(source), "--out", str(tmp_path / "x.rays"), *option.split()])
+    assert exit_.value.code == 2
+    assert option.split()[0] in capsys.readouterr().err
+    assert not (tmp_path / "x.rays").exists()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["a.blend"],
+        ["--out", "x"],
+        ["a.blend", "--out", "x", "--lights", "9", "--minutes", "1"],
+        ["a.blend", "--out", "x", "--samples", "many"],
+        ["a.blend", "--out", "x", "--domain", "disk"],
+    ],
+)
+def test_wrong_usage_exits_with_2(arguments: list[str], capsys) -> None:
+    with pytest.raises(SystemExit) as exit_:
+        main(arguments)
+    assert exit_.value.code == 2
+
+
+def test_help_starts_with_a_sentence_and_a_command() -> None:
+    command = [sys.executable, "-m", "rna_export.capture.cli", "--help"]
+    text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    text = " ".join(text.split())
+    assert "rna-capture helmet.gltf --out helmet.rays/" in text
+    for name, field in CaptureSettings.model_fields.items():
+        if name != "lights_per_shard":
+            assert f"default {field.default})" in text, name
+
+
+@pytest.mark.parametrize(
+    ("option", "value"),
+    [("--samples", 4), ("--rays", 100), ("--domain", "hemisphere"), ("--seed", 9)],
+)
+def test_other_settings_are_refused_on_resume(
+    option: str, value: object, source: Path, begun: Path, some_python: None, capsys
+) -> None:
+    error = refusal(capsys, source, "--out", begun, option, value)
+    assert option.strip("-") in error and str(value) in error
+
+
+def test_another_source_is_refused_on_resume(
+    source: Path, begun: Path, some_python: None, capsys
+) -> None:
+    source.write_text("pass  # changed")
+    assert "another asset.py" in refusal(capsys, source, "--out", begun)
+
+
+def test_other_arguments_are_refused_on_resume(
+    source: Path, begun: Path, some_python: None, capsys
+) -> None:
+    assert "other arguments" in refusal(capsys, source, "--out", begun, "--", "blue")
+
+
+def test_an_environment_that_was_not_finished_is_not_taken(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv(blender_env.VARIABLE, raising=False)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    python = blender_env.default_folder() / "bin" / "python"
+    python.parent.mkdir(parents=True)
+    python.symlink_to(sys.executable)  # pip was stopped before bpy was there
+    with pytest.raises(CaptureError, match="--setup-blender"):
+        blender_env.find_python()

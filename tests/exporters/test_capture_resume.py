@@ -1,0 +1,173 @@
+"""A capture can be stopped in any way; finished shards are kept, and the result is the same."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rna_export.capture.dataset import Dataset
+from safetensors.numpy import load_file
+
+from tests.exporters.scenes import write_scene
+
+pytestmark = pytest.mark.blender
+
+SETTINGS = (
+    "--lights 256 --rays 64 --samples 1 --validation-views 2 --validation-resolution 24 "
+    "--validation-samples 4 --seed 3"
+).split()
+SHARDS = 8
+
+
+@pytest.fixture(scope="module")
+def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("source")
+    return write_scene(
+        folder, "ball", "add(*BALL, principled(Roughness=0.3, Subsurface_Weight=0.5))"
+    )
+
+
+@pytest.fixture(scope="module")
+def uninterrupted(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("whole") / "ball.rays"
+    assert capture(source, out, workers=2).wait() == 0
+    return out
+
+
+def capture(source: Path, out: Path, workers: int) -> subprocess.Popen[str]:
+    """`rna-capture` in a session of its own, as from a terminal; output goes to a file."""
+    command = [sys.executable, "-m", "rna_export.capture.cli", str(source), "--out", str(out)]
+    with out.with_suffix(".log").open("w") as log:
+        return subprocess.Popen(
+            [*command, "--workers", str(workers), *SETTINGS],
+            stdout=log,
+            stderr=log,
+            text=True,
+            start_new_session=True,
+        )
+
+
+def wait_for_shards(process: subprocess.Popen[str], out: Path, count: int) -> None:
+    deadline = time.monotonic() + 60.0
+    while len(list(out.glob("train/*.safetensors"))) < count:
+        assert process.poll() is None, "the capture ended before it could be stopped"
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+def state(out: Path) -> dict[str, tuple[int, bytes]]:
+    """Modification time and content of every finished file."""
+    return {
+        str(path.relative_to(out)): (path.stat().st_mtime_ns, path.read_bytes())
+        for path in sorted(out.rglob("*"))
+        if path.is_file() and not path.name.endswith(".part")
+    }
+
+
+def children(pid: int) -> list[int]:
+    return [
+        int(child)
+        for task in Path(f"/proc/{pid}/task").iterdir()
+        for child in (task / "children").read_text().split()
+    ]
+
+
+def running(pid: int) -> bool:
+    try:
+        stat = Path(f"/proc/{pid}/stat").read_text()
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+    return stat.rsplit(")", 1)[1].split()[0] != "Z"
+
+
+def test_kill_minus_9_keeps_finished_shards(
+    source: Path, uninterrupted: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "ball.rays"
+    process = capture(source, out, workers=2)
+    wait_for_shards(process, out, 3)
+    workers = children(process.pid)
+    process.kill()
+    process.wait()
+    killed = state(out)
+    finished = sum(name.startswith("train/") for name in killed)
+    assert 3 <= finished < SHARDS
+    deadline = time.monotonic() + 30.0
+    while any(map(running, workers)):
+        assert time.monotonic() < deadline, "Blender goes on after its parent is gone"
+        time.sleep(0.05)
+
+    assert capture(source, out, workers=1).wait() == 0
+    resumed = state(out)
+    assert {name: resumed[name] for name in killed} == killed
+    whole = {name: data for name, (_, data) in state(uninterrupted).items()}
+    assert {name: data for name, (_, data) in resumed.items()} == whole
+    assert not list(out.rglob("*.part"))
+
+
+def test_ctrl_c_stops_soon_and_can_be_continued(
+    source: Path, uninterrupted: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "ball.rays"
+    process = capture(source, out, workers=2)
+    wait_for_shards(process, out, 2)
+    os.killpg(process.pid, signal.SIGINT)  # a terminal sends it to the whole group
+    assert process.wait(timeout=30) == 130
+    log = out.with_suffix(".log").read_text()
+    assert "run the same command again" in log and "Traceback" not in log
+    stopped = state(out)
+    assert sum(name.startswith("train/") for name in stopped) < SHARDS
+
+    assert capture(source, out, workers=2).wait() == 0
+    resumed = state(out)
+    assert {name: resumed[name] for name in stopped} == stopped
+    assert resumed.keys() == state(uninterrupted).keys()
+
+
+def test_a_finished_capture_says_what_is_next(source: Path, uninterrupted: Path) -> None:
+    before = state(uninterrupted)
+    assert capture(source, uninterrupted, workers=1).wait() == 0
+    assert state(uninterrupted) == before
+    log = uninterrupted.with_suffix(".log").read_text()
+    assert f"wrote {uninterrupted}" in log and "next: rna-train" in log
+
+
+def test_what_a_capture_holds(uninterrupted: Path) -> None:
+    dataset = Dataset(uninterrupted)
+    samples = dataset.training_samples()
+    n = len(samples["visible"])
+    assert 0.98 * 256 * 64 < n <= 256 * 64
+    for name in ("normal", "wo", "wi"):
+        assert np.allclose(np.linalg.norm(samples[name], axis=1), 1.0, atol=1e-5), name
+    assert np.sum(samples["normal"] * samples["wo"], axis=1).min() > -0.01
+    assert len(np.unique(samples["wi"], axis=0)) == 256
+    assert np.isfinite(samples["radiance"]).all() and samples["radiance"].min() >= 0.0
+    assert 0.2 < samples["visible"].mean() < 0.9
+    dark = samples["visible"] == 0
+    assert samples["radiance"][~dark].mean() > 3 * samples["radiance"][dark].mean()
+
+
+def test_validation_views_are_two_independent_halves(uninterrupted: Path) -> None:
+    dataset = Dataset(uninterrupted)
+    views = dataset.validation_views()
+    assert len(views) == 2
+    for view in views:
+        assert len(view.pixel) > 50
+        assert len(np.unique(view.samples["wi"], axis=0)) == 1
+        assert not np.array_equal(view.halves[0], view.halves[1])
+        assert np.allclose(view.halves.mean(axis=0), view.samples["radiance"])
+    lights = {tuple(view.samples["wi"][0]) for view in views}
+    trained = {tuple(wi) for wi in dataset.training_samples()["wi"]}
+    assert len(lights) == 2 and not lights & trained
+
+
+def test_a_shard_has_what_the_docs_name(uninterrupted: Path) -> None:
+    arrays = load_file(uninterrupted / "train" / "00000.safetensors")
+    assert set(arrays) == {"position", "normal", "wo", "wi", "radiance", "visible"}
+    assert {str(a.dtype) for k, a in arrays.items() if k != "visible"} == {"float32"}

@@ -1,0 +1,72 @@
+"""What Cycles answers is the transport of the contract, and our normals and visibility fit it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.exporters.conftest import OpenWorker
+from tests.exporters.cycles import trace, unit
+
+pytestmark = pytest.mark.blender
+ALBEDO = np.array([0.9, 0.5, 0.1])
+LIGHTS = [unit(0, 1, 0), unit(0.6, 0.7, -0.2), unit(-0.5, 0.4, 0.8)]
+
+PLANE = "add(*square(1), diffuse((0.9, 0.5, 0.1)))"
+FACETED_BALL = "add(*BALL, diffuse((0.9, 0.5, 0.1)))"
+SMOOTH_BALL = "add(*BALL, diffuse((0.9, 0.5, 0.1)), smooth=True)"
+STRETCHED = """
+add(*BALL, diffuse((0.9, 0.5, 0.1)), smooth=True,
+    matrix=Matrix.Rotation(0.8, 4, "X") @ Matrix.Diagonal((1, 2, 0.6, 1)))
+"""
+MIRRORED = SMOOTH_BALL.replace("smooth", "matrix=Matrix.Diagonal((-1, 1, 1.5, 1)), smooth")
+# A black square over the plane: it casts a shadow and reflects nothing into it.
+CASTER = PLANE + "\nadd(*square(0.4, x=0.2, y=0.3, z=0.3), diffuse((0, 0, 0)))"
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [PLANE, FACETED_BALL, SMOOTH_BALL, STRETCHED, MIRRORED],
+    ids=["plane", "faceted", "smooth", "stretched", "mirrored"],
+)
+def test_a_diffuse_convex_body_answers_albedo_over_pi_times_the_cosine(
+    open_worker: OpenWorker, scene: str
+) -> None:
+    worker = open_worker(scene)
+    for wi in LIGHTS:
+        traced = trace(worker, wi, 1024)
+        cosine = traced.points.normal @ wi
+        # Towards grazing light Cycles moves the shadow's edge of smooth meshes on purpose.
+        clear = traced.front & traced.visible & (cosine > 0.25)
+        assert clear.sum() > 100
+        expected = ALBEDO / np.pi * cosine[clear, None]
+        assert np.abs(traced.radiance[clear] - expected).max() < 2e-4
+
+
+def test_shadowed_points_are_black(open_worker: OpenWorker) -> None:
+    worker = open_worker(CASTER)
+    for wi in LIGHTS:
+        traced = trace(worker, wi)
+        plane = traced.front & (traced.points.position[:, 1] < 0.1)
+        shadowed = plane & ~traced.visible
+        assert shadowed.sum() > 20
+        assert np.median(traced.radiance[shadowed]) == 0.0
+        lit = traced.radiance[:, 0] > 0.0
+        agree = lit[plane] == traced.visible[plane]
+        assert agree.mean() > 0.998  # the rest lies on the very edge
+
+
+def test_the_dark_side_of_a_closed_body_is_shadowed(open_worker: OpenWorker) -> None:
+    wi = LIGHTS[1]
+    traced = trace(open_worker(FACETED_BALL), wi)
+    facing = traced.points.geometric_normal @ wi
+    clear = np.abs(facing) > 0.01
+    assert np.array_equal(traced.visible[clear], facing[clear] > 0)
+    assert not traced.radiance[facing < -0.01].any()
+
+
+def test_more_paths_keep_the_mean(open_worker: OpenWorker) -> None:
+    worker = open_worker("add(*BALL, principled(Subsurface_Weight=1.0), smooth=True)")
+    few, many = (trace(worker, LIGHTS[1], 1024, samples).radiance.mean() for samples in (8, 64))
+    assert few == pytest.approx(many, rel=0.05)
+    assert many > 0.05

@@ -1,0 +1,85 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rna_export.capture.dataset import Dataset, write_arrays, write_atomically
+
+from rna_sdk.errors import CaptureError
+from tests.exporters.meshes import sphere
+from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset
+
+
+@pytest.fixture
+def dataset(tmp_path: Path) -> Dataset:
+    return make_dataset(tmp_path / "ball.rays")
+
+
+def test_reads_back_what_was_written(dataset: Dataset) -> None:
+    again = Dataset(dataset.folder)
+    assert again.manifest == dataset.manifest
+    assert np.array_equal(again.mesh().positions, sphere(3).positions)
+    assert np.array_equal(again.mesh().triangles, sphere(3).triangles)
+    assert again.mesh().uvs is None
+
+
+def test_unfinished_shards_and_views_are_left_out(dataset: Dataset) -> None:
+    whole = dataset.training_samples()
+    assert len(whole["visible"]) == 3 * LIGHTS_A_SHARD * RAYS
+    dataset.train_path(1).unlink()
+    dataset.validation_path(0, 1).unlink()
+    part = dataset.training_samples()
+    kept = np.r_[0 : LIGHTS_A_SHARD * RAYS, 2 * LIGHTS_A_SHARD * RAYS : 3 * LIGHTS_A_SHARD * RAYS]
+    assert np.array_equal(part["wi"], whole["wi"][kept])
+    assert [view.index for view in dataset.validation_views()] == [1]
+
+
+def test_a_view_is_the_mean_of_its_halves_as_an_image(dataset: Dataset) -> None:
+    view = dataset.validation_views()[0]
+    assert np.allclose(view.samples["radiance"], view.halves.mean(axis=0))
+    image = view.image(view.samples["radiance"])
+    assert image.shape == (24, 24, 3)
+    assert np.array_equal(image.reshape(-1, 3)[view.pixel], view.samples["radiance"])
+    assert not image[0, 0].any()
+
+
+@pytest.mark.parametrize("part", ["train", "validation"])
+def test_nothing_finished_is_an_error(dataset: Dataset, part: str) -> None:
+    for path in (dataset.folder / part).iterdir():
+        path.unlink()
+    with pytest.raises(CaptureError, match="no finished"):
+        dataset.training_samples() if part == "train" else dataset.validation_views()
+
+
+def test_a_folder_without_a_manifest_is_no_dataset(tmp_path: Path) -> None:
+    with pytest.raises(CaptureError, match=r"manifest\.json"):
+        Dataset(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "change", [{"surprise": 1}, {"settings": {"samples": 0}}, {"blender": None}], ids=str
+)
+def test_a_manifest_that_says_something_else_is_refused(dataset: Dataset, change: dict) -> None:
+    path = dataset.folder / "manifest.json"
+    path.write_text(json.dumps(json.loads(path.read_text()) | change))
+    with pytest.raises(CaptureError, match=next(iter(change))):
+        Dataset(dataset.folder)
+
+
+def test_the_last_shard_may_be_shorter(dataset: Dataset) -> None:
+    settings = dataset.manifest.settings.model_copy(update={"lights": 17})
+    assert dataset.manifest.model_copy(update={"settings": settings}).shards == 3
+
+
+def test_a_write_that_fails_leaves_the_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "x.safetensors"
+    write_arrays(path, {"a": np.zeros(3, np.float32)})
+    before = path.read_bytes()
+    monkeypatch.setattr(Path, "replace", lambda *_: (_ for _ in ()).throw(OSError("full")))
+    with pytest.raises(OSError, match="full"):
+        write_atomically(path, b"half")
+    assert path.read_bytes() == before

@@ -1,0 +1,104 @@
+"""The ONNX decoder is the trained one, and another is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import onnx
+import onnxruntime
+import pytest
+import torch
+from rna_export.export.decoder import (
+    ABSOLUTE,
+    OPSET,
+    RELATIVE,
+    check_decoder,
+    export_decoder,
+    extreme_queries,
+    random_queries,
+)
+from rna_export.training.model import NeuralAsset
+from rna_export.training.presets import PRESETS
+
+from rna_sdk.errors import ExportError
+from tests.exporters.synthetic import tiny
+
+BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
+
+
+def make_model(preset: str = "small") -> NeuralAsset:
+    """Untrained, but with outputs that reach from below zero to the ceiling."""
+    torch.manual_seed(0)
+    model = NeuralAsset(tiny(preset).model, BOUNDS).eval()
+    model.ceiling.fill_(12.5)
+    model.decoder[-1].weight.data *= 6.0
+    return model
+
+
+def run(decoder: bytes, queries: torch.Tensor) -> np.ndarray:
+    session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
+    return session.run(["transport"], {"queries": queries.numpy()})[0]
+
+
+@pytest.mark.parametrize("preset", PRESETS)
+@torch.no_grad()
+def test_agrees_with_pytorch(preset: str) -> None:
+    model = make_model(preset)
+    decoder = export_decoder(model)
+    queries = torch.cat([random_queries(model, 3000, 7), extreme_queries(model, 7)])
+    found, expected = run(decoder, queries), model.transport(model.decoder(queries)).numpy()
+    assert np.all(np.abs(found - expected) <= ABSOLUTE + RELATIVE * np.abs(expected))
+    assert found.min() == 0.0 and found.max() == pytest.approx(12.5)  # both clamps were reached
+    agreement = check_decoder(decoder, model)
+    assert 0.0 < agreement.max_absolute < 1e-3 and agreement.max_relative < RELATIVE
+
+
+def test_the_interface_is_the_formats() -> None:
+    model = make_model()
+    proto = onnx.load_from_string(export_decoder(model))
+    ((queries,), (transport,)) = proto.graph.input, proto.graph.output
+    columns = model.decoder[0].in_features
+    assert (queries.name, transport.name) == ("queries", "transport")
+    assert queries.type.tensor_type.shape.dim[1].dim_value == columns
+    assert transport.type.tensor_type.shape.dim[1].dim_value == 6
+    assert [(o.domain, o.version) for o in proto.opset_import] == [("", OPSET)]
+    assert not any(t.external_data for t in proto.graph.initializer)
+
+
+def test_the_same_model_gives_the_same_bytes() -> None:
+    assert export_decoder(make_model()) == export_decoder(make_model())
+
+
+def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
+    model = make_model()
+    queries = torch.full((8, model.decoder[0].in_features), 1.0)
+    for row, value in enumerate((0.0, -0.0, 1e30, -1e30, 3e38, -3e38, 65504.0, -1.0)):
+        queries[row] = value
+    queries[2, ::2] *= -1.0
+    found = run(export_decoder(model), queries)
+    assert np.isfinite(found).all() and found.min() >= 0.0 and found.max() <= 12.6
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda m: m.decoder[0].weight.data[3].add_(0.01),
+        lambda m: m.decoder[2].bias.data[1].sub_(0.3),
+        lambda m: m.decoder[-1].bias.data.copy_(m.decoder[-1].bias.data.flip(0) + 0.02),
+        lambda m: m.ceiling.fill_(9.0),
+    ],
+    ids=["weight", "bias", "outputs swapped", "ceiling"],
+)
+def test_another_decoder_is_refused(change) -> None:
+    model = make_model()
+    decoder = export_decoder(model)
+    change(model)
+    with pytest.raises(ExportError, match="differs from PyTorch"):
+        check_decoder(decoder, model)
+
+
+def test_extreme_queries_are_extreme() -> None:
+    model = make_model()
+    random, extreme = random_queries(model, 1000, 0), extreme_queries(model, 0)
+    assert extreme.abs().max() > 9.0 * random.abs().max()
+    assert torch.isfinite(extreme).all()
+    assert (extreme == 0.0).all(dim=1).any()

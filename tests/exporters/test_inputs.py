@@ -1,0 +1,67 @@
+"""Decoder inputs in PyTorch against the runtime's plain twin."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import torch
+from rna_export.training.model import NeuralAsset
+from rna_export.training.presets import PRESETS, ModelConfig
+
+from rna_sdk.package import INPUT_BLOCKS, query_width
+from rna_sdk.runtime.queries_reference import queries_reference
+from tests.render.assets import unit_vectors
+
+BOUNDS = torch.tensor([[-1.0, 0.0, 2.0], [1.0, 3.0, 2.5]])
+ALL_BLOCKS = tuple(INPUT_BLOCKS)
+
+
+def make_model(inputs: tuple[str, ...]) -> NeuralAsset:
+    torch.manual_seed(0)
+    config = ModelConfig(inputs=inputs, width=8, hidden_layers=1, resolution=8, channels=4)
+    return NeuralAsset(config, BOUNDS)
+
+
+def random_rows(n: int = 400) -> list[np.ndarray]:
+    """position, n, wo, wi; some at the mirror direction, some opposite to each other."""
+    rng = np.random.default_rng(0)
+    low, high = BOUNDS.numpy()
+    position = low + (high - low) * rng.random((n, 3))
+    normal, wo, wi = (unit_vectors(rng, n) for _ in range(3))
+    wi[:50] = 2.0 * np.sum(wo[:50] * normal[:50], axis=1, keepdims=True) * normal[:50] - wo[:50]
+    wi[50:60] = -wo[50:60]
+    return [a.astype(np.float32) for a in (position, normal, wo, wi)]
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [*((block,) for block in ALL_BLOCKS), ALL_BLOCKS, *(p.model.inputs for p in PRESETS.values())],
+    ids="+".join,
+)
+def test_equals_the_reference(inputs: tuple[str, ...]) -> None:
+    model, rows = make_model(inputs), random_rows()
+    (planes,) = (planes.detach().numpy() for planes in model.triplane.parameters())
+    expected = queries_reference(planes, BOUNDS.numpy(), inputs, *rows)
+    found = model.queries(*map(torch.from_numpy, rows)).detach().numpy()
+    assert found.shape == (len(rows[0]), query_width(inputs, 4))
+    # log2(1 - n.h + 1e-4) turns a rounding of n.h, 6e-8, into up to 2e-4 at the mirror direction.
+    mirror = np.zeros(len(found), bool)
+    mirror[:60] = "half_vector" in inputs
+    assert np.abs(found - expected)[~mirror].max(initial=0.0) < 1e-5
+    assert np.abs(found - expected).max() < 4e-4
+
+
+def test_opposite_directions_give_finite_gradients() -> None:
+    model = make_model(ALL_BLOCKS)
+    position, n, wo, _ = map(torch.from_numpy, random_rows(20))
+    directions = wo.clone().requires_grad_()
+    model.queries(position, n, directions, -wo).square().sum().backward()
+    assert torch.isfinite(directions.grad).all()
+
+
+def test_transport_inverts_the_log_and_stays_in_range() -> None:
+    model = make_model(("features",))
+    model.ceiling.fill_(7.0)
+    x = torch.tensor([0.0, 0.001, 1.0, 6.9])
+    assert torch.allclose(model.transport(torch.log1p(x)), x, atol=1e-6)
+    assert model.transport(torch.tensor([-3.0, 50.0])).tolist() == [0.0, 7.0]

@@ -1,0 +1,87 @@
+"""Every kind of source file loads, and stands where its format says."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from rna_export.capture.axes import from_blender, to_blender
+from rna_export.capture.worker import BlenderWorker, Source
+
+from rna_sdk.errors import CaptureError
+from tests.exporters.conftest import OpenWorker
+from tests.exporters.scenes import write_scene
+
+pytestmark = pytest.mark.blender
+
+# A tetrahedron that looks different from every side; +Y up.
+VERTICES = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]])
+FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+
+
+@pytest.fixture(scope="module")
+def sources(tmp_path_factory: pytest.TempPathFactory, blender_python: Path) -> dict[str, Path]:
+    """The tetrahedron in every format: suffix -> file."""
+    folder = tmp_path_factory.mktemp("sources")
+    up_is_y = trimesh.Trimesh(VERTICES, FACES, process=False)
+    up_is_z = trimesh.Trimesh(to_blender(VERTICES), FACES, process=False)
+    up_is_y.export(folder / "t.obj")
+    up_is_y.export(folder / "t.glb")
+    up_is_z.export(folder / "t.ply")  # PLY names no up axis: Blender's stands
+    for name, data in trimesh.exchange.gltf.export_gltf(up_is_y.scene()).items():
+        (folder / name.replace("model", "t")).write_bytes(data)
+    body = f"add({up_is_z.vertices.tolist()!r}, {FACES.tolist()!r})\n"
+    script = write_scene(folder, "t", body)
+    save = f"bpy.ops.wm.save_as_mainfile(filepath={str(folder / 't.blend')!r})\n"
+    writer = write_scene(
+        folder, "save", f"bpy.ops.wm.read_factory_settings(use_empty=True)\n{body}{save}"
+    )
+    subprocess.run([blender_python, writer], capture_output=True)  # bpy may complain on exit
+    return {path.suffix: path for path in (script, *folder.glob("t.*"))}
+
+
+@pytest.mark.parametrize("suffix", [".blend", ".gltf", ".glb", ".obj", ".ply", ".py"])
+def test_format(suffix: str, sources: dict[str, Path], open_worker: OpenWorker) -> None:
+    positions = open_worker(sources[suffix]).export_corners()["positions"]
+    found = np.unique(np.round(positions, 5) + 0.0, axis=0)
+    assert np.allclose(found, np.unique(VERTICES, axis=0), atol=1e-5)
+
+
+def test_a_script_gets_its_arguments(open_worker: OpenWorker) -> None:
+    script = "import sys\nadd(*square(float(sys.argv[1])))"
+    positions = open_worker(script, "2.5").export_corners()["positions"]
+    assert np.abs(positions).max() == 2.5
+
+
+def test_a_script_that_fails_names_its_error(open_worker: OpenWorker) -> None:
+    with pytest.raises(CaptureError, match="ZeroDivisionError"):
+        open_worker("1 / 0")
+
+
+def test_an_empty_scene_is_refused(open_worker: OpenWorker) -> None:
+    with pytest.raises(CaptureError, match="no mesh"):
+        open_worker("").export_corners()
+
+
+def test_a_broken_file_is_refused(open_worker: OpenWorker, tmp_path: Path) -> None:
+    broken = tmp_path / "broken.glb"
+    broken.write_bytes(b"glTF but not really")
+    with pytest.raises(CaptureError, match=r"broken\.glb"):
+        open_worker(broken).export_corners()
+
+
+def test_an_interpreter_without_bpy_is_refused(tmp_path: Path) -> None:
+    import sys
+
+    scene = write_scene(tmp_path, "scene", "add(CUBE, SIDES)")
+    with pytest.raises(CaptureError, match="ended without an answer"):
+        BlenderWorker(Path(sys.executable), Source(scene), tmp_path, 1)
+
+
+def test_axes_of_the_worker_are_those_of_the_sdk(open_worker: OpenWorker) -> None:
+    positions = open_worker("add([(1, 2, 3), (4, 5, 6), (7, 8, 10)], [(0, 1, 2)])").export_corners()
+    expected = from_blender(np.float32([[1, 2, 3], [4, 5, 6], [7, 8, 10]]))
+    assert np.array_equal(positions["positions"], expected)

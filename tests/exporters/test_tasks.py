@@ -1,0 +1,139 @@
+"""What a task writes, with a teacher of our own in Blender's place."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
+from safetensors.numpy import load_file
+
+from rna_sdk.package import Mesh
+from tests.exporters.meshes import ring, sphere
+
+
+class Teacher:
+    """Answers rays with their direction as radiance; `spoil` changes the answer."""
+
+    def __init__(self, spoil=lambda radiance, alpha: None):
+        self.spoil, self.seeds = spoil, []
+
+    def render_rays(self, origins, directions, wi, samples, seed):
+        self.seeds.append(seed)
+        radiance, alpha = np.abs(directions) + np.float32(0.1), np.ones(len(origins), np.float32)
+        self.spoil(radiance, alpha)
+        return radiance, alpha, origins
+
+
+def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) -> Dataset:
+    manifest = CaptureManifest(
+        name="test",
+        source="test.py",
+        source_sha256="0" * 64,
+        settings=CaptureSettings(**{"rays": 200, "lights": 5, "lights_per_shard": 2, **settings}),
+        blender="none",
+        generator="tests",
+        has_uv=False,
+        cutouts=cutouts,
+        bounds=((-1, -1, -1), (1, 1, 1)),
+    )
+    return Dataset.create(folder, manifest, mesh)
+
+
+def run_all(dataset: Dataset, teacher: Teacher) -> None:
+    scene = AssetScene(dataset.mesh())
+    for task in all_tasks(dataset):
+        task.run(dataset, scene, teacher)
+
+
+def test_samples_are_what_the_teacher_said_of_the_ray(tmp_path: Path) -> None:
+    dataset = make(tmp_path, sphere(4))
+    run_all(dataset, Teacher())
+    at = dataset.training_samples()
+    assert len(at["wo"]) == 5 * 200
+    assert np.allclose(at["radiance"], np.abs(at["wo"]) + 0.1, atol=1e-6)
+    assert np.allclose(np.linalg.norm(at["position"], axis=1), 1.0, atol=0.01)
+    facing = np.sum(at["normal"] * at["wi"], axis=1)
+    assert np.array_equal(
+        at["visible"][np.abs(facing) > 0.05] > 0, facing[np.abs(facing) > 0.05] > 0
+    )
+
+
+def test_a_plan_is_every_light_once(tmp_path: Path) -> None:
+    dataset = make(tmp_path, sphere(2))
+    run_all(dataset, Teacher())
+    sizes = [len(load_file(dataset.train_path(k))["wi"]) for k in range(3)]
+    assert sizes == [400, 400, 200]
+    assert len(np.unique(dataset.training_samples()["wi"], axis=0)) == 5
+
+
+@pytest.mark.parametrize(("cutouts", "kept"), [(False, 100), (True, 200)])
+def test_see_through_hits_are_kept_for_cutouts_only(
+    tmp_path: Path, cutouts: bool, kept: int
+) -> None:
+    def spoil(radiance, alpha):
+        alpha[::2] = 0.4
+
+    dataset = make(tmp_path, sphere(3), cutouts, lights=1)
+    TrainingShard(0).run(dataset, AssetScene(dataset.mesh()), Teacher(spoil))
+    assert len(dataset.training_samples()["wo"]) == kept
+
+
+def test_radiance_that_is_not_finite_is_dropped(tmp_path: Path) -> None:
+    def spoil(radiance, alpha):
+        radiance[:3, 1] = np.nan, np.inf, -np.inf
+
+    dataset = make(tmp_path, sphere(3), lights=1)
+    TrainingShard(0).run(dataset, AssetScene(dataset.mesh()), Teacher(spoil))
+    assert len(dataset.training_samples()["wo"]) == 197
+
+
+def test_the_seed_decides_rays_lights_and_noise(tmp_path: Path) -> None:
+    first, again, other = (
+        make(tmp_path / name, sphere(3), seed=seed) for name, seed in (("a", 1), ("b", 1), ("c", 2))
+    )
+    seeds = []
+    for dataset in (first, again, other):
+        teacher = Teacher()
+        run_all(dataset, teacher)
+        seeds.append(teacher.seeds)
+    assert seeds[0] == seeds[1] != seeds[2]
+    a, b, c = (dataset.training_samples() for dataset in (first, again, other))
+    assert all(np.array_equal(a[name], b[name]) for name in a)
+    assert not np.array_equal(a["wi"], c["wi"]) and not np.array_equal(a["wo"], c["wo"])
+
+
+def test_no_two_renders_of_a_capture_share_their_noise(tmp_path: Path) -> None:
+    teacher = Teacher()
+    run_all(make(tmp_path, sphere(3)), teacher)
+    assert len(set(teacher.seeds)) == len(teacher.seeds) == 5 + 2 * 8
+
+
+def test_every_fourth_view_is_a_close_up(tmp_path: Path) -> None:
+    dataset = make(tmp_path, sphere(4))
+    run_all(dataset, Teacher())
+    covered = [len(view.pixel) / 160**2 for view in dataset.validation_views()]
+    assert covered[3] == covered[7] == 1.0
+    assert all(0.5 < share < 0.85 for k, share in enumerate(covered) if k % 4 != 3)
+
+
+def test_hemisphere_looks_and_is_lit_from_above(tmp_path: Path) -> None:
+    dataset = make(tmp_path, ring(), domain="hemisphere", validation_resolution=32)
+    run_all(dataset, Teacher())
+    rows = [dataset.training_samples(), *(view.samples for view in dataset.validation_views())]
+    for at in rows:
+        assert at["wi"][:, 1].min() >= 0.0
+    assert dataset.training_samples()["wo"][:, 1].min() >= 0.0
+
+
+def test_every_view_sees_something(tmp_path: Path) -> None:
+    """Also of a ring, whose middle is empty."""
+    dataset = make(tmp_path, ring(), validation_views=24, validation_resolution=32)
+    scene, teacher = AssetScene(dataset.mesh()), Teacher()
+    for view in range(24):
+        for half in (0, 1):
+            ValidationHalf(view, half).run(dataset, scene, teacher)
+    assert all(len(view.pixel) > 10 for view in dataset.validation_views())

@@ -1,0 +1,244 @@
+"""Whole trainings, tiny: what they leave, how they repeat, how they go on."""
+
+from __future__ import annotations
+
+import csv
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+from PIL import Image
+from rna_export.capture.dataset import Dataset
+from rna_export.training import run as run_module
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.cli import main
+from rna_export.training.lightning_module import NeuralAssetTraining
+from rna_export.training.run import Run, padded_bounds, train
+from rna_export.training.validation import score, shade
+
+from rna_sdk.errors import TrainingError
+from tests.exporters.synthetic import make_dataset, tiny
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
+
+
+@pytest.fixture(scope="module")
+def trained(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a finished run of 40 steps."""
+    return train(plan(dataset, tmp_path_factory.mktemp("run"))).parent
+
+
+@pytest.fixture(autouse=True)
+def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Drawing takes most of so short a run; `trained` has its picture."""
+    monkeypatch.setattr(run_module, "draw_curves", lambda _: None)
+
+
+def plan(dataset: Dataset, out: Path, steps: int = 40, seed: int = 0) -> Run:
+    return Run(dataset, tiny(steps=steps), "small", out, seed)
+
+
+def weights(checkpoint: Path) -> dict[str, torch.Tensor]:
+    return torch.load(checkpoint, weights_only=True)["state_dict"]
+
+
+def curve(folder: Path, name: str) -> dict[int, float]:
+    with (folder / "metrics.csv").open(newline="") as file:
+        return {int(row["step"]): float(row[name]) for row in csv.DictReader(file) if row[name]}
+
+
+def test_what_a_run_leaves(trained: Path, dataset: Dataset) -> None:
+    kept = [path.name for path in trained.glob("step=*.ckpt")]
+    assert len(kept) == 3
+    assert (trained / "last.ckpt").is_file() and (trained / "best.ckpt").is_file()
+    assert (trained / "curves.png").stat().st_size > 5000
+    scores = curve(trained, "psnr")
+    assert len(scores) == 10
+    size = dataset.manifest.settings.validation_resolution
+    for view in dataset.validation_views():
+        with Image.open(trained / "validation" / f"view-{view.index:02d}.png") as image:
+            assert image.size == (3 * size, size)
+
+
+def test_the_three_best_are_kept_and_the_best_of_them_named(trained: Path) -> None:
+    scores = curve(trained, "psnr")
+    steps = {int(re.search(r"step=(\d+)", p.name)[1]) for p in trained.glob("step=*.ckpt")}
+    best = sorted(scores, key=scores.__getitem__)[-3:]
+    assert steps == {step + 1 for step in best}
+    top = next(trained.glob(f"step={best[-1] + 1}-*.ckpt"))
+    assert top.read_bytes() == (trained / "best.ckpt").read_bytes()
+
+
+def test_the_best_checkpoint_scores_what_the_curve_says(trained: Path, dataset: Dataset) -> None:
+    model, views = load_checkpoint(trained / "best.ckpt").model, dataset.validation_views()
+    scores = score([shade(model, view) for view in views], views)
+    assert scores.psnr == pytest.approx(max(curve(trained, "psnr").values()), abs=1e-3)
+    assert scores.images == 2
+
+
+def test_training_learns(dataset: Dataset, tmp_path: Path) -> None:
+    train(plan(dataset, tmp_path, steps=250))
+    scores = curve(tmp_path, "psnr")
+    assert max(scores.values()) > max(20.0, min(scores.values()) + 3.0)
+
+
+def test_a_seed_repeats_to_the_bit(dataset: Dataset, trained: Path, tmp_path: Path) -> None:
+    train(plan(dataset, tmp_path / "again"))
+    train(plan(dataset, tmp_path / "other", seed=1))
+    first, again, other = (
+        weights(folder / "last.ckpt")
+        for folder in (trained, tmp_path / "again", tmp_path / "other")
+    )
+    assert all(torch.equal(first[name], again[name]) for name in first)
+    assert not torch.equal(first["model.decoder.0.weight"], other["model.decoder.0.weight"])
+
+
+@dataclass(frozen=True)
+class Continued:
+    """A run that Ctrl-C stopped at step 22, and that the same call then continued."""
+
+    folder: Path
+    stopped_by: BaseException
+    best_when_stopped: bool
+    steps_after: list[int]
+
+
+@pytest.fixture(scope="module")
+def continued(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Continued:
+    folder = tmp_path_factory.mktemp("continued")
+    step, done = NeuralAssetTraining.training_step, []
+
+    def stopping(self: NeuralAssetTraining, *arguments: object) -> torch.Tensor:
+        if self.global_step == 22:
+            raise KeyboardInterrupt
+        return step(self, *arguments)
+
+    def recording(self: NeuralAssetTraining, *arguments: object) -> torch.Tensor:
+        done.append(self.global_step)
+        return step(self, *arguments)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(run_module, "draw_curves", lambda _: None)
+        patch.setattr(NeuralAssetTraining, "training_step", stopping)
+        with pytest.raises((KeyboardInterrupt, SystemExit)) as stop:
+            train(plan(dataset, folder))
+        best = (folder / "best.ckpt").exists()
+        patch.setattr(NeuralAssetTraining, "training_step", recording)
+        train(plan(dataset, folder))
+    return Continued(folder, stop.value, best, done)
+
+
+def test_ctrl_c_is_an_interrupt(continued: Continued) -> None:
+    assert isinstance(continued.stopped_by, KeyboardInterrupt)
+    assert not continued.best_when_stopped
+
+
+def test_a_stopped_run_goes_on(continued: Continued) -> None:
+    assert continued.steps_after == list(range(20, 40))  # the last checkpoint was at 20
+    assert torch.load(continued.folder / "last.ckpt", weights_only=True)["global_step"] == 40
+    assert len(list(continued.folder.glob("step=*.ckpt"))) == 3
+
+
+def test_curves_of_a_run_that_went_on_are_whole(continued: Continued) -> None:
+    assert sorted(curve(continued.folder, "psnr")) == list(range(3, 40, 4))
+
+
+def test_a_stopped_run_ends_as_if_it_had_not_been(continued: Continued, trained: Path) -> None:
+    whole, stopped = (weights(folder / "last.ckpt") for folder in (trained, continued.folder))
+    assert all(torch.equal(whole[name], stopped[name]) for name in whole)
+
+
+def test_a_finished_run_stays_as_it_is(dataset: Dataset, tmp_path: Path) -> None:
+    folder = tmp_path / "run"
+    train(plan(dataset, folder, steps=20))
+    before = (folder / "best.ckpt").read_bytes(), curve(folder, "psnr")
+    train(plan(dataset, folder, steps=20))
+    assert ((folder / "best.ckpt").read_bytes(), curve(folder, "psnr")) == before
+
+
+@pytest.mark.parametrize("change", [{"seed": 1}, {"steps": 50}], ids=str)
+def test_another_run_in_the_same_folder_is_refused(
+    dataset: Dataset, trained: Path, change: dict[str, int]
+) -> None:
+    ((name, value),) = change.items()
+    with pytest.raises(TrainingError, match=rf"{name} .*found {value}"):
+        train(plan(dataset, trained, **change))
+
+
+def test_another_dataset_in_the_same_folder_is_refused(trained: Path, tmp_path: Path) -> None:
+    other = make_dataset(tmp_path / "other.rays", seed=5)
+    with pytest.raises(TrainingError, match="another dataset"):
+        train(plan(other, trained))
+
+
+def test_minutes_set_the_number_of_steps(dataset: Dataset, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr(run_module, "_seconds_a_step", lambda *_, **__: 0.06)
+    train(Run(dataset, tiny(), "small", tmp_path, minutes=0.033))
+    assert 30 <= torch.load(tmp_path / "last.ckpt", weights_only=True)["global_step"] <= 33
+
+
+def test_the_last_step_is_in_the_last_checkpoint(dataset: Dataset, tmp_path: Path) -> None:
+    train(plan(dataset, tmp_path, steps=21))
+    saved = torch.load(tmp_path / "last.ckpt", weights_only=True)
+    assert saved["global_step"] == saved["hyper_parameters"]["steps"] >= 21
+
+
+def test_the_ceiling_is_above_all_that_was_seen(trained: Path, dataset: Dataset) -> None:
+    seen = float(dataset.training_samples()["radiance"].max())
+    assert load_checkpoint(trained / "best.ckpt").model.ceiling.item() == pytest.approx(1.5 * seen)
+
+
+def test_bounds_hold_the_geometry_and_are_never_flat(dataset: Dataset) -> None:
+    low, high = padded_bounds(dataset)
+    assert torch.all(low < -1.0) and torch.all(high > 1.0) and torch.all(high < 1.1)
+    flat = dataset.manifest.model_copy(update={"bounds": ((-1.0, 0.0, -2.0), (1.0, 0.0, 2.0))})
+    dataset = Dataset(dataset.folder)
+    dataset.manifest = flat
+    low, high = padded_bounds(dataset)
+    assert high[1] - low[1] >= 0.4
+
+
+def test_the_command_line(dataset: Dataset, tmp_path: Path, capsys, monkeypatch) -> None:
+    monkeypatch.setattr("rna_export.training.cli.PRESETS", {"small": tiny()})
+    arguments = [str(dataset.folder), "--out", str(tmp_path), "--device", "cpu"]
+    assert main([*arguments, "--steps", "20"]) == 0
+    text = capsys.readouterr().out
+    assert f"wrote {tmp_path / 'best.ckpt'}" in text and "next: rna-export" in text
+    assert main([*arguments, "--steps", "20", "--seed", "4"]) == 1
+    assert "error: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["--steps 0", "--steps -5", "--minutes 0", "--minutes -1"])
+def test_wrong_usage(dataset: Dataset, tmp_path: Path, option: str, monkeypatch) -> None:
+    monkeypatch.setattr("rna_export.training.run.train", lambda _: tmp_path)
+    with pytest.raises(SystemExit) as exit_:
+        main([str(dataset.folder), "--out", str(tmp_path), *option.split()])
+    assert exit_.value.code == 2
+
+
+def test_a_folder_that_is_no_dataset(tmp_path: Path, capsys) -> None:
+    assert main([str(tmp_path), "--out", str(tmp_path / "run")]) == 1
+    assert "not a dataset" in capsys.readouterr().err
+
+
+def test_shading_in_pieces_is_the_same(trained: Path, dataset: Dataset, monkeypatch) -> None:
+    model = load_checkpoint(trained / "best.ckpt").model
+    view = dataset.validation_views()[0]
+    whole = shade(model, view)
+    monkeypatch.setattr("rna_export.training.validation._ROWS", 37)
+    assert np.allclose(shade(model, view), whole, atol=1e-6)
+
+
+@pytest.mark.gpu
+def test_cuda_trains_what_the_cpu_trains(dataset: Dataset, tmp_path: Path) -> None:
+    scores = []
+    for device in ("cpu", "cuda"):
+        train(Run(dataset, tiny(steps=400), "small", tmp_path / device, device=device))
+        scores.append(max(curve(tmp_path / device, "psnr").values()))
+    assert scores[1] == pytest.approx(scores[0], abs=1.0)

@@ -1,0 +1,118 @@
+"""The planes in PyTorch against the runtime's plain twin, and against PyTorch's own sampler."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import torch
+from rna_export.training.triplane import PLANE_AXES, Triplane, blurred, gathered
+
+from rna_sdk.runtime.queries_reference import triplane_features
+
+LOW, HIGH = torch.tensor([-1.0, 0.0, 2.0]), torch.tensor([1.0, 3.0, 2.5])
+
+
+@pytest.fixture
+def triplane() -> Triplane:
+    torch.manual_seed(0)
+    return Triplane(11, 5, LOW, HIGH)
+
+
+def planes_of(triplane: Triplane) -> torch.nn.Parameter:
+    """With one level, the one parameter is the planes, (3, R, R, C)."""
+    (planes,) = triplane.parameters()
+    return planes
+
+
+@pytest.fixture
+def positions() -> torch.Tensor:
+    """Inside, on the box, at texel centres, and outside."""
+    p = torch.rand(500, 3, generator=torch.Generator().manual_seed(1))
+    edges = torch.cartesian_prod(*[torch.tensor([0.0, 0.5 / 11, 0.5, 1.0])] * 3)
+    outside = torch.tensor([[-0.3, 0.5, 0.5], [0.5, 1.7, 0.5], [2.0, -2.0, 9.0]])
+    return LOW + (HIGH - LOW) * torch.cat([p, edges, outside])
+
+
+def test_equals_the_reference(triplane: Triplane, positions: torch.Tensor) -> None:
+    p = ((positions - LOW) / (HIGH - LOW)).clamp(0.0, 1.0).double().numpy()
+    expected = triplane_features(planes_of(triplane).detach().numpy(), p)
+    assert np.abs(triplane(positions).detach().numpy() - expected).max() < 1e-5
+
+
+def test_equals_grid_sample(triplane: Triplane, positions: torch.Tensor) -> None:
+    p = 2.0 * (positions - LOW) / (HIGH - LOW) - 1.0
+    expected = torch.zeros(len(p), 5)
+    for plane, (column, row) in zip(planes_of(triplane), PLANE_AXES, strict=True):
+        sampled = torch.nn.functional.grid_sample(
+            plane.permute(2, 0, 1)[None],
+            p[None, :, None, [column, row]],
+            padding_mode="border",
+            align_corners=False,
+        )
+        expected += sampled[0, :, :, 0].T
+    assert torch.allclose(triplane(positions), expected, atol=1e-5)
+
+
+def test_gradients_are_those_of_grid_sample(triplane: Triplane, positions: torch.Tensor) -> None:
+    weights = torch.randn(len(positions), 5, generator=torch.Generator().manual_seed(2))
+    (triplane(positions) * weights).sum().backward()
+    found = planes_of(triplane).grad.clone()
+    p = 2.0 * (positions - LOW) / (HIGH - LOW) - 1.0
+    planes = planes_of(triplane).detach().requires_grad_()
+    total = torch.zeros(())
+    for k, (column, row) in enumerate(PLANE_AXES):
+        sampled = torch.nn.functional.grid_sample(
+            planes[k].permute(2, 0, 1)[None],
+            p[None, :, None, [column, row]],
+            padding_mode="border",
+            align_corners=False,
+        )
+        total = total + (sampled[0, :, :, 0].T * weights).sum()
+    total.backward()
+    assert torch.allclose(found, planes.grad, atol=1e-4)
+
+
+@pytest.mark.parametrize("blur", [1.0, 1.2, 4.0])
+def test_compiled_kernels_equal_their_twins(
+    triplane: Triplane, positions: torch.Tensor, blur: float
+) -> None:
+    p = (positions - LOW) / (HIGH - LOW)
+    weights = torch.randn(len(p), 5, generator=torch.Generator().manual_seed(3))
+    twin = planes_of(triplane).detach().clone().requires_grad_()
+    expected = gathered(blurred(twin, blur) if blur > 1.0 else twin, p)
+    found = triplane(positions, blur)
+    assert torch.allclose(found, expected, atol=1e-5)
+    (found * weights).sum().backward()
+    (expected * weights).sum().backward()
+    assert torch.allclose(planes_of(triplane).grad, twin.grad, atol=1e-4)
+
+
+def test_blur_of_one_texel_is_none(triplane: Triplane, positions: torch.Tensor) -> None:
+    assert torch.equal(triplane(positions, blur=1.0), triplane(positions))
+
+
+def test_blur_fades_to_none(triplane: Triplane) -> None:
+    planes = planes_of(triplane).detach()
+    change = [(blurred(planes, b) - planes).abs().max().item() for b in (4.0, 2.0, 1.3, 1.05)]
+    assert change == sorted(change, reverse=True)
+    assert change[0] > 0.1 and change[-1] < 1e-6
+
+
+def test_blur_keeps_a_constant_and_the_mean() -> None:
+    constant = torch.full((3, 12, 12, 2), 0.7)
+    assert torch.allclose(blurred(constant, 4.0), constant, atol=1e-6)
+    spot = torch.zeros(3, 33, 33, 1)
+    spot[:, 16, 16] = 1.0  # far from the edges, where the border repeats
+    smooth = blurred(spot, 4.0)
+    assert torch.allclose(smooth.sum(dim=(1, 2, 3)), torch.ones(3), atol=1e-5)
+    assert smooth.max() < 0.2
+
+
+def test_blur_has_its_width() -> None:
+    """Standard deviation of (footprint - 1) / 2 texels."""
+    spot = torch.zeros(1, 65, 65, 1)
+    spot[:, 32, 32] = 1.0
+    row = blurred(spot, 4.0)[0, :, :, 0].sum(dim=0)
+    offset = torch.arange(65) - 32.0
+    deviation = ((row * offset**2).sum() / row.sum()).sqrt().item()
+    assert deviation == pytest.approx(1.5, rel=0.06)  # the kernel ends at 2.5 of it

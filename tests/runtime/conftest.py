@@ -1,0 +1,59 @@
+"""Packages and assets for the tests here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from rna_sdk.package import Cost, Tier, Validation, write_package
+from rna_sdk.runtime import Asset, load
+from tests.package.builders import make_manifest, make_mesh, make_tier, make_tier_data
+
+MakeAsset = Callable[..., Asset]
+
+
+@pytest.fixture(scope="session")
+def asset_path(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
+    """Writes a package of one tier; the decoder's `width` and `layers`, then the tier's fields."""
+
+    def write(width: int = 32, layers: int = 3, **fields: object) -> Path:
+        tier = make_tier(**fields)
+        path = tmp_path_factory.mktemp("asset") / "asset.rna"
+        data = make_tier_data(tier, width, layers)
+        write_package(path, make_manifest(tier), make_mesh(), {tier.name: data})
+        return path
+
+    return write
+
+
+@pytest.fixture(scope="session")
+def asset(asset_path: Callable[..., Path]) -> Asset:
+    """An asset whose decoder the runtime rewrites, on two threads."""
+    return load(asset_path(resolution=16, channels=8), threads=2)
+
+
+@pytest.fixture(scope="session")
+def tiers_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A package of four tiers: two validated, one not, one validated but without a cost."""
+
+    def tier(name: str, psnr: float | None, multiply_adds: int | None) -> Tier:
+        validation = psnr and Validation(
+            psnr=psnr, flip=0.1, relative_mse=0.1, images=1, definition="made up"
+        )
+        cost = multiply_adds and Cost(
+            multiply_adds=multiply_adds, ns_per_query=1, threads=1, machine="made up"
+        )
+        return make_tier(name, validation=validation or None, cost=cost or None)
+
+    tiers = (
+        tier("hq", 40, 9000),
+        tier("small", 35, 900),
+        tier("raw", None, 1),
+        tier("odd", 50, None),
+    )
+    path = tmp_path_factory.mktemp("tiers") / "tiers.rna"
+    data = {t.name: make_tier_data(t, seed=seed) for seed, t in enumerate(tiers)}
+    write_package(path, make_manifest(*tiers), make_mesh(), data)
+    return path

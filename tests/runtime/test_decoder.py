@@ -1,0 +1,167 @@
+"""The decoder in the form the runtime gives it."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import onnx
+import pytest
+from onnx import helper, numpy_helper
+from onnx.reference import ReferenceEvaluator
+
+from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime.decoder_graph import convolve_layers
+from rna_sdk.runtime.tiles import QueryFiller
+from tests.package.builders import make_decoder_model, make_manifest, make_tier
+
+
+def operators(model: bytes) -> list[str]:
+    return [node.op_type for node in onnx.load_from_string(model).graph.node]
+
+
+def run(model: bytes, queries: np.ndarray) -> np.ndarray:
+    """Transport by onnxruntime, for a model in either form."""
+    decoder = Decoder(model)
+    padded = np.zeros((len(queries), decoder.columns), np.float32)
+    padded[:, : queries.shape[1]] = queries
+    return decoder.run(padded)
+
+
+def random_queries(n: int, columns: int = 22) -> np.ndarray:
+    return np.random.default_rng(0).normal(size=(n, columns)).astype(np.float32)
+
+
+@pytest.mark.parametrize("columns", [3, 16, 22, 25])
+@pytest.mark.parametrize(("width", "layers"), [(16, 1), (32, 2), (64, 4), (128, 3)])
+def test_convolutions_equal_the_layers(columns: int, width: int, layers: int) -> None:
+    model = make_decoder_model(columns, width, layers).SerializeToString()
+    converted = convolve_layers(model)
+    assert operators(converted).count("Conv") == layers + 1
+    assert "Gemm" not in operators(converted)
+    queries = random_queries(1000, columns)
+    plain = onnx_result(model, queries)
+    np.testing.assert_allclose(run(converted, queries), plain, rtol=1e-4, atol=1e-5)
+    onnx.checker.check_model(onnx.load_from_string(converted))
+
+
+def onnx_result(model: bytes, queries: np.ndarray) -> np.ndarray:
+    """Transport by ONNX's own reference implementation."""
+    session = ReferenceEvaluator(onnx.load_from_string(model))
+    (transport,) = session.run(None, {"queries": queries})
+    return transport
+
+
+def test_padding_columns_do_not_count() -> None:
+    decoder = Decoder(convolve_layers(make_decoder_model(22, 32, 2).SerializeToString()))
+    assert decoder.columns == 24
+    queries = np.zeros((64, 24), np.float32)
+    queries[:, :22] = random_queries(64)
+    expected = decoder.run(queries)
+    queries[:, 22:] = 1e3
+    np.testing.assert_array_equal(decoder.run(queries), expected)
+
+
+def test_weights_may_be_transposed_and_unpacked() -> None:
+    model = make_decoder_model(22, 32, 2)
+    expected = convolve_layers(model.SerializeToString())
+    weights = [t for t in model.graph.initializer if t.name.startswith("w")]
+    for tensor in weights:
+        array = numpy_helper.to_array(tensor)
+        floats = helper.make_tensor(tensor.name, 1, array.T.shape, array.T.ravel())
+        assert floats.float_data
+        tensor.CopyFrom(floats)
+    for node in model.graph.node:
+        if node.op_type == "Gemm":
+            node.attribute.append(helper.make_attribute("transB", 1))
+            node.attribute.append(helper.make_attribute("alpha", 1.0))
+    queries = random_queries(100)
+    found = convolve_layers(model.SerializeToString())
+    assert "Conv" in operators(found)
+    np.testing.assert_array_equal(run(found, queries), run(expected, queries))
+
+
+def scale_a_layer(model: onnx.ModelProto) -> None:
+    gemm = next(node for node in model.graph.node if node.op_type == "Gemm")
+    gemm.attribute.append(helper.make_attribute("alpha", 2.0))
+
+
+def replace_a_relu(model: onnx.ModelProto) -> None:
+    for node in model.graph.node:
+        if node.op_type == "Relu":
+            node.op_type = "Neg"
+
+
+def make_a_bias_of_the_queries(model: onnx.ModelProto) -> None:
+    gemm = [node for node in model.graph.node if node.op_type == "Gemm"][1]
+    gemm.input[2] = gemm.input[0]
+
+
+def give_out_a_hidden_value(model: onnx.ModelProto) -> None:
+    model.graph.output.append(helper.make_tensor_value_info("x1", 1, ["N", 32]))
+
+
+def count_columns_first(model: onnx.ModelProto) -> None:
+    model.graph.node[0].op_type = "LayerNormalization"
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        scale_a_layer,
+        replace_a_relu,
+        make_a_bias_of_the_queries,
+        give_out_a_hidden_value,
+        count_columns_first,
+    ],
+)
+def test_other_graphs_stay_as_they_are(change) -> None:
+    model = make_decoder_model(22, 32, 1)
+    assert convolve_layers(model.SerializeToString()) != model.SerializeToString()
+    change(model)
+    assert convolve_layers(model.SerializeToString()) == model.SerializeToString()
+
+
+def test_layers_that_fill_no_blocks_stay_as_they_are() -> None:
+    model = make_decoder_model(22, 24, 2).SerializeToString()
+    assert convolve_layers(model) == model
+
+
+@pytest.mark.parametrize("convert", [convolve_layers, bytes])
+@pytest.mark.parametrize("width", [8, 16, 24, 64, 100, 256])
+def test_a_row_does_not_depend_on_place_or_number_of_rows(width: int, convert) -> None:
+    """What tiles rely on, of onnxruntime itself, and for row counts that tiles never have."""
+    model = convert(make_decoder_model(22, width, 4).SerializeToString())
+    queries = random_queries(2048)
+    expected = run(model, queries)
+    for rows in (1, 2, 3, 5, 7, 11, 13, 16, 48, 100, 1000):
+        for start in (0, 1, 5, 17, 1001):
+            part = slice(start, start + rows)
+            np.testing.assert_array_equal(run(model, queries[part]), expected[part])
+
+
+def test_larger_decoders_take_fewer_rows_at_once() -> None:
+    sizes = [
+        Decoder(make_decoder_model(22, width, 4).SerializeToString()).tile_rows
+        for width in (16, 64, 128, 512)
+    ]
+    assert sizes == [4096, 2048, 1024, 512]
+    assert all(a > b for a, b in pairwise(sizes))
+
+
+@pytest.mark.parametrize(("largest", "clips"), [(100.0, 1), (65504.0, 1), (65505.0, 2)])
+def test_a_clip_that_changes_no_query_is_left_out(largest: float, clips: int) -> None:
+    model = make_decoder_model(22, 32, 2).SerializeToString()
+    converted = convolve_layers(model, largest)
+    assert operators(converted).count("Clip") == clips
+    queries = random_queries(100)
+    np.testing.assert_array_equal(run(converted, queries), run(convolve_layers(model), queries))
+
+
+@pytest.mark.parametrize("precision", ["float16", "float32"])
+def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision: str) -> None:
+    planes = np.full((3, 8, 8, 4), -40.0, precision)
+    planes[0, 0, 0, 0] = 30
+    tier = make_tier(plane_precision=precision)
+    assert 120 <= QueryFiller(planes, make_manifest().bounds, tier).largest_query < 121
+    assert QueryFiller(planes / 1000, make_manifest().bounds, tier).largest_query == 4

@@ -1,0 +1,103 @@
+"""Opening an asset: tier, threads, memory, and what comes with the import."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_sdk.errors import PackageError, QueryError
+from rna_sdk.package import Package
+from rna_sdk.runtime import load
+from tests.package.builders import make_mesh
+from tests.runtime.points import random_points
+
+
+def test_the_first_tier_is_the_default(tiers_path: Path) -> None:
+    assert load(tiers_path).tier.name == "hq"
+
+
+def test_a_tier_is_taken_by_name(tiers_path: Path) -> None:
+    small, hq = (load(tiers_path, tier=name) for name in ("small", "hq"))
+    assert small.tier.name == "small"
+    points = random_points(10)
+    assert not np.array_equal(small.evaluate(*points), hq.evaluate(*points))
+
+
+@pytest.mark.parametrize(
+    ("min_psnr", "name"), [(30, "small"), (35, "small"), (35.1, "hq"), (45, "odd")]
+)
+def test_the_cheapest_tier_that_is_good_enough(
+    tiers_path: Path, min_psnr: float, name: str
+) -> None:
+    assert load(tiers_path, min_psnr=min_psnr).tier.name == name
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"tier": "best"}, "best.*hq, small, raw, odd"),
+        ({"min_psnr": 60}, "no tier of 60 dB.*hq 40 dB, small 35 dB, raw none, odd 50 dB"),
+        ({"min_psnr": float("nan")}, "no tier of nan dB"),
+        ({"min_psnr": "high"}, "expected a number of dB, found 'high'"),
+        ({"tier": "hq", "min_psnr": 30}, "not both"),
+        ({"threads": 0}, "threads: expected .* found 0"),
+        ({"threads": 1.5}, "threads: expected .* found 1.5"),
+        ({"threads": True}, "threads: expected .* found True"),
+    ],
+)
+def test_what_cannot_be_loaded_is_said(
+    tiers_path: Path, arguments: dict[str, object], message: str
+) -> None:
+    with pytest.raises(QueryError, match=message):
+        load(tiers_path, **arguments)  # type: ignore[arg-type]
+
+
+def test_a_broken_package_is_refused(tiers_path: Path, tmp_path: Path) -> None:
+    broken = tmp_path / "broken.rna"
+    broken.write_bytes(tiers_path.read_bytes()[:-100])
+    with pytest.raises(PackageError):
+        load(broken)
+
+
+def test_threads_are_the_cores_of_the_process_by_default(tiers_path: Path) -> None:
+    assert load(tiers_path).threads == len(os.sched_getaffinity(0))
+    assert load(tiers_path, threads=3).threads == 3
+
+
+def test_geometry_and_bounds_come_with_the_asset(tiers_path: Path) -> None:
+    asset = load(tiers_path)
+    assert asset.bounds.dtype == np.float32
+    assert asset.bounds.tolist() == [[-1, -1, -1], [1, 1, 1]]
+    np.testing.assert_array_equal(asset.mesh.positions, make_mesh().positions)
+
+
+@pytest.mark.parametrize("precision", ["float16", "float32"])
+def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str) -> None:
+    """The kernel reads the mapped bytes: what it works on is a view, not a copy."""
+    package = Package.open(asset_path(plane_precision=precision))
+    views: list[np.ndarray] = []
+    planes = package.planes
+
+    def remembered(tier: str) -> np.ndarray:
+        views.append(planes(tier))
+        return views[-1]
+
+    package.planes = remembered  # type: ignore[assignment, method-assign]
+    from rna_sdk.runtime import Asset
+
+    asset = Asset(package, package.manifest.tiers[0], threads=1)
+    assert np.shares_memory(asset._evaluator._filler._planes, views[0])
+    assert not views[0].flags.writeable
+
+
+def test_the_runtime_loads_no_trainer_and_no_renderer() -> None:
+    heavy = ("torch", "lightning", "onnx", "bpy", "rna_render", "rna_export")
+    code = f"import sys, rna_sdk.runtime; sys.exit(str([m for m in {heavy} if m in sys.modules]))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.stderr.strip() == "[]"

@@ -1,0 +1,114 @@
+"""The compiled query kernel against its numpy twin."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from rna_sdk.package import INPUT_BLOCKS, Bounds, query_width
+from rna_sdk.runtime.queries_reference import queries_reference
+from rna_sdk.runtime.query_kernel import block_columns
+from rna_sdk.runtime.tiles import Batch, QueryFiller
+from tests.package.builders import INPUTS, make_planes, make_tier
+from tests.runtime.points import Points, random_points
+
+BOUNDS = Bounds(min=(-1.0, -2.0, 0.1), max=(0.5, 1.0, 0.9))
+CORNERS = np.array([BOUNDS.min, BOUNDS.max])
+
+
+def filled(
+    planes: NDArray[np.floating], points: Points, inputs: tuple[str, ...] = INPUTS
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+    """`queries` and `valid` from the kernel."""
+    _, resolution, _, channels = planes.shape
+    precision = str(planes.dtype)
+    tier = make_tier(
+        resolution=resolution, channels=channels, plane_precision=precision, inputs=inputs
+    )
+    n = len(points.positions)
+    queries = np.full((n, query_width(inputs, channels)), np.nan, np.float32)
+    valid = np.zeros(n, np.bool_)
+    filler = QueryFiller(planes, BOUNDS, tier)
+    filler.fill(Batch(*points, *np.empty((2, n, 3), np.float32)), slice(0, n), queries, valid)
+    return queries, valid
+
+
+@pytest.mark.parametrize("precision", ["float16", "float32"])
+@pytest.mark.parametrize(("resolution", "channels"), [(16, 8), (1, 4), (2, 1), (7, 5), (32, 33)])
+def test_equals_its_twin(precision: str, resolution: int, channels: int) -> None:
+    planes = make_planes(resolution, channels, precision)
+    points = random_points(1000, reach=2.5)
+    queries, valid = filled(planes, points)
+    assert valid.all()
+    np.testing.assert_allclose(
+        queries, queries_reference(planes, CORNERS, INPUTS, *points), rtol=1e-6, atol=2e-6
+    )
+
+
+@pytest.mark.parametrize(
+    "inputs",
+    [
+        tuple(INPUT_BLOCKS),
+        tuple(reversed(INPUT_BLOCKS)),
+        ("features",),
+        ("half_vector", "position"),
+        ("wi", "features", "wo"),
+    ],
+)
+def test_blocks_stand_in_the_order_of_the_tier(inputs: tuple[str, ...]) -> None:
+    planes = make_planes(8, 4)
+    points = random_points(200)
+    queries, _ = filled(planes, points, inputs)
+    np.testing.assert_allclose(
+        queries, queries_reference(planes, CORNERS, inputs, *points), rtol=1e-6, atol=2e-6
+    )
+
+
+def test_columns_of_blocks_that_are_not_there_are_negative() -> None:
+    assert block_columns(("wi", "features"), 8).tolist() == [3, -1, -1, -1, 0, -1]
+
+
+def test_planes_are_xy_yz_zx_with_u_along_rows() -> None:
+    planes = np.zeros((3, 4, 4, 1), np.float32)
+    planes[0, 1, 3], planes[1, 2, 1], planes[2, 3, 2] = 1, 10, 100
+    # x in column 3 of 4, y in 1, z in 2: texel centres, so nothing is interpolated.
+    low, high = CORNERS
+    position = low + (high - low) * (np.array([3, 1, 2]) + 0.5) / 4
+    points = Points(np.float32([position]), *np.float32([[[0, 0, 1]]] * 3))
+    queries, _ = filled(planes, points, ("features",))
+    np.testing.assert_allclose(queries, [[111]], rtol=1e-4)
+
+
+def test_half_vector_is_the_normal_where_directions_are_opposite() -> None:
+    points = random_points(50)
+    points = Points(points.positions, points.normals, points.wo, -points.wo)
+    queries, valid = filled(make_planes(8, 4), points, ("half_vector",))
+    assert valid.all()
+    np.testing.assert_allclose(queries[:, 0], 1, atol=1e-6)
+    np.testing.assert_allclose(queries[:, 1], np.log2(1e-4) / 6, atol=1e-5)
+
+
+def test_highlights_are_resolved() -> None:
+    """1 - n.h keeps its digits where n.h is nearly 1, which float32 dot products would lose."""
+    points = random_points(500)
+    n = points.normals
+    wi = n + np.float32(2e-3) * points.wi
+    wi /= np.linalg.norm(wi, axis=1, keepdims=True)
+    points = Points(points.positions, n, n, wi)
+    planes = make_planes(8, 4)
+    queries, _ = filled(planes, points, ("half_vector",))
+    expected = queries_reference(planes, CORNERS, ("half_vector",), *points)
+    np.testing.assert_allclose(queries[:, 1], expected[:, 1], atol=2e-7)
+
+
+def test_length_of_directions_does_not_count() -> None:
+    planes = make_planes(8, 4)
+    points = random_points(100)
+    scaled = Points(
+        points.positions, points.normals * 2**20, points.wo * 2.0**-60, points.wi * 2**60
+    )
+    expected, _ = filled(planes, points)
+    queries, valid = filled(planes, scaled)
+    assert valid.all()
+    np.testing.assert_array_equal(queries, expected)

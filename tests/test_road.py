@@ -1,0 +1,88 @@
+"""The whole road by its commands, from a scene to a relit image that is like Cycles'."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import OpenEXR
+import pytest
+from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.metrics import psnr
+
+from tests.exporters.scenes import write_scene
+
+pytestmark = pytest.mark.blender
+
+SCENE = """
+glossy = principled(Base_Color=(0.7, 0.2, 0.1, 1), Roughness=0.4)
+add(*BALL, glossy, smooth=True, matrix=Matrix.Translation((0, 0, 0.3)))
+add(*square(1.5, z=-1), diffuse((0.3, 0.5, 0.7)))
+"""
+CAPTURE = (
+    "--lights 160 --rays 512 --samples 4 --domain hemisphere --validation-views 2 "
+    "--validation-resolution 48 --validation-samples 32"
+).split()
+WI = np.array([0.5, 0.8, 0.35])
+EYE = np.array([1.0, 2.5, 4.5])
+FOV_Y_DEG, SIZE = 40.0, 64
+YAML = f"""
+assets:
+  - path: thing.rna
+camera: {{position: {EYE.tolist()}, look_at: [0, 0, 0], vertical_fov_deg: {FOV_Y_DEG}}}
+lights:
+  - {{type: directional, direction: {WI.tolist()}, irradiance: [1, 1, 1]}}
+resolution: [{SIZE}, {SIZE}]
+samples: 16
+"""
+
+
+def command(name: str, *arguments: object) -> str:
+    """Run one of the project's commands; returns what it printed."""
+    path = Path(sys.executable).parent / name
+    done = subprocess.run([path, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == 0, f"{name} failed:\n{done.stdout}\n{done.stderr}"
+    return done.stdout
+
+
+def camera_to_world() -> np.ndarray:
+    back = EYE / np.linalg.norm(EYE)
+    right = np.cross([0.0, 1.0, 0.0], back)
+    right /= np.linalg.norm(right)
+    matrix = np.eye(4)
+    matrix[:3] = np.stack([right, np.cross(back, right), back, EYE], axis=1)
+    return matrix
+
+
+def read_rgba(path: Path) -> np.ndarray:
+    with OpenEXR.File(str(path), separate_channels=True) as file:
+        return np.stack([file.channels()[c].pixels for c in "RGBA"], axis=-1).astype(np.float32)
+
+
+def test_from_a_scene_to_a_relit_image(tmp_path: Path, blender_python: Path) -> None:
+    source = write_scene(tmp_path, "thing", SCENE)
+    rays, run, package = tmp_path / "thing.rays", tmp_path / "run", tmp_path / "thing.rna"
+    assert "next: rna-train" in command("rna-capture", source, "--out", rays, *CAPTURE)
+    said = command("rna-train", rays, "--preset", "small", "--steps", 130, "--out", run)
+    assert "next: rna-export" in said
+    assert "next: rna-validate" in command("rna-export", run / "best.ckpt", "--out", package)
+    assert "valid" in command("rna-validate", package)
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(YAML)
+    command("rna-run", scene, "--out", tmp_path / "out.exr", "--png", tmp_path / "out.png")
+    ours = read_rgba(tmp_path / "out.exr")
+
+    with BlenderWorker(blender_python, Source(source), tmp_path / "scratch", 1) as worker:
+        wi = (WI / np.linalg.norm(WI)).astype(np.float32)
+        fov = np.radians(FOV_Y_DEG)
+        cycles = worker.render_view(camera_to_world(), fov, wi, 64, 0, SIZE, SIZE)
+
+    assert np.abs(ours[..., 3] - cycles[..., 3]).mean() < 0.01  # the same silhouette
+    inside = (ours[..., 3] > 0.99) & (cycles[..., 3] > 0.99)
+    assert inside.mean() > 0.25
+    assert psnr(ours[inside][:, :3], cycles[inside][:, :3]) > 27.0
+    correlation = np.corrcoef(ours[inside][:, :3].ravel(), cycles[inside][:, :3].ravel())[0, 1]
+    assert correlation > 0.97
+    assert (tmp_path / "out.png").stat().st_size > 1000
