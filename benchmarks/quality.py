@@ -49,8 +49,12 @@ def _scores(checkpoint: Path, dataset: Dataset) -> dict[str, object]:
     trained, views = load_checkpoint(checkpoint), dataset.validation_views()
     radiance = [shade(trained.model, view) for view in views]
     each = [psnr(r, view.samples["radiance"]) for r, view in zip(radiance, views, strict=True)]
-    return {**asdict(score(radiance, views)), "psnr_of_each_image": each, "steps": trained.steps,
-            "preset": trained.preset.model_dump(mode="json")}
+    return {
+        **asdict(score(radiance, views)),
+        "psnr_of_each_image": each,
+        "steps": trained.steps,
+        "preset": trained.preset.model_dump(mode="json"),
+    }
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -25,6 +25,7 @@ import trimesh
 from embreex.mesh_construction import TriangleMesh
 from embreex.rtcore_scene import EmbreeScene
 from numpy.typing import NDArray
+
 from rna_render.embree import TriangleScene
 
 SUBDIVISIONS = 6  # of an icosahedron: 81,920 triangles

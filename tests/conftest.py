@@ -6,8 +6,8 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from rna_export.capture.blender_env import find_python
 
+from rna_export.capture.blender_env import find_python
 from rna_sdk.errors import CaptureError
 
 REPOSITORY = Path(__file__).parent.parent

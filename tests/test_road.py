@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import OpenEXR
 import pytest
+
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.metrics import psnr
-
 from tests.exporters.scenes import write_scene
 
 pytestmark = pytest.mark.blender
@@ -65,7 +65,7 @@ def test_from_a_scene_to_a_relit_image(tmp_path: Path, blender_python: Path) -> 
     source = write_scene(tmp_path, "thing", SCENE)
     rays, run, package = tmp_path / "thing.rays", tmp_path / "run", tmp_path / "thing.rna"
     assert "next: rna-train" in command("rna-capture", source, "--out", rays, *CAPTURE)
-    said = command("rna-train", rays, "--preset", "small", "--steps", 130, "--out", run)
+    said = command("rna-train", rays, "--preset", "small", "--steps", 400, "--out", run)
     assert "next: rna-export" in said
     assert "next: rna-validate" in command("rna-export", run / "best.ckpt", "--out", package)
     assert "valid" in command("rna-validate", package)
@@ -82,7 +82,7 @@ def test_from_a_scene_to_a_relit_image(tmp_path: Path, blender_python: Path) -> 
     assert np.abs(ours[..., 3] - cycles[..., 3]).mean() < 0.01  # the same silhouette
     inside = (ours[..., 3] > 0.99) & (cycles[..., 3] > 0.99)
     assert inside.mean() > 0.25
-    assert psnr(ours[inside][:, :3], cycles[inside][:, :3]) > 27.0
+    assert psnr(ours[inside][:, :3], cycles[inside][:, :3]) > 29.0
     correlation = np.corrcoef(ours[inside][:, :3].ravel(), cycles[inside][:, :3].ravel())[0, 1]
     assert correlation > 0.97
     assert (tmp_path / "out.png").stat().st_size > 1000

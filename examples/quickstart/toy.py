@@ -82,11 +82,16 @@ def occupied_cells():
 def add_brick(colour, first, z, size, height, filled, material):
     """One closed mesh: a box united with its visible studs, edges rounded."""
     low = [first[0] * PITCH + GAP, first[1] * PITCH + GAP, z * PLATE + GAP]
-    high = [(first[0] + size[0]) * PITCH - GAP, (first[1] + size[1]) * PITCH - GAP,
-            (z + height) * PLATE - GAP]
-    bpy.ops.mesh.primitive_cube_add(size=1, calc_uvs=False, location=[(a + b) / 2 for a, b in zip(low, high)])
+    high = [
+        (first[0] + size[0]) * PITCH - GAP,
+        (first[1] + size[1]) * PITCH - GAP,
+        (z + height) * PLATE - GAP,
+    ]
+    bpy.ops.mesh.primitive_cube_add(
+        size=1, calc_uvs=False, location=[(a + b) / 2 for a, b in zip(low, high, strict=True)]
+    )
     brick = bpy.context.object
-    brick.scale = [b - a for a, b in zip(low, high)]
+    brick.scale = [b - a for a, b in zip(low, high, strict=True)]
     bpy.ops.object.transform_apply(scale=True)
     studs = []
     for i in range(first[0], first[0] + size[0]):
@@ -100,7 +105,10 @@ def add_brick(colour, first, z, size, height, filled, material):
 
 def add_stud(i, j, top):
     bpy.ops.mesh.primitive_cylinder_add(
-        vertices=20, radius=STUD_RADIUS, depth=2 * STUD_HEIGHT, calc_uvs=False,
+        vertices=20,
+        radius=STUD_RADIUS,
+        depth=2 * STUD_HEIGHT,
+        calc_uvs=False,
         location=((i + 0.5) * PITCH, (j + 0.5) * PITCH, top),
     )
     return bpy.context.object
@@ -126,8 +134,12 @@ def add_wheel(x, y, tyre, hub):
         (0.5 * WHEEL_RADIUS, WHEEL_WIDTH + 0.016, hub, 0.008),
     ):
         bpy.ops.mesh.primitive_cylinder_add(
-            vertices=40, radius=radius, depth=width, calc_uvs=False,
-            location=(x * PITCH, y * PITCH, WHEEL_RADIUS), rotation=(math.pi / 2, 0, 0),
+            vertices=40,
+            radius=radius,
+            depth=width,
+            calc_uvs=False,
+            location=(x * PITCH, y * PITCH, WHEEL_RADIUS),
+            rotation=(math.pi / 2, 0, 0),
         )
         finish(bpy.context.object, material, bevel, 3)
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from rna_export.capture.worker import BlenderWorker, Source
 
+from rna_export.capture.worker import BlenderWorker, Source
 from tests.exporters.scenes import write_scene
 
 OpenWorker = Callable[..., BlenderWorker]

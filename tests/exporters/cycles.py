@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+
 from rna_export.capture.asset_scene import AssetScene, SurfacePoints
 from rna_export.capture.run import weld
 from rna_export.capture.view_rays import ViewRays, sample_view_rays

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+
 from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset, write_arrays
 from rna_export.training.presets import PRESETS, Preset
-
 from tests.render.assets import sphere, unit_vectors
 
 ALBEDO = np.array([0.8, 0.5, 0.2])

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
 from rna_export.capture.run import weld
 from rna_export.capture.tasks import TrainingShard
-
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
 

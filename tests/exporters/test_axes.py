@@ -1,4 +1,5 @@
 import numpy as np
+
 from rna_export.capture.axes import from_blender, to_blender
 
 

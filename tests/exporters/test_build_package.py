@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
+
 from rna_export.capture.dataset import Dataset
 from rna_export.export.cli import main
 from rna_export.metrics import psnr
@@ -15,7 +16,6 @@ from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.run import Run, train
 from rna_export.training.validation import score, shade
-
 from rna_sdk.package import Package, validate
 from rna_sdk.runtime import load
 from tests.exporters.synthetic import make_dataset, tiny

@@ -8,10 +8,10 @@ import sys
 from pathlib import Path
 
 import pytest
+
 from rna_export.capture import blender_env
 from rna_export.capture.cli import main
 from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
-
 from rna_sdk.errors import CaptureError
 from tests.render.assets import sphere
 

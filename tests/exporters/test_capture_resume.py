@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rna_export.capture.dataset import Dataset
 from safetensors.numpy import load_file
 
+from rna_export.capture.dataset import Dataset
 from tests.exporters.scenes import write_scene
 
 pytestmark = pytest.mark.blender
@@ -103,6 +103,8 @@ def test_kill_minus_9_keeps_finished_shards(
         assert time.monotonic() < deadline, "Blender goes on after its parent is gone"
         time.sleep(0.05)
 
+    half_written = out / "train" / f"{SHARDS - 1:05d}.safetensors.1.part"
+    half_written.write_bytes(b"as kill -9 may leave it")
     assert capture(source, out, workers=1).wait() == 0
     resumed = state(out)
     assert {name: resumed[name] for name in killed} == killed

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 import torch
+
 from rna_export.capture.dataset import Dataset
 from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.run import Run, train
-
 from rna_sdk.errors import ExportError
 from tests.exporters.synthetic import make_dataset, tiny
 

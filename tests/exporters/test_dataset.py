@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rna_export.capture.dataset import Dataset, write_arrays, write_atomically
 
+from rna_export.capture.dataset import Dataset, write_arrays, write_atomically
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset

@@ -7,6 +7,7 @@ import onnx
 import onnxruntime
 import pytest
 import torch
+
 from rna_export.export.decoder import (
     ABSOLUTE,
     OPSET,
@@ -18,7 +19,6 @@ from rna_export.export.decoder import (
 )
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import PRESETS
-
 from rna_sdk.errors import ExportError
 from tests.exporters.synthetic import tiny
 
@@ -30,6 +30,7 @@ def make_model(preset: str = "small") -> NeuralAsset:
     torch.manual_seed(0)
     model = NeuralAsset(tiny(preset).model, BOUNDS).eval()
     model.ceiling.fill_(12.5)
+    model.triplane.planes.data.normal_()
     model.decoder[-1].weight.data *= 6.0
     return model
 

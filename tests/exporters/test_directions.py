@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+
 from rna_export.capture.directions import around, frame, light_direction, reflect, sphere
 
 

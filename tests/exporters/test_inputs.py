@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import torch
+
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import PRESETS, ModelConfig
-
 from rna_sdk.package import INPUT_BLOCKS, query_width
 from rna_sdk.runtime.queries_reference import queries_reference
 from tests.render.assets import unit_vectors
@@ -19,7 +19,9 @@ ALL_BLOCKS = tuple(INPUT_BLOCKS)
 def make_model(inputs: tuple[str, ...]) -> NeuralAsset:
     torch.manual_seed(0)
     config = ModelConfig(inputs=inputs, width=8, hidden_layers=1, resolution=8, channels=4)
-    return NeuralAsset(config, BOUNDS)
+    model = NeuralAsset(config, BOUNDS)
+    model.triplane.planes.data.normal_()
+    return model
 
 
 def random_rows(n: int = 400) -> list[np.ndarray]:
@@ -40,7 +42,7 @@ def random_rows(n: int = 400) -> list[np.ndarray]:
 )
 def test_equals_the_reference(inputs: tuple[str, ...]) -> None:
     model, rows = make_model(inputs), random_rows()
-    (planes,) = (planes.detach().numpy() for planes in model.triplane.parameters())
+    planes = model.triplane.planes.detach().numpy()
     expected = queries_reference(planes, BOUNDS.numpy(), inputs, *rows)
     found = model.queries(*map(torch.from_numpy, rows)).detach().numpy()
     assert found.shape == (len(rows[0]), query_width(inputs, 4))

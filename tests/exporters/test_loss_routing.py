@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 import torch
+
 from rna_export.training.lightning_module import NeuralAssetTraining
 from rna_export.training.presets import PRESETS
-
 from tests.exporters.synthetic import tiny
 
 BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rna_export.capture.axes import from_blender
 from rna_export.capture.run import weld
-
 from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender

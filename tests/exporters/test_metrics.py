@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rna_export.metrics import display, flip, psnr, relative_mse, to_png
 
 

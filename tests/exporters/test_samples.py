@@ -5,6 +5,7 @@ from itertools import islice
 import numpy as np
 import pytest
 import torch
+
 from rna_export.training.samples import SampleTable, columns
 
 N = 1000

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
+
 from rna_export.capture.axes import from_blender, to_blender
 from rna_export.capture.worker import BlenderWorker, Source
-
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.scenes import write_scene

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from safetensors.numpy import load_file
+
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
-from safetensors.numpy import load_file
-
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import ring, sphere
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import torch
 from PIL import Image
+
 from rna_export.capture.dataset import Dataset
 from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
@@ -18,7 +19,6 @@ from rna_export.training.cli import main
 from rna_export.training.lightning_module import NeuralAssetTraining
 from rna_export.training.run import Run, padded_bounds, train
 from rna_export.training.validation import score, shade
-
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import torch
-from rna_export.training.triplane import PLANE_AXES, Triplane, blurred, gathered
 
+from rna_export.training.triplane import PLANE_AXES, Triplane, blurred, gathered
 from rna_sdk.runtime.queries_reference import triplane_features
 
 LOW, HIGH = torch.tensor([-1.0, 0.0, 2.0]), torch.tensor([1.0, 3.0, 2.5])
@@ -15,13 +15,9 @@ LOW, HIGH = torch.tensor([-1.0, 0.0, 2.0]), torch.tensor([1.0, 3.0, 2.5])
 @pytest.fixture
 def triplane() -> Triplane:
     torch.manual_seed(0)
-    return Triplane(11, 5, LOW, HIGH)
-
-
-def planes_of(triplane: Triplane) -> torch.nn.Parameter:
-    """With one level, the one parameter is the planes, (3, R, R, C)."""
-    (planes,) = triplane.parameters()
-    return planes
+    result = Triplane(11, 5, LOW, HIGH)
+    result.planes.data.normal_()  # far from where training starts, so that errors show
+    return result
 
 
 @pytest.fixture
@@ -35,14 +31,14 @@ def positions() -> torch.Tensor:
 
 def test_equals_the_reference(triplane: Triplane, positions: torch.Tensor) -> None:
     p = ((positions - LOW) / (HIGH - LOW)).clamp(0.0, 1.0).double().numpy()
-    expected = triplane_features(planes_of(triplane).detach().numpy(), p)
+    expected = triplane_features(triplane.planes.detach().numpy(), p)
     assert np.abs(triplane(positions).detach().numpy() - expected).max() < 1e-5
 
 
 def test_equals_grid_sample(triplane: Triplane, positions: torch.Tensor) -> None:
     p = 2.0 * (positions - LOW) / (HIGH - LOW) - 1.0
     expected = torch.zeros(len(p), 5)
-    for plane, (column, row) in zip(planes_of(triplane), PLANE_AXES, strict=True):
+    for plane, (column, row) in zip(triplane.planes, PLANE_AXES, strict=True):
         sampled = torch.nn.functional.grid_sample(
             plane.permute(2, 0, 1)[None],
             p[None, :, None, [column, row]],
@@ -56,9 +52,9 @@ def test_equals_grid_sample(triplane: Triplane, positions: torch.Tensor) -> None
 def test_gradients_are_those_of_grid_sample(triplane: Triplane, positions: torch.Tensor) -> None:
     weights = torch.randn(len(positions), 5, generator=torch.Generator().manual_seed(2))
     (triplane(positions) * weights).sum().backward()
-    found = planes_of(triplane).grad.clone()
+    found = triplane.planes.grad.clone()
     p = 2.0 * (positions - LOW) / (HIGH - LOW) - 1.0
-    planes = planes_of(triplane).detach().requires_grad_()
+    planes = triplane.planes.detach().requires_grad_()
     total = torch.zeros(())
     for k, (column, row) in enumerate(PLANE_AXES):
         sampled = torch.nn.functional.grid_sample(
@@ -78,13 +74,13 @@ def test_compiled_kernels_equal_their_twins(
 ) -> None:
     p = (positions - LOW) / (HIGH - LOW)
     weights = torch.randn(len(p), 5, generator=torch.Generator().manual_seed(3))
-    twin = planes_of(triplane).detach().clone().requires_grad_()
+    twin = triplane.planes.detach().clone().requires_grad_()
     expected = gathered(blurred(twin, blur) if blur > 1.0 else twin, p)
     found = triplane(positions, blur)
     assert torch.allclose(found, expected, atol=1e-5)
     (found * weights).sum().backward()
     (expected * weights).sum().backward()
-    assert torch.allclose(planes_of(triplane).grad, twin.grad, atol=1e-4)
+    assert torch.allclose(triplane.planes.grad, twin.grad, atol=1e-4)
 
 
 def test_blur_of_one_texel_is_none(triplane: Triplane, positions: torch.Tensor) -> None:
@@ -92,7 +88,7 @@ def test_blur_of_one_texel_is_none(triplane: Triplane, positions: torch.Tensor) 
 
 
 def test_blur_fades_to_none(triplane: Triplane) -> None:
-    planes = planes_of(triplane).detach()
+    planes = triplane.planes.detach()
     change = [(blurred(planes, b) - planes).abs().max().item() for b in (4.0, 2.0, 1.3, 1.05)]
     assert change == sorted(change, reverse=True)
     assert change[0] > 0.1 and change[-1] < 1e-6

@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+
 from rna_export.capture.run import weld
 
 TWO_TRIANGLES = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+
 from rna_render.camera import Camera
 from rna_render.scene_model import CameraModel
 

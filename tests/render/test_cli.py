@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
+
 from rna_render.cli import INTERRUPTED, main
 from rna_render.images import read_exr
-
 from tests.render.assets import sphere, square
 from tests.render.packages import ALBEDO, SHADOWED, write_lambert_package
 

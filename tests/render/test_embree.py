@@ -8,9 +8,9 @@ import weakref
 
 import numpy as np
 import pytest
+
 from rna_render.embree import TriangleScene
 from rna_render.embree_library import Device, SceneHandle
-
 from rna_sdk.errors import QueryError, SceneError
 from tests.render.assets import sphere, square, unit_vectors
 

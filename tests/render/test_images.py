@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from PIL import Image
+
 from rna_render.film import Film, Layers
 from rna_render.images import read_exr, write_exr, write_png
 from rna_render.srgb import decode_srgb, encode_srgb
-
 from rna_sdk.errors import SceneError
 
 

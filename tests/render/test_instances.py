@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+
 from rna_render.embree import TriangleScene
 from rna_render.instances import InstanceScene
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object
-
 from tests.render.assets import sphere, square, unit_vectors
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numba
 import numpy as np
 import pytest
+
 from rna_render.render import BAND, make_integrator, render
 from rna_render.scene_model import Scene
 from rna_render.transforms import world_from_object
 from rna_render.world import Placement, World
-
 from tests.render.assets import LambertAsset, merged, sphere, square
 
 ALBEDO = np.array([0.8, 0.5, 0.2])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rna_render.sampling import Sampler, sample_sphere_mixture, sphere_mixture_pdf
 
 PIXELS = np.arange(64, dtype=np.uint32)

@@ -10,6 +10,7 @@ import pytest
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
+
 from rna_render.scene_file import read_scene
 from rna_render.scene_model import (
     AssetModel,

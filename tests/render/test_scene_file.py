@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+
 from rna_render.scene_file import read_scene
 from rna_render.scene_model import DirectionalModel, EnvironmentModel
-
 from rna_sdk.errors import SceneError
 
 GOOD = """\

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rna_render.embree import TriangleScene
 from rna_render.surface import (
     geometric_normals,
@@ -12,7 +13,6 @@ from rna_render.surface import (
     offset_origins,
     visible,
 )
-
 from rna_sdk.errors import QueryError
 from rna_sdk.package.mesh import Mesh
 from tests.render.assets import merged, sphere, square, unit_vectors

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object
 

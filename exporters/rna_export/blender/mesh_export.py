@@ -12,7 +12,7 @@ def export_mesh(path):
     corners = [_corners(instance) for instance in _mesh_instances()]
     if not corners:
         raise ValueError("the scene has no mesh with faces")
-    positions, normals, uvs, has_uv = zip(*corners)
+    positions, normals, uvs, has_uv = zip(*corners, strict=True)
     np.savez(
         path,
         positions=np.concatenate(positions),
@@ -30,7 +30,13 @@ def to_gltf_axes(vectors):
 
 def _mesh_instances():
     for instance in bpy.context.evaluated_depsgraph_get().object_instances:
-        if instance.show_self and instance.object.type in ("MESH", "CURVE", "SURFACE", "FONT", "META"):
+        if instance.show_self and instance.object.type in (
+            "MESH",
+            "CURVE",
+            "SURFACE",
+            "FONT",
+            "META",
+        ):
             if not instance.object.original.hide_render:
                 yield instance
 
@@ -52,7 +58,7 @@ def _corners(instance):
         matrix = np.array(instance.matrix_world, np.float32)
     finally:
         instance.object.to_mesh_clear()
-    return _place(positions, normals, matrix) + (uvs, layer is not None)
+    return (*_place(positions, normals, matrix), uvs, layer is not None)
 
 
 def _place(positions, normals, matrix):

@@ -32,6 +32,7 @@ def keep_only_the_asset():
 
     Returns what a user should know about, one sentence each.
     """
+    _show_what_is_rendered()
     notes = []
     for item in list(bpy.data.objects):
         if item.type in ("LIGHT", "CAMERA", "LIGHT_PROBE"):
@@ -49,19 +50,56 @@ def keep_only_the_asset():
     return notes
 
 
+def _show_what_is_rendered():
+    """Give the viewport, whose geometry is what Python can read, the settings of renders."""
+    scene, layer = bpy.context.scene, bpy.context.view_layer
+    scene.render.simplify_subdivision = scene.render.simplify_subdivision_render
+    collections = [layer.layer_collection]
+    for collection in collections:  # grows as it goes
+        collection.hide_viewport = False
+        collections += collection.children
+    for item in layer.objects:
+        item.hide_set(False)
+    for group in bpy.data.collections:
+        group.hide_viewport = group.hide_render
+    for item in bpy.data.objects:
+        item.hide_viewport = item.hide_render
+        for modifier in item.modifiers:
+            modifier.show_viewport = modifier.show_render
+            if modifier.type in ("SUBSURF", "MULTIRES"):
+                modifier.levels = modifier.render_levels
+            elif modifier.type == "SCREW":
+                modifier.steps = modifier.render_steps
+    for curve in bpy.data.curves:
+        curve.resolution_u = curve.render_resolution_u or curve.resolution_u
+        curve.resolution_v = curve.render_resolution_v or curve.resolution_v
+    for ball in bpy.data.metaballs:
+        ball.resolution = ball.render_resolution
+
+
+def _nodes(tree):
+    """All nodes of a shader, those inside groups too."""
+    for node in tree.nodes:
+        if node.type == "GROUP" and node.node_tree is not None:
+            yield from _nodes(node.node_tree)
+        yield node
+
+
 def _switch_emission_off(tree):
     switched = False
-    for node in tree.nodes:
+    for node in _nodes(tree):
         strength = {"EMISSION": "Strength", "BSDF_PRINCIPLED": "Emission Strength"}.get(node.type)
         if strength is None:
             continue
         socket = node.inputs[strength]
-        black = node.type == "BSDF_PRINCIPLED" and not node.inputs["Emission Color"].is_linked and (
-            max(node.inputs["Emission Color"].default_value[:3]) == 0.0
+        black = (
+            node.type == "BSDF_PRINCIPLED"
+            and not node.inputs["Emission Color"].is_linked
+            and (max(node.inputs["Emission Color"].default_value[:3]) == 0.0)
         )
         switched |= not black and (socket.is_linked or socket.default_value > 0.0)
         for link in list(socket.links):
-            tree.links.remove(link)
+            node.id_data.links.remove(link)
         socket.default_value = 0.0
     return switched
 
@@ -72,7 +110,7 @@ def blender_version():
 
 def has_cutouts():
     """Whether any material lets the camera see through it without refraction."""
-    nodes = [n for m in bpy.data.materials if m.use_nodes for n in m.node_tree.nodes]
+    nodes = [n for m in bpy.data.materials if m.use_nodes for n in _nodes(m.node_tree)]
     return any(
         node.type == "BSDF_TRANSPARENT"
         or (

@@ -63,7 +63,9 @@ class AssetScene:
 
     def sample_points(self, n: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         """n points uniform by area and their geometric normals, (n, 3) float32 each."""
-        triangle = np.minimum(np.searchsorted(self._area_cdf, rng.random(n)), len(self._area_cdf) - 1)
+        triangle = np.minimum(
+            np.searchsorted(self._area_cdf, rng.random(n)), len(self._area_cdf) - 1
+        )
         root, v = np.sqrt(rng.random(n)), rng.random(n)
         weights = np.stack([1.0 - root, root * (1.0 - v), root * v], axis=1).astype(np.float32)
         corners = self.mesh.positions[self.mesh.triangles[triangle]]

@@ -27,12 +27,17 @@ def find_python() -> Path:
     """The interpreter that can `import bpy`; `CaptureError` says how to get one."""
     named = os.environ.get(VARIABLE)
     python = Path(named) if named else default_folder() / "bin" / "python"
-    if not python.is_file():
+    if not (python.is_file() if named else _is_whole(default_folder())):
         raise CaptureError(
-            f"no Blender environment: {python} does not exist; run 'rna-capture --setup-blender', "
-            f"or set {VARIABLE} to a Python 3.11 that can import bpy"
+            f"no Blender environment: {python} is missing or unfinished; run "
+            f"'rna-capture --setup-blender', or set {VARIABLE} to a Python 3.11 that can import bpy"
         )
     return python
+
+
+def _is_whole(folder: Path) -> bool:
+    """Whether pip came to its end: it writes this record last."""
+    return any(folder.glob(f"lib/python*/site-packages/bpy-{BPY_VERSION}.dist-info/RECORD"))
 
 
 def set_up() -> Path:

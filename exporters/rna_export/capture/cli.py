@@ -6,14 +6,17 @@ import argparse
 import hashlib
 import shutil
 import sys
-import tempfile
 from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
 
 from rna_export.capture import blender_env
 from rna_export.capture.dataset import CaptureSettings, Dataset
 from rna_export.capture.run import Crew, begin, default_workers, finish
 from rna_export.capture.worker import Source
 from rna_export.console import run_command
+from rna_export.memory import keep_freed_memory
 from rna_sdk.errors import CaptureError
 
 _SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".py")
@@ -35,7 +38,7 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-capture`."""
     p = argparse.ArgumentParser(
         prog="rna-capture",
-        description="Render an asset in all views and lights with Blender Cycles into a dataset.\n\n"
+        description="Render an asset in all views and lights with Blender Cycles.\n\n"
         "    rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
         formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="The same command continues a capture that was stopped. Arguments after -- go to a "
@@ -43,7 +46,9 @@ def parser() -> argparse.ArgumentParser:
     )
     p.add_argument("source", nargs="?", type=Path, help="a .blend, .gltf, .glb, .obj, .ply or .py")
     p.add_argument("--out", type=Path, help="folder of the dataset")
-    p.add_argument("--setup-blender", action="store_true", help="install Blender's module, then end")
+    p.add_argument(
+        "--setup-blender", action="store_true", help="install Blender's module, then end"
+    )
     p.add_argument("--minutes", type=float, help="time budget; sets the number of lights")
     for name, field in _OPTIONS.items():
         info = CaptureSettings.model_fields[field]
@@ -54,8 +59,12 @@ def parser() -> argparse.ArgumentParser:
             help=f"{info.description or 'random seed'} "
             f"({type(info.default).__name__}, default {info.default})",
         )
-    p.add_argument("--workers", type=int, default=default_workers(),
-                   help="Blender processes, one thread each (int, default: one a core, %(default)s)")
+    p.add_argument(
+        "--workers",
+        type=int,
+        default=default_workers(),
+        help="Blender processes, one thread each (int, default: one a core, %(default)s)",
+    )
     p.add_argument("--debug", action="store_true", help="show the traceback of an error")
     return p
 
@@ -70,7 +79,26 @@ def main(argv: list[str] | None = None) -> int:
         options.error("a source and --out are needed (or --setup-blender)")
     if args.minutes is not None and args.lights is not None:
         options.error("--minutes sets the number of lights: give one of the two")
+    _check_numbers(args, options)
     return run_command(lambda: _run(args, tuple(argv[split + 1 :])), args.debug)
+
+
+def _asked(args: argparse.Namespace) -> dict[str, Any]:
+    """The settings given on the command line."""
+    return {f: value for name, f in _OPTIONS.items() if (value := getattr(args, name)) is not None}
+
+
+def _check_numbers(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:
+    for name in ("minutes", "workers"):
+        value = getattr(args, name)
+        if value is not None and not value > 0:
+            options.error(f"argument --{name}: expected more than 0, found {value:g}")
+    try:
+        CaptureSettings(**_asked(args))
+    except ValidationError as error:
+        first = error.errors()[0]
+        name = str(first["loc"][0]).replace("_", "-")
+        options.error(f"argument --{name}: {first['msg']}, found {first['input']}")
 
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
@@ -78,9 +106,11 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         print(f"Blender {blender_env.BPY_VERSION} is ready: {blender_env.set_up()}")
         return
     _check_source(args.source)
-    asked = {f: getattr(args, name) for name, f in _OPTIONS.items() if getattr(args, name) is not None}
+    keep_freed_memory()
+    asked = _asked(args)
     python = blender_env.find_python()
-    scratch = Path(tempfile.mkdtemp(prefix="rna-capture-"))
+    scratch = args.out / "scratch"  # ray images; those of a killed capture go here
+    shutil.rmtree(scratch, ignore_errors=True)
     crew = Crew(python, scratch, args.workers)
     begun = (args.out / "manifest.json").is_file()
     try:
@@ -95,14 +125,18 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         finish(dataset, source, crew)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
-    print(f"wrote {args.out}\nnext: rna-train {args.out} --preset small --out runs/{args.source.stem}")
+    print(
+        f"wrote {args.out}\nnext: rna-train {args.out} --preset small --out runs/{args.source.stem}"
+    )
 
 
 def _check_source(source: Path) -> None:
     if not source.is_file():
         raise CaptureError(f"{source}: no such file")
     if source.suffix.lower() not in _SUFFIXES:
-        raise CaptureError(f"{source}: found {source.suffix!r}, expected one of {', '.join(_SUFFIXES)}")
+        raise CaptureError(
+            f"{source}: found {source.suffix!r}, expected one of {', '.join(_SUFFIXES)}"
+        )
 
 
 def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) -> Dataset:

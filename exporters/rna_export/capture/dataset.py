@@ -1,10 +1,10 @@
 """A dataset of captured rays: a folder with a manifest, the geometry, shards and whole images.
 
-    toy.rays/
-      manifest.json               settings, source, what is planned
-      geometry.safetensors        the mesh, object space
-      train/00000.safetensors     samples of some lights
-      validation/00-0.safetensors one half (of two seeds) of one whole image
+toy.rays/
+  manifest.json               settings, source, what is planned
+  geometry.safetensors        the mesh, object space
+  train/00000.safetensors     samples of some lights
+  validation/00-0.safetensors one half (of two seeds) of one whole image
 """
 
 from __future__ import annotations

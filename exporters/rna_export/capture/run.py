@@ -108,6 +108,8 @@ def begin(
 
 def finish(dataset: Dataset, source: Source, crew: Crew) -> None:
     """Render every task whose file is missing. Ctrl-C loses only the tasks under way."""
+    for unfinished in dataset.folder.glob("*/*.part"):
+        unfinished.unlink()
     missing = [task for task in all_tasks(dataset) if not task.path(dataset).is_file()]
     if not missing:
         return

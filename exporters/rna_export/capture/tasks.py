@@ -12,6 +12,7 @@ from rna_export.capture.dataset import CaptureSettings, Dataset, write_arrays
 from rna_export.capture.directions import light_direction, sphere
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
+from rna_sdk.errors import CaptureError
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
@@ -71,13 +72,14 @@ class ValidationHalf:
         settings = dataset.manifest.settings
         rng = np.random.default_rng([settings.seed, 2, self.view])
         wi = sphere(rng.random((1, 2)), settings.domain)[0]
-        rays = _validation_camera(scene, settings, self.view, rng)
-        hit = np.flatnonzero(scene.hit_mask(rays.origins, rays.directions))
+        rays, hit = _validation_rays(scene, settings, self.view, rng)
         samples = settings.validation_samples // 2
         parts = []
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
-            seed = int(np.random.default_rng([settings.seed, 3, self.view, self.half]).integers(2**31))
+            seed = int(
+                np.random.default_rng([settings.seed, 3, self.view, self.half]).integers(2**31)
+            )
             extra = {"pixel": pixel.astype(np.int32)}
             parts.append(_capture(dataset, scene, worker, rays[pixel], wi, samples, seed, extra))
         names = parts[0].keys()
@@ -119,6 +121,18 @@ def _capture(
     # A ray along a silhouette may hit here and miss there; such a sample would be black.
     keep = points.hit & (dataset.manifest.cutouts | (alpha > 0.999)) & np.isfinite(radiance).all(1)
     return {name: values[keep] for name, values in sample.items()}
+
+
+def _validation_rays(
+    scene: AssetScene, settings: CaptureSettings, view: int, rng: np.random.Generator
+) -> tuple[ViewRays, np.ndarray]:
+    """A view's rays and which of them hit; drawn again while, as through a ring, hardly any do."""
+    for _ in range(50):
+        rays = _validation_camera(scene, settings, view, rng)
+        hit = np.flatnonzero(scene.hit_mask(rays.origins, rays.directions))
+        if len(hit) > 0.01 * len(rays):
+            return rays, hit
+    raise CaptureError(f"validation view {view}: no camera that sees the asset was found")
 
 
 def _validation_camera(

@@ -36,8 +36,9 @@ def sample_view_rays(
 ) -> ViewRays:
     """n rays towards the asset, lit from wi (3,); views stay in `domain` ("hemisphere": +Y)."""
     close = round(n * CLOSE)
-    highlight = _repeat(lambda k: _highlight(scene, wi, k, rng), scene, round(n * HIGHLIGHT),
-                        domain, tries=8)
+    highlight = _repeat(
+        lambda k: _highlight(scene, wi, k, rng), scene, round(n * HIGHLIGHT), domain, tries=8
+    )
     near = _repeat(lambda k: _close(scene, k, rng), scene, close, domain, tries=16)
     rest = n - len(highlight) - len(near)
     outside = _repeat(lambda k: _outside(scene, k, domain, rng), scene, rest, domain, tries=200)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
 import subprocess
@@ -38,6 +39,7 @@ class BlenderWorker:
         self._python, self._source, self._threads = python, source, threads
         self._folder, self._name = folder, name
         self._renders = 0
+        self._samples: int | None = None  # of the last render
         folder.mkdir(parents=True, exist_ok=True)
         self._start()
 
@@ -56,21 +58,26 @@ class BlenderWorker:
             stderr=self._log,
             text=True,
         )
-        self.opened = self._ask(
-            op="open",
-            source=str(self._source.path.resolve()),
-            arguments=list(self._source.arguments),
-            threads=self._threads,
-            clampDirect=self._source.clamp_direct,
-            clampIndirect=self._source.clamp_indirect,
-        )
+        try:
+            self.opened = self._ask(
+                op="open",
+                source=str(self._source.path.resolve()),
+                arguments=list(self._source.arguments),
+                threads=self._threads,
+                clampDirect=self._source.clamp_direct,
+                clampIndirect=self._source.clamp_indirect,
+            )
+        except BaseException:
+            self.close()
+            raise
 
     def close(self) -> None:
         """End the process; safe to call twice."""
         self._process.kill()
         self._process.wait()
         for stream in (self._process.stdin, self._process.stdout, self._log):
-            stream.close()
+            with contextlib.suppress(BrokenPipeError):  # a request that never reached it
+                stream.close()
 
     def restart(self) -> None:
         """A fresh process with the same source: Blender's memory grows over many renders."""
@@ -116,7 +123,9 @@ class BlenderWorker:
         width = min(n, max(1, math.isqrt(n)))
         height = -(-n // width)
         stem = self._folder / f"rays-{self._name}-{self._renders}"
-        paths = {k: stem.with_name(f"{stem.name}-{k}.exr") for k in ("origins", "directions", "out")}
+        paths = {
+            k: stem.with_name(f"{stem.name}-{k}.exr") for k in ("origins", "directions", "out")
+        }
         _write_rays(paths["origins"], to_blender(origins), width, height)
         _write_rays(paths["directions"], to_blender(directions), width, height)
         request = {k: str(p) for k, p in paths.items()}
@@ -160,6 +169,11 @@ class BlenderWorker:
         width: int,
         height: int,
     ) -> None:
+        if self._samples not in (None, samples):
+            # Cycles keeps its table of sample points, whose size follows the sample count: without
+            # a fresh process the same render would not repeat.
+            self.restart()
+        self._samples = samples
         self._renders += 1
         towards = [float(v) for v in to_blender(np.asarray(wi, np.float64))]
         size = {"width": width, "height": height}

@@ -25,11 +25,22 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("source", type=Path, help="what it was captured from")
     p.add_argument("--out", type=Path, required=True, help="folder for the page")
     p.add_argument("--tier", help="tier of the package (default: its first)")
-    p.add_argument("--samples", type=int, default=16, help="ours a pixel (int, default %(default)s)")
-    p.add_argument("--cycles-samples", type=int, default=256, help="a pixel (int, default %(default)s)")
-    p.add_argument("--resolution", type=int, default=384, help="pixels a side (int, default %(default)s)")
-    p.add_argument("--turn", type=float, default=0.0, metavar="DEG",
-                   help="turn the cameras about +Y, if the asset's front is not +Z (default 0)")
+    p.add_argument(
+        "--samples", type=int, default=16, help="ours a pixel (int, default %(default)s)"
+    )
+    p.add_argument(
+        "--cycles-samples", type=int, default=256, help="a pixel (int, default %(default)s)"
+    )
+    p.add_argument(
+        "--resolution", type=int, default=384, help="pixels a side (int, default %(default)s)"
+    )
+    p.add_argument(
+        "--turn",
+        type=float,
+        default=0.0,
+        metavar="DEG",
+        help="turn the cameras about +Y, if the asset's front is not +Z (default 0)",
+    )
     p.add_argument("--debug", action="store_true", help="show the traceback of an error")
     return p
 
@@ -60,7 +71,12 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             blender_env.find_python(), Source(args.source, arguments), scratch, default_workers()
         ) as worker:
             pairs = compare(
-                asset, args.package, worker, args.samples, args.cycles_samples, args.resolution,
+                asset,
+                args.package,
+                worker,
+                args.samples,
+                args.cycles_samples,
+                args.resolution,
                 args.turn,
                 lambda p: print(
                     f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, ours "

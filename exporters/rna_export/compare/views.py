@@ -45,8 +45,11 @@ class Shot:
                 look_at=vector(self.target),
                 vertical_fov_deg=float(np.degrees(FOV_Y)),
             ),
-            lights=(DirectionalModel(type="directional", direction=vector(self.wi),
-                                     irradiance=(1.0, 1.0, 1.0)),),
+            lights=(
+                DirectionalModel(
+                    type="directional", direction=vector(self.wi), irradiance=(1.0, 1.0, 1.0)
+                ),
+            ),
             resolution=(self.resolution, self.resolution),
             samples=samples,
         )

@@ -75,7 +75,9 @@ def build_package(
 def _check_together(trained: list[Trained], dataset: Dataset) -> None:
     names = [one.preset_name for one in trained]
     if len(set(names)) < len(names):
-        raise ExportError(f"found presets {', '.join(names)}, expected each only once: a tier's name")
+        raise ExportError(
+            f"found presets {', '.join(names)}, expected each once"
+        )
     for one in trained:
         if one.capture.source_sha256 != dataset.manifest.source_sha256:
             raise ExportError(
@@ -104,8 +106,10 @@ def _tier(one: Trained, say: Callable[[str], None]) -> tuple[Tier, TierData]:
         decoder_precision="float32",
         agreement=Agreement(**asdict(agreement)),
     )
-    planes = one.model.triplane.planes.detach().numpy().astype(np.float16)
-    return tier, TierData(planes=planes, decoder=decoder)
+    planes = one.model.triplane.planes.detach().numpy()
+    if np.abs(planes).max() > np.finfo(np.float16).max:
+        raise ExportError(f"{one.preset_name}: the planes hold values that float16 cannot")
+    return tier, TierData(planes=planes.astype(np.float16), decoder=decoder)
 
 
 def _measure(
@@ -187,12 +191,17 @@ def _processor() -> str:
 def _provenance(trained: list[Trained], dataset: Dataset, source: str | None) -> Provenance:
     manifest = dataset.manifest
     runs = {
-        one.preset_name: {"steps": one.steps, "seed": one.seed, **one.preset.model_dump(mode="json")}
+        one.preset_name: {
+            "steps": one.steps,
+            "seed": one.seed,
+            **one.preset.model_dump(mode="json"),
+        }
         for one in trained
     }
     return Provenance(
         source=source or f"{manifest.source} (sha256 {manifest.source_sha256})",
-        tool=f"Blender {manifest.blender} Cycles, {manifest.generator}, PyTorch {torch.__version__}",
+        tool=f"Blender {manifest.blender} Cycles, {manifest.generator}, "
+        f"PyTorch {torch.__version__}",
         capture=manifest.settings.model_dump(mode="json", by_alias=True),
         training=runs,
     )

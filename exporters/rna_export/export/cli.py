@@ -17,14 +17,24 @@ def parser() -> argparse.ArgumentParser:
         "    rna-export runs/helmet/best.ckpt --out helmet.rna",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    p.add_argument("checkpoints", nargs="+", type=Path, help="of rna-train, one a tier; the first "
-                   "is the package's default tier")
+    p.add_argument(
+        "checkpoints",
+        nargs="+",
+        type=Path,
+        help="of rna-train, one a tier; the first is the package's default tier",
+    )
     p.add_argument("--out", type=Path, required=True, help="the package to write")
-    p.add_argument("--dataset", type=Path,
-                   help="folder of rna-capture (default: where the first checkpoint was trained)")
+    p.add_argument(
+        "--dataset",
+        type=Path,
+        help="folder of rna-capture (default: where the first checkpoint was trained)",
+    )
     p.add_argument("--source", help="name, author and address of the original model")
-    p.add_argument("--license", default="NOASSERTION",
-                   help="SPDX expression of the asset's terms (default: %(default)s)")
+    p.add_argument(
+        "--license",
+        default="NOASSERTION",
+        help="SPDX expression of the asset's terms (default: %(default)s)",
+    )
     p.add_argument("--debug", action="store_true", help="show the traceback of an error")
     return p
 

@@ -71,7 +71,9 @@ class _Graph:
             self._constants,
         )
         opsets = [helper.make_opsetid("", OPSET)]
-        model = helper.make_model(graph, opset_imports=opsets, ir_version=8, producer_name="rna-export")
+        model = helper.make_model(
+            graph, opset_imports=opsets, ir_version=8, producer_name="rna-export"
+        )
         onnx.checker.check_model(model)
         return model.SerializeToString(deterministic=True)
 
@@ -79,7 +81,9 @@ class _Graph:
 @torch.no_grad()
 def check_decoder(decoder: bytes, model: NeuralAsset, seed: int = 0) -> Agreement:
     """Compare ONNX with PyTorch on random and extreme queries; `ExportError` beyond tolerance."""
-    queries = torch.cat([random_queries(model, _RANDOM_QUERIES, seed), extreme_queries(model, seed)])
+    queries = torch.cat(
+        [random_queries(model, _RANDOM_QUERIES, seed), extreme_queries(model, seed)]
+    )
     session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
     (found,) = session.run(["transport"], {"queries": queries.numpy()})
     expected = model.transport(model.decoder(queries)).numpy()
@@ -91,8 +95,9 @@ def check_decoder(decoder: bytes, model: NeuralAsset, seed: int = 0) -> Agreemen
     )
     if not np.all(difference <= ABSOLUTE + RELATIVE * np.abs(expected)):
         raise ExportError(
-            f"the ONNX decoder differs from PyTorch by up to {agreement.max_absolute:.2e} absolute, "
-            f"{agreement.max_relative:.2e} relative; expected at most {ABSOLUTE:g} + {RELATIVE:g} |x|"
+            f"the ONNX decoder differs from PyTorch by up to {agreement.max_absolute:.2e} "
+            f"absolute, {agreement.max_relative:.2e} relative; expected at most {ABSOLUTE:g} + "
+            f"{RELATIVE:g} |x|"
         )
     return agreement
 

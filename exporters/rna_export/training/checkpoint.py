@@ -43,9 +43,15 @@ def load_checkpoint(path: Path) -> Trained:
         model = NeuralAsset(preset.model, bounds)
         model.load_state_dict(weights)
         capture = CaptureManifest.model_validate(record["capture"])
-    except (KeyError, TypeError, ValueError, RuntimeError, EOFError, pickle.UnpicklingError) as error:
+        made = record["preset_name"], record["steps"], record["seed"]
+        dataset = Path(record["dataset"])
+    except (
+        KeyError,
+        TypeError,
+        ValueError,
+        RuntimeError,
+        EOFError,
+        pickle.UnpicklingError,
+    ) as error:
         raise ExportError(f"{path}: not a checkpoint of rna-train: {error}") from error
-    return Trained(
-        model.eval(), preset, record["preset_name"], record["steps"], record["seed"], capture,
-        Path(record["dataset"]),
-    )
+    return Trained(model.eval(), preset, *made, capture, dataset)

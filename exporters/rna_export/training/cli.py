@@ -23,18 +23,31 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--out", type=Path, required=True, help="folder for checkpoints, curves, images")
     p.add_argument("--preset", choices=PRESETS, default="small", help="(default: %(default)s)")
     length = p.add_mutually_exclusive_group()
-    length.add_argument("--minutes", type=float, help="length of the run (default: the preset's steps)")
-    length.add_argument("--steps", type=int, help="length of the run, exactly")
-    p.add_argument("--seed", type=int, default=0, help="a seed repeats a run (default: %(default)s)")
-    p.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto",
-                   help="(default: %(default)s, the GPU if there is one)")
+    length.add_argument(
+        "--minutes", type=float, help="length of the run (default: the preset's steps)"
+    )
+    length.add_argument("--steps", type=int, help="length, rounded up to a multiple of 10")
+    p.add_argument(
+        "--seed", type=int, default=0, help="a seed repeats a run (default: %(default)s)"
+    )
+    p.add_argument(
+        "--device",
+        choices=("auto", "cpu", "cuda"),
+        default="auto",
+        help="(default: %(default)s, the GPU if there is one)",
+    )
     p.add_argument("--debug", action="store_true", help="show the traceback of an error")
     return p
 
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
-    args = parser().parse_args(argv)
+    options = parser()
+    args = options.parse_args(argv)
+    for name in ("minutes", "steps"):
+        value = getattr(args, name)
+        if value is not None and not value > 0:
+            options.error(f"argument --{name}: expected more than 0, found {value:g}")
     return run_command(lambda: _run(args), args.debug)
 
 
@@ -42,9 +55,11 @@ def _run(args: argparse.Namespace) -> None:
     import torch
 
     from rna_export.capture.dataset import Dataset
+    from rna_export.memory import keep_freed_memory
     from rna_export.training.run import Run, train
     from rna_sdk.errors import TrainingError
 
+    keep_freed_memory()
     if args.device == "cuda" and not torch.cuda.is_available():
         raise TrainingError("--device cuda: torch finds no CUDA device here")
     device = args.device

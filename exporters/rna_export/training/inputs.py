@@ -9,7 +9,7 @@ from torch import Tensor
 def assemble(
     blocks: tuple[str, ...], features: Tensor, position: Tensor, n: Tensor, wo: Tensor, wi: Tensor
 ) -> Tensor:
-    """The decoder's input (k, K). `position` is 2 p - 1 in the bounds, (k, 3); the rest as named."""
+    """The decoder's input (k, K). `position`: 2 p - 1 in the bounds, (k, 3); others as named."""
     return torch.cat([_BLOCKS[b](features, position, n, wo, wi) for b in blocks], dim=1)
 
 

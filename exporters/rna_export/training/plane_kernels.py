@@ -15,8 +15,9 @@ _compiled = njit(cache=True, parallel=True, fastmath={"contract", "reassoc"})
 @njit(cache=True, inline="always")
 def _footprint(coordinate, resolution):
     """First texel of two and the weight of the second, for a coordinate in [0, 1]."""
-    texel = min(max(coordinate * resolution - np.float32(0.5), np.float32(0.0)),
-                np.float32(resolution - 1))
+    texel = min(
+        max(coordinate * resolution - np.float32(0.5), np.float32(0.0)), np.float32(resolution - 1)
+    )
     first = min(int(texel), resolution - 2)
     return first, texel - np.float32(first)
 
@@ -32,7 +33,9 @@ def gather(planes, p, features):
             row, v = _footprint(p[i, (k + 1) % 3], resolution)
             for c in range(channels):
                 top = planes[k, row, column, c] * (1 - u) + planes[k, row, column + 1, c] * u
-                low = planes[k, row + 1, column, c] * (1 - u) + planes[k, row + 1, column + 1, c] * u
+                low = (
+                    planes[k, row + 1, column, c] * (1 - u) + planes[k, row + 1, column + 1, c] * u
+                )
                 features[i, c] += top * (1 - v) + low * v
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import shutil
 import time
 import warnings
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import lightning
+import numpy as np
 import torch
 from lightning.pytorch.callbacks import Callback, ModelCheckpoint, TQDMProgressBar
 from lightning.pytorch.loggers import CSVLogger
@@ -25,6 +27,7 @@ from rna_export.training.samples import SampleTable, columns
 from rna_sdk.errors import TrainingError
 
 _VALIDATIONS = 10  # a run
+_MEASURED_SECONDS = 5.0  # to find how many steps fit into --minutes
 
 
 @dataclass(frozen=True)
@@ -51,26 +54,40 @@ def train(run: Run) -> Path:
     bounds = padded_bounds(run.dataset)
     # Nothing brighter than the training data: a network asked beyond it may answer anything.
     ceiling = 1.5 * float(samples["radiance"].max())
-    table = SampleTable(samples, run.preset.training.batch, run.seed, run.device)
-    del samples
     last = run.out / "last.ckpt"
-    steps = _continued_steps(last, run) or _steps(run, table, bounds)
+    saved = _continued(last, run)
+    done = int(saved["global_step"]) if saved else 0
+    table = SampleTable(samples, run.preset.training.batch, run.seed, run.device, done)
+    del samples
+    steps = int(saved["hyper_parameters"]["steps"]) if saved else _steps(run, table, bounds)
     print(_plan(run, len(table), steps))
     torch.manual_seed(run.seed)
     module = NeuralAssetTraining(
-        run.preset, bounds, ceiling, steps, run.dataset.validation_views(), run.out, _record(run, steps)
+        run.preset,
+        bounds,
+        ceiling,
+        steps,
+        run.dataset.validation_views(),
+        run.out,
+        _record(run, steps),
     )
     checkpoints = ModelCheckpoint(
         run.out, "{step}-{psnr:.2f}", monitor="psnr", mode="max", save_top_k=3, save_last=True
     )
-    trainer = _trainer(run, steps, checkpoints)
+    trainer = _trainer(run, steps, checkpoints, _earlier_curves(run.out, done))
     loader = DataLoader(table, batch_size=None)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", module="lightning|torch")
-        trainer.fit(module, loader, DataLoader([0]), ckpt_path=last if last.is_file() else None,
-                    weights_only=True)
-    if trainer.interrupted:
-        raise KeyboardInterrupt
+        try:
+            trainer.fit(
+                module,
+                loader,
+                DataLoader([0]),
+                ckpt_path=last if saved else None,
+                weights_only=True,
+            )
+        except SystemExit:  # how Lightning ends a fit that Ctrl-C stopped
+            raise KeyboardInterrupt from None
     shutil.copyfile(checkpoints.best_model_path, run.out / "best.ckpt")
     draw_curves(run.out)
     return run.out / "best.ckpt"
@@ -84,7 +101,23 @@ def padded_bounds(dataset: Dataset) -> torch.Tensor:
     return torch.stack([centre - half, centre + half])
 
 
-def _trainer(run: Run, steps: int, checkpoints: ModelCheckpoint) -> lightning.Trainer:
+class _Bar(TQDMProgressBar):
+    """One bar for the run; the short validations show none."""
+
+    def init_validation_tqdm(self) -> Any:
+        bar = super().init_validation_tqdm()
+        bar.disable = True
+        return bar
+
+
+def _trainer(
+    run: Run, steps: int, checkpoints: ModelCheckpoint, earlier: list[dict[str, float]]
+) -> lightning.Trainer:
+    logger = CSVLogger(run.out, name="", version="", flush_logs_every_n_steps=500)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Experiment logs directory")
+        logger.experiment.metrics = earlier  # it begins by deleting the file of the stopped run
+
     class Curves(Callback):
         def on_validation_end(self, trainer: lightning.Trainer, _: Any) -> None:
             if not trainer.sanity_checking:
@@ -98,8 +131,8 @@ def _trainer(run: Run, steps: int, checkpoints: ModelCheckpoint) -> lightning.Tr
         val_check_interval=max(1, steps // _VALIDATIONS),
         check_val_every_n_epoch=None,
         num_sanity_val_steps=0,
-        callbacks=[checkpoints, TQDMProgressBar(refresh_rate=20), Curves()],
-        logger=CSVLogger(run.out, name="", version="", flush_logs_every_n_steps=500),
+        callbacks=[checkpoints, _Bar(refresh_rate=20), Curves()],
+        logger=logger,
         log_every_n_steps=20,
         enable_model_summary=False,
     )
@@ -107,19 +140,18 @@ def _trainer(run: Run, steps: int, checkpoints: ModelCheckpoint) -> lightning.Tr
 
 def _steps(run: Run, table: SampleTable, bounds: torch.Tensor) -> int:
     if run.minutes is None:
-        return run.preset.training.steps
+        return _VALIDATIONS * -(-run.preset.training.steps // _VALIDATIONS)
     seconds = 0.2 * _seconds_a_step(run, table, bounds, run.preset.training.blur)
     seconds += 0.8 * _seconds_a_step(run, table, bounds, blur=1.0)
-    return max(_VALIDATIONS, int(60.0 * run.minutes / seconds))
+    return _VALIDATIONS * max(1, int(60.0 * run.minutes / seconds / _VALIDATIONS))
 
 
 def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: float) -> float:
-    """Measured on a model that is thrown away."""
+    """Measured on a model that is thrown away, once caches and thread pools are warm."""
     model = NeuralAsset(run.preset.model, bounds).to(run.device)
     optimizer = torch.optim.Adam(model.parameters(), fused=True)
-    seconds = []
-    for _, rows in zip(range(8), table, strict=False):
-        start = time.perf_counter()
+    begun, ends = time.perf_counter(), []
+    for rows in table:
         at = columns(rows)
         y = model(at["position"], at["normal"], at["wo"], at["wi"], blur)[:, 0]
         optimizer.zero_grad()
@@ -127,8 +159,10 @@ def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: fl
         loss.backward()
         optimizer.step()
         loss.item()
-        seconds.append(time.perf_counter() - start)
-    return sorted(seconds[2:])[len(seconds[2:]) // 2]
+        ends.append(time.perf_counter() - begun)
+        if len(ends) > 8 and ends[-1] > _MEASURED_SECONDS:
+            return float(np.median(np.diff(ends[len(ends) // 2 :])))
+    raise AssertionError("batches never end")
 
 
 def _record(run: Run, steps: int) -> dict[str, Any]:
@@ -142,23 +176,43 @@ def _record(run: Run, steps: int) -> dict[str, Any]:
     }
 
 
-def _continued_steps(last: Path, run: Run) -> int | None:
+def _continued(last: Path, run: Run) -> dict[str, Any] | None:
+    """The checkpoint to go on from, if there is one; `TrainingError` when it is of another run."""
     if not last.is_file():
         return None
-    saved = torch.load(last, map_location="cpu", weights_only=True)["hyper_parameters"]
-    if saved["preset"] != run.preset.model_dump(mode="json") or saved["seed"] != run.seed:
-        raise TrainingError(
-            f"{last} belongs to a run of preset {saved['preset_name']!r} with seed "
-            f"{saved['seed']}, found {run.preset_name!r} with seed {run.seed}: choose another --out"
-        )
-    return int(saved["steps"])
+    saved = torch.load(last, map_location="cpu", weights_only=True)
+    begun, preset = saved["hyper_parameters"], run.preset.model_dump(mode="json")
+    capture = run.dataset.manifest.model_dump(mode="json", by_alias=True)
+    for what, before, now in (
+        ("preset", begun["preset_name"], run.preset_name),
+        ("seed", begun["seed"], run.seed),
+        ("steps", begun["preset"]["training"]["steps"], run.preset.training.steps),
+        ("model or training", begun["preset"], preset),
+        ("dataset", begun["capture"], capture),
+    ):
+        if before != now:
+            told = f" {before}, found {now}" if isinstance(now, str | int) else ""
+            raise TrainingError(
+                f"{last} belongs to a run with another {what}{told}: choose another --out"
+            )
+    return saved
+
+
+def _earlier_curves(folder: Path, done: int) -> list[dict[str, float]]:
+    """Rows of `metrics.csv` from before the checkpoint; later ones come again."""
+    path = folder / "metrics.csv"
+    if not path.is_file():
+        return []
+    with path.open(newline="") as file:
+        rows = [{k: float(v) for k, v in row.items() if v} for row in csv.DictReader(file)]
+    return [{**row, "step": int(row["step"])} for row in rows if row["step"] < done]
 
 
 def _plan(run: Run, samples: int, steps: int) -> str:
     model, training = run.preset.model, run.preset.training
     return (
-        f"{run.preset_name}: {model.hidden_layers} x {model.width}, planes 3 x {model.resolution}^2 x "
-        f"{model.channels}, inputs {', '.join(model.inputs)}\n"
+        f"{run.preset_name}: {model.hidden_layers} x {model.width}, planes 3 x "
+        f"{model.resolution}^2 x {model.channels}, inputs {', '.join(model.inputs)}\n"
         f"{samples / 1e6:.2f} M samples, {steps:,} steps of {training.batch:,} = "
         f"{steps * training.batch / samples:.1f} epochs"
     )

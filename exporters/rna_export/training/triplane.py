@@ -108,8 +108,10 @@ class _Blur(torch.autograd.Function):
     def forward(ctx, planes: Tensor, footprint: float) -> Tensor:
         kernel = _blur_kernel(footprint)
         ctx.kernel = kernel
-        inside = np.convolve(np.ones(planes.shape[1], np.float32), kernel, mode="same")
-        ctx.normalise = torch.from_numpy(1.0 / np.outer(inside, inside).astype(np.float32))[..., None]
+        # What of the kernel lies inside the plane, at each place along an axis.
+        inside = np.convolve(np.ones(planes.shape[1]), kernel)[len(kernel) // 2 :][: planes.shape[1]]
+        normalise = (1.0 / np.outer(inside, inside)).astype(np.float32)
+        ctx.normalise = torch.from_numpy(normalise)[..., None]
         return _convolved(planes.detach(), kernel) * ctx.normalise
 
     @staticmethod
