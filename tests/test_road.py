@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -86,3 +87,14 @@ def test_from_a_scene_to_a_relit_image(tmp_path: Path, blender_python: Path) -> 
     correlation = np.corrcoef(ours[inside][:, :3].ravel(), cycles[inside][:, :3].ravel())[0, 1]
     assert correlation > 0.97
     assert (tmp_path / "out.png").stat().st_size > 1000
+    compare(package, source, tmp_path / "compare")
+
+
+def compare(package: Path, source: Path, page: Path) -> None:
+    """The nine standard pictures agree, too; the camera below the hemisphere is not among them."""
+    small = ["--resolution", 40, "--samples", 4, "--cycles-samples", 16]
+    assert "index.html" in command("rna-compare", package, source, "--out", page, *small)
+    results = json.loads((page / "results.json").read_text())
+    assert len(results["pictures"]) == 9
+    assert results["psnr"] > 22.0
+    assert (page / "sheet.png").is_file()

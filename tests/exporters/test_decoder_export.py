@@ -30,6 +30,7 @@ def make_model(preset: str = "small") -> NeuralAsset:
     torch.manual_seed(0)
     model = NeuralAsset(tiny(preset).model, BOUNDS).eval()
     model.ceiling.fill_(12.5)
+    model.unit.fill_(0.4)
     model.triplane.planes.data.normal_()
     model.decoder[-1].weight.data *= 6.0
     return model
@@ -86,8 +87,9 @@ def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
         lambda m: m.decoder[2].bias.data[1].sub_(0.3),
         lambda m: m.decoder[-1].bias.data.copy_(m.decoder[-1].bias.data.flip(0) + 0.02),
         lambda m: m.ceiling.fill_(9.0),
+        lambda m: m.unit.fill_(0.41),
     ],
-    ids=["weight", "bias", "outputs swapped", "ceiling"],
+    ids=["weight", "bias", "outputs swapped", "ceiling", "unit"],
 )
 def test_another_decoder_is_refused(change) -> None:
     model = make_model()

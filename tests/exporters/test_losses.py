@@ -30,6 +30,15 @@ def test_the_target_itself_has_no_loss() -> None:
     assert settle(target[:1, :1]) == pytest.approx(target[0, 0].item(), abs=1e-3)
 
 
+def test_the_unit_scales_what_counts_as_bright() -> None:
+    target = torch.rand(50, 3, generator=torch.Generator().manual_seed(1))
+    unit = torch.tensor(0.05)
+    assert log_l2(torch.log1p(target / unit), target, unit).item() < 1e-12
+    dark, error = torch.tensor(0.01), 0.005
+    small = log_l2(torch.log1p(dark + error), dark)
+    assert log_l2(torch.log1p((dark + error) / unit), dark, unit) > 100.0 * small
+
+
 @pytest.mark.parametrize("deviation", [0.1, 0.2])
 def test_noise_darkens_by_half_its_variance(deviation: float) -> None:
     noise = torch.randn(20_000, generator=torch.Generator().manual_seed(0))

@@ -194,6 +194,12 @@ def test_the_ceiling_is_above_all_that_was_seen(trained: Path, dataset: Dataset)
     assert load_checkpoint(trained / "best.ckpt").model.ceiling.item() == pytest.approx(1.5 * seen)
 
 
+def test_the_unit_is_the_median_of_what_is_lit(trained: Path, dataset: Dataset) -> None:
+    samples = dataset.training_samples()
+    median = float(np.median(samples["radiance"][samples["visible"] > 0]))
+    assert load_checkpoint(trained / "best.ckpt").model.unit.item() == pytest.approx(median)
+
+
 def test_bounds_hold_the_geometry_and_are_never_flat(dataset: Dataset) -> None:
     low, high = padded_bounds(dataset)
     assert torch.all(low < -1.0) and torch.all(high > 1.0) and torch.all(high < 1.1)

@@ -75,9 +75,7 @@ def build_package(
 def _check_together(trained: list[Trained], dataset: Dataset) -> None:
     names = [one.preset_name for one in trained]
     if len(set(names)) < len(names):
-        raise ExportError(
-            f"found presets {', '.join(names)}, expected each once"
-        )
+        raise ExportError(f"found presets {', '.join(names)}, expected each once")
     for one in trained:
         if one.capture.source_sha256 != dataset.manifest.source_sha256:
             raise ExportError(

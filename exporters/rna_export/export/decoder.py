@@ -37,8 +37,9 @@ def export_decoder(model: NeuralAsset) -> bytes:
             value = graph.add("Gemm", [value, graph.constant(weight), graph.constant(bias)])
         else:
             value = graph.add("Relu", [value])
-    y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling)))
-    graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)], "transport")
+    y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling / model.unit)))
+    x = graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)])
+    graph.add("Mul", [x, graph.constant(float(model.unit))], "transport")
     return graph.serialize(model.decoder[0].in_features)
 
 

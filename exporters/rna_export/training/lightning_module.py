@@ -26,6 +26,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         preset: Preset,
         bounds: Tensor,
         ceiling: float,
+        unit: float,
         steps: int,
         views: list[ValidationView],
         out: Path,
@@ -35,6 +36,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         self.save_hyperparameters({"preset": preset.model_dump(mode="json"), **record})
         self.model = NeuralAsset(preset.model, bounds)
         self.model.ceiling.fill_(ceiling)
+        self.model.unit.fill_(unit)
         self._config, self._steps = preset.training, steps
         self._views, self._out = views, out
 
@@ -49,7 +51,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * self.progress)
         both = self.model(at["position"], at["normal"], at["wo"], at["wi"], blur)
         y = torch.where(at["visible"][:, None] > 0.5, both[:, 0], both[:, 1])
-        loss = log_l2(y, at["radiance"])
+        loss = log_l2(y, at["radiance"], self.model.unit)
         self.log("loss", loss)
         return loss
 

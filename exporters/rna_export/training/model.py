@@ -14,7 +14,8 @@ from rna_sdk.package import query_width
 class NeuralAsset(nn.Module):
     """T(x, wo, wi) as a triplane and an MLP with two RGB outputs (the paper, section 3).
 
-    The decoder's last layer gives y = log(x + 1); `transport` inverts that. `bounds`: (2, 3).
+    The decoder's last layer gives y = log(x / unit + 1); `transport` inverts that. `bounds` is
+    (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our presets.
     `ceiling` bounds what it can answer: nothing brighter was seen in training.
     """
 
@@ -29,11 +30,12 @@ class NeuralAsset(nn.Module):
             columns = width
         self.decoder = nn.Sequential(*layers, nn.Linear(columns, 6))
         self.register_buffer("ceiling", torch.tensor(100.0))
+        self.register_buffer("unit", torch.tensor(1.0))
 
     def forward(
         self, position: Tensor, n: Tensor, wo: Tensor, wi: Tensor, blur: float = 1.0
     ) -> Tensor:
-        """y = log(x + 1) of both outputs, (k, 2, 3): visible, shadowed. Inputs (k, 3) each."""
+        """y = log(x / unit + 1), (k, 2, 3): visible, shadowed. Inputs (k, 3) each."""
         return self.decoder(self.queries(position, n, wo, wi, blur)).view(-1, 2, 3)
 
     def queries(
@@ -46,5 +48,6 @@ class NeuralAsset(nn.Module):
         return assemble(self.config.inputs, features, 2.0 * p - 1.0, n, wo, wi)
 
     def transport(self, y: Tensor) -> Tensor:
-        """Radiance from y: the inverse of log(x + 1), between 0 and the ceiling."""
-        return torch.expm1(y.clamp(min=0.0)).minimum(self.ceiling)
+        """Radiance from y: the inverse of log(x / unit + 1), between 0 and the ceiling."""
+        highest = torch.log1p(self.ceiling / self.unit)
+        return self.unit * torch.expm1(y.clamp(min=0.0).minimum(highest))

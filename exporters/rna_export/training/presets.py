@@ -34,6 +34,10 @@ class TrainingConfig(BaseModel):
     schedule: Literal["halving", "cosine"] = Field(
         description="halving: by half every fifth of the run (the paper's). cosine: to zero"
     )
+    unit: Literal["one", "usual"] = Field(
+        description="radiance that the loss calls 1, in log(x / unit + 1). one: the paper's. "
+        "usual: the asset's median lit radiance, so that dark materials count"
+    )
     blur: float = Field(
         description="footprint in texels that planes are blurred with at first; decays to 1, "
         "no blur, over the first fifth of the run"
@@ -64,6 +68,7 @@ def _paper(width: int) -> Preset:
             learning_rate=1e-3,
             plane_learning_rate=1e-3,
             schedule="halving",
+            unit="one",
             blur=4.0,
         ),
     )
@@ -78,6 +83,7 @@ def _ours(width: int, steps: int, learning_rate: float) -> Preset:
             learning_rate=learning_rate,
             plane_learning_rate=1e-2,
             schedule="cosine",
+            unit="usual",
             blur=4.0,
         ),
     )

@@ -54,6 +54,7 @@ def train(run: Run) -> Path:
     bounds = padded_bounds(run.dataset)
     # Nothing brighter than the training data: a network asked beyond it may answer anything.
     ceiling = 1.5 * float(samples["radiance"].max())
+    unit = usual_radiance(samples) if run.preset.training.unit == "usual" else 1.0
     last = run.out / "last.ckpt"
     saved = _continued(last, run)
     done = int(saved["global_step"]) if saved else 0
@@ -66,6 +67,7 @@ def train(run: Run) -> Path:
         run.preset,
         bounds,
         ceiling,
+        unit,
         steps,
         run.dataset.validation_views(),
         run.out,
@@ -91,6 +93,12 @@ def train(run: Run) -> Path:
     shutil.copyfile(checkpoints.best_model_path, run.out / "best.ckpt")
     draw_curves(run.out)
     return run.out / "best.ckpt"
+
+
+def usual_radiance(samples: dict[str, np.ndarray]) -> float:
+    """The median over samples that see their light: highlights are far above it, shadows below."""
+    lit = samples["radiance"][samples["visible"] > 0]
+    return max(float(np.median(lit)), 1e-4) if len(lit) else 1.0
 
 
 def padded_bounds(dataset: Dataset) -> torch.Tensor:
@@ -155,7 +163,7 @@ def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: fl
         at = columns(rows)
         y = model(at["position"], at["normal"], at["wo"], at["wi"], blur)[:, 0]
         optimizer.zero_grad()
-        loss = log_l2(y, at["radiance"])
+        loss = log_l2(y, at["radiance"], model.unit)
         loss.backward()
         optimizer.step()
         loss.item()

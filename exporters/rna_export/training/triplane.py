@@ -109,7 +109,8 @@ class _Blur(torch.autograd.Function):
         kernel = _blur_kernel(footprint)
         ctx.kernel = kernel
         # What of the kernel lies inside the plane, at each place along an axis.
-        inside = np.convolve(np.ones(planes.shape[1]), kernel)[len(kernel) // 2 :][: planes.shape[1]]
+        ones = np.ones(planes.shape[1])
+        inside = np.convolve(ones, kernel)[len(kernel) // 2 :][: len(ones)]
         normalise = (1.0 / np.outer(inside, inside)).astype(np.float32)
         ctx.normalise = torch.from_numpy(normalise)[..., None]
         return _convolved(planes.detach(), kernel) * ctx.normalise

@@ -1,0 +1,67 @@
+"""The standard pictures of a comparison, and its page."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_export.compare.page import write_page
+from rna_export.compare.run import Pair
+from rna_export.compare.views import Shot, shots
+from rna_export.metrics import flip, psnr
+
+CORNERS = np.float32([[-1, 0, -2], [1, 3, 2], [0, 1, 0], [-1, 3, 2]])
+
+
+def test_nine_pictures_three_cameras_by_three_lights() -> None:
+    pictures = shots(CORNERS, 32, 0.0)
+    assert len(pictures) == 9
+    assert len({tuple(shot.eye) for shot in pictures}) == 3
+    assert all(abs(np.linalg.norm(shot.wi) - 1.0) < 1e-6 for shot in pictures)
+
+
+def test_every_full_view_holds_the_whole_asset() -> None:
+    for shot in shots(CORNERS, 32, 70.0)[:6]:
+        local = np.c_[CORNERS, np.ones(4)] @ np.linalg.inv(shot.to_world).T
+        extent = np.abs(local[:, :2]) / -local[:, 2:3]
+        assert extent.max() < np.tan(np.radians(15.0))
+
+
+def test_the_camera_matrix_is_a_rotation_that_looks_at_the_target() -> None:
+    shot = shots(CORNERS, 32, 10.0)[0]
+    turn = shot.to_world[:3, :3]
+    np.testing.assert_allclose(turn @ turn.T, np.eye(3), atol=1e-12)
+    assert np.linalg.det(turn) == pytest.approx(1.0)
+    forward = (shot.target - shot.eye) / np.linalg.norm(shot.target - shot.eye)
+    np.testing.assert_allclose(-turn[:, 2], forward, atol=1e-12)
+
+
+def test_turning_the_front_turns_eye_and_light_alike() -> None:
+    before, after = shots(CORNERS, 32, 0.0)[0], shots(CORNERS, 32, 90.0)[0]
+    centre = (CORNERS.min(axis=0) + CORNERS.max(axis=0)) / 2
+    turned = np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]])  # +Z to +X
+    np.testing.assert_allclose(after.wi, turned @ before.wi, atol=1e-12)
+    np.testing.assert_allclose(after.eye - centre, turned @ (before.eye - centre), atol=1e-9)
+
+
+def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
+    pairs = [_pair(shot, k) for k, shot in enumerate(shots(CORNERS, 16, 0.0)[:2])]
+    write_page(tmp_path, "a <b>", pairs, {"samples": 4})
+    results = json.loads((tmp_path / "results.json").read_text())
+    assert results["psnr"] == pytest.approx(np.mean([p.psnr for p in pairs]))
+    assert [p["name"] for p in results["pictures"]] == [p.shot.name for p in pairs]
+    page = (tmp_path / "index.html").read_text()
+    assert "a &lt;b&gt;" in page
+    for name in ("0-ours.png", "1-cycles.png", "1-difference.png", "0-flip.png"):
+        assert name in page
+        assert (tmp_path / name).is_file()
+
+
+def _pair(shot: Shot, seed: int) -> Pair:
+    rng = np.random.default_rng(seed)
+    ours, cycles = rng.random((2, 16, 16, 3), dtype=np.float32) * 0.3
+    mean, error = flip(ours, cycles)
+    return Pair(shot, ours, cycles, error, psnr(ours, cycles), mean, 0.5, 1.0)
