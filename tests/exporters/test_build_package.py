@@ -140,7 +140,7 @@ def refusal(capsys, *arguments: object) -> str:
 
 def test_the_same_preset_twice_is_refused(exported: Exported, tmp_path: Path, capsys) -> None:
     one = exported.checkpoints["small"]
-    assert "only once" in refusal(capsys, one, one, "--out", tmp_path / "x.rna")
+    assert "expected each once" in refusal(capsys, one, one, "--out", tmp_path / "x.rna")
     assert not (tmp_path / "x.rna").exists()
 
 

@@ -66,7 +66,7 @@ def state(out: Path) -> dict[str, tuple[int, bytes]]:
     return {
         str(path.relative_to(out)): (path.stat().st_mtime_ns, path.read_bytes())
         for path in sorted(out.rglob("*"))
-        if path.is_file() and not path.name.endswith(".part")
+        if path.is_file() and path.suffix != ".part" and "scratch" not in path.parts
     }
 
 
@@ -110,7 +110,7 @@ def test_kill_minus_9_keeps_finished_shards(
     assert {name: resumed[name] for name in killed} == killed
     whole = {name: data for name, (_, data) in state(uninterrupted).items()}
     assert {name: data for name, (_, data) in resumed.items()} == whole
-    assert not list(out.rglob("*.part"))
+    assert not list(out.rglob("*.part")) and not (out / "scratch").exists()
 
 
 def test_ctrl_c_stops_soon_and_can_be_continued(

@@ -17,7 +17,7 @@ BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
 def gradient_of_the_outputs(preset: str, visible: float, monkeypatch) -> tuple[float, float]:
     """Largest gradient at the last layer's rows of the visible and of the shadowed output."""
     torch.manual_seed(0)
-    module = NeuralAssetTraining(tiny(preset), BOUNDS, 1.0, 100, [], Path(), {})
+    module = NeuralAssetTraining(tiny(preset), BOUNDS, 1.0, 1.0, 100, [], Path(), {})
     monkeypatch.setattr(module, "log", lambda *_, **__: None)
     monkeypatch.setattr(NeuralAssetTraining, "global_step", 0)
     rows = torch.rand(64, 16)
