@@ -26,7 +26,10 @@ def main() -> None:
     args = _parser().parse_args()
     dataset = Dataset(args.dataset)
     results = {
-        "dataset": dataset.manifest.model_dump(mode="json", by_alias=True),
+        # What a source that is a script was given are paths of one machine.
+        "dataset": dataset.manifest.model_dump(
+            mode="json", by_alias=True, exclude={"arguments"}
+        ),
         "psnr": PSNR_DEFINITION,
         "flip": FLIP_DEFINITION,
         "minutes": args.minutes,
