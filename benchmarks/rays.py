@@ -67,7 +67,7 @@ def arguments() -> argparse.Namespace:
         epilog="example: python benchmarks/rays.py --out rays.json",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
-    parser.add_argument("--rays", type=int, default=2**21, help="rays a run")
+    parser.add_argument("--rays", type=int, default=2**18, help="rays a run")
     parser.add_argument("--repeats", type=int, default=9, help="runs that a median is taken of")
     parser.add_argument("--out", type=Path, help="file for the JSON")
     return parser.parse_args()
