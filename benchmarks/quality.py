@@ -27,9 +27,7 @@ def main() -> None:
     dataset = Dataset(args.dataset)
     results = {
         # What a source that is a script was given are paths of one machine.
-        "dataset": dataset.manifest.model_dump(
-            mode="json", by_alias=True, exclude={"arguments"}
-        ),
+        "dataset": dataset.manifest.model_dump(mode="json", by_alias=True, exclude={"arguments"}),
         "psnr": PSNR_DEFINITION,
         "flip": FLIP_DEFINITION,
         "minutes": args.minutes,

@@ -25,6 +25,21 @@ def vectors(name: str, value: object, count: int | None = None) -> NDArray[np.fl
     return np.require(value, requirements=["C", "ALIGNED"])
 
 
+def results(value: object, count: int) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """`value` as a pair of arrays that `count` rows of results can be written into.
+
+    Raises:
+        QueryError: it is no such pair.
+    """
+    if not isinstance(value, tuple) or len(value) != 2:
+        raise QueryError(f"out: expected a pair of arrays, found {type(value).__name__}")
+    for name, array in zip(("out[0]", "out[1]"), value, strict=True):
+        vectors(name, array, count)
+        if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):
+            raise QueryError(f"{name}: expected a C-contiguous array that can be written")
+    return value
+
+
 def thread_count(threads: int | None) -> int:
     """The number of threads to use: `threads`, or one for each core this process may use.
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Package, Tier
-from rna_sdk.runtime.arguments import thread_count, vectors
+from rna_sdk.runtime.arguments import results, thread_count, vectors
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.tiers import choose_tier
 from rna_sdk.runtime.tiles import Batch, QueryFiller, TileEvaluator
@@ -68,13 +68,15 @@ class Asset:
         normals: NDArray[np.float32],
         wo: NDArray[np.float32],
         wi: NDArray[np.float32],
+        out: tuple[NDArray[np.float32], NDArray[np.float32]] | None = None,
     ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Transport at surface points: radiance towards wo under irradiance 1 from wi.
 
         positions: metres. normals: of the surface. wo, wi: where light goes to and comes from,
         both away from the surface. All (n, 3) float32, object space; n may be 0. Vectors of
         another length than 1 are brought to it; positions outside the bounds are moved to
-        their nearest point on them.
+        their nearest point on them. out: two C-contiguous (n, 3) float32 arrays to write the
+        result into and return, which saves large batches the cost of fresh memory.
 
         Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and never negative:
         for the case that the asset itself does not, or does, block the ray from the position
@@ -83,13 +85,17 @@ class Asset:
         it comes and for any number of threads.
 
         Raises:
-            QueryError: an argument is not an (n, 3) float32 array, or they differ in n.
+            QueryError: an argument is not an (n, 3) float32 array, or they differ in n; `out`
+                cannot be written as it is.
         """
         positions = vectors("positions", positions)
         count = len(positions)
         normals = vectors("normals", normals, count)
         wo = vectors("wo", wo, count)
         wi = vectors("wi", wi, count)
-        visible, shadowed = np.empty((2, count, 3), np.float32)
+        if out is None:
+            visible, shadowed = np.empty((2, count, 3), np.float32)
+        else:
+            visible, shadowed = results(out, count)
         self._evaluator.run(Batch(positions, normals, wo, wi, visible, shadowed))
         return visible, shadowed

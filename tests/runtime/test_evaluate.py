@@ -173,3 +173,26 @@ def test_arrays_with_gaps_and_read_only_arrays_are_taken(asset: Asset) -> None:
     for array in points:
         array.flags.writeable = False
     np.testing.assert_array_equal(both(asset, points), expected)
+
+
+def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
+    points = random_points(5000)
+    out = np.full((5000, 3), np.nan, np.float32), np.full((5000, 3), np.nan, np.float32)
+    returned = asset.evaluate(*points, out=out)
+    assert returned[0] is out[0] and returned[1] is out[1]
+    for written, fresh in zip(out, asset.evaluate(*points), strict=True):
+        np.testing.assert_array_equal(written, fresh)
+
+
+@pytest.mark.parametrize(
+    ("bad", "found"),
+    [
+        (np.zeros((7, 3), np.float32), "found ndarray"),
+        ((np.zeros((7, 3), np.float32), np.zeros((6, 3), np.float32)), r"out\[1\]: .*\(6, 3\)"),
+        ((np.zeros((7, 3)), np.zeros((7, 3), np.float32)), r"out\[0\]: .*float64"),
+        ((np.zeros((7, 6), np.float32)[:, ::2], np.zeros((7, 3), np.float32)), "contiguous"),
+    ],
+)
+def test_results_that_cannot_be_written_are_refused(asset: Asset, bad: object, found: str) -> None:
+    with pytest.raises(QueryError, match=found):
+        asset.evaluate(*random_points(7), out=bad)
