@@ -12,6 +12,8 @@ class Camera:
     """World-space rays through the pixels of an image; row 0 is at the top.
 
     model: where it stands and looks. resolution: width, height in pixels.
+
+    to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up.
     """
 
     def __init__(self, model: CameraModel, resolution: tuple[int, int]) -> None:
@@ -20,6 +22,8 @@ class Camera:
         forward = _unit(np.subtract(model.look_at, model.position))
         right = _unit(np.cross(forward, model.up))
         up = np.cross(right, forward)
+        self.to_world = np.eye(4)
+        self.to_world[:3] = np.stack([right, up, -forward, model.position], axis=1)
         half_height = np.tan(np.radians(model.vertical_fov_deg) / 2.0)
         half_width = half_height * self.width / self.height
         # Direction through the image's top left corner, and the steps of a pixel.

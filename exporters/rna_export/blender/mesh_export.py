@@ -7,7 +7,7 @@ import numpy as np
 def export_mesh(path):
     """Write an .npz with `positions`, `normals` (3t, 3), `uvs` (3t, 2) and `has_uv`.
 
-    One row a triangle corner, world space, glTF axes (+Y up), float32.
+    One row a triangle corner, world space, Blender's axes, float32.
     """
     corners = [_corners(instance) for instance in _mesh_instances()]
     if not corners:
@@ -21,11 +21,6 @@ def export_mesh(path):
         has_uv=all(has_uv),
     )
     return {"triangles": int(sum(len(p) for p in positions) // 3)}
-
-
-def to_gltf_axes(vectors):
-    """Blender (x, y, z), +Z up, to glTF (x, z, -y), +Y up."""
-    return np.stack([vectors[:, 0], vectors[:, 2], -vectors[:, 1]], axis=1).astype(np.float32)
 
 
 def _mesh_instances():
@@ -68,7 +63,7 @@ def _place(positions, normals, matrix):
     if np.linalg.det(matrix[:3, :3].astype(np.float64)) < 0:  # a mirrored object keeps its outside
         world = world.reshape(-1, 3, 3)[:, ::-1].reshape(-1, 3)
         turned = turned.reshape(-1, 3, 3)[:, ::-1].reshape(-1, 3)
-    return to_gltf_axes(world), to_gltf_axes(turned)
+    return world.astype(np.float32), turned.astype(np.float32)
 
 
 def _read(collection, attribute, size, dtype=np.float32):

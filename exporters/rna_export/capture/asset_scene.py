@@ -5,9 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import trimesh
 
 from rna_render.embree import TriangleScene
-from rna_render.surface import interpolate_normals, interpolate_positions, visible
+from rna_render.surface import (
+    geometric_normals,
+    interpolate_normals,
+    interpolate_positions,
+    visible,
+)
 from rna_sdk.package import Mesh
 
 
@@ -28,11 +34,10 @@ class AssetScene:
     def __init__(self, mesh: Mesh):
         self.mesh = mesh
         self._scene = TriangleScene([(mesh.positions, mesh.triangles)])
-        corners = mesh.positions[mesh.triangles].astype(np.float64)
-        cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        length = np.linalg.norm(cross, axis=1)
-        self._area_cdf = np.cumsum(length) / length.sum()
-        self._geometric = (cross / np.maximum(length, 1e-30)[:, None]).astype(np.float32)
+        area = trimesh.triangles.area(mesh.positions[mesh.triangles].astype(np.float64))
+        self._area_cdf = np.cumsum(area) / area.sum()
+        every = np.arange(len(mesh.triangles), dtype=np.int32)
+        self._geometric = geometric_normals(mesh.positions, mesh.triangles, every)
         low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
         self.centre = ((low + high) / 2).astype(np.float32)
         self.radius = float(np.linalg.norm(mesh.positions - self.centre, axis=1).max())

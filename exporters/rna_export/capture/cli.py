@@ -20,18 +20,18 @@ from rna_export.memory import keep_freed_memory
 from rna_sdk.errors import CaptureError
 
 _SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".py")
-_OPTIONS = {  # option -> field of CaptureSettings
-    "samples": "samples",
-    "rays": "rays",
-    "lights": "lights",
-    "domain": "domain",
-    "clamp_direct": "clamp_direct",
-    "clamp_indirect": "clamp_indirect",
-    "validation_views": "validation_views",
-    "validation_resolution": "validation_resolution",
-    "validation_samples": "validation_samples",
-    "seed": "seed",
-}
+_OPTIONS = (  # fields of CaptureSettings
+    "samples",
+    "rays",
+    "lights",
+    "domain",
+    "clamp_direct",
+    "clamp_indirect",
+    "validation_views",
+    "validation_resolution",
+    "validation_samples",
+    "seed",
+)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -50,12 +50,12 @@ def parser() -> argparse.ArgumentParser:
         "--setup-blender", action="store_true", help="install Blender's module, then end"
     )
     p.add_argument("--minutes", type=float, help="time budget; sets the number of lights")
-    for name, field in _OPTIONS.items():
-        info = CaptureSettings.model_fields[field]
+    for name in _OPTIONS:
+        info = CaptureSettings.model_fields[name]
         p.add_argument(
             "--" + name.replace("_", "-"),
             type=type(info.default),
-            choices=("sphere", "hemisphere") if field == "domain" else None,
+            choices=("sphere", "hemisphere") if name == "domain" else None,
             help=f"{info.description or 'random seed'} "
             f"({type(info.default).__name__}, default {info.default})",
         )
@@ -85,7 +85,7 @@ def main(argv: list[str] | None = None) -> int:
 
 def _asked(args: argparse.Namespace) -> dict[str, Any]:
     """The settings given on the command line."""
-    return {f: value for name, f in _OPTIONS.items() if (value := getattr(args, name)) is not None}
+    return {name: value for name in _OPTIONS if (value := getattr(args, name)) is not None}
 
 
 def _check_numbers(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:

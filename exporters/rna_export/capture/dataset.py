@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from pydantic.alias_generators import to_camel
 from safetensors.numpy import load_file, save
 
+from rna_export.capture.worker import CLAMP_DIRECT, CLAMP_INDIRECT
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 
@@ -38,8 +40,10 @@ class CaptureSettings(_Model):
     rays: int = Field(4096, gt=0, description="view rays a light direction")
     lights: int = Field(2000, gt=0, description="light directions, one small render each")
     domain: str = Field("sphere", pattern="^(sphere|hemisphere)$", description="of wo and of wi")
-    clamp_direct: float = Field(20.0, description="Cycles' clamp of direct light (the paper's)")
-    clamp_indirect: float = Field(10.0, description="Cycles' clamp of indirect light")
+    clamp_direct: float = Field(
+        CLAMP_DIRECT, description="Cycles' clamp of direct light (the paper's)"
+    )
+    clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' clamp of indirect light")
     validation_views: int = Field(8, ge=1, description="whole images kept from training")
     validation_resolution: int = Field(160, gt=0, description="their width and height, pixels")
     validation_samples: int = Field(512, ge=2, description="paths a pixel, in two halves")
@@ -123,13 +127,12 @@ class Dataset:
     def validation_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
 
-    def training_samples(self, limit: int | None = None) -> dict[str, np.ndarray]:
-        """All finished shards joined, one array a field; `limit` keeps the first shards only."""
+    def training_samples(self) -> dict[str, np.ndarray]:
+        """All finished shards joined, one array a field of SAMPLE_FIELDS."""
         paths = [p for k in range(self.manifest.shards) if (p := self.train_path(k)).is_file()]
         if not paths:
             raise CaptureError(f"{self.folder}: no finished training shard")
-        shards = [load_file(path) for path in paths[:limit]]
-        return {name: np.concatenate([s[name] for s in shards]) for name in SAMPLE_FIELDS}
+        return joined([load_file(path) for path in paths], SAMPLE_FIELDS)
 
     def validation_views(self) -> list[ValidationView]:
         """The finished validation images."""
@@ -148,6 +151,13 @@ class Dataset:
         samples = {name: first[name] for name in SAMPLE_FIELDS} | {"radiance": halves.mean(axis=0)}
         resolution = self.manifest.settings.validation_resolution
         return ValidationView(view, resolution, first["pixel"], samples, halves)
+
+
+def joined(
+    parts: list[dict[str, np.ndarray]], names: Iterable[str] | None = None
+) -> dict[str, np.ndarray]:
+    """The rows of all parts, one array a field; of `names` only, if given."""
+    return {name: np.concatenate([p[name] for p in parts]) for name in names or parts[0]}
 
 
 def write_arrays(path: Path, arrays: dict[str, np.ndarray]) -> None:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import trimesh
 from tqdm import tqdm
 
 import rna_sdk
@@ -51,8 +52,7 @@ def weld(corners: dict[str, np.ndarray]) -> Mesh:
     )
     vertices, index = np.unique(rows.astype(np.float32) + 0.0, axis=0, return_inverse=True)
     triangles = index.reshape(-1, 3).astype(np.uint32)
-    p = vertices[:, :3].astype(np.float64)[triangles]
-    area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1)
+    area = trimesh.triangles.area(vertices[:, :3].astype(np.float64)[triangles])
     vertices = np.ascontiguousarray(vertices, np.float32)
     normals = np.ascontiguousarray(vertices[:, 3:6])
     uvs = np.ascontiguousarray(vertices[:, 6:8]) if with_uv else None
@@ -60,8 +60,8 @@ def weld(corners: dict[str, np.ndarray]) -> Mesh:
 
 
 def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
-    p = positions.reshape(-1, 3, 3).astype(np.float64)
-    flat = np.repeat(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), 3, axis=0)
+    corners = positions.reshape(-1, 3, 3).astype(np.float64)
+    flat = np.repeat(trimesh.triangles.cross(corners), 3, axis=0)
     chosen = np.where(np.linalg.norm(normals, axis=1, keepdims=True) > 0.5, normals, flat)
     return chosen / np.maximum(np.linalg.norm(chosen, axis=1, keepdims=True), 1e-30)
 
@@ -165,7 +165,7 @@ def _work(dataset, source, scene, crew, name, todo, bar, stop, failures) -> None
 
 
 def _paths_a_second(scene: AssetScene, settings: CaptureSettings, worker: BlenderWorker) -> float:
-    """Measured over three renders as the capture will do them; the first only warms up."""
+    """The mean of three renders as the capture will do them, after one that only warms up."""
     seconds = []
     for k in range(4):
         start = time.perf_counter()

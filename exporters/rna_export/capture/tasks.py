@@ -8,10 +8,12 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import CaptureSettings, Dataset, write_arrays
+from rna_export.capture.dataset import CaptureSettings, Dataset, joined, write_arrays
 from rna_export.capture.directions import light_direction, sphere
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
+from rna_render.camera import Camera
+from rna_render.scene_model import CameraModel
 from rna_sdk.errors import CaptureError
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
@@ -33,9 +35,7 @@ class TrainingShard:
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         parts = [self._light(dataset, scene, worker, light) for light in self._lights(dataset)]
-        names = parts[0].keys()
-        joined = {name: np.concatenate([part[name] for part in parts]) for name in names}
-        write_arrays(self.path(dataset), joined)
+        write_arrays(self.path(dataset), joined(parts))
 
     def _lights(self, dataset: Dataset) -> range:
         settings = dataset.manifest.settings
@@ -74,16 +74,14 @@ class ValidationHalf:
         wi = sphere(rng.random((1, 2)), settings.domain)[0]
         rays, hit = _validation_rays(scene, settings, self.view, rng)
         samples = settings.validation_samples // 2
+        noise = np.random.default_rng([settings.seed, 3, self.view, self.half])
+        seed = int(noise.integers(2**31))
         parts = []
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
-            seed = int(
-                np.random.default_rng([settings.seed, 3, self.view, self.half]).integers(2**31)
-            )
             extra = {"pixel": pixel.astype(np.int32)}
             parts.append(_capture(dataset, scene, worker, rays[pixel], wi, samples, seed, extra))
-        names = parts[0].keys()
-        write_arrays(self.path(dataset), {n: np.concatenate([p[n] for p in parts]) for n in names})
+        write_arrays(self.path(dataset), joined(parts))
 
 
 def all_tasks(dataset: Dataset) -> list[TrainingShard | ValidationHalf]:
@@ -141,14 +139,12 @@ def _validation_camera(
     """Rays through the pixel centres of a pinhole camera; every fourth view is a close-up."""
     wo = sphere(rng.random((1, 2)), settings.domain)[0].astype(np.float64)
     zoom = 0.35 if view % 4 == 3 else 1.0
-    forward, right = -wo, np.cross(-wo, [0.0, 1.0, 0.0])
-    right /= max(np.linalg.norm(right), 1e-9)
-    up = np.cross(right, forward)
-    eye = scene.centre + wo * scene.radius / np.sin(_VALIDATION_FOV / 2)
+    model = CameraModel(
+        position=tuple(scene.centre + wo * scene.radius / np.sin(_VALIDATION_FOV / 2)),
+        look_at=tuple(scene.centre.astype(np.float64)),
+        vertical_fov_deg=np.degrees(2.0 * np.arctan(zoom * np.tan(_VALIDATION_FOV / 2))),
+    )
     n = settings.validation_resolution
-    offset = (np.arange(n) + 0.5) / n * 2.0 - 1.0
-    x, y = np.meshgrid(offset, -offset)
-    size = zoom * np.tan(_VALIDATION_FOV / 2)
-    d = forward + size * (x.reshape(-1, 1) * right + y.reshape(-1, 1) * up)
-    d = (d / np.linalg.norm(d, axis=1, keepdims=True)).astype(np.float32)
-    return ViewRays(np.broadcast_to(eye.astype(np.float32), d.shape).copy(), d)
+    camera = Camera(model, (n, n))
+    d = camera.directions(np.arange(n * n, dtype=np.uint32), np.full((n * n, 2), 0.5))
+    return ViewRays(np.tile(camera.position, (n * n, 1)), d)

@@ -16,7 +16,7 @@ import numpy as np
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.directions import around, frame, reflect, sphere
 
-OUTSIDE, CLOSE, HIGHLIGHT = 0.5, 0.25, 0.25  # shares of the rays
+CLOSE, HIGHLIGHT = 0.25, 0.25  # shares of the rays; the rest are outside ones
 
 
 @dataclass(frozen=True)
@@ -35,14 +35,13 @@ def sample_view_rays(
     scene: AssetScene, wi: np.ndarray, n: int, domain: str, rng: np.random.Generator
 ) -> ViewRays:
     """n rays towards the asset, lit from wi (3,); views stay in `domain` ("hemisphere": +Y)."""
-    close = round(n * CLOSE)
     highlight = _repeat(
         lambda k: _highlight(scene, wi, k, rng), scene, round(n * HIGHLIGHT), domain, tries=8
     )
-    near = _repeat(lambda k: _close(scene, k, rng), scene, close, domain, tries=16)
-    rest = n - len(highlight) - len(near)
+    close = _repeat(lambda k: _close(scene, k, rng), scene, round(n * CLOSE), domain, tries=16)
+    rest = n - len(highlight) - len(close)
     outside = _repeat(lambda k: _outside(scene, k, domain, rng), scene, rest, domain, tries=200)
-    parts = (outside, near, highlight)
+    parts = (outside, close, highlight)
     mixed = ViewRays(
         np.concatenate([p.origins for p in parts]), np.concatenate([p.directions for p in parts])
     )

@@ -16,6 +16,8 @@ import OpenEXR
 from rna_export.capture.axes import from_blender, to_blender
 from rna_sdk.errors import CaptureError
 
+CLAMP_DIRECT, CLAMP_INDIRECT = 20.0, 10.0  # of radiance; the paper, section 4.1
+
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
 
 
@@ -25,8 +27,8 @@ class Source:
 
     path: Path
     arguments: tuple[str, ...] = ()
-    clamp_direct: float = 20.0  # the paper, section 4.1
-    clamp_indirect: float = 10.0
+    clamp_direct: float = CLAMP_DIRECT
+    clamp_indirect: float = CLAMP_INDIRECT
 
 
 class BlenderWorker:
@@ -103,12 +105,14 @@ class BlenderWorker:
         )
 
     def export_corners(self) -> dict[str, np.ndarray]:
-        """Triangle corners of the whole scene: see `blender/mesh_export.py`."""
+        """Triangle corners of the whole scene, +Y up: see `blender/mesh_export.py`."""
         path = self._folder / f"corners-{self._name}.npz"
         self._ask(op="exportMesh", out=str(path))
         with np.load(path) as data:
             corners = dict(data)
         path.unlink()
+        for name in ("positions", "normals"):
+            corners[name] = from_blender(corners[name])
         return corners
 
     def render_rays(

@@ -22,10 +22,11 @@ _STYLE = (
 def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, object]) -> None:
     """Write `index.html`, `results.json`, `sheet.png` and the single pictures into `folder`."""
     folder.mkdir(parents=True, exist_ok=True)
-    rows = []
+    rows, strips = [], []
     for number, pair in enumerate(pairs):
-        cells = []
-        for kind, image in _images(pair).items():
+        cells, images = [], _images(pair)
+        strips.append(np.concatenate(list(images.values()), axis=1))
+        for kind, image in images.items():
             name = f"{number}-{kind}.png"
             Image.fromarray(image).save(folder / name)
             cells.append(f'<td><img src="{name}" alt="{kind}">{_caption(kind, pair)}</td>')
@@ -42,10 +43,7 @@ def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, 
     (folder / "index.html").write_text(page)
     results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
     (folder / "results.json").write_text(json.dumps(results, indent=1) + "\n")
-    sheet = np.concatenate(
-        [np.concatenate(list(_images(pair).values()), axis=1) for pair in pairs], axis=0
-    )
-    Image.fromarray(sheet).save(folder / "sheet.png")
+    Image.fromarray(np.concatenate(strips, axis=0)).save(folder / "sheet.png")
 
 
 def _images(pair: Pair) -> dict[str, np.ndarray]:

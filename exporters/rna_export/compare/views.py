@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_render.camera import Camera
 from rna_render.scene_model import AssetModel, CameraModel, DirectionalModel, Scene
 
 FOV_Y = np.radians(30.0)
@@ -24,32 +25,28 @@ class Shot:
     resolution: int
 
     @property
+    def camera(self) -> CameraModel:
+        """The camera as the renderer has it."""
+        return CameraModel(
+            position=tuple(self.eye),
+            look_at=tuple(self.target),
+            vertical_fov_deg=np.degrees(FOV_Y),
+        )
+
+    @property
     def to_world(self) -> np.ndarray:
         """(4, 4) camera (looking along -z) to world."""
-        back = self.eye - self.target
-        back = back / np.linalg.norm(back)
-        right = np.cross([0.0, 1.0, 0.0], back)
-        right /= np.linalg.norm(right)
-        matrix = np.eye(4)
-        matrix[:3, :3] = np.stack([right, np.cross(back, right), back], axis=1)
-        matrix[:3, 3] = self.eye
-        return matrix
+        return Camera(self.camera, (self.resolution, self.resolution)).to_world
 
     def scene(self, package: str, samples: int) -> Scene:
         """The same picture as a scene of the renderer."""
-        vector = lambda v: tuple(float(x) for x in v)  # noqa: E731
+        light = DirectionalModel(
+            type="directional", direction=tuple(self.wi), irradiance=(1.0, 1.0, 1.0)
+        )
         return Scene(
             assets=(AssetModel(path=package),),
-            camera=CameraModel(
-                position=vector(self.eye),
-                look_at=vector(self.target),
-                vertical_fov_deg=float(np.degrees(FOV_Y)),
-            ),
-            lights=(
-                DirectionalModel(
-                    type="directional", direction=vector(self.wi), irradiance=(1.0, 1.0, 1.0)
-                ),
-            ),
+            camera=self.camera,
+            lights=(light,),
             resolution=(self.resolution, self.resolution),
             samples=samples,
         )
