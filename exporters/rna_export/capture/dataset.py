@@ -81,6 +81,10 @@ class ValidationView:
     samples: dict[str, np.ndarray]  # as SAMPLE_FIELDS; radiance is the mean of both halves
     halves: np.ndarray  # (2, n, 3) float32, two independent estimates of radiance
 
+    def pick(self, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
+        """Of a model's two outputs, (n, 3) each, the one that each row's visibility calls for."""
+        return np.where(self.samples["visible"].astype(bool)[:, None], visible, shadowed)
+
     def image(self, values: np.ndarray) -> np.ndarray:
         """Rows (n, 3) as an image (resolution, resolution, 3), zero off the asset."""
         image = np.zeros((self.resolution**2, 3), np.float32)

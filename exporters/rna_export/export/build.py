@@ -67,8 +67,7 @@ def build_package(
         provenance=_provenance(trained, dataset, source),
         license=license_,
     )
-    costs = {one.preset_name: _multiply_adds(one) for one in trained}
-    measured = _measure(manifest, dataset, data, costs, say)
+    measured = _measure(manifest, trained, dataset, data, say)
     return write_package(out, measured, dataset.mesh(), data)
 
 
@@ -112,9 +111,9 @@ def _tier(one: Trained, say: Callable[[str], None]) -> tuple[Tier, TierData]:
 
 def _measure(
     manifest: Manifest,
+    trained: list[Trained],
     dataset: Dataset,
     data: dict[str, TierData],
-    multiply_adds: dict[str, int],
     say: Callable[[str], None],
 ) -> Manifest:
     """The manifest with each tier's error and cost, as the runtime gives them."""
@@ -122,10 +121,10 @@ def _measure(
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
         write_package(path, manifest, dataset.mesh(), data)
-        for tier in manifest.tiers:
+        for tier, one in zip(manifest.tiers, trained, strict=True):
             asset = load(path, tier=tier.name)
             validation = _validation(asset, views)
-            cost = _cost(asset, multiply_adds[tier.name], views)
+            cost = _cost(asset, _multiply_adds(one), views)
             say(
                 f"{tier.name}: PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f} "
                 f"({validation.definition})\n"
@@ -136,12 +135,7 @@ def _measure(
 
 
 def _validation(asset: Asset, views: list[ValidationView]) -> Validation:
-    radiance = []
-    for view in views:
-        visible, shadowed = asset.evaluate(*_inputs(view))
-        lit = view.samples["visible"].astype(bool)[:, None]
-        radiance.append(np.where(lit, visible, shadowed))
-    scores = score(radiance, views)
+    scores = score([view.pick(*asset.evaluate(*_inputs(view))) for view in views], views)
     return Validation(
         psnr=scores.psnr,
         flip=scores.flip,

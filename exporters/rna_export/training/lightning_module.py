@@ -11,10 +11,9 @@ import torch
 from torch import Tensor
 
 from rna_export.capture.dataset import ValidationView
-from rna_export.training.losses import log_l2
+from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
-from rna_export.training.samples import columns
 from rna_export.training.validation import score, shade, write_images
 
 
@@ -46,12 +45,9 @@ class NeuralAssetTraining(lightning.LightningModule):
         return self.global_step / self._steps
 
     def training_step(self, rows: Tensor, _: int) -> Tensor:
-        at = columns(rows)
         # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * self.progress)
-        both = self.model(at["position"], at["normal"], at["wo"], at["wi"], blur)
-        y = torch.where(at["visible"][:, None] > 0.5, both[:, 0], both[:, 1])
-        loss = log_l2(y, at["radiance"], self.model.unit)
+        loss = sample_loss(self.model, rows, blur)
         self.log("loss", loss)
         return loss
 

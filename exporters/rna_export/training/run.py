@@ -20,10 +20,10 @@ from torch.utils.data import DataLoader
 from rna_export.capture.dataset import Dataset
 from rna_export.training.curves import draw_curves
 from rna_export.training.lightning_module import NeuralAssetTraining
-from rna_export.training.losses import log_l2
+from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
-from rna_export.training.samples import SampleTable, columns
+from rna_export.training.samples import SampleTable
 from rna_sdk.errors import TrainingError
 
 _VALIDATIONS = 10  # a run
@@ -91,7 +91,6 @@ def train(run: Run) -> Path:
         except SystemExit:  # how Lightning ends a fit that Ctrl-C stopped
             raise KeyboardInterrupt from None
     shutil.copyfile(checkpoints.best_model_path, run.out / "best.ckpt")
-    draw_curves(run.out)
     return run.out / "best.ckpt"
 
 
@@ -160,10 +159,8 @@ def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: fl
     optimizer = torch.optim.Adam(model.parameters(), fused=True)
     begun, ends = time.perf_counter(), []
     for rows in table:
-        at = columns(rows)
-        y = model(at["position"], at["normal"], at["wo"], at["wi"], blur)[:, 0]
         optimizer.zero_grad()
-        loss = log_l2(y, at["radiance"], model.unit)
+        loss = sample_loss(model, rows, blur)
         loss.backward()
         optimizer.step()
         loss.item()

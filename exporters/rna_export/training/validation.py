@@ -36,10 +36,9 @@ def shade(model: NeuralAsset, view: ValidationView) -> np.ndarray:
     for first in range(0, len(view.pixel), _ROWS):
         rows = slice(first, first + _ROWS)
         inputs = [torch.from_numpy(view.samples[name][rows]).to(device) for name in names]
-        both = model.transport(model(*inputs)).cpu().numpy()
-        visible = view.samples["visible"][rows].astype(bool)
-        parts.append(np.where(visible[:, None], both[:, 0], both[:, 1]))
-    return np.concatenate(parts)
+        parts.append(model.transport(model(*inputs)).cpu().numpy())
+    both = np.concatenate(parts)
+    return view.pick(both[:, 0], both[:, 1])
 
 
 def score(radiance: list[np.ndarray], views: list[ValidationView]) -> Scores:
