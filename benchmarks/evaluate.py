@@ -10,9 +10,7 @@ on any machine that does nothing else meanwhile. The packages hold random weight
 from __future__ import annotations
 
 import argparse
-import json
 import platform
-import sys
 import tempfile
 import time
 from collections.abc import Callable
@@ -24,6 +22,7 @@ import numpy as np
 import trimesh
 from numpy.typing import NDArray
 from onnx import TensorProto, helper, numpy_helper
+from report import publish, report_parser
 
 from rna_sdk.package import (
     Bounds,
@@ -57,25 +56,18 @@ def main() -> None:
         "repeats": args.repeats,
         "widths": [measure(width, args) for width in args.widths],
     }
-    text = json.dumps(report, indent=2)
-    print(text)
-    if args.out:
-        args.out.write_text(text + "\n")
-        print(f"wrote {args.out}", file=sys.stderr)
+    publish(report, args.out)
 
 
 def arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = report_parser(
         description="Measure evaluation speed against numpy's matrix product; prints JSON.",
         epilog="example: python benchmarks/evaluate.py --widths 64 --out evaluate.json",
-        formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     parser.add_argument("--widths", type=int, nargs="+", default=[16, 32, 64, 128, 256, 512])
     parser.add_argument("--resolution", type=int, default=512, help="texels along a plane's side")
     parser.add_argument("--channels", type=int, default=8, help="features a texel")
-    parser.add_argument("--repeats", type=int, default=9, help="runs that a median is taken of")
     parser.add_argument("--seconds", type=float, default=0.3, help="about, for one evaluation")
-    parser.add_argument("--out", type=Path, help="file for the JSON")
     return parser.parse_args()
 
 

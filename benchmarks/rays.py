@@ -11,13 +11,10 @@ distance, triangle and barycentrics.
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import platform
-import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,6 +22,7 @@ import trimesh
 from embreex.mesh_construction import TriangleMesh
 from embreex.rtcore_scene import EmbreeScene
 from numpy.typing import NDArray
+from report import publish, report_parser
 
 from rna_render.embree import TriangleScene
 
@@ -54,22 +52,15 @@ def main() -> None:
             )
         },
     }
-    text = json.dumps(report, indent=2)
-    print(text)
-    if args.out:
-        args.out.write_text(text + "\n")
-        print(f"wrote {args.out}", file=sys.stderr)
+    publish(report, args.out)
 
 
 def arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
+    parser = report_parser(
         description="Measure ray tracing speed against embreex; prints JSON.",
         epilog="example: python benchmarks/rays.py --out rays.json",
-        formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     parser.add_argument("--rays", type=int, default=2**18, help="rays a run")
-    parser.add_argument("--repeats", type=int, default=9, help="runs that a median is taken of")
-    parser.add_argument("--out", type=Path, help="file for the JSON")
     return parser.parse_args()
 
 

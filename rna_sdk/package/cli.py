@@ -8,6 +8,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 
+from rna_sdk.console import command_parser
 from rna_sdk.package.issues import Issue, Severity
 from rna_sdk.package.validator import validate
 
@@ -36,11 +37,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="rna-validate",
+    parser = command_parser(
+        "rna-validate",
+        "Check .rna packages against the format.",
+        "rna-validate asset.rna",
         usage=argparse.SUPPRESS,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Check .rna packages against the format.\n\n    rna-validate asset.rna",
         epilog="Exit status: 0 valid, 1 invalid, 2 wrong usage. Codes: spec/ISSUES.md.",
     )
     parser.add_argument(

@@ -7,13 +7,12 @@ import re
 import signal
 import sys
 import time
-import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rna_render.limits import MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
-from rna_sdk.errors import RnaError
+from rna_sdk.console import INTERRUPTED, command_parser, run_command
 
 if TYPE_CHECKING:
     from rna_render.film import Film
@@ -24,35 +23,22 @@ if TYPE_CHECKING:
 # first ray.
 _START = time.perf_counter()
 
-INTERRUPTED = 130  # the shell's status for a program that SIGINT ended
-
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Entry point. Returns 0, 1 for bad input, or 130 after Ctrl-C; exits with 2 for bad usage."""
     parser = _parser()
     options = parser.parse_args(arguments)
     _check_usage(parser, options)
-    try:
-        return _run(options)
-    except RnaError as error:
-        if options.debug:
-            traceback.print_exc()
-        else:
-            print("error: " + "; ".join(str(error).splitlines()), file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print("stopped; nothing was written", file=sys.stderr)
-        return INTERRUPTED
+    return run_command(lambda: _run(options), options.debug, "nothing was written")
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="rna-run",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+    parser = command_parser(
+        "rna-run",
+        "Render a scene of relightable neural assets to an image.",
+        "rna-run scene.yaml --out out.exr --png out.png",
         usage="rna-run SCENE --out IMAGE.exr [options]",
-        description="Render a scene of relightable neural assets to an image.\n\n"
-        "  rna-run scene.yaml --out out.exr --png out.png\n\n"
-        "docs/scene.md says what a scene file may contain. Ctrl-C ends the render early and "
+        epilog="docs/scene.md says what a scene file may contain. Ctrl-C ends the render early and "
         "writes what is there.",
     )
     add = parser.add_argument

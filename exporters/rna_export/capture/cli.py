@@ -15,10 +15,11 @@ from rna_export.capture import blender_env
 from rna_export.capture.dataset import CaptureSettings, Dataset
 from rna_export.capture.run import Crew, begin, default_workers, finish
 from rna_export.capture.worker import Source
-from rna_export.console import run_command
 from rna_export.memory import keep_freed_memory
+from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
 
+_GO_ON = "run the same command again to continue"
 _SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".py")
 _OPTIONS = (  # fields of CaptureSettings
     "samples",
@@ -36,11 +37,10 @@ _OPTIONS = (  # fields of CaptureSettings
 
 def parser() -> argparse.ArgumentParser:
     """The options of `rna-capture`."""
-    p = argparse.ArgumentParser(
-        prog="rna-capture",
-        description="Render an asset in all views and lights with Blender Cycles.\n\n"
-        "    rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+    p = command_parser(
+        "rna-capture",
+        "Render an asset in all views and lights with Blender Cycles.",
+        "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
         epilog="The same command continues a capture that was stopped. Arguments after -- go to a "
         "source that is a Python script.",
     )
@@ -71,16 +71,15 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
-    argv = sys.argv[1:] if argv is None else argv
-    split = argv.index("--") if "--" in argv else len(argv)
+    own, arguments = split_script_arguments(argv)
     options = parser()
-    args = options.parse_args(argv[:split])
+    args = options.parse_args(own)
     if not args.setup_blender and (args.source is None or args.out is None):
         options.error("a source and --out are needed (or --setup-blender)")
     if args.minutes is not None and args.lights is not None:
         options.error("--minutes sets the number of lights: give one of the two")
     _check_numbers(args, options)
-    return run_command(lambda: _run(args, tuple(argv[split + 1 :])), args.debug)
+    return run_command(lambda: _run(args, arguments), args.debug, _GO_ON)
 
 
 def _asked(args: argparse.Namespace) -> dict[str, Any]:

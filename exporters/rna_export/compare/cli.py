@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 import sys
 import tempfile
 from pathlib import Path
 
-from rna_export.console import run_command
+from rna_sdk.console import command_parser, run_command, split_script_arguments
 
 
 def parser() -> argparse.ArgumentParser:
     """The options of `rna-compare`."""
-    p = argparse.ArgumentParser(
-        prog="rna-compare",
-        description="Render a package and its original with Cycles, and write a page with both.\n\n"
-        "    rna-compare helmet.rna helmet.gltf --out compare/helmet",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+    p = command_parser(
+        "rna-compare",
+        "Render a package and its original with Cycles, and write a page with both.",
+        "rna-compare helmet.rna helmet.gltf --out compare/helmet",
         epilog="Three cameras (one a close-up) x three lights. Arguments after -- go to a source "
         "that is a Python script.",
     )
@@ -47,10 +45,9 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
-    argv = sys.argv[1:] if argv is None else argv
-    split = argv.index("--") if "--" in argv else len(argv)
-    args = parser().parse_args(argv[:split])
-    return run_command(lambda: _run(args, tuple(argv[split + 1 :])), args.debug)
+    own, arguments = split_script_arguments(argv)
+    args = parser().parse_args(own)
+    return run_command(lambda: _run(args, arguments), args.debug, "nothing was written")
 
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
@@ -65,26 +62,24 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     if not args.source.is_file():
         raise CaptureError(f"{args.source}: no such file")
     asset = load(args.package, tier=args.tier)
-    scratch = Path(tempfile.mkdtemp(prefix="rna-compare-"))
-    try:
-        with BlenderWorker(
-            blender_env.find_python(), Source(args.source, arguments), scratch, default_workers()
-        ) as worker:
-            pairs = compare(
-                asset,
-                args.package,
-                worker,
-                args.samples,
-                args.cycles_samples,
-                args.resolution,
-                args.turn,
-                lambda p: print(
-                    f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, ours "
-                    f"{p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s"
-                ),
-            )
-    finally:
-        shutil.rmtree(scratch, ignore_errors=True)
+    python, source = blender_env.find_python(), Source(args.source, arguments)
+    with (
+        tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
+        BlenderWorker(python, source, Path(scratch), default_workers()) as worker,
+    ):
+        pairs = compare(
+            asset,
+            args.package,
+            worker,
+            args.samples,
+            args.cycles_samples,
+            args.resolution,
+            args.turn,
+            lambda p: print(
+                f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, ours "
+                f"{p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s"
+            ),
+        )
     settings = {
         "tier": args.tier or "default",
         "samples": args.samples,

@@ -6,16 +6,15 @@ import argparse
 import sys
 from pathlib import Path
 
-from rna_export.console import run_command
+from rna_sdk.console import command_parser, run_command
 
 
 def parser() -> argparse.ArgumentParser:
     """The options of `rna-export`."""
-    p = argparse.ArgumentParser(
-        prog="rna-export",
-        description="Write trained checkpoints as one .rna package, a tier each.\n\n"
-        "    rna-export runs/helmet/best.ckpt --out helmet.rna",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+    p = command_parser(
+        "rna-export",
+        "Write trained checkpoints as one .rna package, a tier each.",
+        "rna-export runs/helmet/best.ckpt --out helmet.rna",
     )
     p.add_argument(
         "checkpoints",
@@ -42,7 +41,7 @@ def parser() -> argparse.ArgumentParser:
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     args = parser().parse_args(argv)
-    return run_command(lambda: _run(args), args.debug)
+    return run_command(lambda: _run(args), args.debug, "nothing was written")
 
 
 def _run(args: argparse.Namespace) -> None:

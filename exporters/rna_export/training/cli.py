@@ -6,17 +6,16 @@ import argparse
 import sys
 from pathlib import Path
 
-from rna_export.console import run_command
 from rna_export.training.presets import PRESETS
+from rna_sdk.console import command_parser, run_command
 
 
 def parser() -> argparse.ArgumentParser:
     """The options of `rna-train`."""
-    p = argparse.ArgumentParser(
-        prog="rna-train",
-        description="Fit a neural asset to a captured dataset.\n\n"
-        "    rna-train helmet.rays/ --preset small --out runs/helmet --minutes 10",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+    p = command_parser(
+        "rna-train",
+        "Fit a neural asset to a captured dataset.",
+        "rna-train helmet.rays/ --preset small --out runs/helmet --minutes 10",
         epilog="The same command continues a training that was stopped.",
     )
     p.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
@@ -48,7 +47,7 @@ def main(argv: list[str] | None = None) -> int:
         value = getattr(args, name)
         if value is not None and not value > 0:
             options.error(f"argument --{name}: expected more than 0, found {value:g}")
-    return run_command(lambda: _run(args), args.debug)
+    return run_command(lambda: _run(args), args.debug, "run the same command again to continue")
 
 
 def _run(args: argparse.Namespace) -> None:

@@ -1,0 +1,58 @@
+"""What the command-line tools share: how their help begins, how they fail, how they end."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from rna_sdk.errors import RnaError
+
+INTERRUPTED = 130
+"""Exit status after Ctrl-C: the shell's for a program that SIGINT ended."""
+
+
+def command_parser(
+    prog: str, sentence: str, example: str, **options: Any
+) -> argparse.ArgumentParser:
+    """A parser whose help begins with one sentence and a command to copy.
+
+    options: further arguments of ArgumentParser, such as usage or epilog.
+    """
+    return argparse.ArgumentParser(
+        prog=prog,
+        description=f"{sentence}\n\n  {example}",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        **options,
+    )
+
+
+def split_script_arguments(arguments: Sequence[str] | None) -> tuple[list[str], tuple[str, ...]]:
+    """A command's own arguments, and those after `--`, which are for a source that is a script.
+
+    arguments: None for those of this process.
+    """
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    end = given.index("--") if "--" in given else len(given)
+    return given[:end], tuple(given[end + 1 :])
+
+
+def run_command(command: Callable[[], int | None], debug: bool, when_stopped: str) -> int:
+    """The exit status of `command`: what it returns, or 0 for None.
+
+    1 after an RnaError, which is printed as one line, or with its traceback if `debug`;
+    INTERRUPTED after Ctrl-C, where `when_stopped` is printed.
+    """
+    try:
+        return command() or 0
+    except RnaError as error:
+        if debug:
+            traceback.print_exc()
+        else:
+            print("error: " + "; ".join(str(error).splitlines()), file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print(f"stopped; {when_stopped}", file=sys.stderr)
+        return INTERRUPTED
