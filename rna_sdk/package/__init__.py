@@ -6,6 +6,7 @@
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
+from rna_sdk.package.curves import Curves
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest import (
     Agreement,
@@ -29,6 +30,7 @@ __all__ = [
     "Bounds",
     "Code",
     "Cost",
+    "Curves",
     "Domain",
     "Issue",
     "Manifest",

@@ -11,11 +11,27 @@ INPUT_BLOCKS: dict[str, int | None] = {
     "features": None,
     "position": 3,
     "normal": 3,
+    "tangent": 3,
+    "h": 1,
     "wo": 3,
     "wi": 3,
     "half_vector": 5,
+    "fiber_angles": 6,
+    "fiber_lobes": 3,
 }
 """Block name -> number of columns; None is the tier's number of feature channels."""
+
+BLOCKS_OF_KIND: dict[str, frozenset[str]] = {
+    "surface": frozenset({"normal", "half_vector"}),
+    "fiber": frozenset({"tangent", "h", "fiber_angles", "fiber_lobes"}),
+}
+"""Blocks that only one kind of asset can fill; the others are for both."""
+
+
+def blocks_for(kind: str) -> list[str]:
+    """The blocks that an asset of this kind can fill, in the order of INPUT_BLOCKS."""
+    other = {name for k, names in BLOCKS_OF_KIND.items() if k != kind for name in names}
+    return [name for name in INPUT_BLOCKS if name not in other]
 
 
 def query_width(inputs: Iterable[str], channels: int) -> int:

@@ -66,6 +66,7 @@ class Code(Enum):
     BOUNDS_EMPTY = (Severity.ERROR, "The bounds have no extent along an axis.")
     TIER_DUPLICATE = (Severity.ERROR, "Two tiers have the same name.")
     INPUT_UNKNOWN = (Severity.ERROR, "A decoder input block is not known, or named twice.")
+    INPUT_KIND = (Severity.ERROR, "A decoder input block is for another kind of asset.")
     REFERENCE_MISSING = (Severity.ERROR, "A path in the manifest names no declared entry.")
 
     # Entries against the manifest
@@ -75,16 +76,19 @@ class Code(Enum):
     ENTRY_SIZE = (Severity.ERROR, "An entry's size is not the declared one.")
     ENTRY_HASH = (Severity.ERROR, "An entry's SHA-256 is not the declared one.")
 
-    # geometry/mesh.glb
-    GEOMETRY_CONTAINER = (Severity.ERROR, "The geometry is not a well-formed binary glTF 2.0.")
-    GEOMETRY_PROFILE = (Severity.ERROR, "The glTF is outside the profile of RNA geometry.")
-    GEOMETRY_RANGE = (Severity.ERROR, "A glTF buffer view or accessor reaches past its bytes.")
-    GEOMETRY_ARRAY = (Severity.ERROR, "The arrays of a mesh have wrong shapes or dtypes.")
-    GEOMETRY_NOT_FINITE = (Severity.ERROR, "A vertex attribute is NaN or infinite.")
+    # geometry/mesh.glb, geometry/curves.safetensors
+    GEOMETRY_CONTAINER = (Severity.ERROR, "The geometry is not a well-formed file of its kind.")
+    GEOMETRY_PROFILE = (Severity.ERROR, "The file is outside the profile of its kind of geometry.")
+    GEOMETRY_RANGE = (Severity.ERROR, "A view, accessor or tensor does not fit into its bytes.")
+    GEOMETRY_ARRAY = (Severity.ERROR, "The arrays of the geometry have wrong shapes or dtypes.")
+    GEOMETRY_NOT_FINITE = (Severity.ERROR, "A value of a vertex or curve point is NaN or infinite.")
     GEOMETRY_INDEX = (Severity.ERROR, "A triangle names a vertex that does not exist.")
     GEOMETRY_NORMAL = (Severity.ERROR, "A vertex normal is not of unit length.")
     GEOMETRY_BOUNDS = (Severity.ERROR, "The accessor's min and max are not those of POSITION.")
-    GEOMETRY_OUTSIDE = (Severity.WARNING, "Part of the mesh lies outside the manifest's bounds.")
+    GEOMETRY_STRANDS = (Severity.ERROR, "The offsets do not part the points into whole strands.")
+    GEOMETRY_SEGMENT = (Severity.ERROR, "Two points in a row of a strand are equal.")
+    GEOMETRY_RADIUS = (Severity.ERROR, "A radius is not greater than 0.")
+    GEOMETRY_OUTSIDE = (Severity.WARNING, "Part of the geometry lies outside the bounds.")
 
     # features/*.safetensors
     PLANES_HEADER = (Severity.ERROR, "The planes are not a well-formed safetensors file.")

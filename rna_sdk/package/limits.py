@@ -1,7 +1,7 @@
 """Limits a reader enforces before it touches what a file declares (spec, "Limits")."""
 
 ALIGNMENT = 64
-"""Bytes; every entry's data, and the tensor inside a planes entry, starts on a multiple."""
+"""Bytes; every entry's data, and the first tensor inside an entry, starts on a multiple."""
 
 MAX_FILE_BYTES = 2**32 - 2
 """Largest file that 32-bit ZIP fields address; 0xFFFFFFFF would announce ZIP64."""
@@ -14,8 +14,10 @@ MAX_JSON_DEPTH = 64
 MAX_TIERS = 16
 MAX_RESOLUTION = 4096
 MAX_CHANNELS = 64
-MAX_PLANES_HEADER_BYTES = 2**16
+MAX_TENSORS_HEADER_BYTES = 2**16
 MAX_GLTF_JSON_BYTES = 2**16
+MAX_CURVE_POINTS = 2**26
+MAX_STRANDS = 2**25
 
 MAX_DECODER_BYTES = 2**26
 MAX_DECODER_NODES = 4096

@@ -6,7 +6,7 @@ object space (right-handed, +Y up), metres, linear.
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, JsonValue, field_validator
 from pydantic.alias_generators import to_camel
@@ -23,7 +23,14 @@ Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=
 InputName = Annotated[str, Field(json_schema_extra={"enum": list(INPUT_BLOCKS)})]
 Measure = Annotated[float, Field(ge=0)]
 Region = Literal["sphere", "hemisphere"]
+Kind = Literal["surface", "fiber"]
 
+KINDS: tuple[str, ...] = get_args(Kind)
+GEOMETRY_ENTRIES: dict[Kind, str] = {
+    "surface": "geometry/mesh.glb",
+    "fiber": "geometry/curves.safetensors",
+}
+"""The usual name of the geometry's entry."""
 
 REQUIRED_IN_FILE = (
     "format",
@@ -161,11 +168,14 @@ class Manifest(Record):
     min_reader_version: Version = Field(default="1.0", description="Oldest reader that can.")
     generator: str = Field(description="What wrote the package, with its version.")
     name: str = Field(min_length=1, description="The asset's name, for a person.")
-    kind: Literal["surface"] = "surface"
+    kind: Kind = Field(default="surface", description="What the geometry is: a mesh, or curves.")
     bounds: Bounds
     domain: Domain
     units: Units = Units()
-    geometry: EntryPath = Field(default="geometry/mesh.glb", description="Entry with the mesh.")
+    geometry: EntryPath = Field(
+        default_factory=lambda data: GEOMETRY_ENTRIES[data.get("kind", "surface")],
+        description="Entry with the mesh or the curves.",
+    )
     tiers: tuple[Tier, ...] = Field(min_length=1, max_length=MAX_TIERS)
     entries: dict[EntryPath, EntryRecord] = Field(
         default={}, description=f"Every entry of the archive except {MANIFEST_NAME}."

@@ -10,8 +10,9 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from rna_sdk.errors import PackageError
+from rna_sdk.package.blocks import blocks_for
 from rna_sdk.package.issues import Code, Issue, refuse
-from rna_sdk.package.manifest import REQUIRED_IN_FILE, Manifest
+from rna_sdk.package.manifest import KINDS, REQUIRED_IN_FILE, Manifest
 from rna_sdk.package.strict_json import parse_object, pointer
 
 READER_VERSION = (1, 0)
@@ -34,7 +35,12 @@ def parse_manifest(data: bytes) -> Manifest:
         manifest = Manifest.model_validate_json(data, strict=True, by_alias=True, by_name=False)
     except ValidationError as error:
         raise PackageError(map(_schema_issue, _root_causes(error.errors()))) from None
-    issues = [*_presence_issues(raw), *_extension_issues(manifest), *_reference_issues(manifest)]
+    # The defaults of missing members would only be found guilty below.
+    issues = _presence_issues(raw) or [
+        *_extension_issues(manifest),
+        *_input_issues(manifest),
+        *_reference_issues(manifest),
+    ]
     if issues:
         raise PackageError(issues)
     return manifest
@@ -59,9 +65,10 @@ def _check_readable(raw: dict[str, Any]) -> None:
         if (major, minor) > READER_VERSION:
             expected = "at most {}.{}".format(*READER_VERSION)
             refuse(Code.VERSION_TOO_NEW, "/minReaderVersion", version, expected)
-    kind = raw.get("kind", "surface")
-    if kind != "surface":
-        refuse(Code.KIND_UNSUPPORTED, "/kind", json.dumps(kind), '"surface"')
+    kind = raw.get("kind", KINDS[0])
+    if kind not in KINDS:
+        expected = " or ".join(map(json.dumps, KINDS))
+        refuse(Code.KIND_UNSUPPORTED, "/kind", json.dumps(kind), expected)
     required = raw.get("extensionsRequired")
     for i, name in enumerate(required if isinstance(required, list) else []):
         if name not in KNOWN_EXTENSIONS:
@@ -107,6 +114,18 @@ def _extension_issues(manifest: Manifest) -> list[Issue]:
         Issue.of(Code.EXTENSION_UNDECLARED, where, name, "a name in extensionsUsed")
         for where, name in places
         if name not in manifest.extensions_used
+    ]
+
+
+def _input_issues(manifest: Manifest) -> list[Issue]:
+    """Every block is one that the kind of asset can fill."""
+    known = blocks_for(manifest.kind)
+    expected = f"for {manifest.kind}: {', '.join(known)}"
+    return [
+        Issue.of(Code.INPUT_KIND, pointer("tiers", i, "inputs", j), name, expected)
+        for i, tier in enumerate(manifest.tiers)
+        for j, name in enumerate(tier.inputs)
+        if name not in known
     ]
 
 

@@ -32,16 +32,21 @@ class Mesh:
 
     def __post_init__(self) -> None:
         v, t = len(self.positions), len(self.triangles)
-        _check("positions", self.positions, (v, 3), np.float32)
-        _check("normals", self.normals, (v, 3), np.float32)
-        _check("triangles", self.triangles, (t, 3), np.uint32)
+        check_array("positions", self.positions, (v, 3), np.float32)
+        check_array("normals", self.normals, (v, 3), np.float32)
+        check_array("triangles", self.triangles, (t, 3), np.uint32)
         if self.uvs is not None:
-            _check("uvs", self.uvs, (v, 2), np.float32)
+            check_array("uvs", self.uvs, (v, 2), np.float32)
         if v == 0 or t == 0:
             refuse(Code.GEOMETRY_ARRAY, "/geometry", f"{v} vertices, {t} triangles", "some of both")
 
+    def box(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """The lower and the upper corner of the box around it, each (3,) float32."""
+        return self.positions.min(axis=0), self.positions.max(axis=0)
 
-def _check(name: str, array: NDArray[np.generic], shape: tuple[int, int], dtype: type) -> None:
+
+def check_array(name: str, array: NDArray[np.generic], shape: tuple[int, ...], dtype: type) -> None:
+    """Raises PackageError (GEOMETRY_ARRAY) where the array has another shape or dtype."""
     if array.shape != shape or array.dtype != dtype:
         found = f"{name} {array.dtype} {list(array.shape)}"
         refuse(Code.GEOMETRY_ARRAY, "/geometry", found, f"{np.dtype(dtype)} {list(shape)}")

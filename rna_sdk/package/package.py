@@ -7,7 +7,8 @@ from types import TracebackType
 
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package.container import Container
-from rna_sdk.package.glb_reader import mesh_from_glb
+from rna_sdk.package.curves import Curves
+from rna_sdk.package.geometry import Geometry, geometry_from_bytes
 from rna_sdk.package.manifest import Manifest, Tier
 from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.planes import Planes, planes_from_bytes
@@ -67,9 +68,36 @@ class Package:
         names = ", ".join(tier.name for tier in self.manifest.tiers)
         raise QueryError(f"no tier {name!r}; this package has: {names}")
 
+    def geometry(self) -> Geometry:
+        """The mesh or the curves, as the manifest's kind says; object space, metres.
+
+        Raises:
+            QueryError: the package is closed.
+        """
+        name = self.manifest.geometry
+        return geometry_from_bytes(self._view(name), name, self.manifest.kind)
+
     def mesh(self) -> Mesh:
-        """The geometry, in object space and metres."""
-        return mesh_from_glb(self._view(self.manifest.geometry), self.manifest.geometry)
+        """The geometry of a surface asset, in object space and metres.
+
+        Raises:
+            QueryError: the asset is of another kind, or the package is closed.
+        """
+        geometry = self.geometry()
+        if not isinstance(geometry, Mesh):
+            raise QueryError(f"a {self.manifest.kind} asset has no mesh; ask for its curves()")
+        return geometry
+
+    def curves(self) -> Curves:
+        """The geometry of a fiber asset, in object space and metres.
+
+        Raises:
+            QueryError: the asset is of another kind, or the package is closed.
+        """
+        geometry = self.geometry()
+        if not isinstance(geometry, Curves):
+            raise QueryError(f"a {self.manifest.kind} asset has no curves; ask for its mesh()")
+        return geometry
 
     def planes(self, tier: str) -> Planes:
         """The tier's triplane: (3, R, R, C) float16 or float32, planes XY, YZ, ZX.

@@ -34,7 +34,7 @@ def manifest_schema() -> str:
     }
     schema["required"] = [*REQUIRED_IN_FILE, *schema["required"]]
     for name in REQUIRED_IN_FILE:
-        del schema["properties"][name]["default"]
+        schema["properties"][name].pop("default", None)
     return json.dumps(schema, indent=2) + "\n"
 
 

@@ -11,16 +11,15 @@ from os import PathLike
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container import MANIFEST_NAME, Container
 from rna_sdk.package.decoder import check_decoder
-from rna_sdk.package.glb_reader import mesh_from_glb
+from rna_sdk.package.geometry import Geometry, geometry_from_bytes
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest import Bounds, Manifest
 from rna_sdk.package.manifest_reader import manifest_warnings, parse_manifest
-from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.planes import check_finite, planes_from_bytes
 from rna_sdk.package.strict_json import pointer
 
 _OUTSIDE_TOLERANCE = 1e-4
-"""Part of the bounds' extent that a vertex may lie outside before a warning says so."""
+"""Part of the bounds' extent that geometry may lie outside before a warning says so."""
 
 
 @dataclass
@@ -105,8 +104,9 @@ def _check_contents(
 ) -> None:
     if manifest.geometry in intact:
         with result.collect():
-            mesh = mesh_from_glb(container.view(manifest.geometry), manifest.geometry)
-            result.issues += _outside(mesh, manifest.bounds)
+            data = container.view(manifest.geometry)
+            geometry = geometry_from_bytes(data, manifest.geometry, manifest.kind)
+            result.issues += _outside(geometry, manifest.bounds)
     for tier in manifest.tiers:
         if tier.planes in intact:
             with result.collect():
@@ -116,8 +116,8 @@ def _check_contents(
                 check_decoder(container.view(tier.decoder), tier)
 
 
-def _outside(mesh: Mesh, bounds: Bounds) -> list[Issue]:
-    low, high = mesh.positions.min(axis=0).tolist(), mesh.positions.max(axis=0).tolist()
+def _outside(geometry: Geometry, bounds: Bounds) -> list[Issue]:
+    low, high = (corner.tolist() for corner in geometry.box())
     for axis in range(3):
         slack = _OUTSIDE_TOLERANCE * (bounds.max[axis] - bounds.min[axis])
         if low[axis] < bounds.min[axis] - slack or high[axis] > bounds.max[axis] + slack:

@@ -13,10 +13,9 @@ from pathlib import Path
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container import MANIFEST_NAME
 from rna_sdk.package.container_writer import write_container
-from rna_sdk.package.glb_writer import mesh_to_glb
+from rna_sdk.package.geometry import Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.manifest import EntryRecord, Manifest
-from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.planes import DTYPES, Planes, planes_to_bytes
 from rna_sdk.package.validator import inspect
 
@@ -35,7 +34,7 @@ class TierData:
 
 
 def write_package(
-    path: str | PathLike[str], manifest: Manifest, mesh: Mesh, tiers: Mapping[str, TierData]
+    path: str | PathLike[str], manifest: Manifest, geometry: Geometry, tiers: Mapping[str, TierData]
 ) -> Manifest:
     """Write a package to `path`, whole or not at all.
 
@@ -44,7 +43,7 @@ def write_package(
     Args:
         path: the `.rna` file to make or replace.
         manifest: the manifest; its `entries` are computed here.
-        mesh: the geometry.
+        geometry: a Mesh for a surface asset, Curves for a fiber asset.
         tiers: the data of every tier of the manifest, by name.
 
     Returns:
@@ -54,7 +53,7 @@ def write_package(
         PackageError: what was given does not make a valid package.
         OSError: the file cannot be written.
     """
-    contents = _contents(manifest, mesh, tiers)
+    contents = _contents(manifest, geometry, tiers)
     records = {
         name: EntryRecord(size=len(data), sha256=hashlib.sha256(data).hexdigest())
         for name, data in contents.items()
@@ -83,12 +82,14 @@ def manifest_to_json(manifest: Manifest) -> bytes:
     return (json.dumps(fields, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 
-def _contents(manifest: Manifest, mesh: Mesh, tiers: Mapping[str, TierData]) -> dict[str, bytes]:
+def _contents(
+    manifest: Manifest, geometry: Geometry, tiers: Mapping[str, TierData]
+) -> dict[str, bytes]:
     """Entry name -> data, in the order of the file: geometry, then planes and decoders."""
     names = [tier.name for tier in manifest.tiers]
     if sorted(names) != sorted(tiers):
         refuse(Code.REFERENCE_MISSING, "/tiers", f"data of {sorted(tiers)}", f"of {sorted(names)}")
-    contents = {manifest.geometry: mesh_to_glb(mesh)}
+    contents = {manifest.geometry: geometry_to_bytes(geometry, manifest.kind)}
     for i, tier in enumerate(manifest.tiers):
         data = tiers[tier.name]
         if data.planes.dtype.name not in DTYPES:

@@ -15,6 +15,7 @@ from onnx import TensorProto, helper, numpy_helper
 
 from rna_sdk.package import (
     Bounds,
+    Curves,
     Domain,
     Manifest,
     Mesh,
@@ -28,6 +29,7 @@ from rna_sdk.package.container import MANIFEST_NAME, Container
 from rna_sdk.package.container_writer import write_container
 
 INPUTS = ("features", "normal", "wo", "wi", "half_vector")
+FIBER_INPUTS = ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_lobes")
 
 
 def make_mesh(uvs: bool = True) -> Mesh:
@@ -43,6 +45,20 @@ def make_mesh(uvs: bool = True) -> Mesh:
         normals=np.repeat(normals, 3, axis=0).astype(np.float32),
         uvs=np.abs(positions[:, :2]) if uvs else None,
         triangles=np.arange(12, dtype=np.uint32).reshape(-1, 3),
+    )
+
+
+def make_curves() -> Curves:
+    """Three strands inside the bounds [-1, 1]^3, of 4, 2 and 3 points, thinner to the tip."""
+    counts = (4, 2, 3)
+    strands = [
+        np.linspace((k - 1, -0.5, 0), ((k - 1) / 2, 0.5, k / 4), counts[k]) for k in range(3)
+    ]
+    radii = [np.linspace(0.02, 0.01, count) for count in counts]
+    return Curves(
+        points=(np.concatenate(strands) * 0.9).astype(np.float32),
+        radii=np.concatenate(radii).astype(np.float32),
+        offsets=np.cumsum((0, *counts)).astype(np.uint32),
     )
 
 
@@ -139,8 +155,15 @@ def make_tiny_package(path: str | Path, *tiers: Tier, **changes: Any) -> Path:
     """Write a good package of a few kilobytes to `path`; `changes` are manifest fields."""
     manifest = make_manifest(*tiers, **changes)
     data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
-    write_package(path, manifest, make_mesh(), data)
+    geometry = make_curves() if manifest.kind == "fiber" else make_mesh()
+    write_package(path, manifest, geometry, data)
     return Path(path)
+
+
+def make_tiny_fiber_package(path: str | Path, **changes: Any) -> Path:
+    """The like of `make_tiny_package` for curves."""
+    tier = make_tier(inputs=FIBER_INPUTS)
+    return make_tiny_package(path, tier, kind="fiber", name="tuft", **changes)
 
 
 def read_entries(path: str | Path) -> dict[str, bytes]:
@@ -157,14 +180,17 @@ def pack(entries: Iterable[tuple[str, bytes]]) -> bytes:
 
 
 __all__ = [
+    "FIBER_INPUTS",
     "INPUTS",
     "MANIFEST_NAME",
+    "make_curves",
     "make_decoder_model",
     "make_manifest",
     "make_mesh",
     "make_planes",
     "make_tier",
     "make_tier_data",
+    "make_tiny_fiber_package",
     "make_tiny_package",
     "pack",
     "read_entries",

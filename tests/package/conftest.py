@@ -1,4 +1,4 @@
-"""One good package for the tests here."""
+"""A good package of each kind for the tests here."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.package.builders import make_tiny_package, read_entries
+from tests.package.builders import make_tiny_fiber_package, make_tiny_package, read_entries
 
 
 @pytest.fixture(scope="session")
@@ -19,3 +19,15 @@ def tiny(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def entries(tiny: Path) -> dict[str, bytes]:
     """Its entries, name -> data."""
     return read_entries(tiny)
+
+
+@pytest.fixture(scope="session")
+def tuft(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Path of a good package of fibers; do not change it."""
+    return make_tiny_fiber_package(tmp_path_factory.mktemp("package") / "tuft.rna")
+
+
+@pytest.fixture(scope="session")
+def fiber_entries(tuft: Path) -> dict[str, bytes]:
+    """Its entries, name -> data."""
+    return read_entries(tuft)

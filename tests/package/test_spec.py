@@ -38,12 +38,15 @@ def test_generator_checks_and_writes(module: str, tmp_path: Path) -> None:
     assert subprocess.run([*command, "--check"], capture_output=True).returncode == 0
 
 
-def test_schema_accepts_a_good_manifest_only(entries: dict[str, bytes]) -> None:
+def test_schema_accepts_a_good_manifest_only(
+    entries: dict[str, bytes], fiber_entries: dict[str, bytes]
+) -> None:
     schema = json.loads(manifest_schema())
     validator = jsonschema.Draft202012Validator(schema)
     validator.check_schema(schema)
     manifest = json.loads(entries["manifest.json"])
     assert validator.is_valid(manifest)
+    assert validator.is_valid(json.loads(fiber_entries["manifest.json"]))
     for field in ("format", "entries", "tiers", "license"):
         broken = {key: value for key, value in manifest.items() if key != field}
         assert not validator.is_valid(broken), field
@@ -81,3 +84,18 @@ def test_worked_example_of_the_planes() -> None:
     values = [float(part[0]) for part in parts]
     np.testing.assert_allclose(values, [6.5, 130.5, 218.0])
     assert "6.5 + 130.5 + 218 = 355" in TEXT
+
+
+def test_worked_example_of_the_fiber_blocks() -> None:
+    """By angles, while the runtime goes without."""
+    t, wo, wi = np.array([0, 1, 0]), np.array([0.8, 0.6, 0]), np.array([0, -0.28, 0.96])
+    s_o, s_i = t @ wo, t @ wi
+    across_o, across_i = wo - s_o * t, wi - s_i * t
+    phi = np.arctan2(t @ np.cross(across_o, across_i), across_o @ across_i)
+    angles = [s_i, s_o, s_i + s_o, np.log2((s_i + s_o) ** 2 + 1e-3) / 6, np.cos(phi), np.sin(phi)]
+    g_o, g_t = np.arcsin(0.5), np.arcsin(0.5 * 0.8 / np.sqrt(1.55**2 - s_o**2))
+    lobes = [np.cos(phi - (2 * g_o - 2 * p * g_t - p * np.pi)) for p in range(3)]
+    for block, values in (("fiber_angles", angles), ("fiber_lobes", lobes)):
+        found = re.search(rf"`{block}` is ((?:-?[\d.]+,?\s*)+)\.\n", TEXT)
+        assert found is not None
+        np.testing.assert_allclose(np.fromstring(found[1], sep=","), values, atol=5e-5)

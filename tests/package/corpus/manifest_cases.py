@@ -87,8 +87,13 @@ def next_minor_version(entries: Entries) -> bytes:
 
 
 @case("KIND_UNSUPPORTED")
-def reserved_kind(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(kind="fiber"))
+def unknown_kind(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(kind="volume"))
+
+
+@case("KIND_UNSUPPORTED")
+def kind_of_another_type(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(kind=["surface"]))
 
 
 @case("EXTENSION_REQUIRED")
@@ -180,6 +185,16 @@ def unknown_input_block(entries: Entries) -> bytes:
 @case("INPUT_UNKNOWN")
 def input_block_twice(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].append("wo"))
+
+
+@case("INPUT_KIND")
+def surface_with_a_tangent(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].__setitem__(1, "tangent"))
+
+
+@case("INPUT_KIND", kind="fiber")
+def fiber_with_a_normal(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].__setitem__(1, "normal"))
 
 
 @case("REFERENCE_MISSING")

@@ -9,33 +9,36 @@ from dataclasses import dataclass
 from typing import Any
 
 from rna_sdk.package.container import MANIFEST_NAME
+from rna_sdk.package.manifest import Kind
 from tests.package.builders import pack
 
 Entries = dict[str, bytes]
 Breaker = Callable[[Entries], bytes]
 
 MESH = "geometry/mesh.glb"
+CURVES = "geometry/curves.safetensors"
 PLANES = "features/small.safetensors"
 DECODER = "decoders/small.onnx"
 
 
 @dataclass(frozen=True)
 class Case:
-    """`breaker` makes the bytes of a bad file from a good package's entries."""
+    """`breaker` makes the bytes of a bad file from the entries of a good package of this kind."""
 
     name: str
     code: str
     breaker: Breaker
+    kind: Kind
 
 
 CASES: list[Case] = []
 
 
-def case(code: str) -> Callable[[Breaker], Breaker]:
+def case(code: str, kind: Kind = "surface") -> Callable[[Breaker], Breaker]:
     """Register the function as a case in which `code` is the only issue."""
 
     def register(breaker: Breaker) -> Breaker:
-        CASES.append(Case(breaker.__name__, code, breaker))
+        CASES.append(Case(breaker.__name__, code, breaker, kind))
         return breaker
 
     return register

@@ -1,0 +1,66 @@
+"""The geometry of a fiber asset, as arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.mesh import check_array
+
+
+@dataclass(frozen=True, eq=False)
+class Curves:
+    """Strands in object space, metres, right-handed with +Y up: chains of round, straight cones.
+
+    Attributes:
+        points: (p, 3) float32, strand after strand, each from root to tip; no two in a row of
+            a strand are equal.
+        radii: (p,) float32, more than 0.
+        offsets: (s + 1,) uint32, ascending from 0 to p: strand k has the points offsets[k] up
+            to offsets[k + 1], two at least.
+
+    Raises:
+        PackageError: GEOMETRY_ARRAY, where a shape or dtype is another; GEOMETRY_STRANDS, where
+            the offsets are not of that form; GEOMETRY_SEGMENT, where a segment has no length.
+    """
+
+    points: NDArray[np.float32]
+    radii: NDArray[np.float32]
+    offsets: NDArray[np.uint32]
+
+    def __post_init__(self) -> None:
+        p, s = len(self.points), len(self.offsets) - 1
+        check_array("points", self.points, (p, 3), np.float32)
+        check_array("radii", self.radii, (p,), np.float32)
+        check_array("offsets", self.offsets, (s + 1,), np.uint32)
+        if s < 1 or self.offsets[0] != 0 or self.offsets[-1] != p:
+            found = f"offsets {self.offsets[:1].tolist()} to {self.offsets[-1:].tolist()}"
+            refuse(Code.GEOMETRY_STRANDS, "/geometry", found, f"one strand and more, 0 to {p}")
+        counts = np.diff(self.offsets.astype(np.int64))
+        if counts.min() < 2:
+            found = f"{counts.min()} points in strand {np.argmin(counts)}"
+            refuse(Code.GEOMETRY_STRANDS, "/geometry", found, "2 and more in each")
+        same = (self.points[1:] == self.points[:-1]).all(axis=1) & self._goes_on()[:-1]
+        if same.any():
+            at = int(np.argmax(same))
+            found = f"points {at} and {at + 1} at {self.points[at].tolist()}"
+            refuse(Code.GEOMETRY_SEGMENT, "/geometry", found, "a segment of some length")
+
+    def segments(self) -> NDArray[np.uint32]:
+        """(m,) the first point of each segment; its second is the next. Strand after strand."""
+        return np.flatnonzero(self._goes_on()).astype(np.uint32)
+
+    def _goes_on(self) -> NDArray[np.bool_]:
+        """(p,) whether the point's strand goes on behind it."""
+        result = np.ones(len(self.points), np.bool_)
+        result[self.offsets[1:].astype(np.int64) - 1] = False
+        return result
+
+    def box(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """The lower and the upper corner of the box around it, radii included, each (3,)."""
+        radii = self.radii[:, None]
+        with np.errstate(over="ignore"):  # to infinity, which is outside of any bounds
+            return (self.points - radii).min(axis=0), (self.points + radii).max(axis=0)

@@ -1,0 +1,41 @@
+"""The geometry of an asset, whatever its kind: its arrays from and to the bytes of its entry."""
+
+from __future__ import annotations
+
+from rna_sdk.package.curves import Curves
+from rna_sdk.package.curves_file import curves_from_bytes, curves_to_bytes
+from rna_sdk.package.glb_reader import mesh_from_glb
+from rna_sdk.package.glb_writer import mesh_to_glb
+from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.manifest import Kind
+from rna_sdk.package.mesh import Mesh
+
+Geometry = Mesh | Curves
+
+CLASSES: dict[Kind, type[Geometry]] = {"surface": Mesh, "fiber": Curves}
+
+
+def geometry_from_bytes(data: memoryview, name: str, kind: Kind) -> Geometry:
+    """The geometry in the entry `data`, checked; its arrays are read-only views of `data`.
+
+    Args:
+        data: the bytes of the entry.
+        name: the entry's name, for issues.
+        kind: the manifest's.
+
+    Raises:
+        PackageError: with the first GEOMETRY_* or JSON_* issue found.
+    """
+    return mesh_from_glb(data, name) if kind == "surface" else curves_from_bytes(data, name)
+
+
+def geometry_to_bytes(geometry: Geometry, kind: Kind) -> bytes:
+    """The entry's bytes. The same arrays give the same bytes; values are not looked at.
+
+    Raises:
+        PackageError: GEOMETRY_CONTAINER, where the kind asks for the other class.
+    """
+    if not isinstance(geometry, CLASSES[kind]):
+        found, expected = type(geometry).__name__, CLASSES[kind].__name__
+        refuse(Code.GEOMETRY_CONTAINER, "/geometry", found, f"{expected} for a {kind} asset")
+    return mesh_to_glb(geometry) if isinstance(geometry, Mesh) else curves_to_bytes(geometry)

@@ -1,0 +1,148 @@
+"""A safetensors file of a few known tensors: write one, read one from hostile bytes.
+
+Layout: https://github.com/huggingface/safetensors#format. The tensors follow each other with no
+gap, as that format asks, in the order of the caller; the first starts on a 64-byte boundary,
+which the header's padding sees to.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeGuard
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.limits import ALIGNMENT, MAX_TENSORS_HEADER_BYTES
+from rna_sdk.package.strict_json import parse_object
+
+_LENGTH = struct.Struct("<Q")
+_DTYPES = {"float16": "F16", "float32": "F32", "uint32": "U32"}
+
+
+@dataclass(frozen=True)
+class TensorForm:
+    """What a tensor must be: numpy's name of its dtype, and its dimensions.
+
+    A dimension is an int, or the range of those allowed.
+    """
+
+    dtype: str
+    shape: tuple[int | range, ...]
+
+    def fits(self, shape: list[int]) -> bool:
+        """Whether a tensor may have this shape."""
+        return len(shape) == len(self.shape) and all(
+            n in allowed if isinstance(allowed, range) else n == allowed
+            for n, allowed in zip(shape, self.shape, strict=True)
+        )
+
+    def __str__(self) -> str:
+        texts = (f"{n[0]} to {n[-1]}" if isinstance(n, range) else f"{n}" for n in self.shape)
+        return f"[{', '.join(texts)}]"
+
+
+@dataclass(frozen=True)
+class TensorCodes:
+    """The issue codes of one sort of file.
+
+    Attributes:
+        header: no header in the file, or not JSON.
+        tensors: other tensors than the known ones.
+        dtype, shape: not the tensor's form.
+        offsets: tensors that do not follow each other up to the end of the file.
+        alignment: the first tensor is not on its boundary.
+    """
+
+    header: Code
+    tensors: Code
+    dtype: Code
+    shape: Code
+    offsets: Code
+    alignment: Code
+
+
+def tensors_to_bytes(tensors: Mapping[str, NDArray[Any]]) -> bytes:
+    """The file of these float16, float32 or uint32 arrays. The same arrays give the same bytes."""
+    header: dict[str, Any] = {}
+    parts: list[bytes] = []
+    end = 0
+    for name, array in tensors.items():
+        parts.append(np.ascontiguousarray(array, array.dtype.newbyteorder("<")).tobytes())
+        start, end = end, end + len(parts[-1])
+        header[name] = {
+            "dtype": _DTYPES[array.dtype.name],
+            "shape": list(array.shape),
+            "data_offsets": [start, end],
+        }
+    text = json.dumps(header, separators=(",", ":")).encode()
+    text += b" " * (-(_LENGTH.size + len(text)) % ALIGNMENT)
+    return b"".join((_LENGTH.pack(len(text)), text, *parts))
+
+
+def tensors_from_bytes(
+    data: memoryview, name: str, forms: Mapping[str, TensorForm], codes: TensorCodes
+) -> dict[str, NDArray[Any]]:
+    """The arrays of the file `data`, as read-only views of it; values are not looked at.
+
+    Args:
+        data: the bytes of the entry.
+        name: the entry's name, for issues.
+        forms: the tensors that the file must have, in the order of their data.
+        codes: what to call what is wrong.
+
+    Raises:
+        PackageError: with the first issue of `codes` or JSON_* issue found.
+    """
+    header, start = _read_header(data, name, codes)
+    if set(header) - {"__metadata__"} != set(forms):
+        refuse(codes.tensors, name, sorted(header), sorted(forms))
+    arrays: dict[str, NDArray[Any]] = {}
+    end = 0
+    for tensor, form in forms.items():
+        where = f"{name}#/{tensor}"
+        shape = _check_form(header[tensor], where, form, codes)
+        dtype = np.dtype(form.dtype).newbyteorder("<")
+        begin, end = end, end + math.prod(shape) * dtype.itemsize
+        offsets = header[tensor].get("data_offsets")
+        if offsets != [begin, end] or not _is_integers(offsets) or start + end > len(data):
+            found = f"{offsets} of {len(data) - start} bytes"
+            refuse(codes.offsets, f"{where}/data_offsets", found, f"{[begin, end]}, in the file")
+        flat = np.frombuffer(data[start + begin : start + end], dtype)
+        arrays[tensor] = flat.reshape(shape)
+    if start + end != len(data):
+        refuse(codes.offsets, name, f"{len(data) - start} bytes of data", end)
+    if start % ALIGNMENT:
+        refuse(codes.alignment, name, f"byte {start}", f"a multiple of {ALIGNMENT}")
+    return arrays
+
+
+def _read_header(data: memoryview, name: str, codes: TensorCodes) -> tuple[dict[str, Any], int]:
+    """The header's JSON object, and where the data behind it starts."""
+    size = _LENGTH.unpack_from(data)[0] if len(data) >= _LENGTH.size else None
+    if size is None or size > MAX_TENSORS_HEADER_BYTES or _LENGTH.size + size > len(data):
+        expected = f"at most {MAX_TENSORS_HEADER_BYTES}, inside the file"
+        refuse(codes.header, name, f"a header of {size} bytes", expected)
+    start = _LENGTH.size + size
+    return parse_object(bytes(data[_LENGTH.size : start]), name, codes.header), start
+
+
+def _check_form(tensor: object, where: str, form: TensorForm, codes: TensorCodes) -> list[int]:
+    """The tensor's shape, once the header's record of it is of the form."""
+    if not isinstance(tensor, dict):
+        refuse(codes.tensors, where, type(tensor).__name__, "an object")
+    if tensor.get("dtype") != _DTYPES[form.dtype]:
+        refuse(codes.dtype, f"{where}/dtype", tensor.get("dtype"), _DTYPES[form.dtype])
+    shape = tensor.get("shape")
+    if not _is_integers(shape) or not form.fits(shape):
+        refuse(codes.shape, f"{where}/shape", shape, form)
+    return shape
+
+
+def _is_integers(value: object) -> TypeGuard[list[int]]:
+    return isinstance(value, list) and all(type(item) is int for item in value)

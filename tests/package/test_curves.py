@@ -1,0 +1,182 @@
+"""Fiber packages: curves come back as they were written, and each kind keeps to its own."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import safetensors.numpy
+
+from rna_sdk.errors import QueryError
+from rna_sdk.package import Curves, Package, PackageError, validate, write_package
+from rna_sdk.package.manifest_reader import parse_manifest
+from tests.package.builders import (
+    FIBER_INPUTS,
+    make_curves,
+    make_manifest,
+    make_mesh,
+    make_tier,
+    make_tier_data,
+    make_tiny_fiber_package,
+)
+from tests.package.corpus.curve_cases import with_header
+from tests.package.corpus.manifest_cases import fiber_with_a_normal
+from tests.package.corpus.registry import CURVES
+
+NAMES = ("points", "radii", "offsets")
+
+
+def test_curves_come_back_as_views(tuft: Path) -> None:
+    assert validate(tuft) == []
+    package = Package.open(tuft)
+    assert (package.manifest.kind, package.manifest.geometry) == ("fiber", CURVES)
+    curves, good = package.curves(), make_curves()
+    package.close()
+    for name in NAMES:
+        array = getattr(curves, name)
+        np.testing.assert_array_equal(array, getattr(good, name))
+        assert array.dtype == getattr(good, name).dtype
+        assert not array.flags.writeable and not array.flags.owndata
+    assert curves.points.ctypes.data % 64 == 0
+
+
+def test_same_curves_same_bytes(tmp_path: Path, fiber_entries: dict[str, bytes]) -> None:
+    first, second = (make_tiny_fiber_package(tmp_path / name).read_bytes() for name in "ab")
+    assert first == second
+    digest = hashlib.sha256(fiber_entries[CURVES]).hexdigest()
+    assert digest == "4b39804fdf030c6db035e1a7d5205b908896b87723518c7a1057bcca2279fbfa"
+
+
+def test_other_software_opens_the_curves(fiber_entries: dict[str, bytes]) -> None:
+    tensors = safetensors.numpy.load(fiber_entries[CURVES])
+    assert set(tensors) == set(NAMES)
+    for name in NAMES:
+        np.testing.assert_array_equal(tensors[name], getattr(make_curves(), name))
+
+
+def test_segments_start_at_all_points_but_tips() -> None:
+    curves = make_curves()
+    assert curves.segments().tolist() == [0, 1, 2, 4, 6, 7]
+    assert curves.segments().dtype == np.uint32
+
+
+def test_box_holds_every_sphere() -> None:
+    points = np.float32([[0, 0, 0], [1, 2, 3]])
+    curves = Curves(points, np.float32([0.5, 0.25]), np.uint32([0, 2]))
+    low, high = curves.box()
+    assert low.tolist() == [-0.5, -0.5, -0.5]
+    assert high.tolist() == [1.25, 2.25, 3.25]
+
+
+def test_each_kind_has_its_own_geometry(tiny: Path, tuft: Path) -> None:
+    with Package.open(tuft) as fiber, Package.open(tiny) as surface:
+        with pytest.raises(QueryError, match=r"a fiber asset has no mesh; ask for its curves\(\)"):
+            fiber.mesh()
+        with pytest.raises(QueryError, match=r"a surface asset has no curves; .* mesh\(\)"):
+            surface.curves()
+        assert isinstance(fiber.geometry(), Curves)
+        np.testing.assert_array_equal(
+            surface.geometry().box()[1], make_mesh().positions.max(axis=0)
+        )
+    with pytest.raises(QueryError, match="closed"):
+        fiber.curves()
+
+
+@pytest.mark.parametrize(
+    ("kind", "inputs", "geometry"),
+    [
+        ("fiber", FIBER_INPUTS, make_mesh()),
+        ("surface", ("features", "wo"), make_curves()),
+    ],
+    ids=["mesh as fiber", "curves as surface"],
+)
+def test_writer_refuses_the_other_geometry(
+    tmp_path: Path, kind: Any, inputs: tuple[str, ...], geometry: Any
+) -> None:
+    tier = make_tier(inputs=inputs)
+    manifest = make_manifest(tier, kind=kind)
+    with pytest.raises(PackageError, match=f"GEOMETRY_CONTAINER at /geometry.*a {kind} asset"):
+        write_package(tmp_path / "x.rna", manifest, geometry, {"small": make_tier_data(tier)})
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_block_of_another_kind_is_named_with_its_place(
+    fiber_entries: dict[str, bytes], tmp_path: Path
+) -> None:
+    path = tmp_path / "x.rna"
+    path.write_bytes(fiber_with_a_normal(fiber_entries))
+    (issue,) = validate(path)
+    assert (issue.code, issue.pointer_or_offset) == ("INPUT_KIND", "/tiers/0/inputs/1")
+    assert issue.found == "normal"
+    assert "tangent" in issue.expected and "half_vector" not in issue.expected
+
+
+def test_writer_refuses_blocks_of_another_kind(tmp_path: Path) -> None:
+    tier = make_tier(inputs=("features", "half_vector"))
+    manifest = make_manifest(tier, kind="fiber")
+    with pytest.raises(PackageError, match="INPUT_KIND at /tiers/0/inputs/1"):
+        write_package(tmp_path / "x.rna", manifest, make_curves(), {"small": make_tier_data(tier)})
+
+
+def test_geometry_may_have_any_name(tmp_path: Path) -> None:
+    path = make_tiny_fiber_package(tmp_path / "x.rna", geometry="geometry/fur.safetensors")
+    with Package.open(path) as package:
+        assert len(package.curves().points) == 9
+
+
+def test_kind_and_geometry_stand_in_the_file(fiber_entries: dict[str, bytes]) -> None:
+    manifest = json.loads(fiber_entries["manifest.json"])
+    for name in ("kind", "geometry"):
+        rest = {key: value for key, value in manifest.items() if key != name}
+        with pytest.raises(PackageError, match=f"^error FIELD_MISSING at /{name}: [^\n]*$"):
+            parse_manifest(json.dumps(rest).encode())
+
+
+@pytest.mark.parametrize(
+    ("edit", "place"),
+    [
+        (lambda h: h["offsets"].update(dtype="I64"), "offsets/dtype"),
+        (lambda h: h["points"].update(shape=[10**30, 3]), "points/shape"),
+        (lambda h: h["points"].update(data_offsets=[False, 108]), "points/data_offsets"),
+        (lambda h: h["radii"].update(shape={"0": 9}), "radii/shape"),
+        (lambda h: h["radii"].update(data_offsets=[108.0, 144.0]), "radii/data_offsets"),
+        (lambda h: h["offsets"].pop("data_offsets"), "offsets/data_offsets"),
+    ],
+)
+def test_hostile_header_is_refused_where_it_lies(
+    edit: Callable[[Any], object], place: str, fiber_entries: dict[str, bytes], tmp_path: Path
+) -> None:
+    path = tmp_path / "x.rna"
+    path.write_bytes(with_header(fiber_entries, edit))
+    (issue,) = validate(path)
+    assert issue.pointer_or_offset == f"{CURVES}#/{place}"
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        ({"points": make_curves().points.astype(np.float64)}, "GEOMETRY_ARRAY"),
+        ({"radii": make_curves().radii[:, None]}, "GEOMETRY_ARRAY"),
+        ({"offsets": make_curves().offsets.astype(np.int64)}, "GEOMETRY_ARRAY"),
+        ({"offsets": np.zeros(0, np.uint32)}, "GEOMETRY_STRANDS"),
+        ({"offsets": np.zeros(1, np.uint32)}, "GEOMETRY_STRANDS"),
+        ({"offsets": np.uint32([0, 6, 4, 9])}, "GEOMETRY_STRANDS"),
+        ({"points": np.zeros((9, 3), np.float32)}, "GEOMETRY_SEGMENT"),
+    ],
+)
+def test_curves_refuse_wrong_arrays(change: dict[str, Any], code: str) -> None:
+    with pytest.raises(PackageError, match=code):
+        replace(make_curves(), **change)
+
+
+def test_strands_may_share_a_point() -> None:
+    """Two strands that end and start in one place are no segment."""
+    points = np.float32([[0, 0, 0], [0, 1, 0], [0, 1, 0], [0, 2, 0]])
+    curves = Curves(points, np.ones(4, np.float32), np.uint32([0, 2, 4]))
+    assert curves.segments().tolist() == [0, 2]
