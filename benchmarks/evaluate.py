@@ -1,6 +1,7 @@
-"""Speed of `Asset.evaluate` against the machine's own float32 matrix product.
+"""Speed of an asset's `evaluate` against the machine's own float32 matrix product.
 
     python benchmarks/evaluate.py --widths 64 --out evaluate.json
+    python benchmarks/evaluate.py --kind fiber --resolution 256 --widths 64
 
 Prints JSON, one record a decoder width. Matrix products and evaluations alternate in one run,
 both on all cores the process may use, and medians are compared; so `share_of_gemm` can be read
@@ -26,6 +27,7 @@ from report import publish, report_parser
 
 from rna_sdk.package import (
     Bounds,
+    Curves,
     Domain,
     Manifest,
     Mesh,
@@ -40,7 +42,10 @@ from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.output_kernel import split_transport
 from rna_sdk.runtime.tiles import Batch, QueryFiller
 
-INPUTS = ("features", "normal", "wo", "wi", "half_vector")
+INPUTS = {
+    "surface": ("features", "normal", "wo", "wi", "half_vector"),
+    "fiber": ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_lobes"),
+}
 HIDDEN_LAYERS = 4
 GEMM_SIZE = 2048
 Arrays = tuple[NDArray[np.float32], ...]
@@ -51,7 +56,7 @@ def main() -> None:
     report: dict[str, Any] = {
         "machine": platform.processor() or platform.machine(),
         "planes": [3, args.resolution, args.resolution, args.channels],
-        "inputs": INPUTS,
+        "inputs": INPUTS[args.kind],
         "hidden_layers": HIDDEN_LAYERS,
         "repeats": args.repeats,
         "widths": [measure(width, args) for width in args.widths],
@@ -64,6 +69,7 @@ def arguments() -> argparse.Namespace:
         description="Measure evaluation speed against numpy's matrix product; prints JSON.",
         epilog="example: python benchmarks/evaluate.py --widths 64 --out evaluate.json",
     )
+    parser.add_argument("--kind", choices=list(INPUTS), default="surface", help="of the asset")
     parser.add_argument("--widths", type=int, nargs="+", default=[16, 32, 64, 128, 256, 512])
     parser.add_argument("--resolution", type=int, default=512, help="texels along a plane's side")
     parser.add_argument("--channels", type=int, default=8, help="features a texel")
@@ -75,10 +81,13 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
     """The record of one decoder width."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "random.rna"
-        write_random_package(path, width, args.resolution, args.channels)
+        write_random_package(path, args.kind, width, args.resolution, args.channels)
         asset = load(path)
         n = batch_size(asset, args.seconds)
-        batches = {"random": random_points(n), "coherent": sphere_scan(n)}
+        batches = {
+            "random": arguments_of(asset, random_points(n)),
+            "coherent": arguments_of(asset, sphere_scan(n)),
+        }
         gemm, rates = alternate(asset, batches, args.repeats)
         with Package.open(path) as package:
             split = {name: time_split(package, batch) for name, batch in batches.items()}
@@ -103,7 +112,7 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
 
 def batch_size(asset: Asset, seconds: float) -> int:
     """A number of queries that takes about this long."""
-    trial = random_points(65_536)
+    trial = arguments_of(asset, random_points(65_536))
     asset.evaluate(*trial)
     rate = len(trial[0]) / seconds_of(lambda: asset.evaluate(*trial))
     return int(np.clip(rate * seconds, 16_384, 2**22))
@@ -129,12 +138,15 @@ def alternate(
 def time_split(package: Package, batch: Arrays) -> dict[str, float]:
     """ns a query on one thread, by step of the tile loop."""
     tier = package.manifest.tiers[0]
-    filler = QueryFiller(package.planes(tier.name), package.manifest.bounds, tier)
+    kind = package.manifest.kind
+    filler = QueryFiller(package.planes(tier.name), package.manifest.bounds, tier, kind)
     decoder = Decoder(package.decoder(tier.name), filler.largest_query)
     rows = decoder.tile_rows
     n = max(len(batch[0]) // 4 // rows, 1) * rows
     outputs = np.zeros((2, len(batch[0]), 3), np.float32)
-    everything = Batch(*batch, *outputs)
+    positions, axes, *offsets, wo, wi = batch
+    h = offsets[0] if offsets else np.empty(0, np.float32)
+    everything = Batch(positions, axes, h, wo, wi, *outputs)
     queries = np.zeros((rows, decoder.columns), np.float32)
     valid = np.empty(rows, np.bool_)
     total = dict.fromkeys(("inputs", "decoder", "output"), 0.0)
@@ -156,6 +168,15 @@ def seconds_of(action: Callable[[], object]) -> float:
     start = time.perf_counter()
     action()
     return time.perf_counter() - start
+
+
+def arguments_of(asset: Asset, points: Arrays) -> Arrays:
+    """What `evaluate` takes, from surface points; fibers get the normals for tangents, random h."""
+    if asset.kind == "surface":
+        return points
+    positions, normals, wo, wi = points
+    h = np.random.default_rng(3).uniform(-1, 1, len(positions)).astype(np.float32)
+    return positions, normals, h, wo, wi
 
 
 def random_points(n: int) -> Arrays:
@@ -180,13 +201,13 @@ def unit(vectors: NDArray[np.floating]) -> NDArray[np.float32]:
     return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)
 
 
-def write_random_package(path: Path, width: int, resolution: int, channels: int) -> None:
+def write_random_package(path: Path, kind: str, width: int, resolution: int, channels: int) -> None:
     """A package of one tier with random float16 planes and a random decoder."""
     tier = Tier(
         name="random",
         planes="features/random.safetensors",
         decoder="decoders/random.onnx",
-        inputs=INPUTS,
+        inputs=INPUTS[kind],
         resolution=resolution,
         channels=channels,
         plane_precision="float16",
@@ -195,6 +216,7 @@ def write_random_package(path: Path, width: int, resolution: int, channels: int)
     manifest = Manifest(
         generator="benchmarks/evaluate.py",
         name="random",
+        kind=kind,
         bounds=Bounds(min=(-1, -1, -1), max=(1, 1, 1)),
         domain=Domain(wo="sphere", wi="sphere"),
         tiers=(tier,),
@@ -204,7 +226,8 @@ def write_random_package(path: Path, width: int, resolution: int, channels: int)
     rng = np.random.default_rng(0)
     planes = rng.normal(0, 0.5, (3, resolution, resolution, channels)).astype(np.float16)
     data = TierData(planes=planes, decoder=random_decoder(tier.query_width, width))
-    write_package(path, manifest, ball(), {tier.name: data})
+    geometry = ball() if kind == "surface" else strand()
+    write_package(path, manifest, geometry, {tier.name: data})
 
 
 def ball() -> Mesh:
@@ -212,6 +235,11 @@ def ball() -> Mesh:
     positions = np.asarray(shape.vertices, np.float32)
     faces = np.asarray(shape.faces, np.uint32)
     return Mesh(positions=positions, normals=unit(positions), uvs=None, triangles=faces)
+
+
+def strand() -> Curves:
+    points = np.float32([[0, -0.9, 0], [0, 0.9, 0]])
+    return Curves(points, np.full(2, 0.01, np.float32), np.array([0, 2], np.uint32))
 
 
 def random_decoder(columns: int, width: int) -> bytes:

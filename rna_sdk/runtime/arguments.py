@@ -16,11 +16,25 @@ def vectors(name: str, value: object, count: int | None = None) -> NDArray[np.fl
     Raises:
         QueryError: it is no such array, or has other than `count` rows.
     """
-    expected = f"({'n' if count is None else count}, 3) float32 array"
+    return _rows(name, value, count, (3,))
+
+
+def scalars(name: str, value: object, count: int | None = None) -> NDArray[np.float32]:
+    """`value` as a C-contiguous (n,) float32 array, copied only where it is not contiguous.
+
+    Raises:
+        QueryError: it is no such array, or has other than `count` elements.
+    """
+    return _rows(name, value, count, ())
+
+
+def _rows(name: str, value: object, count: int | None, row: tuple[int, ...]) -> NDArray[np.float32]:
+    shape = ", ".join(map(str, ("n" if count is None else count, *row)))
+    expected = f"({shape}{'' if row else ','}) float32 array"
     if not isinstance(value, np.ndarray):
         raise QueryError(f"{name}: expected a {expected}, found {type(value).__name__}")
-    wrong_rows = count is not None and len(value.shape) == 2 and value.shape[0] != count
-    if value.dtype != np.float32 or value.shape[1:] != (3,) or wrong_rows:
+    wrong_shape = value.ndim != 1 + len(row) or value.shape[1:] != row
+    if wrong_shape or value.dtype != np.float32 or count not in (None, len(value)):
         raise QueryError(f"{name}: expected a {expected}, found {value.shape} {value.dtype}")
     return np.require(value, requirements=["C", "ALIGNED"])
 

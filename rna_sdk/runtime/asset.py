@@ -5,13 +5,13 @@ from __future__ import annotations
 from os import PathLike
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rna_sdk.package import Package, Tier
-from rna_sdk.runtime.arguments import results, thread_count, vectors
+from rna_sdk.package.manifest import Kind
+from rna_sdk.runtime.arguments import results, scalars, thread_count, vectors
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.tiers import choose_tier
-from rna_sdk.runtime.tiles import Batch, QueryFiller, TileEvaluator
+from rna_sdk.runtime.tiles import Batch, QueryFiller, Rows, TileEvaluator
 
 
 def load(
@@ -20,8 +20,10 @@ def load(
     threads: int | None = None,
     *,
     min_psnr: float | None = None,
-) -> Asset:
+) -> SurfaceAsset | FiberAsset:
     """Open the package at `path` for evaluation. Its planes stay in the file, mapped to memory.
+
+    Which of the two it gives, the package's kind says.
 
     tier: name of a tier; None takes the package's first.
     threads: threads of an evaluation; None takes one for each core this process may use.
@@ -34,18 +36,19 @@ def load(
     """
     count = thread_count(threads)
     with Package.open(path) as package:
-        return Asset(package, choose_tier(package, tier, min_psnr), count)
+        kind = SurfaceAsset if package.manifest.kind == "surface" else FiberAsset
+        return kind(package, choose_tier(package, tier, min_psnr), count)
 
 
 class Asset:
     """One tier of a package, ready to evaluate; make one with `load`.
 
-    Threads may evaluate at the same time.
+    It is a `SurfaceAsset` or a `FiberAsset`. Threads may evaluate at the same time.
 
     Attributes:
+        kind: "surface" or "fiber".
         tier: the tier's record in the manifest (`tier.name`, `tier.validation`, ...).
         threads: threads of an evaluation.
-        mesh: the geometry, object space, metres.
         bounds: (2, 3) float32, read-only: lower and upper corner of the box that the features
             span, object space, metres.
     """
@@ -53,23 +56,50 @@ class Asset:
     def __init__(self, package: Package, tier: Tier, threads: int) -> None:
         """package: open; tier: one of its manifest's; threads: at least 1."""
         box = package.manifest.bounds
+        self.kind: Kind = package.manifest.kind
         self.tier = tier
         self.threads = threads
-        self.mesh = package.mesh()
         self.bounds = np.array([box.min, box.max], np.float32)
         self.bounds.flags.writeable = False
-        filler = QueryFiller(package.planes(tier.name), box, tier)
+        filler = QueryFiller(package.planes(tier.name), box, tier, self.kind)
         decoder = Decoder(package.decoder(tier.name), filler.largest_query)
         self._evaluator = TileEvaluator(filler, decoder, threads)
 
+    def _evaluate(
+        self, positions: Rows, axes: Rows, h: Rows, wo: object, wi: object, out: object
+    ) -> tuple[Rows, Rows]:
+        """The first three as in `tiles.Batch`; the others checked here."""
+        count = len(positions)
+        wo = vectors("wo", wo, count)
+        wi = vectors("wi", wi, count)
+        if out is None:
+            visible, shadowed = np.empty((2, count, 3), np.float32)
+        else:
+            visible, shadowed = results(out, count)
+        self._evaluator.run(Batch(positions, axes, h, wo, wi, visible, shadowed))
+        return visible, shadowed
+
+
+class SurfaceAsset(Asset):
+    """An asset whose geometry is a mesh.
+
+    Attributes:
+        mesh: the geometry, object space, metres.
+    """
+
+    def __init__(self, package: Package, tier: Tier, threads: int) -> None:
+        """package: open, of a surface; tier: one of its manifest's; threads: at least 1."""
+        super().__init__(package, tier, threads)
+        self.mesh = package.mesh()
+
     def evaluate(
         self,
-        positions: NDArray[np.float32],
-        normals: NDArray[np.float32],
-        wo: NDArray[np.float32],
-        wi: NDArray[np.float32],
-        out: tuple[NDArray[np.float32], NDArray[np.float32]] | None = None,
-    ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        positions: Rows,
+        normals: Rows,
+        wo: Rows,
+        wi: Rows,
+        out: tuple[Rows, Rows] | None = None,
+    ) -> tuple[Rows, Rows]:
         """Transport at surface points: radiance towards wo under irradiance 1 from wi.
 
         positions: metres. normals: of the surface. wo, wi: where light goes to and comes from,
@@ -89,13 +119,55 @@ class Asset:
                 cannot be written as it is.
         """
         positions = vectors("positions", positions)
-        count = len(positions)
-        normals = vectors("normals", normals, count)
-        wo = vectors("wo", wo, count)
-        wi = vectors("wi", wi, count)
-        if out is None:
-            visible, shadowed = np.empty((2, count, 3), np.float32)
-        else:
-            visible, shadowed = results(out, count)
-        self._evaluator.run(Batch(positions, normals, wo, wi, visible, shadowed))
-        return visible, shadowed
+        normals = vectors("normals", normals, len(positions))
+        return self._evaluate(positions, normals, _NO_OFFSETS, wo, wi, out)
+
+
+class FiberAsset(Asset):
+    """An asset whose geometry is curves: hair, fur, fibers of cloth.
+
+    Attributes:
+        curves: the geometry, object space, metres.
+    """
+
+    def __init__(self, package: Package, tier: Tier, threads: int) -> None:
+        """package: open, of fibers; tier: one of its manifest's; threads: at least 1."""
+        super().__init__(package, tier, threads)
+        self.curves = package.curves()
+
+    def evaluate(
+        self,
+        positions: Rows,
+        tangents: Rows,
+        h: Rows,
+        wo: Rows,
+        wi: Rows,
+        out: tuple[Rows, Rows] | None = None,
+    ) -> tuple[Rows, Rows]:
+        """Transport at points of fibers: radiance towards wo under irradiance 1 from wi.
+
+        positions: metres. tangents: along the fiber, from root to tip. h: (n,) float32, where
+        across the width of the fiber the ray towards wo leaves it, from -1 to 1 as
+        `offset_across` has it; values beyond are clamped. wo, wi: where light goes to and comes
+        from, both away from the fiber. All but h (n, 3) float32, object space; n may be 0.
+        Vectors of another length than 1 are brought to it; positions outside the bounds are
+        moved to their nearest point on them. out: two C-contiguous (n, 3) float32 arrays to
+        write the result into and return, which saves large batches the cost of fresh memory.
+
+        Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and never negative:
+        for the case that the asset itself does not, or does, block the ray from the position
+        along wi. Both contain the cosine. A row with NaN or an infinity, or with a tangent, wo
+        or wi of length zero, gets 0. A row's result is the same to the bit in whatever batch
+        it comes and for any number of threads.
+
+        Raises:
+            QueryError: an argument is not a float32 array of its shape, or they differ in n;
+                `out` cannot be written as it is.
+        """
+        positions = vectors("positions", positions)
+        tangents = vectors("tangents", tangents, len(positions))
+        h = scalars("h", h, len(positions))
+        return self._evaluate(positions, tangents, h, wo, wi, out)
+
+
+_NO_OFFSETS = np.empty(0, np.float32)

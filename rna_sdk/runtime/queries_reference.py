@@ -11,7 +11,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.runtime.fiber_blocks import ETA
+
 Float = NDArray[np.float64]
+Blocks = dict[str, Callable[[], Float]]
 
 
 def queries_reference(
@@ -23,22 +26,64 @@ def queries_reference(
     wo: NDArray[np.floating],
     wi: NDArray[np.floating],
 ) -> NDArray[np.float32]:
-    """(n, K) float32: the blocks named in `inputs`, side by side.
+    """(n, K) float32: the blocks named in `inputs`, side by side, for points of a surface.
 
     planes: (3, R, R, C); bounds: (2, 3) lower and upper corner; positions, normals, wo, wi:
     (n, 3), finite, object space, directions of any length but zero.
     """
-    low, high = np.asarray(bounds, np.float64)
-    p = np.clip((np.asarray(positions, np.float64) - low) / (high - low), 0, 1)
     n, o, i = _unit(normals), _unit(wo), _unit(wi)
-    blocks: dict[str, Callable[[], Float]] = {
-        "features": lambda: triplane_features(planes, p),
-        "position": lambda: 2 * p - 1,
+    blocks: Blocks = {
+        **_common_blocks(planes, bounds, positions, o, i),
         "normal": lambda: n,
-        "wo": lambda: o,
-        "wi": lambda: i,
         "half_vector": lambda: _half_vector(n, o, i),
     }
+    return _joined(blocks, inputs)
+
+
+def fiber_queries_reference(
+    planes: NDArray[np.floating],
+    bounds: NDArray[np.floating],
+    inputs: tuple[str, ...],
+    positions: NDArray[np.floating],
+    tangents: NDArray[np.floating],
+    h: NDArray[np.floating],
+    wo: NDArray[np.floating],
+    wi: NDArray[np.floating],
+) -> NDArray[np.float32]:
+    """(n, K) float32: the blocks named in `inputs`, side by side, for points of fibers.
+
+    h: (n,), finite; the others as in `queries_reference`.
+    """
+    t, o, i = _unit(tangents), _unit(wo), _unit(wi)
+    offset = np.clip(np.asarray(h, np.float64), -1, 1)
+    blocks: Blocks = {
+        **_common_blocks(planes, bounds, positions, o, i),
+        "tangent": lambda: t,
+        "h": lambda: offset[:, None],
+        "fiber_angles": lambda: _fiber_angles(t, o, i),
+        "fiber_lobes": lambda: _fiber_lobes(t, offset, o, i),
+    }
+    return _joined(blocks, inputs)
+
+
+def _common_blocks(
+    planes: NDArray[np.floating],
+    bounds: NDArray[np.floating],
+    positions: NDArray[np.floating],
+    wo: Float,
+    wi: Float,
+) -> Blocks:
+    low, high = np.asarray(bounds, np.float64)
+    p = np.clip((np.asarray(positions, np.float64) - low) / (high - low), 0, 1)
+    return {
+        "features": lambda: triplane_features(planes, p),
+        "position": lambda: 2 * p - 1,
+        "wo": lambda: wo,
+        "wi": lambda: wi,
+    }
+
+
+def _joined(blocks: Blocks, inputs: tuple[str, ...]) -> NDArray[np.float32]:
     return np.concatenate([blocks[name]() for name in inputs], axis=1).astype(np.float32)
 
 
@@ -75,6 +120,39 @@ def _half_vector(n: Float, wo: Float, wi: Float) -> Float:
     n_h = _dot(n, h)
     log_gap = np.log2(1 - np.minimum(n_h, 1) + 1e-4) / 6
     return np.stack([n_h, log_gap, _dot(n, wi), _dot(n, wo), _dot(wi, h)], axis=1)
+
+
+def _fiber_angles(t: Float, wo: Float, wi: Float) -> Float:
+    """(n, 6): s_i, s_o, s_i + s_o, log2((s_i + s_o)^2 + 1e-3) / 6, cos phi, sin phi."""
+    s_o, s_i = _dot(t, wo), _dot(t, wi)
+    log_cone = np.log2((s_i + s_o) ** 2 + 1e-3) / 6
+    return np.stack([s_i, s_o, s_i + s_o, log_cone, *_azimuth(t, wo, wi)], axis=1)
+
+
+def _azimuth(t: Float, wo: Float, wi: Float) -> tuple[Float, Float]:
+    """Cosine and sine of phi, the angle around t from wo to wi."""
+    s_o, s_i = _dot(t, wo), _dot(t, wi)
+    d = _cosine(s_o) * _cosine(s_i)
+    along = d < 1e-6
+    d = np.where(along, 1, d)
+    cos_phi = np.clip((_dot(wo, wi) - s_o * s_i) / d, -1, 1)
+    sin_phi = np.clip(_dot(t, np.cross(wo, wi)) / d, -1, 1)
+    return np.where(along, 1, cos_phi), np.where(along, 0, sin_phi)
+
+
+def _fiber_lobes(t: Float, h: Float, wo: Float, wi: Float) -> Float:
+    """(n, 3): cos(phi - Phi_p) for p = 0, 1, 2, with Phi_p = 2 g_o - 2 p g_t - p pi."""
+    s_o = _dot(t, wo)
+    g_o = np.arcsin(h)
+    g_t = np.arcsin(h * _cosine(s_o) / np.sqrt(ETA**2 - s_o**2))
+    cos_phi, sin_phi = _azimuth(t, wo, wi)
+    lobes = [2 * g_o - 2 * p * g_t - p * np.pi for p in range(3)]
+    return np.stack([cos_phi * np.cos(a) + sin_phi * np.sin(a) for a in lobes], axis=1)
+
+
+def _cosine(sine: Float) -> Float:
+    """Of an angle within 90 degrees."""
+    return np.sqrt(np.maximum(0, 1 - sine**2))
 
 
 def _dot(a: Float, b: Float) -> Float:

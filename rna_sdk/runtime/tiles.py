@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Bounds, Planes, Tier
+from rna_sdk.package.manifest import Kind
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.output_kernel import split_transport
 from rna_sdk.runtime.query_kernel import block_columns, query_kernel
 
-Vectors = NDArray[np.float32]
+Rows = NDArray[np.float32]
 
 _ROW_STEP = 16
 """The decoder always sees a multiple of this many rows: vector instructions then leave no
@@ -26,14 +27,20 @@ _SMALLEST_TILE = 256
 
 @dataclass(frozen=True)
 class Batch:
-    """The arrays of one evaluation, each (n, 3) float32; the last two are written."""
+    """The arrays of one evaluation, each (n, 3) float32 but for h; the last two are written.
 
-    positions: Vectors
-    normals: Vectors
-    wo: Vectors
-    wi: Vectors
-    visible: Vectors
-    shadowed: Vectors
+    Attributes:
+        axes: normals of a surface, tangents of fibers.
+        h: (n,) float32, offsets across fibers; (0,) for a surface, which has none.
+    """
+
+    positions: Rows
+    axes: Rows
+    h: Rows
+    wo: Rows
+    wi: Rows
+    visible: Rows
+    shadowed: Rows
 
 
 class QueryFiller:
@@ -43,7 +50,7 @@ class QueryFiller:
         largest_query: no number in the queries is further from 0.
     """
 
-    def __init__(self, planes: Planes, bounds: Bounds, tier: Tier) -> None:
+    def __init__(self, planes: Planes, bounds: Bounds, tier: Tier, kind: Kind) -> None:
         low, high = np.array([bounds.min, bounds.max], np.float64)
         # The smallest normal number keeps 1 / extent finite.
         extent = np.maximum(high - low, np.finfo(np.float64).tiny)
@@ -54,11 +61,11 @@ class QueryFiller:
         stored = np.uint16 if tier.plane_precision == "float16" else np.float32
         self._planes = planes.view(stored).reshape(-1)
         self.largest_query = _largest_query(planes)
-        self._kernel = query_kernel(tier.channels, tier.plane_precision)
+        self._kernel = query_kernel(kind, tier.channels, tier.plane_precision)
 
-    def fill(self, batch: Batch, rows: slice, queries: Vectors, valid: NDArray[np.bool_]) -> None:
+    def fill(self, batch: Batch, rows: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
         """Write K columns of `queries`, and `valid` (m,), for the m rows of the batch."""
-        sources = (a[rows] for a in (batch.positions, batch.normals, batch.wo, batch.wi))
+        sources = (a[rows] for a in (batch.positions, batch.axes, batch.h, batch.wo, batch.wi))
         self._kernel(
             self._planes, self._resolution, self._box, self._columns, *sources, queries, valid
         )
@@ -116,9 +123,7 @@ class TileEvaluator:
             tile = slice(start, min(start + rows, len(batch.positions)))
             self._run_tile(batch, tile, queries, valid)
 
-    def _run_tile(
-        self, batch: Batch, tile: slice, queries: Vectors, valid: NDArray[np.bool_]
-    ) -> None:
+    def _run_tile(self, batch: Batch, tile: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
         count = tile.stop - tile.start
         self._filler.fill(batch, tile, queries[:count], valid[:count])
         transport = self._decoder.run(queries[: _rounded_up(count)])

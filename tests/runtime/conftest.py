@@ -9,29 +9,36 @@ import pytest
 
 from rna_sdk.package import Cost, Tier, Validation, write_package
 from rna_sdk.runtime import Asset, load
-from tests.package.builders import make_manifest, make_mesh, make_tier, make_tier_data
-
-MakeAsset = Callable[..., Asset]
+from tests.package.builders import (
+    FIBER_INPUTS,
+    INPUTS,
+    make_curves,
+    make_manifest,
+    make_mesh,
+    make_tier,
+    make_tier_data,
+)
 
 
 @pytest.fixture(scope="session")
 def asset_path(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
     """Writes a package of one tier; the decoder's `width` and `layers`, then the tier's fields."""
 
-    def write(width: int = 32, layers: int = 3, **fields: object) -> Path:
-        tier = make_tier(**fields)
+    def write(width: int = 32, layers: int = 3, kind: str = "surface", **fields: object) -> Path:
+        tier = make_tier(**{"inputs": INPUTS if kind == "surface" else FIBER_INPUTS, **fields})
         path = tmp_path_factory.mktemp("asset") / "asset.rna"
         data = make_tier_data(tier, width, layers)
-        write_package(path, make_manifest(tier), make_mesh(), {tier.name: data})
+        geometry = make_mesh() if kind == "surface" else make_curves()
+        write_package(path, make_manifest(tier, kind=kind), geometry, {tier.name: data})
         return path
 
     return write
 
 
-@pytest.fixture(scope="session")
-def asset(asset_path: Callable[..., Path]) -> Asset:
-    """An asset whose decoder the runtime rewrites, on two threads."""
-    return load(asset_path(resolution=16, channels=8), threads=2)
+@pytest.fixture(scope="session", params=["surface", "fiber"])
+def asset(asset_path: Callable[..., Path], request: pytest.FixtureRequest) -> Asset:
+    """An asset, of either kind, whose decoder the runtime rewrites; on two threads."""
+    return load(asset_path(resolution=16, channels=8, kind=request.param), threads=2)
 
 
 @pytest.fixture(scope="session")

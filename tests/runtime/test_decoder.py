@@ -163,5 +163,6 @@ def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision: str) -> 
     planes = np.full((3, 8, 8, 4), -40.0, precision)
     planes[0, 0, 0, 0] = 30
     tier = make_tier(plane_precision=precision)
-    assert 120 <= QueryFiller(planes, make_manifest().bounds, tier).largest_query < 121
-    assert QueryFiller(planes / 1000, make_manifest().bounds, tier).largest_query == 4
+    bounds = make_manifest().bounds
+    assert 120 <= QueryFiller(planes, bounds, tier, "surface").largest_query < 121
+    assert QueryFiller(planes / 1000, bounds, tier, "surface").largest_query == 4

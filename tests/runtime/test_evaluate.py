@@ -1,10 +1,10 @@
-"""Asset.evaluate: right, the same to the bit however it is called, and safe for any input."""
+"""`evaluate` of either kind: right, the same to the bit however called, safe for any input."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from itertools import product
+from dataclasses import fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -15,25 +15,27 @@ from rna_sdk.errors import QueryError
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, load
 from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.queries_reference import queries_reference
-from tests.runtime.points import Points, random_points
+from rna_sdk.runtime.queries_reference import fiber_queries_reference, queries_reference
+from tests.runtime.points import Arrays, points_for, random_fiber_points, random_points
 
 FLOAT_MAX = float(np.finfo(np.float32).max)
-NAMES = ("positions", "normals", "wo", "wi")
+ANY_KIND = pytest.mark.parametrize("kind", ["surface", "fiber"])
 
 
-def both(asset: Asset, points: Points) -> np.ndarray:
+def both(asset: Asset, points: Arrays) -> np.ndarray:
     """(n, 6): visible and shadowed side by side."""
     return np.concatenate(asset.evaluate(*points), axis=1)
 
 
-def test_equals_the_package_evaluated_by_hand(asset_path: Callable[..., Path]) -> None:
-    path = asset_path(resolution=16, channels=8)
-    points = random_points(3000)
+@ANY_KIND
+def test_equals_the_package_evaluated_by_hand(asset_path: Callable[..., Path], kind: str) -> None:
+    path = asset_path(resolution=16, channels=8, kind=kind)
+    points = points_for(load(path), 3000)
+    reference = fiber_queries_reference if kind == "fiber" else queries_reference
     with Package.open(path) as package:
         tier = package.manifest.tiers[0]
         bounds = np.array([package.manifest.bounds.min, package.manifest.bounds.max])
-        queries = queries_reference(package.planes(tier.name), bounds, tier.inputs, *points)
+        queries = reference(package.planes(tier.name), bounds, tier.inputs, *points)
         session = ort.InferenceSession(
             bytes(package.decoder(tier.name)), providers=["CPUExecutionProvider"]
         )
@@ -42,10 +44,13 @@ def test_equals_the_package_evaluated_by_hand(asset_path: Callable[..., Path]) -
     np.testing.assert_allclose(both(load(path), points), expected, rtol=1e-4, atol=1e-5)
 
 
+@ANY_KIND
 @pytest.mark.parametrize("width", [8, 16, 64, 128])
-def test_result_depends_on_the_row_alone(asset_path: Callable[..., Path], width: int) -> None:
-    path = asset_path(width, layers=4, resolution=16, channels=8)
-    points = random_points(5003)
+def test_result_depends_on_the_row_alone(
+    asset_path: Callable[..., Path], width: int, kind: str
+) -> None:
+    path = asset_path(width, layers=4, kind=kind, resolution=16, channels=8)
+    points = points_for(load(path), 5003)
     expected = both(load(path, threads=1), points)
     for threads in (1, 2, 3):
         asset = load(path, threads=threads)
@@ -59,7 +64,7 @@ def test_result_depends_on_the_row_alone(asset_path: Callable[..., Path], width:
 
 
 def test_bad_neighbours_change_nothing(asset: Asset) -> None:
-    points = random_points(1000)
+    points = points_for(asset, 1000)
     expected = both(asset, points)
     points.wi[::3] = np.nan
     found = both(asset, points)
@@ -68,13 +73,13 @@ def test_bad_neighbours_change_nothing(asset: Asset) -> None:
 
 
 def test_an_empty_batch_is_legal(asset: Asset) -> None:
-    visible, shadowed = asset.evaluate(*random_points(0))
+    visible, shadowed = asset.evaluate(*points_for(asset, 0))
     assert visible.shape == shadowed.shape == (0, 3)
     assert visible.dtype == shadowed.dtype == np.float32
 
 
 def test_threads_may_call_at_the_same_time(asset: Asset) -> None:
-    batches = [random_points(3001, seed) for seed in range(8)]
+    batches = [points_for(asset, 3001, seed) for seed in range(8)]
     expected = [both(asset, points) for points in batches]
     with ThreadPoolExecutor(8) as pool:
         for found, want in zip(pool.map(lambda p: both(asset, p), batches), expected, strict=True):
@@ -99,76 +104,103 @@ def test_each_tile_is_evaluated_once(
 def test_any_mix_of_odd_numbers_gives_finite_and_non_negative_transport(asset: Asset) -> None:
     odd = [0.0, -0.0, np.nan, np.inf, -np.inf, FLOAT_MAX, -FLOAT_MAX, 1e-45, -1e-40, 1.0, -0.5]
     rng = np.random.default_rng(0)
-    points = Points(*rng.choice(np.float32(odd), (4, 20_000, 3)))
+    points = points_for(asset, 20_000)
+    for array in points:
+        array[:] = rng.choice(np.float32(odd), array.shape)
     result = both(asset, points)
     assert np.isfinite(result).all() and (result >= 0).all()
     bad = np.zeros(20_000, bool)
     for array in points:
-        bad |= ~np.isfinite(array).all(axis=1)
-    for array in (points.normals, points.wo, points.wi):
+        bad |= ~np.isfinite(array.reshape(20_000, -1)).all(axis=1)
+    for array in (list(points)[1], points.wo, points.wi):
         bad |= ~array.any(axis=1)
     assert not result[bad].any()
     assert 10 < np.count_nonzero(~bad) and result[~bad].any(axis=1).all()
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
-@pytest.mark.parametrize(("argument", "component"), list(product(range(4), range(3))))
-def test_a_number_that_is_not_finite_gives_black(
-    asset: Asset, argument: int, component: int, value: float
-) -> None:
-    points = random_points(20)
-    assert both(asset, points)[7].any()
-    list(points)[argument][7, component] = value
-    assert not both(asset, points)[7].any()
+def test_a_number_that_is_not_finite_gives_black(asset: Asset, value: float) -> None:
+    points = points_for(asset, 20)
+    expected = both(asset, points)
+    assert expected.any(axis=1).all()
+    for array in points:
+        numbers = array.reshape(20, -1)
+        for component in range(numbers.shape[1]):
+            kept = numbers[7, component]
+            numbers[7, component] = value
+            assert not both(asset, points)[7].any()
+            numbers[7, component] = kept
+    np.testing.assert_array_equal(both(asset, points), expected)
 
 
-@pytest.mark.parametrize("argument", [1, 2, 3])
-def test_a_direction_without_length_gives_black(asset: Asset, argument: int) -> None:
-    points = random_points(20)
+@pytest.mark.parametrize("which", ["axis", "wo", "wi"])
+def test_a_direction_without_length_gives_black(asset: Asset, which: str) -> None:
+    points = points_for(asset, 20)
     assert both(asset, points)[7].any()
-    list(points)[argument][7] = 0
+    direction = list(points)[1] if which == "axis" else getattr(points, which)
+    direction[7] = 0
     assert not both(asset, points)[7].any()
 
 
 def test_positions_outside_are_moved_to_the_bounds(asset: Asset) -> None:
-    points = random_points(500, reach=5.0)
-    inside = Points(np.clip(points.positions, -1, 1), points.normals, points.wo, points.wi)
+    points = points_for(asset, 500, reach=5.0)
+    inside = replace(points, positions=np.clip(points.positions, -1, 1))
     np.testing.assert_array_equal(both(asset, points), both(asset, inside))
-    far = Points(points.positions * np.float32(1e37), points.normals, points.wo, points.wi)
-    corner = Points(np.sign(points.positions), points.normals, points.wo, points.wi)
+    far = replace(points, positions=points.positions * np.float32(1e37))
+    corner = replace(points, positions=np.sign(points.positions))
     np.testing.assert_array_equal(both(asset, far), both(asset, corner))
 
 
-@pytest.mark.parametrize("argument", range(4))
+def test_h_beyond_the_edge_is_at_the_edge(asset_path: Callable[..., Path]) -> None:
+    asset = load(asset_path(kind="fiber"))
+    points = random_fiber_points(100)
+    points.h[:] = [1, -1] * 50
+    expected = both(asset, points)
+    assert not np.array_equal(expected, both(asset, replace(points, h=0.9 * points.h)))
+    for factor in (1 + 2**-23, 2.0, FLOAT_MAX):
+        beyond = replace(points, h=points.h * np.float32(factor))
+        np.testing.assert_array_equal(both(asset, beyond), expected)
+
+
 @pytest.mark.parametrize(
     ("bad", "found"),
     [
         (np.zeros((5, 3), np.float64), r"\(5, 3\) float64"),
         (np.zeros((5, 4), np.float32), r"\(5, 4\) float32"),
+        (np.zeros((5, 1, 3), np.float32), r"\(5, 1, 3\) float32"),
         (np.zeros(15, np.float32), r"\(15,\) float32"),
         (np.zeros((5, 3), ">f4"), r"\(5, 3\) >f4"),
+        (np.zeros((), np.float32), r"\(\) float32"),
+        (np.float32(0.5), "float32"),
         ([[0.0, 0.0, 1.0]] * 5, "list"),
         (None, "NoneType"),
     ],
 )
-def test_a_wrong_array_is_named(asset: Asset, argument: int, bad: object, found: str) -> None:
-    arguments: list[object] = list(random_points(5))
-    arguments[argument] = bad
-    with pytest.raises(QueryError, match=f"^{NAMES[argument]}: expected .*float32.* found {found}"):
-        asset.evaluate(*arguments)  # type: ignore[arg-type]
+def test_a_wrong_array_is_named(asset: Asset, bad: object, found: str) -> None:
+    points = points_for(asset, 5)
+    for place, field in enumerate(fields(points)):
+        arguments: list[object] = list(points)
+        arguments[place] = bad
+        message = f"^{field.name}: expected .*float32.* found {found}"
+        with pytest.raises(QueryError, match=message):
+            asset.evaluate(*arguments)
 
 
 def test_arrays_of_different_length_are_refused(asset: Asset) -> None:
-    points = random_points(5)
-    with pytest.raises(QueryError, match=r"^wo: expected a \(5, 3\) .* found \(4, 3\)"):
-        asset.evaluate(points.positions, points.normals, points.wo[:4], points.wi)
+    points = points_for(asset, 5)
+    for place, field in list(enumerate(fields(points)))[1:]:
+        arguments = list(points)
+        arguments[place] = arguments[place][:4]
+        shapes = r"\(5,( 3)?\) .* found \(4,( 3)?\)"
+        with pytest.raises(QueryError, match=f"^{field.name}: expected a {shapes}"):
+            asset.evaluate(*arguments)
 
 
 def test_arrays_with_gaps_and_read_only_arrays_are_taken(asset: Asset) -> None:
-    points = random_points(300)
+    points = points_for(asset, 300)
     expected = both(asset, points)
-    gaps = Points(*(np.repeat(array, 2, axis=0)[::2] for array in points))
-    assert not gaps.positions.flags.c_contiguous
+    gaps = type(points)(*(np.repeat(array, 2, axis=0)[::2] for array in points))
+    assert not any(array.flags.c_contiguous for array in gaps)
     np.testing.assert_array_equal(both(asset, gaps), expected)
     for array in points:
         array.flags.writeable = False
@@ -176,7 +208,7 @@ def test_arrays_with_gaps_and_read_only_arrays_are_taken(asset: Asset) -> None:
 
 
 def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
-    points = random_points(5000)
+    points = points_for(asset, 5000)
     out = np.full((5000, 3), np.nan, np.float32), np.full((5000, 3), np.nan, np.float32)
     returned = asset.evaluate(*points, out=out)
     assert returned[0] is out[0] and returned[1] is out[1]
@@ -195,4 +227,4 @@ def test_results_can_be_written_into_arrays_of_the_caller(asset: Asset) -> None:
 )
 def test_results_that_cannot_be_written_are_refused(asset: Asset, bad: object, found: str) -> None:
     with pytest.raises(QueryError, match=found):
-        asset.evaluate(*random_points(7), out=bad)
+        asset.evaluate(*points_for(asset, 7), out=bad)

@@ -13,8 +13,8 @@ import pytest
 
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package import Package
-from rna_sdk.runtime import load
-from tests.package.builders import make_mesh
+from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
+from tests.package.builders import FIBER_INPUTS, make_curves, make_mesh
 from tests.runtime.points import random_points
 
 
@@ -77,6 +77,17 @@ def test_geometry_and_bounds_come_with_the_asset(tiers_path: Path) -> None:
     np.testing.assert_array_equal(asset.mesh.positions, make_mesh().positions)
 
 
+def test_the_kind_of_the_package_decides_what_is_loaded(asset_path: Callable[..., Path]) -> None:
+    surface, fiber = (load(asset_path(kind=kind)) for kind in ("surface", "fiber"))
+    assert isinstance(surface, SurfaceAsset) and isinstance(fiber, FiberAsset)
+    assert (surface.kind, fiber.kind) == ("surface", "fiber")
+    assert fiber.tier.inputs == FIBER_INPUTS
+    assert fiber.bounds.tolist() == [[-1, -1, -1], [1, 1, 1]]
+    curves = make_curves()
+    np.testing.assert_array_equal(fiber.curves.points, curves.points)
+    np.testing.assert_array_equal(fiber.curves.offsets, curves.offsets)
+
+
 @pytest.mark.parametrize("precision", ["float16", "float32"])
 def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str) -> None:
     """The kernel reads the mapped bytes: what it works on is a view, not a copy."""
@@ -89,9 +100,7 @@ def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str
         return views[-1]
 
     package.planes = remembered  # type: ignore[assignment, method-assign]
-    from rna_sdk.runtime import Asset
-
-    asset = Asset(package, package.manifest.tiers[0], threads=1)
+    asset = SurfaceAsset(package, package.manifest.tiers[0], threads=1)
     assert np.shares_memory(asset._evaluator._filler._planes, views[0])
     assert not views[0].flags.writeable
 

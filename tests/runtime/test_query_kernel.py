@@ -1,37 +1,19 @@
-"""The compiled query kernel against its numpy twin."""
+"""The compiled query kernel against its numpy twin: features, and the blocks of surfaces."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
-from rna_sdk.package import INPUT_BLOCKS, Bounds, query_width
+from rna_sdk.package import INPUT_BLOCKS
+from rna_sdk.package.blocks import blocks_for
 from rna_sdk.runtime.queries_reference import queries_reference
 from rna_sdk.runtime.query_kernel import block_columns
-from rna_sdk.runtime.tiles import Batch, QueryFiller
-from tests.package.builders import INPUTS, make_planes, make_tier
+from tests.package.builders import INPUTS, make_planes
+from tests.runtime.filling import CORNERS, filled
 from tests.runtime.points import Points, random_points
 
-BOUNDS = Bounds(min=(-1.0, -2.0, 0.1), max=(0.5, 1.0, 0.9))
-CORNERS = np.array([BOUNDS.min, BOUNDS.max])
-
-
-def filled(
-    planes: NDArray[np.floating], points: Points, inputs: tuple[str, ...] = INPUTS
-) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-    """`queries` and `valid` from the kernel."""
-    _, resolution, _, channels = planes.shape
-    precision = str(planes.dtype)
-    tier = make_tier(
-        resolution=resolution, channels=channels, plane_precision=precision, inputs=inputs
-    )
-    n = len(points.positions)
-    queries = np.full((n, query_width(inputs, channels)), np.nan, np.float32)
-    valid = np.zeros(n, np.bool_)
-    filler = QueryFiller(planes, BOUNDS, tier)
-    filler.fill(Batch(*points, *np.empty((2, n, 3), np.float32)), slice(0, n), queries, valid)
-    return queries, valid
+SURFACE_BLOCKS = tuple(blocks_for("surface"))
 
 
 @pytest.mark.parametrize("precision", ["float16", "float32"])
@@ -39,7 +21,7 @@ def filled(
 def test_equals_its_twin(precision: str, resolution: int, channels: int) -> None:
     planes = make_planes(resolution, channels, precision)
     points = random_points(1000, reach=2.5)
-    queries, valid = filled(planes, points)
+    queries, valid = filled(planes, points, INPUTS)
     assert valid.all()
     np.testing.assert_allclose(
         queries, queries_reference(planes, CORNERS, INPUTS, *points), rtol=1e-6, atol=2e-6
@@ -49,8 +31,8 @@ def test_equals_its_twin(precision: str, resolution: int, channels: int) -> None
 @pytest.mark.parametrize(
     "inputs",
     [
-        tuple(INPUT_BLOCKS),
-        tuple(reversed(INPUT_BLOCKS)),
+        SURFACE_BLOCKS,
+        SURFACE_BLOCKS[::-1],
         ("features",),
         ("half_vector", "position"),
         ("wi", "features", "wo"),
@@ -66,7 +48,9 @@ def test_blocks_stand_in_the_order_of_the_tier(inputs: tuple[str, ...]) -> None:
 
 
 def test_columns_of_blocks_that_are_not_there_are_negative() -> None:
-    assert block_columns(("wi", "features"), 8).tolist() == [3, -1, -1, -1, 0, -1]
+    columns = dict(zip(INPUT_BLOCKS, block_columns(("wi", "h", "features"), 8), strict=True))
+    assert {name: at for name, at in columns.items() if at >= 0} == {"wi": 0, "h": 3, "features": 4}
+    assert set(columns.values()) == {-1, 0, 3, 4}
 
 
 def test_planes_are_xy_yz_zx_with_u_along_rows() -> None:
@@ -108,7 +92,7 @@ def test_length_of_directions_does_not_count() -> None:
     scaled = Points(
         points.positions, points.normals * 2**20, points.wo * 2.0**-60, points.wi * 2**60
     )
-    expected, _ = filled(planes, points)
-    queries, valid = filled(planes, scaled)
+    expected, _ = filled(planes, points, INPUTS)
+    queries, valid = filled(planes, scaled, INPUTS)
     assert valid.all()
     np.testing.assert_array_equal(queries, expected)

@@ -1,0 +1,43 @@
+"""Where across a fiber's width a ray leaves it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.runtime.arguments import vectors
+from rna_sdk.runtime.compiled import compiled
+from rna_sdk.runtime.vectors import Rows, clamped, cross, dot, unit
+
+
+def offset_across(
+    normals: NDArray[np.float32], tangents: NDArray[np.float32], wo: NDArray[np.float32]
+) -> NDArray[np.float32]:
+    """(n,) float32: h of `FiberAsset.evaluate`, n . (t x wo) / |t x wo|, within [-1, 1].
+
+    normals: of the fiber's round side where it is hit. tangents: along the fiber. wo: away from
+    it, towards the eye. All (n, 3) float32 of any length, in one space. Seen from the eye with t
+    upwards, h is the distance to the right of the fiber's middle, in radii. It is 0 where wo is
+    parallel to t, and where a vector has no length or is not finite.
+
+    Raises:
+        QueryError: an argument is not an (n, 3) float32 array, or they differ in n.
+    """
+    normals = vectors("normals", normals)
+    tangents = vectors("tangents", tangents, len(normals))
+    wo = vectors("wo", wo, len(normals))
+    h = np.empty(len(normals), np.float32)
+    _fill_offsets(normals, tangents, wo, h)
+    return h
+
+
+@compiled()
+def _fill_offsets(normals: Rows, tangents: Rows, wo: Rows, h: NDArray[np.float32]) -> None:
+    for i in range(len(h)):
+        across = cross(unit(tangents, i), unit(wo, i))
+        length = math.sqrt(dot(across, across))
+        offset = dot(unit(normals, i), across)
+        known = length > 1e-6 and offset - offset == 0.0  # false for any NaN
+        h[i] = clamped(offset / length) if known else 0.0

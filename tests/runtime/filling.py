@@ -1,0 +1,37 @@
+"""Decoder inputs from the compiled kernel, for tests of it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package import Bounds, query_width
+from rna_sdk.runtime.tiles import Batch, QueryFiller
+from tests.package.builders import make_tier
+from tests.runtime.points import FiberPoints, Points
+
+BOUNDS = Bounds(min=(-1.0, -2.0, 0.1), max=(0.5, 1.0, 0.9))
+CORNERS = np.array([BOUNDS.min, BOUNDS.max])
+
+
+def filled(
+    planes: NDArray[np.floating], points: Points | FiberPoints, inputs: tuple[str, ...]
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+    """`queries` and `valid` from the kernel, of an asset in BOUNDS."""
+    _, resolution, _, channels = planes.shape
+    precision = str(planes.dtype)
+    tier = make_tier(
+        resolution=resolution, channels=channels, plane_precision=precision, inputs=inputs
+    )
+    n = len(points.positions)
+    if isinstance(points, FiberPoints):
+        kind, axes, h = "fiber", points.tangents, points.h
+    else:
+        kind, axes, h = "surface", points.normals, np.empty(0, np.float32)
+    outputs = np.empty((2, n, 3), np.float32)
+    batch = Batch(points.positions, axes, h, points.wo, points.wi, *outputs)
+    queries = np.full((n, query_width(inputs, channels)), np.nan, np.float32)
+    valid = np.zeros(n, np.bool_)
+    filler = QueryFiller(planes, BOUNDS, tier, kind)
+    filler.fill(batch, slice(0, n), queries, valid)
+    return queries, valid
