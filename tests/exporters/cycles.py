@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_export.capture.asset_scene import AssetScene, SurfacePoints
 from rna_export.capture.run import weld
+from rna_export.capture.surface_scene import SurfacePoints, SurfaceScene
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 
@@ -36,14 +36,20 @@ def unit(*vector: float) -> np.ndarray:
 
 def trace(worker: BlenderWorker, wi: np.ndarray, rays: int = 2048, samples: int = 1) -> Traced:
     """View rays as a capture draws them, lit from `wi`."""
-    scene = AssetScene(weld(worker.export_corners()))
+    scene = SurfaceScene(weld(worker.export_corners()))
     drawn = sample_view_rays(scene, wi, rays, "sphere", np.random.default_rng(5))
     points = scene.shade_points(drawn.origins, drawn.directions)
-    radiance, alpha, position = worker.render_rays(
-        drawn.origins, drawn.directions, wi, samples, seed=1
-    )
+    rendered = worker.render_rays(drawn.origins, drawn.directions, wi, samples, seed=1)
     visible = scene.visible(points, np.ascontiguousarray(np.broadcast_to(wi, (rays, 3))))
-    both = points.hit & (alpha > 0.999)
-    kept = SurfacePoints(*(getattr(points, name)[both] for name in SurfacePoints.__annotations__))
+    both = points.hit & (rendered.alpha > 0.999)
+    fields = {name: rows[both] for name, rows in vars(points).items() if rows is not None}
+    kept = SurfacePoints(**{"uv": None, **fields})
     missed = 1.0 - both.sum() / points.hit.sum()
-    return Traced(drawn[both], kept, radiance[both], position[both], visible[both], float(missed))
+    return Traced(
+        drawn[both],
+        kept,
+        rendered.radiance[both],
+        rendered.position[both],
+        visible[both],
+        float(missed),
+    )

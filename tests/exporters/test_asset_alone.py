@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
 from rna_export.capture.run import weld
+from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
@@ -102,7 +102,7 @@ def test_a_hit_on_a_cutout_is_a_sample(open_worker: OpenWorker, tmp_path) -> Non
         "add(*square(1, z=1), principled(Alpha=0.0))\nadd(*square(1), diffuse((1, 1, 1)))"
     )
     dataset = one_light_dataset(tmp_path / "rays", worker)
-    scene = AssetScene(dataset.mesh())
+    scene = SurfaceScene(dataset.geometry())
     TrainingShard(0).run(dataset, scene, worker)
     samples = dataset.training_samples()
     assert len(samples["wo"]) == dataset.manifest.settings.rays
@@ -120,7 +120,7 @@ def one_light_dataset(folder, worker) -> Dataset:
         settings=CaptureSettings(samples=4, rays=512, lights=1, domain="hemisphere"),
         blender=worker.opened["blender"],
         generator="test",
-        has_uv=False,
+        kind="surface",
         cutouts=worker.opened["cutouts"],
         bounds=(tuple(low.tolist()), tuple(high.tolist())),
     )

@@ -1,13 +1,13 @@
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.surface_scene import SurfaceScene
 from tests.exporters.meshes import merged, moved, ring, sphere, square
 from tests.render.assets import unit_vectors
 
 
 def test_points_on_a_ball_are_where_the_ball_is() -> None:
-    scene = AssetScene(sphere(5))
+    scene = SurfaceScene(sphere(5))
     towards = unit_vectors(np.random.default_rng(0), 500)
     points = scene.shade_points(3.0 * towards, -towards)
     assert points.hit.all()
@@ -17,9 +17,9 @@ def test_points_on_a_ball_are_where_the_ball_is() -> None:
 
 
 def test_a_miss_leaves_zeros() -> None:
-    points = AssetScene(sphere(2)).shade_points(np.float32([[0, 3, 0]]), np.float32([[0, 1, 0]]))
+    points = SurfaceScene(sphere(2)).shade_points(np.float32([[0, 3, 0]]), np.float32([[0, 1, 0]]))
     assert not points.hit.any()
-    for values in (points.position, points.normal, points.geometric_normal, points.uv):
+    for values in (points.position, points.normal, points.geometric_normal):
         assert not values.any()
 
 
@@ -29,13 +29,13 @@ def test_uv_is_interpolated() -> None:
         mesh.positions, mesh.normals, mesh.positions[:, [0, 2]].copy(), mesh.triangles
     )
     origins = np.float32([[0.3, 1, -0.7], [-0.9, 1, 0.2]])
-    points = AssetScene(mesh).shade_points(origins, np.float32([[0, -1, 0]] * 2))
+    points = SurfaceScene(mesh).shade_points(origins, np.float32([[0, -1, 0]] * 2))
     assert np.allclose(points.uv, origins[:, [0, 2]], atol=1e-6)
 
 
 def test_sampled_points_are_uniform_by_area() -> None:
     # One square four times the other's area, its triangles as few as the other's.
-    scene = AssetScene(merged(square(2.0), square(1.0, height=5.0)))
+    scene = SurfaceScene(merged(square(2.0), square(1.0, height=5.0)))
     points, normals = scene.sample_points(20_000, np.random.default_rng(0))
     assert np.mean(points[:, 1] > 2.5) == pytest.approx(0.2, abs=0.015)
     assert np.allclose(normals, [0, 1, 0])
@@ -43,7 +43,7 @@ def test_sampled_points_are_uniform_by_area() -> None:
 
 
 def test_a_ball_hides_the_square_below_it() -> None:
-    scene = AssetScene(merged(square(2.0), moved(sphere(4, radius=0.5), (0, 1, 0))))
+    scene = SurfaceScene(merged(square(2.0), moved(sphere(4, radius=0.5), (0, 1, 0))))
     x = np.linspace(-1.5, 1.5, 61, dtype=np.float32)
     origins = np.stack([x, np.full_like(x, 0.3), np.zeros_like(x)], axis=1)
     points = scene.shade_points(origins, np.tile(np.float32([0, -1, 0]), (61, 1)))
@@ -53,7 +53,7 @@ def test_a_ball_hides_the_square_below_it() -> None:
 
 
 def test_free_distance_on_the_inside_of_a_ring() -> None:
-    scene = AssetScene(ring())
+    scene = SurfaceScene(ring())
     point, inwards = np.float32([[0.9, 0, 0]]), np.float32([[-1, 0, 0]])
     across = scene.free_distance(point, inwards, inwards)
     assert across == pytest.approx(1.8, abs=0.01)

@@ -119,7 +119,7 @@ def test_where_it_came_from_is_recorded(exported: Exported) -> None:
 def test_the_geometry_is_the_captured_one(exported: Exported) -> None:
     with Package.open(exported.package) as package:
         mesh = package.mesh()
-    captured = exported.dataset.mesh()
+    captured = exported.dataset.geometry()
     assert np.array_equal(mesh.positions, captured.positions)
     assert np.array_equal(mesh.triangles, captured.triangles)
 

@@ -39,7 +39,7 @@ def begun(source: Path, tmp_path: Path) -> Path:
         settings=CaptureSettings(lights=64),
         blender="4.5",
         generator="test",
-        has_uv=False,
+        kind="surface",
         cutouts=False,
         bounds=((-1, -1, -1), (1, 1, 1)),
     )

@@ -20,9 +20,9 @@ def dataset(tmp_path: Path) -> Dataset:
 def test_reads_back_what_was_written(dataset: Dataset) -> None:
     again = Dataset(dataset.folder)
     assert again.manifest == dataset.manifest
-    assert np.array_equal(again.mesh().positions, sphere(3).positions)
-    assert np.array_equal(again.mesh().triangles, sphere(3).triangles)
-    assert again.mesh().uvs is None
+    assert np.array_equal(again.geometry().positions, sphere(3).positions)
+    assert np.array_equal(again.geometry().triangles, sphere(3).triangles)
+    assert again.geometry().uvs is None
 
 
 def test_unfinished_shards_and_views_are_left_out(dataset: Dataset) -> None:

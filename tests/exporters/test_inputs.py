@@ -9,7 +9,8 @@ import torch
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import PRESETS, ModelConfig
 from rna_sdk.package import INPUT_BLOCKS, query_width
-from rna_sdk.runtime.queries_reference import queries_reference
+from rna_sdk.package.blocks import blocks_for
+from rna_sdk.runtime.queries_reference import fiber_queries_reference, queries_reference
 from tests.render.assets import unit_vectors
 
 BOUNDS = torch.tensor([[-1.0, 0.0, 2.0], [1.0, 3.0, 2.5]])
@@ -24,28 +25,40 @@ def make_model(inputs: tuple[str, ...]) -> NeuralAsset:
     return model
 
 
-def random_rows(n: int = 400) -> list[np.ndarray]:
-    """position, n, wo, wi; some at the mirror direction, some opposite to each other."""
+def random_rows(n: int = 400) -> dict[str, np.ndarray]:
+    """Queries of both kinds; some at the mirror direction, some opposite to each other."""
     rng = np.random.default_rng(0)
     low, high = BOUNDS.numpy()
     position = low + (high - low) * rng.random((n, 3))
     normal, wo, wi = (unit_vectors(rng, n) for _ in range(3))
     wi[:50] = 2.0 * np.sum(wo[:50] * normal[:50], axis=1, keepdims=True) * normal[:50] - wo[:50]
     wi[50:60] = -wo[50:60]
-    return [a.astype(np.float32) for a in (position, normal, wo, wi)]
+    h = 2.2 * rng.random(n) - 1.1
+    named = {"position": position, "normal": normal, "tangent": normal, "h": h, "wo": wo, "wi": wi}
+    return {name: rows.astype(np.float32) for name, rows in named.items()}
 
 
 @pytest.mark.parametrize(
-    "inputs",
-    [*((block,) for block in ALL_BLOCKS), ALL_BLOCKS, *(p.model.inputs for p in PRESETS.values())],
-    ids="+".join,
+    ("kind", "inputs"),
+    [
+        (kind, inputs)
+        for kind in PRESETS
+        for inputs in (
+            *((block,) for block in blocks_for(kind)),
+            tuple(blocks_for(kind)),
+            *(preset.model.inputs for preset in PRESETS[kind].values()),
+        )
+    ],
 )
-def test_equals_the_reference(inputs: tuple[str, ...]) -> None:
-    model, rows = make_model(inputs), random_rows()
+def test_equals_the_reference(kind: str, inputs: tuple[str, ...]) -> None:
+    model, at = make_model(inputs), random_rows()
     planes = model.triplane.planes.detach().numpy()
-    expected = queries_reference(planes, BOUNDS.numpy(), inputs, *rows)
-    found = model.queries(*map(torch.from_numpy, rows)).detach().numpy()
-    assert found.shape == (len(rows[0]), query_width(inputs, 4))
+    reference = fiber_queries_reference if kind == "fiber" else queries_reference
+    frame = ("tangent", "h") if kind == "fiber" else ("normal",)
+    arguments = [at[name] for name in ("position", *frame, "wo", "wi")]
+    expected = reference(planes, BOUNDS.numpy(), inputs, *arguments)
+    found = model.queries({k: torch.from_numpy(v) for k, v in at.items()}).detach().numpy()
+    assert found.shape == (len(expected), query_width(inputs, 4))
     # log2(1 - n.h + 1e-4) turns a rounding of n.h, 6e-8, into up to 2e-4 at the mirror direction.
     mirror = np.zeros(len(found), bool)
     mirror[:60] = "half_vector" in inputs
@@ -55,9 +68,9 @@ def test_equals_the_reference(inputs: tuple[str, ...]) -> None:
 
 def test_opposite_directions_give_finite_gradients() -> None:
     model = make_model(ALL_BLOCKS)
-    position, n, wo, _ = map(torch.from_numpy, random_rows(20))
-    directions = wo.clone().requires_grad_()
-    model.queries(position, n, directions, -wo).square().sum().backward()
+    at = {name: torch.from_numpy(rows) for name, rows in random_rows(20).items()}
+    directions = at["wo"].clone().requires_grad_()
+    model.queries({**at, "wo": directions, "wi": -at["wo"]}).square().sum().backward()
     assert torch.isfinite(directions.grad).all()
 
 
@@ -66,5 +79,16 @@ def test_transport_inverts_the_log_and_stays_in_range() -> None:
     model.ceiling.fill_(7.0)
     model.unit.fill_(0.1)
     x = torch.tensor([0.0, 0.001, 1.0, 6.9])
-    assert torch.allclose(model.transport(torch.log1p(x / 0.1)), x, atol=1e-5)
-    assert model.transport(torch.tensor([-3.0, 50.0])).tolist() == pytest.approx([0.0, 7.0])
+    assert torch.allclose(model.colours(torch.log1p(x / 0.1)), x, atol=1e-5)
+    assert model.colours(torch.tensor([-3.0, 50.0])).tolist() == pytest.approx([0.0, 7.0])
+
+
+def test_separate_direct_light_is_added_where_it_is_seen() -> None:
+    config = ModelConfig(
+        inputs=("h",), width=8, hidden_layers=1, resolution=8, separates_direct=True
+    )
+    model = NeuralAsset(config, BOUNDS)
+    x = torch.rand(5, 3, 3)
+    transport = model.transport(torch.log1p(x))
+    assert torch.allclose(transport[:, 0], x[:, 0] + x[:, 1], atol=1e-6)
+    assert torch.allclose(transport[:, 1], x[:, 2], atol=1e-6)

@@ -3,17 +3,17 @@ from __future__ import annotations
 import pytest
 import torch
 
-from rna_export.training.losses import log_l2
+from rna_export.training.losses import log_l2, unbiased_l2
 
 
-def settle(targets: torch.Tensor) -> float:
+def settle(targets: torch.Tensor, loss=log_l2) -> float:
     """The radiance that one prediction comes to rest at, for all these targets."""
     y = torch.tensor(0.3, requires_grad=True)
     optimizer = torch.optim.Adam([y], lr=0.02)
     for step in range(400):
         optimizer.param_groups[0]["lr"] = 0.02 * (1.0 - step / 400)
         optimizer.zero_grad()
-        log_l2(y.expand_as(targets), targets).backward()
+        loss(y.expand_as(targets), targets).backward()
         optimizer.step()
     return torch.expm1(y).item()
 
@@ -55,7 +55,20 @@ def test_noise_of_few_paths_darkens_much() -> None:
     assert settle(targets) < 0.45 * targets.mean().item()
 
 
-def test_gradients_stay_finite_far_off() -> None:
-    y = torch.tensor([[-100.0, 0.0, 100.0]], requires_grad=True)
-    log_l2(y, torch.tensor([[0.0, 1e4, 1.0]])).backward()
+def test_noise_does_not_darken_the_unbiased_one() -> None:
+    bright = torch.rand(3000, generator=torch.Generator().manual_seed(0)) < 0.1
+    targets = torch.where(bright, 5.0, 0.0)
+    assert settle(targets, unbiased_l2) == pytest.approx(targets.mean().item(), rel=0.02)
+
+
+def test_near_the_truth_the_unbiased_one_is_the_papers() -> None:
+    target = torch.rand(50, 3, generator=torch.Generator().manual_seed(1))
+    y = torch.log1p(target + 1e-3)
+    assert unbiased_l2(y, target).item() == pytest.approx(log_l2(y, target).item(), rel=1e-2)
+
+
+@pytest.mark.parametrize("loss", [log_l2, unbiased_l2])
+def test_gradients_stay_finite_far_off(loss) -> None:
+    y = torch.tensor([[-100.0, 0.0, 80.0]], requires_grad=True)
+    loss(y, torch.tensor([[0.0, 1e4, 1.0]])).backward()
     assert torch.isfinite(y.grad).all()

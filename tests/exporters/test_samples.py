@@ -23,7 +23,7 @@ def make_table(seed: int = 0, batch: int = 100, done: int = 0) -> SampleTable:
 
 def test_columns_are_found_again() -> None:
     rows = next(iter(make_table()))
-    at = columns(rows)
+    at = columns(rows, make_table().fields)
     number = at["position"][:, 0]
     for k, name in enumerate(("position", "normal", "wo", "wi", "radiance")):
         assert torch.allclose(at[name], number[:, None] + torch.tensor([0.0, 0.1, 0.2]) + 10 * k)
@@ -33,7 +33,7 @@ def test_columns_are_found_again() -> None:
 def test_each_sample_once_an_epoch() -> None:
     batches = list(islice(iter(make_table()), 20))
     for epoch in (batches[:10], batches[10:]):
-        numbers = torch.cat([columns(rows)["position"][:, 0] for rows in epoch])
+        numbers = torch.cat([rows[:, 0] for rows in epoch])
         assert torch.equal(numbers.sort().values, torch.arange(N, dtype=torch.float32))
     assert not torch.equal(batches[0], batches[10])
 

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
+from rna_export.capture.worker import RenderedRays
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import ring, sphere
 
@@ -25,7 +26,7 @@ class Teacher:
         self.seeds.append(seed)
         radiance, alpha = np.abs(directions) + np.float32(0.1), np.ones(len(origins), np.float32)
         self.spoil(radiance, alpha)
-        return radiance, alpha, origins
+        return RenderedRays(radiance, alpha, origins, None)
 
 
 def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) -> Dataset:
@@ -36,7 +37,7 @@ def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) ->
         settings=CaptureSettings(**{"rays": 200, "lights": 5, "lights_per_shard": 2, **settings}),
         blender="none",
         generator="tests",
-        has_uv=False,
+        kind="surface",
         cutouts=cutouts,
         bounds=((-1, -1, -1), (1, 1, 1)),
     )
@@ -44,7 +45,7 @@ def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) ->
 
 
 def run_all(dataset: Dataset, teacher: Teacher) -> None:
-    scene = AssetScene(dataset.mesh())
+    scene = SurfaceScene(dataset.geometry())
     for task in all_tasks(dataset):
         task.run(dataset, scene, teacher)
 
@@ -78,7 +79,7 @@ def test_see_through_hits_are_kept_for_cutouts_only(
         alpha[::2] = 0.4
 
     dataset = make(tmp_path, sphere(3), cutouts, lights=1)
-    TrainingShard(0).run(dataset, AssetScene(dataset.mesh()), Teacher(spoil))
+    TrainingShard(0).run(dataset, SurfaceScene(dataset.geometry()), Teacher(spoil))
     assert len(dataset.training_samples()["wo"]) == kept
 
 
@@ -87,7 +88,7 @@ def test_radiance_that_is_not_finite_is_dropped(tmp_path: Path) -> None:
         radiance[:3, 1] = np.nan, np.inf, -np.inf
 
     dataset = make(tmp_path, sphere(3), lights=1)
-    TrainingShard(0).run(dataset, AssetScene(dataset.mesh()), Teacher(spoil))
+    TrainingShard(0).run(dataset, SurfaceScene(dataset.geometry()), Teacher(spoil))
     assert len(dataset.training_samples()["wo"]) == 197
 
 
@@ -132,7 +133,7 @@ def test_hemisphere_looks_and_is_lit_from_above(tmp_path: Path) -> None:
 def test_every_view_sees_something(tmp_path: Path) -> None:
     """Also of a ring, whose middle is empty."""
     dataset = make(tmp_path, ring(), validation_views=24, validation_resolution=32)
-    scene, teacher = AssetScene(dataset.mesh()), Teacher()
+    scene, teacher = SurfaceScene(dataset.geometry()), Teacher()
     for view in range(24):
         for half in (0, 1):
             ValidationHalf(view, half).run(dataset, scene, teacher)

@@ -211,7 +211,7 @@ def test_bounds_hold_the_geometry_and_are_never_flat(dataset: Dataset) -> None:
 
 
 def test_the_command_line(dataset: Dataset, tmp_path: Path, capsys, monkeypatch) -> None:
-    monkeypatch.setattr("rna_export.training.cli.PRESETS", {"small": tiny()})
+    monkeypatch.setattr("rna_export.training.cli.PRESETS", {"surface": {"small": tiny()}})
     arguments = [str(dataset.folder), "--out", str(tmp_path), "--device", "cpu"]
     assert main([*arguments, "--steps", "20"]) == 0
     text = capsys.readouterr().out

@@ -23,6 +23,16 @@ def export_mesh(path):
     return {"triangles": int(sum(len(p) for p in positions) // 3)}
 
 
+def first_with_faces():
+    """The name of an object that renders show as a surface, or None."""
+    for instance in _mesh_instances():
+        faces = len(instance.object.to_mesh().polygons)
+        instance.object.to_mesh_clear()
+        if faces:
+            return instance.object.name
+    return None
+
+
 def _mesh_instances():
     for instance in bpy.context.evaluated_depsgraph_get().object_instances:
         if instance.show_self and instance.object.type in (

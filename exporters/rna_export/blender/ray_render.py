@@ -6,11 +6,22 @@ from pathlib import Path
 import bpy
 import mathutils
 
-_FORMATS = {"file_format": "OPEN_EXR_MULTILAYER", "color_depth": "32", "exr_codec": "NONE"}
+_FORMATS = {
+    "media_type": "MULTI_LAYER_IMAGE",
+    "file_format": "OPEN_EXR_MULTILAYER",
+    "color_depth": "32",
+    "exr_codec": "NONE",
+}
 
 
-def configure(threads, clamp_direct, clamp_indirect):
-    """Cycles as a teacher: point samples, no filter, no denoiser, no clamping but the named one."""
+_LOBES = ("diffuse", "glossy", "transmission")
+
+
+def configure(threads, clamp_direct, clamp_indirect, separate_direct):
+    """Cycles as a teacher: point samples, no filter, no denoiser, no clamping but the named one.
+
+    `separate_direct` adds the passes that tell direct light from scattered light.
+    """
     scene = bpy.context.scene
     render, cycles = scene.render, scene.cycles
     render.engine = "CYCLES"
@@ -31,6 +42,9 @@ def configure(threads, clamp_direct, clamp_indirect):
         setattr(render.image_settings, name, value)
     layer = bpy.context.view_layer
     layer.use_pass_position = True
+    for lobe in _LOBES:
+        setattr(layer, f"use_pass_{lobe}_direct", separate_direct)
+        setattr(layer, f"use_pass_{lobe}_color", separate_direct)
     _set_up_lamp(scene)
 
 

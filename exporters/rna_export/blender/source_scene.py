@@ -1,14 +1,21 @@
-"""Loads what the user gave (.blend, glTF, OBJ, PLY, or a script) and leaves only the asset."""
+"""Loads what the user gave (a scene, a model, a groom or a script) and leaves only the asset."""
 
+import contextlib
+import io
 import runpy
 import sys
 from pathlib import Path
 
 import bpy
+import groom_source
+import hair_scene
 
 
 def load(source, arguments):
-    """Replace the current scene by `source`; `arguments` become the script's `sys.argv[1:]`."""
+    """Replace the current scene by `source`.
+
+    `arguments` become a script's `sys.argv[1:]`, or set what a groom does not say of its hair.
+    """
     suffix = Path(source).suffix.lower()
     if suffix == ".blend":
         bpy.ops.wm.open_mainfile(filepath=source)
@@ -21,10 +28,26 @@ def load(source, arguments):
     elif suffix == ".ply":
         bpy.ops.wm.ply_import(filepath=source)
     elif suffix == ".py":
-        sys.argv = [source, *arguments]
-        runpy.run_path(source, run_name="__main__")
+        _run_script(source, arguments)
+    elif suffix in (".hair", ".tfx"):
+        groom_source.load(source, arguments)
     else:
-        raise ValueError(f"cannot load {source}: expected .blend, .gltf, .glb, .obj, .ply or .py")
+        kinds = ".blend, .gltf, .glb, .obj, .ply, .hair, .tfx or .py"
+        raise ValueError(f"cannot load {source}: expected {kinds}")
+
+
+def _run_script(source, arguments):
+    sys.argv = [source, *arguments]
+    said = io.StringIO()
+    try:
+        with contextlib.redirect_stderr(said):
+            runpy.run_path(source, run_name="__main__")
+    except SystemExit as end:  # so does argparse refuse arguments
+        if end.code not in (None, 0):
+            line = said.getvalue().strip().rpartition("\n")[2]
+            raise ValueError(f"the script ended itself: {line or end.code}") from None
+    finally:
+        sys.stderr.write(said.getvalue())
 
 
 def keep_only_the_asset():
@@ -38,9 +61,12 @@ def keep_only_the_asset():
         if item.type in ("LIGHT", "CAMERA", "LIGHT_PROBE"):
             bpy.data.objects.remove(item, do_unlink=True)
     world = bpy.data.worlds.new("black")
-    world.use_nodes = False
-    world.color = (0.0, 0.0, 0.0)
+    world.use_nodes = True
+    world.node_tree.nodes.clear()  # a world without an output is black
     bpy.context.scene.world = world
+    notes += hair_scene.prepare_hair(
+        [(m, list(_nodes(m.node_tree))) for m in bpy.data.materials if m.use_nodes]
+    )
     for material in bpy.data.materials:
         if material.use_nodes and _switch_emission_off(material.node_tree):
             notes.append(
@@ -64,6 +90,7 @@ def _show_what_is_rendered():
         group.hide_viewport = group.hide_render
     for item in bpy.data.objects:
         item.hide_viewport = item.hide_render
+        item.show_instancer_for_viewport = item.show_instancer_for_render
         for modifier in item.modifiers:
             modifier.show_viewport = modifier.show_render
             if modifier.type in ("SUBSURF", "MULTIRES"):

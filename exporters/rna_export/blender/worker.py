@@ -12,6 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import curves_export
 import mesh_export
 import ray_render
 import source_scene
@@ -20,8 +21,11 @@ import source_scene
 def open_scene(request):
     source_scene.load(request["source"], request["arguments"])
     notes = source_scene.keep_only_the_asset()
-    ray_render.configure(request["threads"], request["clampDirect"], request["clampIndirect"])
+    kind = curves_export.scene_kind()
+    clamps = request["clampDirect"], request["clampIndirect"]
+    ray_render.configure(request["threads"], *clamps, separate_direct=kind == "fiber")
     return {
+        "kind": kind,
         "notes": notes,
         "blender": source_scene.blender_version(),
         "cutouts": source_scene.has_cutouts(),
@@ -30,6 +34,7 @@ def open_scene(request):
 
 HANDLERS = {
     "open": open_scene,
+    "exportCurves": lambda request: curves_export.export_curves(request["out"]),
     "exportMesh": lambda request: mesh_export.export_mesh(request["out"]),
     "renderRays": ray_render.render_rays,
     "renderView": ray_render.render_view,

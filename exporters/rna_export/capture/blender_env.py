@@ -13,7 +13,7 @@ from pathlib import Path
 
 from rna_sdk.errors import CaptureError
 
-BPY_VERSION = "4.5.15"  # LTS
+BPY_VERSION = "5.0.1"  # the first whose fibers have the shape THICK_LINEAR
 VARIABLE = "RNA_BLENDER_PYTHON"
 
 

@@ -20,7 +20,7 @@ from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
 
 _GO_ON = "run the same command again to continue"
-_SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".py")
+_SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".hair", ".tfx", ".py")
 _OPTIONS = (  # fields of CaptureSettings
     "samples",
     "rays",
@@ -115,12 +115,12 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     try:
         if begun:
             dataset = _continue(args.out, args.source, arguments, asked)
-            settings = dataset.manifest.settings
+            clamps = dataset.manifest.settings
         else:
-            settings = CaptureSettings(**asked)
-        source = Source(args.source, arguments, settings.clamp_direct, settings.clamp_indirect)
+            clamps = CaptureSettings(**asked)
+        source = Source(args.source, arguments, clamps.clamp_direct, clamps.clamp_indirect)
         if not begun:
-            dataset = begin(source, settings, args.out, crew, args.minutes, print)
+            dataset = begin(source, asked, args.out, crew, args.minutes, print)
         finish(dataset, source, crew)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)

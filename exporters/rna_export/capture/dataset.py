@@ -2,7 +2,7 @@
 
 toy.rays/
   manifest.json               settings, source, what is planned
-  geometry.safetensors        the mesh, object space
+  geometry.safetensors        the mesh or the strands, object space
   train/00000.safetensors     samples of some lights
   validation/00-0.safetensors one half (of two seeds) of one whole image
 """
@@ -14,6 +14,7 @@ import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
@@ -22,9 +23,22 @@ from safetensors.numpy import load_file, save
 
 from rna_export.capture.worker import CLAMP_DIRECT, CLAMP_INDIRECT
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Mesh
+from rna_sdk.package import Curves, Mesh
 
-SAMPLE_FIELDS = ("position", "normal", "wo", "wi", "radiance", "visible")
+SAMPLE_FIELDS: dict[str, dict[str, int]] = {
+    "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
+    "fiber": {
+        "position": 3,
+        "tangent": 3,
+        "h": 1,
+        "wo": 3,
+        "wi": 3,
+        "radiance": 3,
+        "direct": 3,  # the part of the radiance that scattered once; it has no noise
+        "visible": 1,
+    },
+}
+"""Kind of asset -> what a sample holds, with its number of columns."""
 
 
 class _Model(BaseModel):
@@ -50,21 +64,42 @@ class CaptureSettings(_Model):
     lights_per_shard: int = Field(32, gt=0, description="what a stop can lose at most")
     seed: int = 0
 
+    @classmethod
+    def usual(cls, kind: str, **asked: object) -> CaptureSettings:
+        """The defaults for a kind of asset, but for what was asked for."""
+        return cls(**{**(_FIBER_DEFAULTS if kind == "fiber" else {}), **asked})
+
+
+# Hair's paths are dear and noisy: more points, of fewer paths, teach more (docs/decisions.md).
+_FIBER_DEFAULTS = {
+    "samples": 2,
+    "rays": 16384,
+    "lights": 1500,
+    "validation_resolution": 128,
+    "validation_samples": 256,
+    "lights_per_shard": 8,
+}
+
 
 class CaptureManifest(_Model):
     """`manifest.json` of a dataset."""
 
     name: str
+    kind: Literal["surface", "fiber"]
     source: str
     source_sha256: str
     arguments: tuple[str, ...] = ()
     settings: CaptureSettings
     blender: str
     generator: str
-    has_uv: bool
     cutouts: bool  # the asset has see-through parts: a hit with alpha below 1 is a sample, too
     bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
     notes: tuple[str, ...] = ()
+
+    @property
+    def fields(self) -> dict[str, int]:
+        """What a sample holds: see SAMPLE_FIELDS."""
+        return SAMPLE_FIELDS[self.kind]
 
     @property
     def shards(self) -> int:
@@ -78,8 +113,14 @@ class ValidationView:
     index: int
     resolution: int
     pixel: np.ndarray  # (n,) int32, row * resolution + column
-    samples: dict[str, np.ndarray]  # as SAMPLE_FIELDS; radiance is the mean of both halves
+    samples: dict[str, np.ndarray]  # fields of SAMPLE_FIELDS; radiance is the mean of both halves
     halves: np.ndarray  # (2, n, 3) float32, two independent estimates of radiance
+
+    @property
+    def queries(self) -> dict[str, np.ndarray]:
+        """What a model is asked, by name, in the order of `evaluate`'s arguments."""
+        answers = ("radiance", "direct", "visible")
+        return {name: rows for name, rows in self.samples.items() if name not in answers}
 
     def pick(self, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
         """Of a model's two outputs, (n, 3) each, the one that each row's visibility calls for."""
@@ -106,24 +147,23 @@ class Dataset:
             raise CaptureError(f"{path}: {error}") from error
 
     @classmethod
-    def create(cls, folder: Path, manifest: CaptureManifest, mesh: Mesh) -> Dataset:
+    def create(cls, folder: Path, manifest: CaptureManifest, geometry: Mesh | Curves) -> Dataset:
         """Write geometry and manifest, the manifest last: a folder with one is a dataset."""
         folder = Path(folder)
         for part in (folder / "train", folder / "validation"):
             part.mkdir(parents=True, exist_ok=True)
-        arrays = {"positions": mesh.positions, "normals": mesh.normals, "triangles": mesh.triangles}
-        if mesh.uvs is not None:
-            arrays["uvs"] = mesh.uvs
+        arrays = {k: v for k, v in vars(geometry).items() if v is not None}
         write_arrays(folder / "geometry.safetensors", arrays)
         text = json.dumps(manifest.model_dump(mode="json", by_alias=True), indent=1) + "\n"
         write_atomically(folder / "manifest.json", text.encode())
         return cls(folder)
 
-    def mesh(self) -> Mesh:
-        """The captured geometry, object space, +Y up, metres."""
+    def geometry(self) -> Mesh | Curves:
+        """The captured mesh, or the strands: object space, +Y up, metres."""
         arrays = load_file(self.folder / "geometry.safetensors")
-        uvs = arrays.get("uvs")
-        return Mesh(arrays["positions"], arrays["normals"], uvs, arrays["triangles"])
+        if self.manifest.kind == "fiber":
+            return Curves(**arrays)
+        return Mesh(**{"uvs": None, **arrays})
 
     def train_path(self, shard: int) -> Path:
         return self.folder / "train" / f"{shard:05d}.safetensors"
@@ -132,11 +172,11 @@ class Dataset:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
 
     def training_samples(self) -> dict[str, np.ndarray]:
-        """All finished shards joined, one array a field of SAMPLE_FIELDS."""
+        """All finished shards joined, one array a field of `manifest.fields`."""
         paths = [p for k in range(self.manifest.shards) if (p := self.train_path(k)).is_file()]
         if not paths:
             raise CaptureError(f"{self.folder}: no finished training shard")
-        return joined([load_file(path) for path in paths], SAMPLE_FIELDS)
+        return joined([load_file(path) for path in paths], self.manifest.fields)
 
     def validation_views(self) -> list[ValidationView]:
         """The finished validation images."""
@@ -152,7 +192,8 @@ class Dataset:
     def _view(self, view: int) -> ValidationView:
         first, second = (load_file(self.validation_path(view, half)) for half in (0, 1))
         halves = np.stack([first["radiance"], second["radiance"]])
-        samples = {name: first[name] for name in SAMPLE_FIELDS} | {"radiance": halves.mean(axis=0)}
+        samples = {name: first[name] for name in self.manifest.fields}
+        samples["radiance"] = halves.mean(axis=0)
         resolution = self.manifest.settings.validation_resolution
         return ValidationView(view, resolution, first["pixel"], samples, halves)
 

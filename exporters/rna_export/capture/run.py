@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import trimesh
@@ -19,11 +20,13 @@ import rna_sdk
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
 from rna_export.capture.directions import light_direction
+from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Mesh
+from rna_sdk.package import Curves, Mesh
 
 _TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
 
@@ -68,7 +71,7 @@ def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
 
 def begin(
     source: Source,
-    settings: CaptureSettings,
+    asked: dict[str, Any],
     out: Path,
     crew: Crew,
     minutes: float | None,
@@ -76,34 +79,42 @@ def begin(
 ) -> Dataset:
     """Open the source once: export the geometry, measure the speed, fix and write the plan.
 
-    `minutes` replaces the number of lights by as many as fit.
+    `asked`: settings, by name, that are not to be the usual ones of the asset's kind. `minutes`
+    replaces the number of lights by as many as fit.
     """
     with crew.worker(source, "probe") as worker:
-        mesh = weld(worker.export_corners())
-        scene = AssetScene(mesh)
+        fibers = worker.kind == "fiber"
+        geometry = worker.export_curves() if fibers else weld(worker.export_corners())
+        scene = scene_of(geometry)
+        settings = CaptureSettings.usual(worker.kind, **asked)
         rate = _paths_a_second(scene, settings, worker) * crew.workers
         opened = worker.opened
     if minutes is not None:
         settings = settings.model_copy(update={"lights": _lights_in(minutes, rate, settings)})
-    low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+    low, high = geometry.box()
     manifest = CaptureManifest(
         name=source.path.stem,
+        kind=opened["kind"],
         source=source.path.name,
         source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
         arguments=source.arguments,
         settings=settings,
         blender=opened["blender"],
         generator=f"rna-capture {rna_sdk.__version__}",
-        has_uv=mesh.uvs is not None,
         cutouts=opened["cutouts"],
         bounds=(tuple(low.tolist()), tuple(high.tolist())),
         notes=tuple(opened["notes"]),
     )
     for note in manifest.notes:
         say(f"note: {note}")
-    dataset = Dataset.create(out, manifest, mesh)
-    say(_plan(dataset, mesh, rate))
+    dataset = Dataset.create(out, manifest, geometry)
+    say(_plan(dataset, geometry, rate))
     return dataset
+
+
+def scene_of(geometry: Mesh | Curves) -> AssetScene:
+    """The geometry, ready to be asked with rays."""
+    return FiberScene(geometry) if isinstance(geometry, Curves) else SurfaceScene(geometry)
 
 
 def finish(dataset: Dataset, source: Source, crew: Crew) -> None:
@@ -119,7 +130,7 @@ def finish(dataset: Dataset, source: Source, crew: Crew) -> None:
     total = sum(task.paths_to_trace(dataset) for task in missing)
     failures: list[Exception] = []
     stop = threading.Event()
-    scene = AssetScene(dataset.mesh())
+    scene = scene_of(dataset.geometry())
     with tqdm(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
         threads = [
             threading.Thread(
@@ -189,19 +200,25 @@ def _lights_in(minutes: float, rate: float, settings: CaptureSettings) -> int:
     return lights
 
 
-def _plan(dataset: Dataset, mesh: Mesh, rate: float) -> str:
+def _plan(dataset: Dataset, geometry: Mesh | Curves, rate: float) -> str:
     settings = dataset.manifest.settings
     paths = sum(task.paths_to_trace(dataset) for task in all_tasks(dataset))
     samples = settings.lights * settings.rays
     return (
-        f"{dataset.manifest.name}: {len(mesh.triangles):,} triangles\n"
+        f"{dataset.manifest.name}: {_size(geometry)}\n"
         f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
         f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
         f"validation: {settings.validation_views} images of {settings.validation_resolution}"
         f"x{settings.validation_resolution}, {settings.validation_samples} paths a pixel\n"
         f"about {paths / rate / 60.0:.1f} minutes at {rate / 1e6:.2f} M paths/s, "
-        f"{samples * 69 / 1e6:,.0f} MB"
+        f"{samples * 4 * sum(dataset.manifest.fields.values()) / 1e6:,.0f} MB"
     )
+
+
+def _size(geometry: Mesh | Curves) -> str:
+    if isinstance(geometry, Curves):
+        return f"{len(geometry.offsets) - 1:,} strands, {len(geometry.points):,} points"
+    return f"{len(geometry.triangles):,} triangles"
 
 
 def default_workers() -> int:

@@ -103,21 +103,21 @@ def _capture(
 ) -> dict[str, np.ndarray]:
     """Samples of view rays under one light: geometry from our scene, radiance from Cycles."""
     points = scene.shade_points(rays.origins, rays.directions)
-    radiance, alpha, _ = worker.render_rays(rays.origins, rays.directions, wi, samples, seed)
+    rendered = worker.render_rays(rays.origins, rays.directions, wi, samples, seed)
     wi_rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), rays.origins.shape))
     sample = {
-        "position": points.position,
-        "normal": points.normal,
+        **points.sample_fields(),
         "wo": -rays.directions,
         "wi": wi_rows,
-        "radiance": radiance,
+        "radiance": rendered.radiance,
         "visible": scene.visible(points, wi_rows).astype(np.uint8),
         **(extra or {}),
     }
-    if dataset.manifest.has_uv:
-        sample["uv"] = points.uv
+    if rendered.direct is not None:
+        sample["direct"] = rendered.direct
     # A ray along a silhouette may hit here and miss there; such a sample would be black.
-    keep = points.hit & (dataset.manifest.cutouts | (alpha > 0.999)) & np.isfinite(radiance).all(1)
+    seen = dataset.manifest.cutouts | (rendered.alpha > 0.999)
+    keep = points.hit & seen & np.isfinite(rendered.radiance).all(axis=1)
     return {name: values[keep] for name, values in sample.items()}
 
 

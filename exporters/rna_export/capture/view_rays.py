@@ -2,9 +2,9 @@
 
 Three kinds are mixed. *Outside* rays are uniform chords of the bounding sphere: what cameras
 around the asset see. *Close* rays start anywhere in the free space over a random point, down to
-contact: crevices, grazing views, strong zoom. *Highlight* rays look at a visible point from near
-the mirror direction of the light: where glossy materials keep almost all of their error
-(a share of 3% of the points under uniform views).
+contact: crevices, grazing views, strong zoom. *Highlight* rays look at a visible point from where
+the light makes a highlight on it: there glossy materials keep almost all of their error (a share of
+3% of a surface's points under uniform views).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.directions import around, frame, reflect, sphere
+from rna_export.capture.directions import around, frame, sphere
 
 CLOSE, HIGHLIGHT = 0.25, 0.25  # shares of the rays; the rest are outside ones
 
@@ -88,15 +88,10 @@ def _close(scene: AssetScene, n: int, rng: np.random.Generator) -> ViewRays:
 def _highlight(scene: AssetScene, wi: np.ndarray, n: int, rng: np.random.Generator) -> ViewRays:
     seen = _outside(scene, 2 * n, "sphere", rng)
     hits = scene.shade_points(seen.origins, seen.directions)
-    lit = np.flatnonzero(hits.hit & (hits.normal @ wi > 0.02))[:n]
-    normal = hits.normal[lit]
-    width = 0.02 * 40.0 ** rng.random(len(lit))  # GGX roughness alpha, 0.02 to 0.8
-    u = rng.random(len(lit))
-    cosine = np.sqrt((1.0 - u) / (1.0 + (width**2 - 1.0) * u))  # GGX half vectors
-    h = around(normal, cosine, 2.0 * np.pi * rng.random(len(lit)))
-    wo = reflect(np.broadcast_to(wi, h.shape), h)
-    above = np.sum(wo * hits.geometric_normal[lit], axis=1) > 0.02
-    points, ng, wo = hits.position[lit][above], hits.geometric_normal[lit][above], wo[above]
+    rows, wo = scene.highlight_views(hits, wi, rng)
+    above = np.sum(wo * hits.geometric_normal[rows], axis=1) > 0.02
+    rows, wo = rows[above][:n], wo[above][:n]
+    points, ng = hits.position[rows], hits.geometric_normal[rows]
     free = scene.free_distance(points, ng, wo)
     open_enough = free > 0.01 * scene.radius
     distance = 0.95 * np.minimum(free, 2.0 * scene.radius)

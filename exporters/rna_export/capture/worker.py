@@ -15,6 +15,7 @@ import OpenEXR
 
 from rna_export.capture.axes import from_blender, to_blender
 from rna_sdk.errors import CaptureError
+from rna_sdk.package import Curves
 
 CLAMP_DIRECT, CLAMP_INDIRECT = 20.0, 10.0  # of radiance; the paper, section 4.1
 
@@ -29,6 +30,21 @@ class Source:
     arguments: tuple[str, ...] = ()
     clamp_direct: float = CLAMP_DIRECT
     clamp_indirect: float = CLAMP_INDIRECT
+
+
+@dataclass(frozen=True)
+class RenderedRays:
+    """One row a ray, float32.
+
+    radiance: (n, 3) under irradiance 1. alpha: (n,), 1 for a hit. position: (n, 3) Cycles' own
+    hits, object space. direct: (n, 3) the part of the radiance that scattered once, at the hit
+    itself: without noise. Fibers have it, surfaces None.
+    """
+
+    radiance: np.ndarray
+    alpha: np.ndarray
+    position: np.ndarray
+    direct: np.ndarray | None
 
 
 class BlenderWorker:
@@ -104,24 +120,38 @@ class BlenderWorker:
             f"{request['op']!r}; its output is in {self._log.name}"
         )
 
+    @property
+    def kind(self) -> str:
+        """Of the opened source: "surface" or "fiber"."""
+        return self.opened["kind"]
+
+    def export_curves(self) -> Curves:
+        """All strands of the scene, +Y up."""
+        arrays = self._exported("exportCurves")
+        points = np.ascontiguousarray(from_blender(arrays["points"]), np.float32)
+        return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
+
     def export_corners(self) -> dict[str, np.ndarray]:
         """Triangle corners of the whole scene, +Y up: see `blender/mesh_export.py`."""
-        path = self._folder / f"corners-{self._name}.npz"
-        self._ask(op="exportMesh", out=str(path))
-        with np.load(path) as data:
-            corners = dict(data)
-        path.unlink()
+        corners = self._exported("exportMesh")
         for name in ("positions", "normals"):
             corners[name] = from_blender(corners[name])
         return corners
 
+    def _exported(self, op: str) -> dict[str, np.ndarray]:
+        path = self._folder / f"geometry-{self._name}.npz"
+        self._ask(op=op, out=str(path))
+        with np.load(path) as data:
+            arrays = dict(data)
+        path.unlink()
+        return arrays
+
     def render_rays(
         self, origins: np.ndarray, directions: np.ndarray, wi: np.ndarray, samples: int, seed: int
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Radiance along rays, the asset lit from `wi` with irradiance 1.
+    ) -> RenderedRays:
+        """What comes along rays, the asset lit from `wi` with irradiance 1.
 
         `origins`, `directions`: (n, 3) float32, object space, +Y up; `wi`: (3,) towards the light.
-        Returns radiance (n, 3), alpha (n,) and Cycles' own hit positions (n, 3), all float32.
         """
         n = len(origins)
         width = min(n, max(1, math.isqrt(n)))
@@ -134,11 +164,13 @@ class BlenderWorker:
         _write_rays(paths["directions"], to_blender(directions), width, height)
         request = {k: str(p) for k, p in paths.items()}
         self._render("renderRays", request, wi, samples, seed, width, height)
-        combined, position = _read_render(paths["out"])
+        passes = _read_render(paths["out"])
         for path in paths.values():
             path.unlink(missing_ok=True)
-        combined, position = combined.reshape(-1, 4)[:n], position.reshape(-1, 3)[:n]
-        return combined[:, :3], combined[:, 3], from_blender(position)
+        rgba = _channels(passes, "Combined", "RGBA")[:n]
+        position = from_blender(_channels(passes, "Position", "XYZ")[:n])
+        direct = _direct(passes)[:n] if self.kind == "fiber" else None
+        return RenderedRays(rgba[:, :3], rgba[:, 3], position, direct)
 
     def render_view(
         self,
@@ -159,9 +191,9 @@ class BlenderWorker:
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
         request = {"out": str(out), "matrix": matrix.tolist(), "fovY": float(fov_y)}
         self._render("renderView", request, wi, samples, seed, width, height)
-        combined, _ = _read_render(out)
+        passes = _read_render(out)
         out.unlink()
-        return combined
+        return _channels(passes, "Combined", "RGBA").reshape(height, width, 4)
 
     def _render(
         self,
@@ -193,13 +225,24 @@ def _write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> Non
         file.write(str(path))
 
 
-def _read_render(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Combined (h, w, 4) and Position (h, w, 3) of a multilayer or multi-part EXR."""
+def _read_render(path: Path) -> dict[str, np.ndarray]:
+    """The channels of a multilayer or multi-part EXR, "Pass.C" -> (pixels,) float32."""
     planes: dict[str, np.ndarray] = {}
     with OpenEXR.File(str(path), separate_channels=True) as file:
         for part in file.parts:
             for name, channel in part.channels.items():
-                planes[".".join(name.split(".")[-2:])] = np.asarray(channel.pixels, np.float32)
-    combined = np.stack([planes[f"Combined.{c}"] for c in "RGBA"], axis=-1)
-    position = np.stack([planes[f"Position.{c}"] for c in "XYZ"], axis=-1)
-    return combined, position
+                pixels = np.asarray(channel.pixels, np.float32).reshape(-1)
+                planes[".".join(name.split(".")[-2:])] = pixels
+    return planes
+
+
+def _channels(passes: dict[str, np.ndarray], name: str, channels: str) -> np.ndarray:
+    return np.stack([passes[f"{name}.{c}"] for c in channels], axis=-1)
+
+
+def _direct(passes: dict[str, np.ndarray]) -> np.ndarray:
+    """Light of no bounce; Cycles divides each lobe's by its colour."""
+    return sum(
+        _channels(passes, f"{lobe} Direct", "RGB") * _channels(passes, f"{lobe} Color", "RGB")
+        for lobe in ("Diffuse", "Glossy", "Transmission")
+    )

@@ -16,7 +16,8 @@ def parser() -> argparse.ArgumentParser:
         "rna-compare",
         "Render a package and its original with Cycles, and write a page with both.",
         "rna-compare helmet.rna helmet.gltf --out compare/helmet",
-        epilog="Three cameras (one a close-up) x three lights. Arguments after -- go to a source "
+        epilog="Three cameras (one a close-up; for fibers a fourth, at single strands) x three "
+        "lights. Arguments after -- go to a source "
         "that is a Python script.",
     )
     p.add_argument("package", type=Path, help="the .rna file")
@@ -27,7 +28,10 @@ def parser() -> argparse.ArgumentParser:
         "--samples", type=int, default=16, help="ours a pixel (int, default %(default)s)"
     )
     p.add_argument(
-        "--cycles-samples", type=int, default=256, help="a pixel (int, default %(default)s)"
+        "--cycles-samples",
+        type=int,
+        default=256,
+        help="a pixel, at least 2: half of them in each of two renders (int, default %(default)s)",
     )
     p.add_argument(
         "--resolution", type=int, default=384, help="pixels a side (int, default %(default)s)"
@@ -46,7 +50,12 @@ def parser() -> argparse.ArgumentParser:
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     own, arguments = split_script_arguments(argv)
-    args = parser().parse_args(own)
+    options = parser()
+    args = options.parse_args(own)
+    if args.cycles_samples < 2:
+        options.error(
+            f"argument --cycles-samples: expected at least 2, found {args.cycles_samples}"
+        )
     return run_command(lambda: _run(args, arguments), args.debug, "nothing was written")
 
 

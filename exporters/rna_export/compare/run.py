@@ -11,10 +11,10 @@ import numpy as np
 
 from rna_export.capture.worker import BlenderWorker
 from rna_export.compare.views import FOV_Y, Shot, shots
-from rna_export.metrics import flip, psnr
+from rna_export.metrics import flip, psnr, psnr_without_noise
 from rna_render.render import make_integrator, render
 from rna_render.world import Placement, World
-from rna_sdk.runtime import Asset
+from rna_sdk.runtime import Asset, FiberAsset
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,7 @@ class Pair:
     cycles: np.ndarray  # (h, w, 3) float32
     flip_map: np.ndarray  # (h, w)
     psnr: float  # over the pixels that the asset covers in both
+    psnr_without_noise: float  # against what Cycles would converge to
     flip: float
     seconds_ours: float
     seconds_cycles: float
@@ -44,15 +45,19 @@ def compare(
     """All standard shots, one after the other, each machine's time its own."""
     world = World([Placement(asset, np.eye(4))])
     pairs = []
-    for number, shot in enumerate(shots(asset.mesh.positions, resolution, turn_deg)):
+    geometry = asset.curves if isinstance(asset, FiberAsset) else asset.mesh
+    for number, shot in enumerate(shots(geometry, resolution, turn_deg)):
         start = time.perf_counter()
         channels = _ours(shot, world, package, samples)
         middle = time.perf_counter()
-        cycles = worker.render_view(
-            shot.to_world, FOV_Y, shot.wi, cycles_samples, number, resolution, resolution
-        )
+        halves = [
+            worker.render_view(
+                shot.to_world, FOV_Y, shot.wi, cycles_samples // 2, seed, resolution, resolution
+            )
+            for seed in (2 * number, 2 * number + 1)
+        ]
         end = time.perf_counter()
-        pairs.append(_pair(shot, channels, cycles, middle - start, end - middle))
+        pairs.append(_pair(shot, channels, halves, middle - start, end - middle))
         done(pairs[-1])
     return pairs
 
@@ -64,9 +69,16 @@ def _ours(shot: Shot, world: World, package: Path, samples: int) -> np.ndarray:
 
 
 def _pair(
-    shot: Shot, ours: np.ndarray, cycles: np.ndarray, seconds_ours: float, seconds_cycles: float
+    shot: Shot,
+    ours: np.ndarray,
+    halves: list[np.ndarray],
+    seconds_ours: float,
+    seconds_cycles: float,
 ) -> Pair:
+    cycles = np.mean(halves, axis=0, dtype=np.float32)
     covered = (ours[..., 3] > 0.0) & (cycles[..., 3] > 0.0)
     a, b = np.ascontiguousarray(ours[..., :3]), np.ascontiguousarray(cycles[..., :3])
     mean, error = flip(a, b)
-    return Pair(shot, a, b, error, psnr(a[covered], b[covered]), mean, seconds_ours, seconds_cycles)
+    clean = psnr_without_noise(a[covered], *(half[covered][:, :3] for half in halves))
+    quality = psnr(a[covered], b[covered]), clean, mean
+    return Pair(shot, a, b, error, *quality, seconds_ours, seconds_cycles)

@@ -8,10 +8,13 @@ import numpy as np
 
 from rna_render.camera import Camera
 from rna_render.scene_model import AssetModel, CameraModel, DirectionalModel, Scene
+from rna_sdk.package import Curves, Mesh
 
 FOV_Y = np.radians(30.0)
 _LIGHTS = {"key": (40.0, 45.0), "side": (-80.0, 20.0), "back": (170.0, 35.0)}  # from the camera
 _CAMERAS = {"front": (35.0, 20.0, 1.0), "behind": (215.0, 30.0, 1.0), "close-up": (20.0, 25.0, 0.3)}
+
+_STRANDS = 16.0  # radii of the thickest strand from the middle of its picture to the edge
 
 
 @dataclass(frozen=True)
@@ -52,13 +55,21 @@ class Shot:
         )
 
 
-def shots(positions: np.ndarray, resolution: int, turn_deg: float) -> list[Shot]:
-    """Three cameras x three lights around positions (v, 3); `turn_deg` says where its front is."""
+def shots(geometry: Mesh | Curves, resolution: int, turn_deg: float) -> list[Shot]:
+    """Cameras x lights around the asset; `turn_deg` says where its front is.
+
+    Fibers have one more camera, so near that single strands fill the picture.
+    """
+    fibers = isinstance(geometry, Curves)
+    positions = geometry.points if fibers else geometry.positions
     low, high = positions.min(axis=0), positions.max(axis=0)
     centre = (low + high) / 2
     radius = float(np.linalg.norm(positions - centre, axis=1).max())
+    cameras = dict(_CAMERAS)
+    if fibers:
+        cameras["strands"] = (*cameras["close-up"][:2], _STRANDS * geometry.radii.max() / radius)
     result = []
-    for camera, (azimuth, elevation, zoom) in _CAMERAS.items():
+    for camera, (azimuth, elevation, zoom) in cameras.items():
         wo = _direction(azimuth + turn_deg, elevation)
         target = centre
         if zoom < 1.0:  # look at what is nearest

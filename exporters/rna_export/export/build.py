@@ -61,6 +61,7 @@ def build_package(
     manifest = Manifest(
         generator=f"rna-export {rna_sdk.__version__}",
         name=dataset.manifest.name,
+        kind=dataset.manifest.kind,
         bounds=Bounds(min=tuple(bounds.low.tolist()), max=tuple(bounds.high.tolist())),
         domain=Domain(wo=domain, wi=domain),
         tiers=tuple(tiers),
@@ -68,7 +69,7 @@ def build_package(
         license=license_,
     )
     measured = _measure(manifest, trained, dataset, data, say)
-    return write_package(out, measured, dataset.mesh(), data)
+    return write_package(out, measured, dataset.geometry(), data)
 
 
 def _check_together(trained: list[Trained], dataset: Dataset) -> None:
@@ -120,7 +121,7 @@ def _measure(
     views, tiers = dataset.validation_views(), []
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
-        write_package(path, manifest, dataset.mesh(), data)
+        write_package(path, manifest, dataset.geometry(), data)
         for tier, one in zip(manifest.tiers, trained, strict=True):
             asset = load(path, tier=tier.name)
             validation = _validation(asset, views)
@@ -147,9 +148,9 @@ def _validation(asset: Asset, views: list[ValidationView]) -> Validation:
 
 def _cost(asset: Asset, multiply_adds: int, views: list[ValidationView]) -> Cost:
     """Median over five runs on real queries."""
-    rows = [np.concatenate([_inputs(view)[k] for view in views]) for k in range(4)]
-    repeat = -(-_COST_ROWS // len(rows[0]))
-    rows = [np.tile(values, (repeat, 1))[:_COST_ROWS] for values in rows]
+    every = [np.concatenate(parts) for parts in zip(*map(_inputs, views), strict=True)]
+    wanted = np.arange(_COST_ROWS) % len(every[0])
+    rows = [values[wanted] for values in every]
     seconds = []
     for _ in range(6):
         start = time.perf_counter()
@@ -169,7 +170,7 @@ def _multiply_adds(one: Trained) -> int:
 
 
 def _inputs(view: ValidationView) -> list[np.ndarray]:
-    return [np.ascontiguousarray(view.samples[k]) for k in ("position", "normal", "wo", "wi")]
+    return [np.ascontiguousarray(rows) for rows in view.queries.values()]
 
 
 def _processor() -> str:

@@ -10,6 +10,7 @@ import onnxruntime
 import torch
 from onnx import TensorProto, helper, numpy_helper
 
+from rna_export.training.inputs import Points
 from rna_export.training.model import NeuralAsset
 from rna_sdk.errors import ExportError
 
@@ -17,6 +18,9 @@ OPSET = 17
 RELATIVE, ABSOLUTE = 1e-4, 1e-5  # a larger difference refuses the export
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
+
+# Direct and scattered light, and scattered light in shadow, to visible and shadowed: (9, 6).
+_SUMS = np.kron([[1, 0], [1, 0], [0, 1]], np.eye(3))
 
 
 @dataclass(frozen=True)
@@ -39,7 +43,10 @@ def export_decoder(model: NeuralAsset) -> bytes:
             value = graph.add("Relu", [value])
     y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling / model.unit)))
     x = graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)])
-    graph.add("Mul", [x, graph.constant(float(model.unit))], "transport")
+    if model.config.separates_direct:
+        graph.add("MatMul", [x, graph.constant(float(model.unit) * _SUMS)], "transport")
+    else:
+        graph.add("Mul", [x, graph.constant(float(model.unit))], "transport")
     return graph.serialize(model.decoder[0].in_features)
 
 
@@ -87,7 +94,7 @@ def check_decoder(decoder: bytes, model: NeuralAsset, seed: int = 0) -> Agreemen
     )
     session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
     (found,) = session.run(["transport"], {"queries": queries.numpy()})
-    expected = model.transport(model.decoder(queries)).numpy()
+    expected = model.transport(model.decoder(queries).unflatten(1, (-1, 3))).flatten(1).numpy()
     difference = np.abs(found.astype(np.float64) - expected)
     large = np.abs(expected) > ABSOLUTE / RELATIVE
     agreement = Agreement(
@@ -108,8 +115,8 @@ def random_queries(model: NeuralAsset, n: int, seed: int) -> torch.Tensor:
     generator = torch.Generator().manual_seed(seed)
     low, high = model.triplane.low, model.triplane.high
     position = low + (high - low) * torch.rand(n, 3, generator=generator)
-    n_, wo, wi = torch.nn.functional.normalize(torch.randn(3, n, 3, generator=generator), dim=2)
-    return model.queries(position, n_, wo, wi)
+    frame, wo, wi = torch.nn.functional.normalize(torch.randn(3, n, 3, generator=generator), dim=2)
+    return model.queries(_points(position, frame, wo, wi, 2.0 * wo[:, 0]))
 
 
 def extreme_queries(model: NeuralAsset, seed: int) -> torch.Tensor:
@@ -118,9 +125,18 @@ def extreme_queries(model: NeuralAsset, seed: int) -> torch.Tensor:
     low, high = model.triplane.low, model.triplane.high
     axis = torch.eye(3).repeat(100, 1)
     far = high + 10.0 * (high - low)
+    h = axis[:, 0]
     corners = [
-        model.queries(low.expand(300, 3), axis, axis, axis),
-        model.queries(high.expand(300, 3), axis, axis, -axis),
-        model.queries(far.expand(300, 3), axis, -axis, -axis),
+        model.queries(_points(low.expand(300, 3), axis, axis, axis, h)),
+        model.queries(_points(high.expand(300, 3), axis, axis, -axis, -h)),
+        model.queries(_points(far.expand(300, 3), axis, -axis, -axis, h)),
     ]
     return torch.cat([torch.zeros_like(queries[:1]), 10.0 * queries, -10.0 * queries, *corners])
+
+
+def _points(
+    position: torch.Tensor, frame: torch.Tensor, wo: torch.Tensor, wi: torch.Tensor, h: torch.Tensor
+) -> Points:
+    """Points of either kind: `frame` is the normal or the tangent."""
+    named = {"position": position, "normal": frame, "tangent": frame, "wo": wo, "wi": wi}
+    return named | {"h": h}

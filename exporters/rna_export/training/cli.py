@@ -8,6 +8,8 @@ from pathlib import Path
 
 from rna_export.training.presets import PRESETS
 from rna_sdk.console import command_parser, run_command
+from rna_sdk.errors import TrainingError
+from rna_sdk.package.blocks import INPUT_BLOCKS, blocks_for
 
 
 def parser() -> argparse.ArgumentParser:
@@ -20,7 +22,17 @@ def parser() -> argparse.ArgumentParser:
     )
     p.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
     p.add_argument("--out", type=Path, required=True, help="folder for checkpoints, curves, images")
-    p.add_argument("--preset", choices=PRESETS, default="small", help="(default: %(default)s)")
+    p.add_argument(
+        "--preset", choices=PRESETS["surface"], default="small", help="(default: %(default)s)"
+    )
+    p.add_argument(
+        "--inputs",
+        nargs="+",
+        choices=INPUT_BLOCKS,
+        metavar="BLOCK",
+        help="decoder inputs instead of the preset's, to try what one is worth: "
+        + ", ".join(INPUT_BLOCKS),
+    )
     length = p.add_mutually_exclusive_group()
     length.add_argument(
         "--minutes", type=float, help="length of the run (default: the preset's steps)"
@@ -56,7 +68,6 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset import Dataset
     from rna_export.memory import keep_freed_memory
     from rna_export.training.run import Run, train
-    from rna_sdk.errors import TrainingError
 
     keep_freed_memory()
     if args.device == "cuda" and not torch.cuda.is_available():
@@ -64,16 +75,30 @@ def _run(args: argparse.Namespace) -> None:
     device = args.device
     if device == "auto":
         device = "cuda" if torch.cuda.is_available() else "cpu"
-    preset = PRESETS[args.preset]
+    dataset = Dataset(args.dataset)
+    preset = PRESETS[dataset.manifest.kind][args.preset]
     if args.steps is not None:
         training = preset.training.model_copy(update={"steps": args.steps})
         preset = preset.model_copy(update={"training": training})
-    run = Run(Dataset(args.dataset), preset, args.preset, args.out, args.seed, args.minutes, device)
+    if args.inputs is not None:
+        _check_inputs(args.inputs, dataset.manifest.kind)
+        model = preset.model.model_copy(update={"inputs": tuple(args.inputs)})
+        preset = preset.model_copy(update={"model": model})
+    run = Run(dataset, preset, args.preset, args.out, args.seed, args.minutes, device)
     best = train(run)
     print(
         f"wrote {best}, {args.out / 'curves.png'}, {args.out / 'validation'}\n"
         f"next: rna-export {best} --out {run.dataset.manifest.name}.rna"
     )
+
+
+def _check_inputs(inputs: list[str], kind: str) -> None:
+    known = blocks_for(kind)
+    if not set(inputs) <= set(known) or len(set(inputs)) < len(inputs):
+        raise TrainingError(
+            f"--inputs: found {' '.join(inputs)}, expected each once and, for a {kind}, of "
+            + " ".join(known)
+        )
 
 
 if __name__ == "__main__":

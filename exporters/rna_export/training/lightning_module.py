@@ -14,6 +14,7 @@ from rna_export.capture.dataset import ValidationView
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
+from rna_export.training.samples import columns
 from rna_export.training.validation import score, shade, write_images
 
 
@@ -27,6 +28,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         ceiling: float,
         unit: float,
         steps: int,
+        fields: dict[str, int],
         views: list[ValidationView],
         out: Path,
         record: dict[str, Any],
@@ -36,7 +38,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         self.model = NeuralAsset(preset.model, bounds)
         self.model.ceiling.fill_(ceiling)
         self.model.unit.fill_(unit)
-        self._config, self._steps = preset.training, steps
+        self._config, self._steps, self._fields = preset.training, steps, fields
         self._views, self._out = views, out
 
     @property
@@ -47,7 +49,7 @@ class NeuralAssetTraining(lightning.LightningModule):
     def training_step(self, rows: Tensor, _: int) -> Tensor:
         # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * self.progress)
-        loss = sample_loss(self.model, rows, blur)
+        loss = sample_loss(self.model, columns(rows, self._fields), blur)
         self.log("loss", loss)
         return loss
 

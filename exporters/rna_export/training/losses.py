@@ -1,26 +1,46 @@
-"""The loss between the decoder's y = log(x / unit + 1) and radiance targets x, (n, 3) each."""
+"""The loss between the decoder's y = log(x / unit + 1) and radiance targets, (n, 3) each."""
 
 from __future__ import annotations
 
 import torch
 from torch import Tensor
 
+from rna_export.training.inputs import Points
 from rna_export.training.model import NeuralAsset
-from rna_export.training.samples import columns
 
 
-def sample_loss(model: NeuralAsset, rows: Tensor, blur: float) -> Tensor:
-    """The loss of a batch of `SampleTable`, of the outputs alone that match the visibility."""
-    at = columns(rows)
-    both = model(at["position"], at["normal"], at["wo"], at["wi"], blur)
-    y = torch.where(at["visible"][:, None] > 0.5, both[:, 0], both[:, 1])
-    return log_l2(y, at["radiance"], model.unit)
+def sample_loss(model: NeuralAsset, at: Points, blur: float) -> Tensor:
+    """The loss of a batch of samples, of the outputs alone that match their visibility.
+
+    Direct light has no noise, scattered light next to nothing but noise: each gets its own loss,
+    where the model has an output for each.
+    """
+    y, visible = model(at, blur), at["visible"] > 0.5
+    if not model.config.separates_direct:
+        return log_l2(torch.where(visible[:, None], y[:, 0], y[:, 1]), at["radiance"], model.unit)
+    direct = log_l2(y[:, 0], at["direct"], model.unit, weight=at["visible"][:, None])
+    scattered = torch.where(visible[:, None], y[:, 1], y[:, 2])
+    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
 
 
-def log_l2(y: Tensor, target: Tensor, unit: Tensor | float = 1.0) -> Tensor:
+def log_l2(
+    y: Tensor, target: Tensor, unit: Tensor | float = 1.0, weight: Tensor | float = 1.0
+) -> Tensor:
     """Squared error of log(x / unit + 1): the paper, section 4.2, where the unit is 1.
 
     Noise in the targets darkens it by about half their variance over (x + unit)^2: nothing for
     surfaces at 4 paths and more, much for hair at one (docs/decisions.md).
     """
-    return (y - torch.log1p(target / unit)).square().mean()
+    return (weight * (y - torch.log1p(target / unit)).square()).mean()
+
+
+def unbiased_l2(y: Tensor, target: Tensor, unit: Tensor | float = 1.0) -> Tensor:
+    """Squared error of x over (x + unit)^2, x as predicted: near the truth it is `log_l2`.
+
+    Its minimum is the mean of noisy targets, since the denominator is held fixed: Lehtinen et
+    al., "Noise2Noise", 2018, section 3.2; Mueller et al., "Real-time Neural Radiance Caching for
+    Path Tracing", 2021, section 4.1.
+    """
+    x_over_unit = torch.expm1(y)
+    weight = 1.0 / (x_over_unit.detach().clamp(min=0.0) + 1.0)
+    return (weight * (x_over_unit - target / unit)).square().mean()

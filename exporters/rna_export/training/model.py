@@ -5,18 +5,22 @@ from __future__ import annotations
 import torch
 from torch import Tensor, nn
 
-from rna_export.training.inputs import assemble
+from rna_export.training.inputs import Points, assemble
 from rna_export.training.presets import ModelConfig
 from rna_export.training.triplane import Triplane
 from rna_sdk.package import query_width
 
 
 class NeuralAsset(nn.Module):
-    """T(x, wo, wi) as a triplane and an MLP with two RGB outputs (the paper, section 3).
+    """T(x, wo, wi) as a triplane and an MLP (the paper, section 3).
 
-    The decoder's last layer gives y = log(x / unit + 1); `transport` inverts that. `bounds` is
-    (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our presets.
-    `ceiling` bounds what it can answer: nothing brighter was seen in training.
+    The decoder gives colours as y = log(x / unit + 1); `colours` inverts that. In the paper there
+    are two, `visible` and `shadowed`. A model that `separates_direct` has three: direct light, and
+    scattered light where the light is visible and where it is shadowed. `transport` sums them up
+    to the paper's two.
+
+    `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
+    presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
     """
 
     def __init__(self, config: ModelConfig, bounds: Tensor):
@@ -28,26 +32,29 @@ class NeuralAsset(nn.Module):
         for _ in range(config.hidden_layers):
             layers += [nn.Linear(columns, width), nn.ReLU()]
             columns = width
-        self.decoder = nn.Sequential(*layers, nn.Linear(columns, 6))
+        colours = 3 if config.separates_direct else 2
+        self.decoder = nn.Sequential(*layers, nn.Linear(columns, 3 * colours))
         self.register_buffer("ceiling", torch.tensor(100.0))
         self.register_buffer("unit", torch.tensor(1.0))
 
-    def forward(
-        self, position: Tensor, n: Tensor, wo: Tensor, wi: Tensor, blur: float = 1.0
-    ) -> Tensor:
-        """y = log(x / unit + 1), (k, 2, 3): visible, shadowed. Inputs (k, 3) each."""
-        return self.decoder(self.queries(position, n, wo, wi, blur)).view(-1, 2, 3)
+    def forward(self, at: Points, blur: float = 1.0) -> Tensor:
+        """y = log(x / unit + 1) of each colour, (k, 2 or 3, 3)."""
+        return self.decoder(self.queries(at, blur)).unflatten(1, (-1, 3))
 
-    def queries(
-        self, position: Tensor, n: Tensor, wo: Tensor, wi: Tensor, blur: float = 1.0
-    ) -> Tensor:
+    def queries(self, at: Points, blur: float = 1.0) -> Tensor:
         """What the decoder is asked, (k, K)."""
-        grid = self.triplane
-        features = grid(position, blur)
+        grid, position = self.triplane, at["position"]
         p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
-        return assemble(self.config.inputs, features, 2.0 * p - 1.0, n, wo, wi)
+        return assemble(self.config.inputs, grid(position, blur), p, at)
 
-    def transport(self, y: Tensor) -> Tensor:
+    def colours(self, y: Tensor) -> Tensor:
         """Radiance from y: the inverse of log(x / unit + 1), between 0 and the ceiling."""
         highest = torch.log1p(self.ceiling / self.unit)
         return self.unit * torch.expm1(y.clamp(min=0.0).minimum(highest))
+
+    def transport(self, y: Tensor) -> Tensor:
+        """Radiance where the light is visible and where it is shadowed, (k, 2, 3)."""
+        x = self.colours(y)
+        if not self.config.separates_direct:
+            return x
+        return torch.stack([x[:, 0] + x[:, 1], x[:, 2]], dim=1)

@@ -6,8 +6,15 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-PAPER_INPUTS = ("features", "normal", "wo", "wi")
-OUR_INPUTS = ("features", "normal", "wo", "wi", "half_vector")
+# Kind of asset -> decoder inputs; the paper's are those of its section 3.2.
+_PAPER_INPUTS = {
+    "surface": ("features", "normal", "wo", "wi"),
+    "fiber": ("features", "tangent", "h", "wo", "wi"),
+}
+_OUR_INPUTS = {
+    "surface": (*_PAPER_INPUTS["surface"], "half_vector"),
+    "fiber": (*_PAPER_INPUTS["fiber"], "fiber_angles", "fiber_lobes"),
+}
 
 
 class ModelConfig(BaseModel):
@@ -20,6 +27,9 @@ class ModelConfig(BaseModel):
     hidden_layers: int = Field(4, gt=0)
     resolution: int = Field(gt=0, description="texels along a plane's side")
     channels: int = Field(8, gt=0)
+    separates_direct: bool = Field(
+        False, description="direct and scattered light are outputs of their own, summed at the end"
+    )
 
 
 class TrainingConfig(BaseModel):
@@ -58,10 +68,10 @@ class Preset(BaseModel):
 _BATCH = 2048
 
 
-def _paper(width: int) -> Preset:
+def _paper(kind: str, width: int) -> Preset:
     # The paper, sections 3.2 and 4.2.
     return Preset(
-        model=ModelConfig(inputs=PAPER_INPUTS, width=width, resolution=512),
+        model=ModelConfig(inputs=_PAPER_INPUTS[kind], width=width, resolution=512),
         training=TrainingConfig(
             steps=100_000,
             batch=_BATCH,
@@ -74,9 +84,15 @@ def _paper(width: int) -> Preset:
     )
 
 
-def _ours(width: int, steps: int, learning_rate: float) -> Preset:
+def _ours(kind: str, width: int, steps: int, learning_rate: float) -> Preset:
+    fiber = kind == "fiber"
     return Preset(
-        model=ModelConfig(inputs=OUR_INPUTS, width=width, resolution=256),
+        model=ModelConfig(
+            inputs=_OUR_INPUTS[kind],
+            width=width,
+            resolution=64 if fiber else 256,
+            separates_direct=fiber,
+        ),
         training=TrainingConfig(
             steps=steps,
             batch=_BATCH,
@@ -90,8 +106,12 @@ def _ours(width: int, steps: int, learning_rate: float) -> Preset:
 
 
 PRESETS = {
-    "small": _ours(64, 40_000, 4e-3),
-    "hq": _ours(256, 40_000, 2e-3),
-    "paper-small": _paper(64),
-    "paper-hq": _paper(512),
+    kind: {
+        "small": _ours(kind, 64, 40_000, 4e-3),
+        "hq": _ours(kind, 256, 40_000, 2e-3),
+        "paper-small": _paper(kind, 64),
+        "paper-hq": _paper(kind, 512),
+    }
+    for kind in ("surface", "fiber")
 }
+"""Kind of asset -> name -> preset."""

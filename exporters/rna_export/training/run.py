@@ -24,7 +24,7 @@ from rna_export.training.lightning_module import NeuralAssetTraining
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
-from rna_export.training.samples import SampleTable
+from rna_export.training.samples import SampleTable, columns
 from rna_sdk.errors import TrainingError
 
 _VALIDATIONS = 10  # a run
@@ -70,6 +70,7 @@ def train(run: Run) -> Path:
         ceiling,
         unit,
         steps,
+        table.fields,
         run.dataset.validation_views(),
         run.out,
         _record(run, steps),
@@ -96,9 +97,18 @@ def train(run: Run) -> Path:
 
 
 def usual_radiance(samples: dict[str, np.ndarray]) -> float:
-    """The median over samples that see their light: highlights are far above it, shadows below."""
-    lit = samples["radiance"][samples["visible"] > 0]
-    return max(float(np.median(lit)), 1e-4) if len(lit) else 1.0
+    """What is usual where the light is seen: highlights are far above it, shadows below.
+
+    The median; of scattered light, where that is told apart, the mean: most of its samples are 0.
+    """
+    lit = samples["visible"] > 0
+    if not lit.any():
+        return 1.0
+    if "direct" not in samples:
+        return max(float(np.median(samples["radiance"][lit])), 1e-4)
+    direct = samples["direct"][lit]
+    scattered = samples["radiance"][lit] - direct
+    return max(float(np.median(direct) + np.mean(scattered)), 1e-4)
 
 
 def padded_bounds(dataset: Dataset) -> torch.Tensor:
@@ -159,7 +169,7 @@ def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: fl
     begun, ends = time.perf_counter(), []
     for rows in table:
         optimizer.zero_grad()
-        loss = sample_loss(model, rows, blur)
+        loss = sample_loss(model, columns(rows, table.fields), blur)
         loss.backward()
         optimizer.step()
         loss.item()

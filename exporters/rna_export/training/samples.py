@@ -1,4 +1,4 @@
-"""Training batches: all samples in one table of 16 columns, a cache line a row."""
+"""Training batches: all samples in one table, a row each."""
 
 from __future__ import annotations
 
@@ -10,24 +10,26 @@ import torch
 from torch import Tensor
 from torch.utils.data import IterableDataset
 
-_COLUMNS = ("position", "normal", "wo", "wi", "radiance", "visible")
-
 
 class SampleTable(IterableDataset):
     """Endless random batches, each sample once an epoch; repeats for the same seed.
 
     `done` batches are left out at the start: a stopped run saw them.
 
-    Yields (batch, 16) float32: position, normal, wo, wi, radiance (3 each), visible.
+    Yields (batch, columns) float32, the fields of `samples` side by side, in their order;
+    `columns` finds them again.
     """
 
     def __init__(
         self, samples: dict[str, np.ndarray], batch: int, seed: int, device: str, done: int = 0
     ):
         n = len(samples["visible"])
-        table = np.empty((n, 16), np.float32)
-        for k, name in enumerate(_COLUMNS):
-            table[:, 3 * k : 3 * k + 3] = samples[name].reshape(n, -1)
+        self.fields = {name: values[0].size for name, values in samples.items()}
+        table = np.empty((n, sum(self.fields.values())), np.float32)
+        first = 0
+        for name, width in self.fields.items():
+            table[:, first : first + width] = samples[name].reshape(n, width)
+            first += width
         self.rows = torch.from_numpy(table).to(device)
         self._batch, self._seed, self._done = min(batch, n), seed, done
 
@@ -46,7 +48,10 @@ class SampleTable(IterableDataset):
                 yield self.rows[order[first : first + self._batch]]
 
 
-def columns(rows: Tensor) -> dict[str, Tensor]:
-    """The named columns of rows (k, 16); `visible` is (k,)."""
-    named = {name: rows[:, 3 * k : 3 * k + 3] for k, name in enumerate(_COLUMNS[:5])}
-    return named | {"visible": rows[:, 15]}
+def columns(rows: Tensor, fields: dict[str, int]) -> dict[str, Tensor]:
+    """The named columns of a table's rows: (k, width) each, (k,) where the width is 1."""
+    parts = rows.split(list(fields.values()), dim=1)
+    return {
+        name: part.squeeze(1) if width == 1 else part
+        for (name, width), part in zip(fields.items(), parts, strict=True)
+    }

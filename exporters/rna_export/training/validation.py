@@ -10,7 +10,7 @@ import torch
 from PIL import Image
 
 from rna_export.capture.dataset import ValidationView
-from rna_export.metrics import flip, psnr, relative_mse, to_png
+from rna_export.metrics import flip, psnr, psnr_without_noise, relative_mse, to_png
 from rna_export.training.model import NeuralAsset
 
 _ROWS = 65536
@@ -24,6 +24,7 @@ class Scores:
     flip: float
     relative_mse: float
     psnr_of_references: float  # one half of the paths against the other: what noise allows
+    psnr_without_noise: float  # of the model against what the references would converge to
     images: int
 
 
@@ -31,12 +32,11 @@ class Scores:
 def shade(model: NeuralAsset, view: ValidationView) -> np.ndarray:
     """Radiance (n, 3) of a view's rows, the output picked by visibility."""
     device = model.ceiling.device
-    names = ("position", "normal", "wo", "wi")
     parts = []
     for first in range(0, len(view.pixel), _ROWS):
         rows = slice(first, first + _ROWS)
-        inputs = [torch.from_numpy(view.samples[name][rows]).to(device) for name in names]
-        parts.append(model.transport(model(*inputs)).cpu().numpy())
+        at = {name: torch.from_numpy(v[rows]).to(device) for name, v in view.queries.items()}
+        parts.append(model.transport(model(at)).cpu().numpy())
     both = np.concatenate(parts)
     return view.pick(both[:, 0], both[:, 1])
 
@@ -50,6 +50,7 @@ def score(radiance: list[np.ndarray], views: list[ValidationView]) -> Scores:
         relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
         # The mean of both halves has half the variance of either, their difference twice it.
         psnr_of_references=float(np.mean([psnr(*v.halves) + 6.02 for v in views])),
+        psnr_without_noise=float(np.mean([psnr_without_noise(r, *v.halves) for r, _, v in pairs])),
         images=len(views),
     )
 

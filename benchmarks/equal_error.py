@@ -1,0 +1,144 @@
+"""How long Cycles takes for the error that a package has: one image, one light, one machine.
+
+    python benchmarks/equal_error.py blonde.rna examples/recipes/ponytail.py --tiers small hq \
+        --out benchmarks/results/equal-error-blonde.json -- FOLDER --hair blonde
+
+Cycles renders the original at doubling sample counts, and two independent references. The error of
+an image is its squared error over the asset's pixels as displayed (PSNR as everywhere here),
+without the references' noise: the product of the differences to each. Cycles' own error falls as
+one over its samples; its time grows as a line. So the count of samples with our error, and its
+time, follow from the fits of both; where that count lies above the largest rendered one, the result
+says so. Times are of rendering alone: both programs have the asset loaded. Run it on an idle
+machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from report import publish, report_parser
+
+from rna_export.capture import blender_env
+from rna_export.capture.run import default_workers
+from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.compare.views import FOV_Y, Shot, shots
+from rna_export.metrics import PSNR_DEFINITION, psnr_without_noise
+from rna_render.render import make_integrator, render
+from rna_render.world import Placement, World
+from rna_sdk.console import split_script_arguments
+from rna_sdk.runtime import FiberAsset, load
+
+
+def main() -> None:
+    own, arguments = split_script_arguments(None)
+    args = _parser().parse_args(own)
+    assets = {tier: load(args.package, tier=tier) for tier in args.tiers}
+    first = assets[args.tiers[0]]
+    geometry = first.curves if isinstance(first, FiberAsset) else first.mesh
+    shot = next(s for s in shots(geometry, args.resolution, args.turn) if s.name == args.shot)
+    with tempfile.TemporaryDirectory() as scratch:
+        source = Source(args.source, arguments)
+        python = blender_env.find_python()
+        with BlenderWorker(python, source, Path(scratch), default_workers()) as worker:
+            cycles = _Cycles(worker, shot, args.reference_samples)
+            counts = [2**k for k in range(1, args.doublings + 1)]
+            rendered = {n: cycles.render(n, seed=100 + n) for n in counts}
+    ours = {tier: _ours(asset, args, shot) for tier, asset in assets.items()}
+    report = {
+        "package": args.package.name,
+        "shot": shot.name,
+        "resolution": args.resolution,
+        "cores": len(os.sched_getaffinity(0)),
+        "psnr": PSNR_DEFINITION,
+        "reference_samples": 2 * args.reference_samples,
+        "cycles": [
+            {"samples": n, "seconds": seconds, "psnr": cycles.psnr(image)}
+            for n, (image, seconds) in rendered.items()
+        ],
+    }
+    report["ours"] = {
+        tier: _equal(cycles.psnr(image), seconds, report["cycles"], args.samples)
+        for tier, (image, seconds) in ours.items()
+    }
+    publish(report, args.out)
+
+
+class _Cycles:
+    """The original, and what its renders are compared with."""
+
+    def __init__(self, worker: BlenderWorker, shot: Shot, reference_samples: int):
+        self._worker, self._shot = worker, shot
+        self.render(1, seed=1)  # the first one also builds the scene
+        halves = [self.render(reference_samples, seed)[0] for seed in (2, 3)]
+        self._covered = halves[0][..., 3] > 0.0
+        self._halves = [half[self._covered][:, :3] for half in halves]
+
+    def render(self, samples: int, seed: int) -> tuple[np.ndarray, float]:
+        """RGBA and seconds. The worker starts anew for another count, so that time is not here."""
+        n = self._shot.resolution
+        view = self._shot.to_world, FOV_Y, self._shot.wi
+        self._worker.render_view(*view, samples, seed, 8, 8)
+        begun = time.perf_counter()
+        image = self._worker.render_view(*view, samples, seed, n, n)
+        return image, time.perf_counter() - begun
+
+    def psnr(self, image: np.ndarray) -> float:
+        return psnr_without_noise(image[self._covered][:, :3], *self._halves)
+
+
+def _ours(asset: Any, args: argparse.Namespace, shot: Shot) -> tuple[np.ndarray, float]:
+    """RGBA, and the median time of the renders after one that warms up."""
+    scene = shot.scene(str(args.package), args.samples)
+    world, seconds = World([Placement(asset, np.eye(4))]), []
+    for _ in range(1 + args.repeats):
+        begun = time.perf_counter()
+        channels = render(scene, make_integrator(scene, world)).channels()
+        seconds.append(time.perf_counter() - begun)
+    return np.stack([channels[c] for c in "RGBA"], axis=-1), float(np.median(seconds[1:]))
+
+
+def _equal(psnr: float, seconds: float, cycles: list[dict], samples: int) -> dict[str, Any]:
+    """Where Cycles has our error: its error is a / samples, its time b + c samples."""
+    counts = np.array([row["samples"] for row in cycles], float)
+    errors = 10.0 ** (-np.array([row["psnr"] for row in cycles]) / 10.0)
+    a = np.exp(np.mean(np.log(errors * counts)))
+    c, b = np.polyfit(counts, [row["seconds"] for row in cycles], 1)
+    equal = a / 10.0 ** (-psnr / 10.0)
+    return {
+        "samples": samples,
+        "psnr": psnr,
+        "seconds": seconds,
+        "cycles_samples": equal,
+        "cycles_seconds": b + c * equal,
+        "extrapolated": bool(equal > counts.max()),
+        "times_as_fast": (b + c * equal) / seconds,
+    }
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = report_parser(
+        description="Time to equal error of a package against Cycles; prints JSON.",
+        epilog="Arguments after -- go to a source that is a Python script.",
+    )
+    parser.add_argument("package", type=Path, help="the .rna file")
+    parser.add_argument("source", type=Path, help="what it was captured from")
+    parser.add_argument("--tiers", nargs="+", required=True, help="of the package")
+    parser.add_argument("--samples", type=int, default=16, help="ours a pixel")
+    parser.add_argument("--shot", default="front, key light", help="as rna-compare calls it")
+    parser.add_argument("--turn", type=float, default=0.0, help="as for rna-compare")
+    parser.add_argument("--resolution", type=int, default=256, help="pixels a side")
+    parser.add_argument("--doublings", type=int, default=7, help="Cycles renders 2, 4, ... 2^this")
+    parser.add_argument(
+        "--reference-samples", type=int, default=256, help="of each of the two references"
+    )
+    return parser
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,83 @@
+"""Exports every strand of hair in the scene, as Cycles will render it; tells hair from surfaces."""
+
+import bpy
+import mesh_export
+import numpy as np
+
+_THINNEST = 1e-3  # of the greatest radius: a package has no strand of radius 0
+_NO_RADIUS = 0.005  # what Cycles takes where curves have no radius
+
+
+def scene_kind():
+    """What renders show: "fiber" or "surface"; refuses a scene that shows both."""
+    hair = next((i.object.name for i in _curve_instances() if len(i.object.data.points)), None)
+    if hair is None:
+        return "surface"
+    mesh = mesh_export.first_with_faces()
+    if mesh is not None:
+        raise ValueError(
+            f"the scene shows a surface ({mesh!r}) and hair ({hair!r}), and a package holds one "
+            "kind: hide one of them from renders (hide_render, the camera icon in the outliner) "
+            "and capture each for itself"
+        )
+    return "fiber"
+
+
+def export_curves(path):
+    """Write an .npz with `points` (p, 3), `radii` (p,) float32 and `offsets` (s + 1,) int64.
+
+    World space, Blender's axes. Strand k is points[offsets[k]:offsets[k + 1]], root first.
+    """
+    parts = [part for instance in _curve_instances() if (part := _strands(instance)) is not None]
+    if not parts:
+        raise ValueError("the scene has no hair")
+    points, radii, counts = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
+    offsets = np.concatenate([[0], np.cumsum(counts, dtype=np.int64)])
+    thinnest = np.float32(_THINNEST) * radii.max()
+    if not thinnest > 0.0:
+        raise ValueError("the hair has radius 0")
+    np.savez(path, points=points, radii=np.maximum(radii, thinnest), offsets=offsets)
+    return {"strands": len(counts)}
+
+
+def _curve_instances():
+    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
+        if instance.object.type == "CURVES" and instance.show_self:
+            if not instance.object.original.hide_render:
+                yield instance
+
+
+def _strands(instance):
+    """World points, radii and points a strand; None without strands of two points or more."""
+    curves = instance.object.data
+    offsets = _read(curves.curve_offset_data, "value", len(curves.curves) + 1, np.int32)
+    counts = np.diff(offsets).astype(np.int64)
+    kept = counts >= 2  # Cycles shows no others
+    if not kept.any():
+        return None
+    points = _read(curves.position_data, "vector", 3 * len(curves.points)).reshape(-1, 3)
+    radii = np.full(len(points), _NO_RADIUS, np.float32)
+    if "radius" in curves.attributes:
+        radii = _read(curves.attributes["radius"].data, "value", len(points))
+    matrix = np.array(instance.matrix_world, np.float64)
+    world = points @ matrix[:3, :3].T + matrix[:3, 3]
+    here = np.repeat(kept, counts)
+    radii = radii * np.float32(_scale_of_radii(instance.object.name, matrix[:3, :3]))
+    return world.astype(np.float32)[here], radii[here], counts[kept]
+
+
+def _scale_of_radii(name, matrix):
+    """Cycles scales radii with the object."""
+    scales = np.linalg.svd(matrix, compute_uv=False)
+    if scales[0] > 1.001 * scales[-1]:
+        raise ValueError(
+            f"hair {name!r} is scaled by {scales[0]:.3g} one way and {scales[-1]:.3g} another, "
+            "which flattens its strands: apply the scale (Ctrl-A) first"
+        )
+    return np.cbrt(np.prod(scales))
+
+
+def _read(collection, attribute, size, dtype=np.float32):
+    values = np.empty(size, dtype)
+    collection.foreach_get(attribute, values)
+    return values

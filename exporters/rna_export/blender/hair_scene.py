@@ -1,0 +1,114 @@
+"""Makes the hair of a loaded scene what capture expects: curves, Chiang's model, round segments."""
+
+import bpy
+import numpy as np
+
+_THINNEST = 0.01  # of the root: a closed tip ends in this, for a package has no radius 0
+
+
+def prepare_hair(materials_with_nodes):
+    """Convert particle hair, set the model of hair shaders and the shape of curves.
+
+    `materials_with_nodes`: pairs of a material and all its nodes. Returns notes for the user.
+    """
+    bpy.context.scene.cycles_curves.shape = "THICK_LINEAR"
+    notes = []
+    for material, nodes in materials_with_nodes:
+        for node in nodes:
+            if node.type == "BSDF_HAIR_PRINCIPLED" and node.model != "CHIANG":
+                notes.append(
+                    f"material {material.name!r} uses the hair model {node.model}; it was captured "
+                    "with CHIANG, whose strands are round"
+                )
+                node.model = "CHIANG"
+    bpy.context.view_layer.update()
+    for item in list(bpy.context.view_layer.objects):
+        if any(_is_hair(system) for system in item.particle_systems):
+            _convert(item)
+    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
+        if any(_is_hair(system) for system in instance.object.particle_systems):
+            raise ValueError(
+                f"object {instance.object.name!r} has particle hair and is only shown by an "
+                "instance of its collection: make that instance real (Ctrl-A) first"
+            )
+    return notes
+
+
+def _is_hair(system):
+    return system.settings.type == "HAIR" and system.settings.render_type == "PATH"
+
+
+def _convert(emitter):
+    """Replace the particle hair of an object by curves objects, as renders show it."""
+    particles = [m for m in emitter.modifiers if m.type == "PARTICLE_SYSTEM"]
+    modifiers = {m.particle_system.name: m for m in particles}
+    systems = [s for s in emitter.particle_systems if _is_hair(s)]
+    names = [s.name for s in systems]
+    shown = [modifiers[name].show_render and not emitter.hide_render for name in names]
+    for system in systems:
+        _show_as_rendered(system.settings)
+    hidden_emitter = not emitter.show_instancer_for_render
+    for name, visible in zip(names, shown, strict=True):
+        if visible:
+            _add_curves_of(emitter, name)
+    for name in names:
+        emitter.modifiers.remove(modifiers[name])
+    # An object without particles is no emitter: the switch that hid it means nothing now.
+    if hidden_emitter and not emitter.particle_systems:
+        emitter.hide_render = emitter.hide_viewport = True
+
+
+def _show_as_rendered(settings):
+    """What Python can read is the viewport's hair."""
+    settings.display_method = "RENDER"
+    settings.display_percentage = 100
+    settings.display_step = settings.render_step
+    settings.child_percent = settings.rendered_child_count
+
+
+def _add_curves_of(emitter, name):
+    settings = emitter.particle_systems[name].settings
+    emitter.particle_systems.active_index = emitter.particle_systems.find(name)
+    bpy.context.view_layer.update()
+    before = set(bpy.data.objects)
+    with bpy.context.temp_override(object=emitter, active_object=emitter):
+        bpy.ops.curves.convert_from_particle_system()
+    made = set(bpy.data.objects) - before
+    if len(made) != 1:
+        raise ValueError(f"could not convert the particle hair {name!r} of {emitter.name!r}")
+    curves = made.pop().data
+    _set_radii(curves, settings)
+    slot = settings.material - 1
+    materials = [s.material for s in emitter.material_slots]
+    curves.materials.clear()
+    if materials:
+        curves.materials.append(materials[min(slot, len(materials) - 1)])
+
+
+def _set_radii(curves, settings):
+    """As Cycles gives particle hair its radii (`shaperadius` in its Blender add-on's source)."""
+    root = 0.5 * settings.root_radius * settings.radius_scale
+    tip = 0.5 * settings.tip_radius * settings.radius_scale
+    offsets = np.empty(len(curves.curves) + 1, np.int32)
+    curves.curve_offset_data.foreach_get("value", offsets)
+    points = np.empty(3 * len(curves.points), np.float32)
+    curves.position_data.foreach_get("vector", points)
+    along = _part_of_length(points.reshape(-1, 3), offsets)
+    rest, shape = 1.0 - along, settings.shape
+    rest = rest ** (1.0 + shape) if shape < 0.0 else rest ** (1.0 / max(1.0 - shape, 1e-6))
+    radii = rest * (root - tip) + tip
+    if settings.use_close_tip:
+        radii[offsets[1:] - 1] = 0.0
+    radii = np.maximum(radii, _THINNEST * max(root, tip)).astype(np.float32)
+    attribute = curves.attributes.get("radius") or curves.attributes.new("radius", "FLOAT", "POINT")
+    attribute.data.foreach_set("value", radii)
+
+
+def _part_of_length(points, offsets):
+    """(p,) 0 at each strand's root, 1 at its tip, by length."""
+    steps = np.linalg.norm(np.diff(points, axis=0, prepend=points[:1]), axis=1)
+    steps[offsets[:-1]] = 0.0
+    length = np.cumsum(steps, dtype=np.float64)
+    start = np.repeat(length[offsets[:-1]], np.diff(offsets))
+    whole = np.repeat(length[offsets[1:] - 1], np.diff(offsets)) - start
+    return (length - start) / np.maximum(whole, 1e-20)

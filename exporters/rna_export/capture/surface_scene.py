@@ -1,0 +1,95 @@
+"""A mesh as capture sees it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import trimesh
+
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.directions import around, reflect
+from rna_render.embree import TriangleScene
+from rna_render.surface import (
+    geometric_normals,
+    interpolate_normals,
+    interpolate_positions,
+    visible,
+)
+from rna_sdk.package import Mesh
+
+
+@dataclass(frozen=True)
+class SurfacePoints:
+    """Where rays met the mesh; every array has one row a ray, rows without a hit are zero."""
+
+    hit: np.ndarray  # (n,) bool
+    position: np.ndarray  # (n, 3) float32
+    normal: np.ndarray  # (n, 3) float32, interpolated corner normals
+    geometric_normal: np.ndarray  # (n, 3) float32
+    uv: np.ndarray | None  # (n, 2) float32, where the mesh has them
+
+    def sample_fields(self) -> dict[str, np.ndarray]:
+        """See `ShadePoints`."""
+        fields = {"position": self.position, "normal": self.normal}
+        return fields if self.uv is None else {**fields, "uv": self.uv}
+
+
+class SurfaceScene(AssetScene):
+    """Ray queries against one mesh."""
+
+    def __init__(self, mesh: Mesh):
+        self.mesh = mesh
+        self._scene = TriangleScene([(mesh.positions, mesh.triangles)])
+        area = trimesh.triangles.area(mesh.positions[mesh.triangles].astype(np.float64))
+        self._area_cdf = np.cumsum(area) / area.sum()
+        every = np.arange(len(mesh.triangles), dtype=np.int32)
+        self._geometric = geometric_normals(mesh.positions, mesh.triangles, every)
+        low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+        self.centre = ((low + high) / 2).astype(np.float32)
+        self.radius = float(np.linalg.norm(mesh.positions - self.centre, axis=1).max())
+
+    def distance(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        return self._scene.intersect(origins, directions).t
+
+    def shade_points(self, origins: np.ndarray, directions: np.ndarray) -> SurfacePoints:
+        mesh, hits = self.mesh, self._scene.intersect(origins, directions)
+        hit = hits.geometry >= 0
+        triangle = np.where(hit, hits.triangle, 0)
+        at = (mesh.triangles, triangle, hits.u, hits.v)
+        mask = hit[:, None]
+        uv = None
+        if mesh.uvs is not None:
+            corner = mesh.uvs[mesh.triangles[triangle]]
+            weights = np.stack([1.0 - hits.u - hits.v, hits.u, hits.v], axis=1)
+            uv = np.einsum("nc,nck->nk", weights, corner).astype(np.float32) * mask
+        return SurfacePoints(
+            hit,
+            np.where(mask, interpolate_positions(mesh.positions, *at), 0.0).astype(np.float32),
+            np.where(mask, interpolate_normals(mesh.normals, *at), 0.0).astype(np.float32),
+            self._geometric[triangle] * mask,
+            uv,
+        )
+
+    def sample_points(self, n: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+        triangle = np.minimum(
+            np.searchsorted(self._area_cdf, rng.random(n)), len(self._area_cdf) - 1
+        )
+        root, v = np.sqrt(rng.random(n)), rng.random(n)
+        weights = np.stack([1.0 - root, root * (1.0 - v), root * v], axis=1).astype(np.float32)
+        corners = self.mesh.positions[self.mesh.triangles[triangle]]
+        return np.einsum("nc,nck->nk", weights, corners), self._geometric[triangle]
+
+    def highlight_views(
+        self, points: SurfacePoints, wi: np.ndarray, rng: np.random.Generator
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Mirrors of wi about half vectors of GGX roughness alpha 0.02 to 0.8."""
+        lit = np.flatnonzero(points.hit & (points.normal @ wi > 0.02))
+        width = 0.02 * 40.0 ** rng.random(len(lit))
+        u = rng.random(len(lit))
+        cosine = np.sqrt((1.0 - u) / (1.0 + (width**2 - 1.0) * u))
+        h = around(points.normal[lit], cosine, 2.0 * np.pi * rng.random(len(lit)))
+        return lit, reflect(np.broadcast_to(wi, h.shape), h)
+
+    def visible(self, points: SurfacePoints, wi: np.ndarray) -> np.ndarray:
+        return visible(self._scene, points.position, points.geometric_normal, wi)
