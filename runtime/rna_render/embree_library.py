@@ -11,17 +11,27 @@ import ctypes
 import functools
 import importlib.util
 import weakref
+from collections.abc import Sequence
 from pathlib import Path
+
+import numpy as np
 
 from rna_sdk.errors import SceneError
 
 # Enumerators of rtcore_common.h, rtcore_buffer.h, rtcore_geometry.h and rtcore_scene.h.
+FORMAT_UCHAR = 0x1001
+FORMAT_UINT = 0x5001
 FORMAT_UINT3 = 0x5003
 FORMAT_FLOAT3 = 0x9003
+FORMAT_FLOAT4 = 0x9004
 FORMAT_FLOAT3X4_ROW_MAJOR = 0x9134
 BUFFER_INDEX = 0
 BUFFER_VERTEX = 1
+BUFFER_FLAGS = 32
+CURVE_NEIGHBOUR_LEFT = 1 << 0
+CURVE_NEIGHBOUR_RIGHT = 1 << 1
 GEOMETRY_TRIANGLE = 0
+GEOMETRY_ROUND_LINEAR_CURVE = 16
 GEOMETRY_INSTANCE = 121
 SCENE_ROBUST = 1 << 2
 SCENE_FILTER_IN_ARGUMENTS = 1 << 3
@@ -43,6 +53,7 @@ _SIGNATURES = {
     "rtcCommitGeometry": (None, [_pointer]),
     "rtcAttachGeometryByID": (None, [_pointer, _pointer, _uint]),
     "rtcSetNewGeometryBuffer": (_pointer, [_pointer, _int, _uint, _int, _size, _size]),
+    "rtcSetGeometryUserData": (None, [_pointer, _pointer]),
     "rtcSetGeometryInstancedScene": (None, [_pointer, _pointer]),
     "rtcSetGeometryTransform": (None, [_pointer, _uint, _int, _pointer]),
 }
@@ -101,6 +112,30 @@ class SceneHandle:
         self.handle = library().rtcNewScene(device.handle)
         _release_with(self, "rtcReleaseScene", self.handle, keep=device)
         library().rtcSetSceneFlags(self.handle, SCENE_ROBUST | SCENE_FILTER_IN_ARGUMENTS)
+
+    def add(
+        self,
+        kind: int,
+        geometry_id: int,
+        buffers: Sequence[tuple[int, int, np.ndarray]],
+        user_data: int = 0,
+    ) -> None:
+        """Add a geometry made of buffers, which Embree copies.
+
+        kind: a GEOMETRY_*. buffers: for each its BUFFER_*, its FORMAT_* and its rows, at least
+        one. user_data: address that filters are told.
+        """
+        embree = library()
+        geometry = embree.rtcNewGeometry(self.device.handle, kind)
+        for buffer, layout, values in buffers:
+            rows = np.ascontiguousarray(values)
+            stride = rows.nbytes // len(rows)
+            # Memory that Embree allocates has the padding that its 16-byte loads need.
+            to = embree.rtcSetNewGeometryBuffer(geometry, buffer, 0, layout, stride, len(rows))
+            self.device.check(f"copying geometry {geometry_id}")
+            ctypes.memmove(to, rows.ctypes.data, rows.nbytes)
+        embree.rtcSetGeometryUserData(geometry, user_data)
+        self.attach(geometry, geometry_id)
 
     def attach(self, geometry: int, geometry_id: int) -> None:
         """Commit `geometry` and hand its ownership to this scene."""

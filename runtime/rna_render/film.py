@@ -15,7 +15,8 @@ class Layers:
     beauty: (n, 4) float, RGB radiance with the background in it, and coverage by assets and
         visible background.
     hit: (n,) float, coverage by assets.
-    normal_world: (n, 3) float, shading normals where an asset is hit, else 0.
+    normal_world: (n, 3) float, where an asset is hit the shading normal of the surface or the
+        outward normal of the fiber, else 0.
     position_world: (n, 3) float, likewise.
     visibility: (n,) float, likewise: whether the first directional or point light is seen.
     asset: (n,) uint32, number of the instance in the scene file, from 1; 0 for none.

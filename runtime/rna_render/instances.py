@@ -1,46 +1,29 @@
-"""Placed copies of triangle scenes: one acceleration structure a mesh, however often it is used."""
+"""Placed copies of scenes: one acceleration structure a geometry, however often it is used."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from rna_render import embree_kernels as kernels
 from rna_render import embree_library as api
-from rna_render.embree import TriangleScene, any_hits, closest_hits
+from rna_render.embree_filters import own_instance_filter
 from rna_render.rays import per_ray
-
-
-@dataclass(frozen=True, slots=True)
-class InstanceHits:
-    """The closest hit of each world-space ray.
-
-    t: (n,) float32, distance; infinity for a miss.
-    instance: (n,) int32, place of the instance in the scene's list; -1 for a miss.
-    triangle: (n,) int32, place of the triangle in that instance's mesh; -1 for a miss.
-    u, v: (n,) float32, barycentrics as in embree.Hits.
-    """
-
-    t: np.ndarray
-    instance: np.ndarray
-    triangle: np.ndarray
-    u: np.ndarray
-    v: np.ndarray
+from rna_render.tracing import ClosestHits, GeometryScene, any_hits, closest_hits
 
 
 class InstanceScene:
-    """Triangle scenes of one mesh each, placed in the world.
+    """Scenes of one mesh or one set of curves each, placed in the world.
 
     instances: for each, its scene and world_from_object, (4, 4) affine. The same scene may be
     there many times; it is stored once. Raises SceneError if Embree refuses one.
     """
 
-    def __init__(self, instances: Sequence[tuple[TriangleScene, np.ndarray]]) -> None:
+    def __init__(self, instances: Sequence[tuple[GeometryScene, np.ndarray]]) -> None:
         self._count = len(instances)
         self._scene = api.SceneHandle(api.shared_device())
-        self._filter = kernels.own_instance_filter()
+        self._filter = own_instance_filter()
         embree = api.library()
         for index, (scene, world_from_object) in enumerate(instances):
             instance = embree.rtcNewGeometry(self._scene.device.handle, api.GEOMETRY_INSTANCE)
@@ -51,14 +34,14 @@ class InstanceScene:
             self._scene.attach(instance, index)
         self._scene.commit()
 
-    def intersect(self, origins_world: np.ndarray, directions_world: np.ndarray) -> InstanceHits:
-        """The closest hit of each ray.
+    def intersect(self, origins_world: np.ndarray, directions_world: np.ndarray) -> ClosestHits:
+        """The closest hit of each ray; its owner is the instance, its normal in object space.
 
         origins_world, directions_world: (n, 3) float32; n may be 0. Raises QueryError for other
         dtypes or shapes.
         """
         rays = origins_world, directions_world, 0.0, np.inf
-        return InstanceHits(*closest_hits(self._scene, kernels.HIT_INSTANCE, *rays))
+        return closest_hits(self._scene, kernels.HIT_INSTANCE, *rays)
 
     def occluded_by_others(
         self,

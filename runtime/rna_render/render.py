@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_render.bodies import Asset
 from rna_render.camera import Camera
 from rna_render.film import Film, Layers
 from rna_render.integrator import Integrator
@@ -15,7 +16,7 @@ from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
 from rna_render.scene_model import EnvironmentModel, Scene
 from rna_render.transforms import world_from_object
-from rna_render.world import Asset, Placement, World
+from rna_render.world import Placement, World
 from rna_sdk.errors import QueryError
 
 # Rays traced together: enough to fill all threads, few enough that a stop is noticed soon.

@@ -1,37 +1,17 @@
-"""The scene as it is traced: meshes and instances in Embree, assets in the neural runtime."""
+"""The scene as it is traced: instances of bodies, in an order that keeps each asset's together."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Protocol
 
 import numpy as np
 from numba import njit, prange
 
-from rna_render.embree import TriangleScene
+from rna_render.bodies import Asset, make_body
 from rna_render.instances import InstanceScene
 from rna_sdk.runtime.transforms import Transform
-
-
-class Mesh(Protocol):
-    """What the renderer reads of a mesh; arrays as in rna_sdk.package.mesh.Mesh."""
-
-    positions: np.ndarray
-    normals: np.ndarray
-    triangles: np.ndarray
-
-
-class Asset(Protocol):
-    """What the renderer needs of an asset; rna_sdk.runtime.Asset has it."""
-
-    @property
-    def mesh(self) -> Mesh: ...
-
-    def evaluate(
-        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]: ...
 
 
 @dataclass(frozen=True)
@@ -51,6 +31,7 @@ class World:
     with two instances. Raises QueryError for a transform that is not a similarity.
 
     Attributes:
+        bodies: the assets, each once.
         scene: all instances, in Embree.
         number: (k,) int32, for each instance its place in `placements`, counted from 1.
         scale: (k,) float32, world units an object unit.
@@ -61,10 +42,7 @@ class World:
         for index, placement in enumerate(placements):
             groups.setdefault(id(placement.asset), []).append(index)
         order = [index for group in groups.values() for index in group]
-        self.assets = [placements[group[0]].asset for group in groups.values()]
-        self.triangle_scenes = [
-            TriangleScene([(asset.mesh.positions, asset.mesh.triangles)]) for asset in self.assets
-        ]
+        self.bodies = [make_body(placements[group[0]].asset) for group in groups.values()]
         # Asset a has the instances from first[a] up to first[a + 1].
         self._first = np.cumsum([0] + [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
@@ -73,16 +51,16 @@ class World:
         self.scale = scale.astype(np.float32)
         self._matrices = np.array([transform.matrix for transform in transforms])
         self._rotations = self._matrices[:, :3, :3] / scale[:, None, None]
-        owners = np.repeat(np.arange(len(self.assets)), np.diff(self._first))
+        owners = np.repeat(np.arange(len(self.bodies)), np.diff(self._first))
         self.scene = InstanceScene(
             [
-                (self.triangle_scenes[owner], matrix)
+                (self.bodies[owner].scene, matrix)
                 for owner, matrix in zip(owners, self._matrices, strict=True)
             ]
         )
 
     def asset_ranges(self, instance: np.ndarray) -> list[tuple[int, slice]]:
-        """For each asset that is hit, its place in `assets` and its rows.
+        """For each asset that is hit, its place in `bodies` and its rows.
 
         instance: (n,) int32, ascending.
         """

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import trimesh
 
-from rna_sdk.package.mesh import Mesh
+from rna_sdk.package import Curves, Mesh
 
 UP, RIGHT, TOWARDS_US = (0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 
@@ -22,10 +22,29 @@ class LambertAsset:
     mesh: Mesh
     albedo: tuple[float, float, float] = (0.8, 0.5, 0.2)
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    kind: str = "surface"
 
     def evaluate(self, positions, normals, wo, wi):
         cosine = np.maximum(np.sum(normals * wi, axis=1, keepdims=True), 0.0)
         visible = np.asarray(self.albedo) / np.pi * cosine
+        shadowed = np.broadcast_to(np.asarray(self.shadowed), visible.shape)
+        return visible.astype(np.float32), shadowed.astype(np.float32)
+
+
+@dataclass(frozen=True)
+class FiberProbe:
+    """Fibers whose transport tells what was asked: the sine from tangent to wi, h, and 1 / 4 pi.
+
+    h comes as (1 + h) / 2. Where the asset blocks wi it answers `shadowed`.
+    """
+
+    curves: Curves
+    shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    kind: str = "fiber"
+
+    def evaluate(self, positions, tangents, h, wo, wi):
+        sine = np.linalg.norm(np.cross(tangents, wi), axis=1)
+        visible = np.stack([sine, (1 + h) / 2, np.full_like(h, 1 / (4 * np.pi))], axis=1)
         shadowed = np.broadcast_to(np.asarray(self.shadowed), visible.shape)
         return visible.astype(np.float32), shadowed.astype(np.float32)
 

@@ -29,8 +29,8 @@ def test_an_instance_is_hit_where_a_moved_mesh_would_be():
     directions[::2] = np.float32([1, -2, 3]) - origins[::2]
     hits = InstanceScene([(scene_of(mesh), matrix)]).intersect(origins, directions)
     expected = TriangleScene([(moved, mesh.triangles)]).intersect(origins, directions)
-    assert np.mean(hits.triangle == expected.triangle) > 0.999
-    same = (hits.triangle == expected.triangle) & (hits.instance >= 0)
+    assert np.mean(hits.primitive == expected.triangle) > 0.999
+    same = (hits.primitive == expected.triangle) & (hits.owner >= 0)
     assert same.mean() > 0.4
     np.testing.assert_allclose(hits.t[same], expected.t[same], rtol=1e-4)
     np.testing.assert_allclose(hits.u[same], expected.u[same], atol=2e-3)
@@ -42,9 +42,9 @@ def test_hits_name_the_instance_in_front():
     origins = np.float32([[0, 3, 0], [0, -1, 0], [0, 1.5, 0], [9, 3, 0]])
     directions = np.float32([[0, -1, 0], [0, 1, 0], [0, -1, 0], [0, -1, 0]])
     hits = scene.intersect(origins, directions)
-    assert hits.instance.tolist() == [1, 0, 2, -1]
+    assert hits.owner.tolist() == [1, 0, 2, -1]
     assert hits.t.tolist() == [1, 1, 0.5, np.inf]
-    assert hits.triangle[-1] == -1
+    assert hits.primitive[-1] == -1
 
 
 def test_a_ray_passes_through_its_own_instance_and_no_other():

@@ -7,46 +7,11 @@ import numpy as np
 import pytest
 
 from rna_render.render import BAND, make_integrator, render
-from rna_render.scene_model import Scene
-from rna_render.transforms import world_from_object
-from rna_render.world import Placement, World
 from tests.render.assets import LambertAsset, merged, sphere, square
+from tests.render.stage import ABOVE, LOW, SKY, SUN, WHITE, image, rgb, stage
 
 ALBEDO = np.array([0.8, 0.5, 0.2])
 SHADOW_COLOUR = (0.0, 0.0, 7.0)
-WHITE = (1.0, 1.0, 1.0)
-SUN = {"type": "directional", "direction": (0, 1, 0), "irradiance": WHITE}
-SKY = {"type": "environment", "radiance": WHITE}
-
-
-ABOVE = {"position": (0, 4, 0), "look_at": (0, 0, 0), "up": (0, 0, -1), "vertical_fov_deg": 20}
-LOW = {"position": (0, 0.4, 4), "look_at": (0, 0, 0), "vertical_fov_deg": 2}
-
-
-def stage(assets, lights, **changes) -> tuple[Scene, World]:
-    """A small scene; `assets` are (asset, transform) pairs."""
-    scene = Scene.model_validate(
-        {
-            "assets": [{"path": "-", "transform": transform} for _, transform in assets],
-            "camera": ABOVE,
-            "lights": lights,
-            "resolution": (16, 12),
-            "samples": 4,
-        }
-        | changes
-    )
-    pairs = zip(assets, scene.assets, strict=True)
-    return scene, World([Placement(a, world_from_object(m.transform)) for (a, _), m in pairs])
-
-
-def image(assets, lights, **changes) -> dict[str, np.ndarray]:
-    """Channels of its image."""
-    scene, world = stage(assets, lights, **changes)
-    return render(scene, make_integrator(scene, world)).channels()
-
-
-def rgb(channels) -> np.ndarray:
-    return np.stack([channels[c] for c in "RGB"], axis=-1)
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,115 @@
+"""Batches of rays against any Embree scene."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_render import embree_kernels as kernels
+from rna_render import embree_library as api
+from rna_render.rays import per_ray, vectors
+
+
+@dataclass(frozen=True, slots=True)
+class ClosestHits:
+    """The closest hit of each ray, in Embree's terms; each (n,), misses with -1, infinity or 0.
+
+    owner: int32, number of the geometry or of the instance, as asked for.
+    primitive: int32, number of the triangle or of the curve segment.
+    ng: (n, 3) float32, unit geometric normals in the space of the geometry; (0, 3) if not asked
+        for.
+    """
+
+    t: np.ndarray
+    owner: np.ndarray
+    primitive: np.ndarray
+    u: np.ndarray
+    v: np.ndarray
+    ng: np.ndarray
+
+
+class GeometryScene:
+    """Geometry in one space, for rays in that space and for instances of it.
+
+    A subclass attaches what there is and calls `_commit`.
+    """
+
+    def __init__(self) -> None:
+        self._scene = api.SceneHandle(api.shared_device())
+        self.extent = 0.0
+        """Largest absolute coordinate of the geometry: the scale of rounding errors here."""
+
+    @property
+    def handle(self) -> api.SceneHandle:
+        """The Embree scene, for another scene to instance; valid as long as this object."""
+        return self._scene
+
+    def occluded(
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        tnear: np.ndarray | float = 0.0,
+        tfar: np.ndarray | float = np.inf,
+    ) -> np.ndarray:
+        """Whether each ray hits anything within [tnear, tfar]: (n,) bool.
+
+        origins, directions: (n, 3) float32; n may be 0. tnear, tfar: one number, or (n,).
+        A ray that is not finite or has no direction misses. Raises QueryError for other dtypes
+        or shapes.
+        """
+        no_filter, no_ids = 0, np.zeros(1, np.uint32)
+        return any_hits(self._scene, no_filter, no_ids, origins, directions, tnear, tfar)
+
+
+def closest_hits(
+    scene: api.SceneHandle,
+    owner_word: int,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+    with_normals: bool = True,
+) -> ClosestHits:
+    """Closest hits in any Embree scene.
+
+    owner_word says which number `owner` is: HIT_GEOMETRY or HIT_INSTANCE of the kernels. The
+    rest, and the errors, are those of GeometryScene.occluded.
+    """
+    origins = vectors("origins", origins)
+    n = len(origins)
+    directions = vectors("directions", directions, n)
+    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
+    t, u, v = (np.empty(n, np.float32) for _ in range(3))
+    owner, primitive = np.empty(n, np.int32), np.empty(n, np.int32)
+    ng = np.empty((n if with_normals else 0, 3), np.float32)
+    function = api.function_address("rtcIntersect1")
+    out = t, owner, primitive, u, v, ng
+    kernels.intersect(function, scene.handle, owner_word, origins, directions, *interval, *out)
+    return ClosestHits(*out)
+
+
+def any_hits(
+    scene: api.SceneHandle,
+    arguments: int,
+    ray_id: np.ndarray,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+) -> np.ndarray:
+    """Whether each ray hits anything in any Embree scene: (n,) bool.
+
+    arguments: address of RTCOccludedArguments, or 0. ray_id: (n,) or (1,) uint32. The rest, and
+    the errors, are those of GeometryScene.occluded.
+    """
+    origins = vectors("origins", origins)
+    n = len(origins)
+    directions = vectors("directions", directions, n)
+    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
+    result = np.empty(n, bool)
+    function = api.function_address("rtcOccluded1")
+    kernels.occluded(
+        function, scene.handle, arguments, ray_id, origins, directions, *interval, result
+    )
+    return result
