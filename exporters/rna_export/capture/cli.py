@@ -42,9 +42,9 @@ def parser() -> argparse.ArgumentParser:
         "Render an asset in all views and lights with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
         epilog="The same command continues a capture that was stopped. Arguments after -- go to a "
-        "source that is a Python script.",
+        "source that is a Python script, or say what a .hair or .tfx does not: try -- --help.",
     )
-    p.add_argument("source", nargs="?", type=Path, help="a .blend, .gltf, .glb, .obj, .ply or .py")
+    p.add_argument("source", nargs="?", type=Path, help=f"one of {', '.join(_SUFFIXES)}")
     p.add_argument("--out", type=Path, help="folder of the dataset")
     p.add_argument(
         "--setup-blender", action="store_true", help="install Blender's module, then end"

@@ -85,13 +85,16 @@ def _paper(kind: str, width: int) -> Preset:
 
 
 def _ours(kind: str, width: int, steps: int, learning_rate: float) -> Preset:
-    fiber = kind == "fiber"
+    # Fine planes learn the noise of hair's scattered light (docs/decisions.md).
+    planes = {"surface": (256, 8), "fiber": (32, 16)}
+    resolution, channels = planes[kind]
     return Preset(
         model=ModelConfig(
             inputs=_OUR_INPUTS[kind],
             width=width,
-            resolution=64 if fiber else 256,
-            separates_direct=fiber,
+            resolution=resolution,
+            channels=channels,
+            separates_direct=kind == "fiber",
         ),
         training=TrainingConfig(
             steps=steps,
