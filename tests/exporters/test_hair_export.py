@@ -61,13 +61,16 @@ def test_strands_that_would_be_flat_are_refused(open_worker: OpenWorker) -> None
         worker.export_curves()
 
 
-def test_single_points_are_left_out_and_no_radius_is_zero(open_worker: OpenWorker) -> None:
+def test_points_without_a_segment_are_left_out_and_no_radius_is_zero(
+    open_worker: OpenWorker,
+) -> None:
     curves = open_worker("""
 data = bpy.data.hair_curves.new("h")
-data.add_curves([1, 2, 1, 3])
-data.position_data.foreach_set("vector", [float(v) for v in range(21)])
+data.add_curves([1, 2, 1, 5, 2])
+at = [0, 1, 2, 3, 4, 4, 5, 5, 6, 9, 9]  # strand 3 stays where it is twice, strand 4 for good
+data.position_data.foreach_set("vector", [3.0 * k + axis for k in at for axis in range(3)])
 radius = data.attributes.new("radius", "FLOAT", "POINT")
-radius.data.foreach_set("value", [9, 0.1, 0, 9, 0.2, 0.1, 0])
+radius.data.foreach_set("value", [9, 0.1, 0, 9, 0.2, 9, 0.1, 9, 0, 9, 9])
 bpy.context.scene.collection.objects.link(bpy.data.objects.new("h", data))
 """).export_curves()
     assert curves.offsets.tolist() == [0, 2, 5]

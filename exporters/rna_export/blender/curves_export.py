@@ -51,19 +51,23 @@ def _strands(instance):
     """World points, radii and points a strand; None without strands of two points or more."""
     curves = instance.object.data
     offsets = _read(curves.curve_offset_data, "value", len(curves.curves) + 1, np.int32)
-    counts = np.diff(offsets).astype(np.int64)
-    kept = counts >= 2  # Cycles shows no others
-    if not kept.any():
-        return None
     points = _read(curves.position_data, "vector", 3 * len(curves.points)).reshape(-1, 3)
     radii = np.full(len(points), _NO_RADIUS, np.float32)
     if "radius" in curves.attributes:
         radii = _read(curves.attributes["radius"].data, "value", len(points))
     matrix = np.array(instance.matrix_world, np.float64)
-    world = points @ matrix[:3, :3].T + matrix[:3, 3]
-    here = np.repeat(kept, counts)
+    world = (points @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
     radii = radii * np.float32(_scale_of_radii(instance.object.name, matrix[:3, :3]))
-    return world.astype(np.float32)[here], radii[here], counts[kept]
+    strand = np.repeat(np.arange(len(offsets) - 1), np.diff(offsets))
+    # A point where the one before it is makes no segment, and has no tangent.
+    moved = np.concatenate([[True], np.any(world[1:] != world[:-1], axis=1)])
+    moved[offsets[:-1][np.diff(offsets) > 0]] = True
+    counts = np.bincount(strand[moved], minlength=len(offsets) - 1)
+    kept = counts >= 2  # Cycles shows no others
+    if not kept.any():
+        return None
+    here = moved & kept[strand]
+    return world[here], radii[here], counts[kept]
 
 
 def _scale_of_radii(name, matrix):

@@ -7,6 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from rna_export.compare.views import CAMERAS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 
 
@@ -42,6 +43,13 @@ def parser() -> argparse.ArgumentParser:
         default=0.0,
         metavar="DEG",
         help="turn the cameras about +Y, if the asset's front is not +Z (default 0)",
+    )
+    p.add_argument(
+        "--cameras",
+        nargs="+",
+        choices=CAMERAS,
+        default=CAMERAS,
+        help="of the standard ones (default: all; strands is there for fibers only)",
     )
     p.add_argument("--debug", action="store_true", help="show the traceback of an error")
     return p
@@ -84,6 +92,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             args.cycles_samples,
             args.resolution,
             args.turn,
+            args.cameras,
             lambda p: print(
                 f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, ours "
                 f"{p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s"

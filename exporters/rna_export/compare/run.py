@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -40,13 +40,16 @@ def compare(
     cycles_samples: int,
     resolution: int,
     turn_deg: float,
+    cameras: Collection[str],
     done: Callable[[Pair], None],
 ) -> list[Pair]:
-    """All standard shots, one after the other, each machine's time its own."""
+    """The standard shots of the named cameras, one after the other, each program's time its own."""
     world = World([Placement(asset, np.eye(4))])
     pairs = []
     geometry = asset.curves if isinstance(asset, FiberAsset) else asset.mesh
     for number, shot in enumerate(shots(geometry, resolution, turn_deg)):
+        if shot.camera_name not in cameras:
+            continue
         start = time.perf_counter()
         channels = _ours(shot, world, package, samples)
         middle = time.perf_counter()

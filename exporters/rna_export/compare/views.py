@@ -14,6 +14,9 @@ FOV_Y = np.radians(30.0)
 _LIGHTS = {"key": (40.0, 45.0), "side": (-80.0, 20.0), "back": (170.0, 35.0)}  # from the camera
 _CAMERAS = {"front": (35.0, 20.0, 1.0), "behind": (215.0, 30.0, 1.0), "close-up": (20.0, 25.0, 0.3)}
 
+CAMERAS = (*_CAMERAS, "strands")
+"""Their names; only fibers have the last."""
+
 _STRANDS = 16.0  # radii of the thickest strand from the middle of its picture to the edge
 
 
@@ -21,11 +24,16 @@ _STRANDS = 16.0  # radii of the thickest strand from the middle of its picture t
 class Shot:
     """One picture of a comparison; world space is the asset's object space."""
 
-    name: str
+    camera_name: str  # one of CAMERAS
+    light_name: str
     eye: np.ndarray  # (3,)
     target: np.ndarray  # (3,)
     wi: np.ndarray  # (3,) unit, towards the light
     resolution: int
+
+    @property
+    def name(self) -> str:
+        return f"{self.camera_name}, {self.light_name} light"
 
     @property
     def camera(self) -> CameraModel:
@@ -77,7 +85,7 @@ def shots(geometry: Mesh | Curves, resolution: int, turn_deg: float) -> list[Sho
         eye = target + wo * zoom * 1.02 * radius / np.sin(FOV_Y / 2)
         for light, (side, height) in _LIGHTS.items():
             wi = _direction(azimuth + turn_deg + side, height)
-            result.append(Shot(f"{camera}, {light} light", eye, target, wi, resolution))
+            result.append(Shot(camera, light, eye, target, wi, resolution))
     return result
 
 

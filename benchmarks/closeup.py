@@ -1,0 +1,69 @@
+"""Packages of one asset side by side with Cycles, so near that shading varies across a strand.
+
+    python benchmarks/closeup.py examples/fibers/curly_ball.py with.rna without.rna \
+        --out benchmarks/results/closeup.json --picture docs/images/closeup.png
+
+One row a light, one column a package, Cycles last. PSNR is without the noise of Cycles.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+from report import publish
+
+from rna_export.capture import blender_env
+from rna_export.capture.run import default_workers
+from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.compare.run import Pair, compare
+from rna_export.metrics import PSNR_DEFINITION, to_png
+from rna_sdk.console import split_script_arguments
+from rna_sdk.runtime import load
+
+
+def main() -> None:
+    own, arguments = split_script_arguments(None)
+    args = _parser().parse_args(own)
+    pairs: dict[str, list[Pair]] = {}
+    for package in args.packages:
+        with tempfile.TemporaryDirectory() as scratch:
+            source, python = Source(args.source, arguments), blender_env.find_python()
+            with BlenderWorker(python, source, Path(scratch), default_workers()) as worker:
+                settings = args.samples, args.cycles_samples, args.resolution, args.turn
+                pairs[package.stem] = compare(
+                    load(package), package, worker, *settings, ["strands"], lambda _: None
+                )
+    columns = [[pair.ours for pair in column] for column in pairs.values()]
+    columns.append([pair.cycles for pair in pairs[args.packages[-1].stem]])
+    picture = np.concatenate([np.concatenate(column) for column in columns], axis=1)
+    Image.fromarray(to_png(picture)).save(args.picture)
+    results = {
+        name: {
+            "psnr": float(np.mean([p.psnr_without_noise for p in column])),
+            "flip": float(np.mean([p.flip for p in column])),
+            "lights": {p.shot.light_name: p.psnr_without_noise for p in column},
+        }
+        for name, column in pairs.items()
+    }
+    publish({"psnr": f"{PSNR_DEFINITION}; no noise", "packages": results}, args.out)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("source", type=Path, help="what the packages were captured from")
+    parser.add_argument("packages", nargs="+", type=Path, help=".rna files")
+    parser.add_argument("--samples", type=int, default=64, help="ours a pixel")
+    parser.add_argument("--cycles-samples", type=int, default=256, help="a pixel")
+    parser.add_argument("--resolution", type=int, default=256, help="pixels a side")
+    parser.add_argument("--turn", type=float, default=0.0, help="as for rna-compare")
+    parser.add_argument("--picture", type=Path, required=True, help="PNG to write")
+    parser.add_argument("--out", type=Path, help="file for the JSON")
+    return parser
+
+
+if __name__ == "__main__":
+    main()
