@@ -43,13 +43,17 @@ class Asset:
 
     scene: str
     capture: str
+    steps: int
     psnr: float
+    correlation: float
     pictures: int
 
 
 ASSETS = {
-    "surface": Asset(SURFACE, "--lights 160 --rays 512 --samples 4 --domain hemisphere", 29.0, 9),
-    "fiber": Asset(FIBERS, "--lights 60 --rays 1024", 24.0, 12),
+    "surface": Asset(
+        SURFACE, "--lights 160 --rays 512 --samples 4 --domain hemisphere", 400, 29.0, 0.97, 9
+    ),
+    "fiber": Asset(FIBERS, "--lights 120 --rays 2048", 1500, 25.5, 0.78, 12),
 }
 WI = np.array([0.5, 0.8, 0.35])
 EYE = np.array([1.0, 2.5, 4.5])
@@ -95,7 +99,7 @@ def test_from_a_scene_to_a_relit_image(kind: str, tmp_path: Path, blender_python
     assert "next: rna-train" in command(
         "rna-capture", source, "--out", rays, *asset.capture.split(), *CAPTURE
     )
-    said = command("rna-train", rays, "--preset", "small", "--steps", 400, "--out", run)
+    said = command("rna-train", rays, "--preset", "small", "--steps", asset.steps, "--out", run)
     assert "next: rna-export" in said
     assert "next: rna-validate" in command("rna-export", run / "best.ckpt", "--out", package)
     assert "valid" in command("rna-validate", package)
@@ -112,9 +116,9 @@ def test_from_a_scene_to_a_relit_image(kind: str, tmp_path: Path, blender_python
     assert np.abs(ours[..., 3] - cycles[..., 3]).mean() < 0.01  # the same silhouette
     inside = (ours[..., 3] > 0.99) & (cycles[..., 3] > 0.99)
     assert inside.mean() > 0.25
-    assert psnr(ours[inside][:, :3], cycles[inside][:, :3]) > asset.psnr
     correlation = np.corrcoef(ours[inside][:, :3].ravel(), cycles[inside][:, :3].ravel())[0, 1]
-    assert correlation > 0.97
+    assert psnr(ours[inside][:, :3], cycles[inside][:, :3]) > asset.psnr
+    assert correlation > asset.correlation
     assert (tmp_path / "out.png").stat().st_size > 1000
     compare(package, source, tmp_path / "compare", asset.pictures)
 
