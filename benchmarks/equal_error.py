@@ -32,7 +32,7 @@ from rna_export.metrics import PSNR_DEFINITION, psnr_without_noise
 from rna_render.render import make_integrator, render
 from rna_render.world import Placement, World
 from rna_sdk.console import split_script_arguments
-from rna_sdk.runtime import FiberAsset, load
+from rna_sdk.runtime import Asset, FiberAsset, load
 
 
 def main() -> None:
@@ -49,7 +49,6 @@ def main() -> None:
             cycles = _Cycles(worker, shot, args.reference_samples)
             counts = [2**k for k in range(1, args.doublings + 1)]
             rendered = {n: cycles.render(n, seed=100 + n) for n in counts}
-    ours = {tier: _ours(asset, args, shot) for tier, asset in assets.items()}
     report = {
         "package": args.package.name,
         "shot": shot.name,
@@ -62,10 +61,12 @@ def main() -> None:
             for n, (image, seconds) in rendered.items()
         ],
     }
-    report["ours"] = {
-        tier: _equal(cycles.psnr(image), seconds, report["cycles"], args.samples)
-        for tier, (image, seconds) in ours.items()
-    }
+    report["ours"] = []
+    for tier, asset in assets.items():
+        for samples in args.samples:
+            image, seconds = _ours(asset, shot, samples, args)
+            equal = _equal(cycles.psnr(image), seconds, report["cycles"])
+            report["ours"].append({"tier": tier, "samples": samples, **equal})
     publish(report, args.out)
 
 
@@ -92,9 +93,11 @@ class _Cycles:
         return psnr_without_noise(image[self._covered][:, :3], *self._halves)
 
 
-def _ours(asset: Any, args: argparse.Namespace, shot: Shot) -> tuple[np.ndarray, float]:
+def _ours(
+    asset: Asset, shot: Shot, samples: int, args: argparse.Namespace
+) -> tuple[np.ndarray, float]:
     """RGBA, and the median time of the renders after one that warms up."""
-    scene = shot.scene(str(args.package), args.samples)
+    scene = shot.scene(str(args.package), samples)
     world, seconds = World([Placement(asset, np.eye(4))]), []
     for _ in range(1 + args.repeats):
         begun = time.perf_counter()
@@ -103,7 +106,7 @@ def _ours(asset: Any, args: argparse.Namespace, shot: Shot) -> tuple[np.ndarray,
     return np.stack([channels[c] for c in "RGBA"], axis=-1), float(np.median(seconds[1:]))
 
 
-def _equal(psnr: float, seconds: float, cycles: list[dict], samples: int) -> dict[str, Any]:
+def _equal(psnr: float, seconds: float, cycles: list[dict[str, Any]]) -> dict[str, Any]:
     """Where Cycles has our error: its error is a / samples, its time b + c samples."""
     counts = np.array([row["samples"] for row in cycles], float)
     errors = 10.0 ** (-np.array([row["psnr"] for row in cycles]) / 10.0)
@@ -111,7 +114,6 @@ def _equal(psnr: float, seconds: float, cycles: list[dict], samples: int) -> dic
     c, b = np.polyfit(counts, [row["seconds"] for row in cycles], 1)
     equal = a / 10.0 ** (-psnr / 10.0)
     return {
-        "samples": samples,
         "psnr": psnr,
         "seconds": seconds,
         "cycles_samples": equal,
@@ -129,7 +131,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("package", type=Path, help="the .rna file")
     parser.add_argument("source", type=Path, help="what it was captured from")
     parser.add_argument("--tiers", nargs="+", required=True, help="of the package")
-    parser.add_argument("--samples", type=int, default=16, help="ours a pixel")
+    parser.add_argument("--samples", type=int, nargs="+", default=[16], help="ours a pixel")
     parser.add_argument("--shot", default="front, key light", help="as rna-compare calls it")
     parser.add_argument("--turn", type=float, default=0.0, help="as for rna-compare")
     parser.add_argument("--resolution", type=int, default=256, help="pixels a side")
