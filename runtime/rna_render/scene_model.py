@@ -55,7 +55,7 @@ class CameraModel(Model):
 class ObjectModel(Model):
     """A mesh that is not neural: a glTF, OBJ or PLY file."""
 
-    path: Path = Field(description="The .glb, .gltf, .obj or .ply file, relative to the scene file.")
+    path: Path = Field(description="A .glb, .gltf, .obj or .ply file, relative to the scene file.")
     transform: TransformModel = Field(
         default=TransformModel(), description="Where it stands; at the origin if left out."
     )
