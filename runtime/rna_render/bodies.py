@@ -76,7 +76,7 @@ class _NeuralPoints(Points):
 
     _lobes: LobeMixture
     _wo: np.ndarray
-    _tangents: np.ndarray
+    tangents: np.ndarray
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
@@ -85,10 +85,10 @@ class _NeuralPoints(Points):
         return np.where(seen[:, None], *self._evaluate(row, wi)), seen
 
     def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
-        return self._lobes.sample(self.n[row], self._tangents[row], self._wo[row], u)
+        return self._lobes.sample(self.n[row], self.tangents[row], self._wo[row], u)
 
     def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        return self._lobes.pdf(self.n[row], self._tangents[row], self._wo[row], wi)
+        return self._lobes.pdf(self.n[row], self.tangents[row], self._wo[row], wi)
 
     @abstractmethod
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray: ...
@@ -123,7 +123,7 @@ class _SurfacePoints(_NeuralPoints):
         self.x = surface.interpolate_positions(mesh.positions, *at)
         self.n = surface.interpolate_normals(mesh.normals, *at)
         self._ng = surface.geometric_normals(mesh.positions, mesh.triangles, triangle)
-        self._tangents = np.zeros_like(self.n)
+        self.tangents = np.zeros_like(self.n)
 
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
         return surface.visible(self._body.scene, self.x[row], self._ng[row], wi, distance)
@@ -157,14 +157,14 @@ class _FiberPoints(_NeuralPoints):
         self._body, self._segment, self._wo = body, segment, wo
         self.x = fiber.hit_points(curves.points, curves.radii, *at, u, n)
         self.n = n
-        self._tangents = fiber.tangents(curves.points, *at)
-        self._h = offset_across(n, self._tangents, wo)
+        self.tangents = fiber.tangents(curves.points, *at)
+        self._h = offset_across(n, self.tangents, wo)
 
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
         return fiber.visible(self._body.scene, self.x[row], self._segment[row], wi, distance)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        at = self.x[row], self._tangents[row], self._h[row]
+        at = self.x[row], self.tangents[row], self._h[row]
         return self._body.asset.evaluate(*at, self._wo[row], wi)
 
 

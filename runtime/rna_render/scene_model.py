@@ -12,7 +12,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from rna_render.lights.models import LightModel
-from rna_render.limits import MAX_DEPTH, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
+from rna_render.limits import MAX_DEPTH, MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
 from rna_render.materials.models import DiffuseModel, MaterialModel
 from rna_render.model_base import Model, Positive, TransformModel, Vector
 
@@ -74,6 +74,33 @@ class GroundModel(Model):
     )
 
 
+class TurnModel(Model):
+    """A turn about +y, spread over the frames."""
+
+    degrees: float = Field(
+        default=360.0,
+        description="How far in all; positive is counter-clockwise seen from above.",
+    )
+
+
+class AnimationModel(Model):
+    """A sequence of images of the same things."""
+
+    frames: int = Field(ge=1, le=MAX_FRAMES, description="How many images, numbered from 0.")
+    turntable: TurnModel | None = Field(
+        default=None, description="The camera goes around the point that it looks at."
+    )
+    light_sweep: TurnModel | None = Field(
+        default=None, description="Directional lights and environments turn."
+    )
+
+    @model_validator(mode="after")
+    def _has_motion(self) -> AnimationModel:
+        if self.turntable is None and self.light_sweep is None:
+            raise ValueError("nothing moves: give turntable or light_sweep, or both")
+        return self
+
+
 class Scene(Model):
     """A scene file."""
 
@@ -107,8 +134,21 @@ class Scene(Model):
         default=0.0, ge=-64, le=64, description="Stops: the PNG shows radiance times 2^exposure."
     )
 
+    animation: AnimationModel | None = Field(
+        default=None, description="What moves from frame to frame, for `rna-run --frames`."
+    )
+
     @model_validator(mode="after")
     def _has_something(self) -> Scene:
         if not (self.assets or self.objects or self.ground):
             raise ValueError("there is nothing in the scene: it has no assets, objects or ground")
+        return self
+
+    @model_validator(mode="after")
+    def _sweep_has_lights(self) -> Scene:
+        swept = self.animation is not None and self.animation.light_sweep is not None
+        if swept and not any(light.type in ("directional", "environment") for light in self.lights):
+            raise ValueError(
+                "animation.light_sweep turns directional lights and environments: there are none"
+            )
         return self

@@ -11,16 +11,10 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from rna_render.lights.models import DirectionalModel, EnvironmentModel, PointModel
+from rna_render.model_base import TransformModel
 from rna_render.scene_file import read_scene
-from rna_render.scene_model import (
-    AssetModel,
-    CameraModel,
-    DirectionalModel,
-    EnvironmentModel,
-    PointModel,
-    Scene,
-    TransformModel,
-)
+from rna_render.scene_model import AnimationModel, AssetModel, CameraModel, Scene, TurnModel
 
 DOCS = Path(__file__).parents[2] / "docs" / "scene.md"
 MODELS = [
@@ -31,6 +25,8 @@ MODELS = [
     DirectionalModel,
     PointModel,
     EnvironmentModel,
+    AnimationModel,
+    TurnModel,
 ]
 
 
@@ -47,6 +43,8 @@ def _default(field: FieldInfo) -> str:
         return "none"
     if isinstance(value, tuple):
         return f"`[{', '.join(f'{item:g}' for item in value)}]`"
+    if isinstance(value, str):
+        return f"`{value}`"
     return f"`{str(value).lower()}`" if isinstance(value, bool) else f"`{value:g}`"
 
 

@@ -5,11 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import Field, field_validator
+import numpy as np
+from pydantic import Field, field_validator, model_validator
 
 from rna_render.model_base import Model, Positive, Rgb, Vector
 
 Angle = Annotated[float, Field(ge=0, le=180)]
+
+
+def _check_aim(position: Vector, look_at: Vector) -> None:
+    if position == look_at:
+        raise ValueError("position and look_at are the same point")
 
 
 class _LightModel(Model):
@@ -33,7 +39,7 @@ class _DirectedModel(_LightModel):
 
 
 class DirectionalModel(_DirectedModel):
-    """Light from one direction, as from a distant sun."""
+    """Light from one direction, as from a distant sun; no camera sees it."""
 
     type: Literal["directional"] = Field(description="`directional`")
     irradiance: Rgb = Field(description="W/m^2 on a plane that faces the light.")
@@ -66,18 +72,29 @@ class SpotModel(_LightModel):
         default=30.0,
         ge=0,
         le=90,
-        description="From the axis to where it begins to fall, smoothly, to the outer angle.",
+        description="From the axis to where it begins to fall, by a smoothstep of the cosine, as "
+        "Blender's spot lamp; at most the outer angle.",
     )
 
+    @model_validator(mode="after")
+    def _has_cone(self) -> SpotModel:
+        _check_aim(self.position, self.look_at)
+        if self.inner_angle_deg > self.outer_angle_deg:
+            raise ValueError(
+                f"inner_angle_deg, {self.inner_angle_deg:g}, must not be more than "
+                f"outer_angle_deg, {self.outer_angle_deg:g}"
+            )
+        return self
 
-class _AreaModel(_LightModel):
+
+class AreaModel(_LightModel):
     radiance: Rgb = Field(description="W/(m^2 sr), from every point to every direction.")
     visible_to_camera: bool = Field(
         default=True, description="Whether the camera sees the light itself."
     )
 
 
-class RectangleModel(_AreaModel):
+class RectangleModel(AreaModel):
     """A rectangle that sends light from its front."""
 
     type: Literal["rectangle"] = Field(description="`rectangle`")
@@ -86,8 +103,17 @@ class RectangleModel(_AreaModel):
     up: Vector = Field(default=(0.0, 1.0, 0.0), description="Where its height points to.")
     size: tuple[Positive, Positive] = Field(description="Width and height, metres.")
 
+    @model_validator(mode="after")
+    def _has_axes(self) -> RectangleModel:
+        _check_aim(self.position, self.look_at)
+        forward = np.subtract(self.look_at, self.position)
+        side = np.linalg.norm(np.cross(forward, self.up))
+        if side <= 1e-6 * np.linalg.norm(forward) * np.linalg.norm(self.up):
+            raise ValueError("up must not be zero or along the line from position to look_at")
+        return self
 
-class DiskModel(_AreaModel):
+
+class DiskModel(AreaModel):
     """A disk that sends light from its front."""
 
     type: Literal["disk"] = Field(description="`disk`")
@@ -95,8 +121,13 @@ class DiskModel(_AreaModel):
     look_at: Vector = Field(description="A point straight before it.")
     radius: Positive = Field(description="Metres.")
 
+    @model_validator(mode="after")
+    def _has_aim(self) -> DiskModel:
+        _check_aim(self.position, self.look_at)
+        return self
 
-class SphereModel(_AreaModel):
+
+class SphereModel(AreaModel):
     """A sphere that sends light outwards."""
 
     type: Literal["sphere"] = Field(description="`sphere`")
@@ -114,7 +145,8 @@ class EnvironmentModel(_LightModel):
     path: Path | None = Field(
         default=None,
         description="An equirectangular image, EXR or HDR, relative to the scene file. Its middle "
-        "is seen in direction -z, its upper edge is +y, its right half lies towards +x.",
+        "is seen in direction -z, its upper edge is +y, its right half lies towards +x. Negative "
+        "values count as 0; values that are not finite are refused.",
     )
     rotation_deg: float = Field(
         default=0.0, description="Turns the image about +y, counter-clockwise seen from above."
@@ -134,4 +166,3 @@ LightModel = Annotated[
     | EnvironmentModel,
     Field(discriminator="type"),
 ]
-
