@@ -9,7 +9,7 @@ from rna_render.lights.base import InfiniteLight, Light, LightSamples, PlacedLig
 from rna_render.lights.directional import directional_light
 from rna_render.lights.disk import DiskLight
 from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
-from rna_render.lights.environment_file import read_environment
+from rna_render.lights.environment_file import environment_image
 from rna_render.lights.mesh import MeshLight
 from rna_render.lights.models import (
     DirectionalModel,
@@ -57,4 +57,4 @@ def make_light(model: LightModel, resolve: Callable[[Path], Path]) -> Light:
         return _SHAPES[type(model)](model)
     if model.path is None:
         return EnvironmentLight(model)
-    return EnvironmentImageLight(model, read_environment(resolve(model.path)))
+    return EnvironmentImageLight(model, environment_image(resolve(model.path)))

@@ -40,26 +40,28 @@ class EnvironmentLight(InfiniteLight):
 class EnvironmentImageLight(InfiniteLight):
     """Radiance of an equirectangular image, sampled in proportion to its luminance.
 
-    texels: (h, w, 3) float32 of the image, finite and not negative.
+    image: at angle 0, not yet multiplied by the model's radiance.
     """
 
     delta = False
 
-    def __init__(self, model: EnvironmentModel, texels: np.ndarray) -> None:
+    def __init__(self, model: EnvironmentModel, image: EquirectangularImage) -> None:
         self.group = model.group
         self.visible_to_camera = model.visible_to_camera
-        scaled = texels * np.asarray(model.radiance, np.float32)
-        self._image = EquirectangularImage(scaled, np.radians(model.rotation_deg))
+        self._image = image.turned(np.radians(model.rotation_deg))
+        self._scale = np.asarray(model.radiance, np.float32)
 
     def power(self, scene_radius: float) -> float:
-        return float(np.pi * scene_radius**2 * self._image.total)
+        return float(np.pi * scene_radius**2 * self._image.total * luminance(self._scale))
 
     def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
         wi_world, radiance, pdf = self._image.sample(u)
-        return LightSamples(wi_world, np.full(len(u), np.inf, np.float32), radiance, pdf)
+        distance = np.full(len(u), np.inf, np.float32)
+        return LightSamples(wi_world, distance, radiance * self._scale, pdf)
 
     def escaped(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return self._image.lookup(d_world)
+        radiance, pdf = self._image.lookup(d_world)
+        return radiance * self._scale, pdf
 
 
 @njit(cache=True, parallel=True)

@@ -2,16 +2,35 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 
 from rna_render.images import read_exr
+from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.radiance_hdr import HDR_MAGIC, read_hdr
 from rna_sdk.errors import SceneError
 
 # First bytes of the file: OpenEXR file layout, "Magic Number".
 EXR_MAGIC = bytes([0x76, 0x2F, 0x31, 0x01])
+
+
+def environment_image(path: Path) -> EquirectangularImage:
+    """The image, ready to be sampled; the last few files are kept while they do not change.
+
+    Errors are those of `read_environment`.
+    """
+    try:
+        state = path.stat()
+    except OSError as error:
+        raise SceneError(f"cannot read the image: {error.strerror}", file=path) from error
+    return _kept_image(path, state.st_mtime_ns, state.st_size)
+
+
+@lru_cache(maxsize=4)
+def _kept_image(path: Path, modified: int, size: int) -> EquirectangularImage:
+    return EquirectangularImage(read_environment(path))
 
 
 def read_environment(path: Path) -> np.ndarray:

@@ -15,6 +15,8 @@ density per steradian would grow without bound.
 
 from __future__ import annotations
 
+from copy import copy
+
 import numpy as np
 from numba import njit, prange
 
@@ -43,6 +45,12 @@ class EquirectangularImage:
         _accumulate(self._texels, self._heights, self._columns)
         self._rows = np.concatenate([[0.0], np.cumsum(self._columns[:, -1])])
         self.total = float(self._rows[-1]) * 2.0 * np.pi / w
+
+    def turned(self, angle: float) -> EquirectangularImage:
+        """The same image, sharing its memory, at another angle."""
+        result = copy(self)
+        result._turn = np.array([np.cos(angle), np.sin(angle)])
+        return result
 
     def sample(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Directions: unit (n, 3) float32, radiance from there (n, 3) and pdf (n,), float32.
