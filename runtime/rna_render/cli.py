@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import signal
 import sys
@@ -125,6 +126,9 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _use_threads(count: int | None) -> int:
+    # libgomp's threads spin while they have nothing to do, and take the cores from ONNX Runtime's.
+    # It reads this when numba loads it.
+    os.environ.setdefault("OMP_WAIT_POLICY", "passive")
     import numba
 
     threads = min(count or numba.config.NUMBA_NUM_THREADS, numba.config.NUMBA_NUM_THREADS)
