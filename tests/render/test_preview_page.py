@@ -8,14 +8,16 @@ import socket
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
 
 from rna_render.cli import main
 from tests.render.assets import sphere
-from tests.render.chromium import INSTALL, Page, find_chromium, open_page
+from tests.render.chromium import Page, find_chromium, open_page
 from tests.render.packages import write_lambert_package
 from tests.render.test_preview_session import SCENE
 
@@ -32,8 +34,8 @@ def scene_path(tmp_path_factory) -> Path:
     return folder / "scene.yaml"
 
 
-@pytest.fixture(scope="module")
-def command(scene_path) -> Iterator[tuple[subprocess.Popen, str]]:
+@contextmanager
+def rna_run(scene_path: Path) -> Iterator[tuple[subprocess.Popen, str]]:
     """rna-run --preview, and the address that it prints."""
     arguments = [sys.executable, "-m", "rna_render.cli", scene_path, "--preview"]
     pipe = subprocess.PIPE
@@ -47,13 +49,16 @@ def command(scene_path) -> Iterator[tuple[subprocess.Popen, str]]:
         started.kill()
 
 
+@pytest.fixture(scope="module")
+def url(scene_path) -> Iterator[str]:
+    with rna_run(scene_path) as (_, url):
+        yield url
+
+
 @pytest.fixture
-def page(command) -> Iterator[Page]:
-    chromium = find_chromium()
-    if chromium is None:
-        pytest.skip(INSTALL)
-    with open_page(chromium) as page:
-        page.call("Page.navigate", url=command[1])
+def page(url) -> Iterator[Page]:
+    with open_page(find_chromium()) as page:
+        page.call("Page.navigate", url=url)
         page.wait_for(f"{PICTURE}?.dataset.samples == 4")
         yield page
 
@@ -87,6 +92,7 @@ def press(page: Page, key: str) -> None:
         page.call("Input.dispatchKeyEvent", type=kind, key=key)
 
 
+@pytest.mark.chromium
 def test_a_picture_is_there_and_orbits(page):
     first = pixels(page)
     # The ball is lit on the right, and has the scene's backdrop around it.
@@ -105,6 +111,7 @@ def test_a_picture_is_there_and_orbits(page):
     np.testing.assert_array_equal(finish(page), first)
 
 
+@pytest.mark.chromium
 def test_light_turns_by_drag_slider_and_keys(page):
     first = pixels(page)
     drag(page, 100, 0, modifiers=8)  # with Shift
@@ -122,6 +129,7 @@ def test_light_turns_by_drag_slider_and_keys(page):
     np.testing.assert_array_equal(finish(page), first)
 
 
+@pytest.mark.chromium
 def test_environment_wheel_and_exposure(page):
     first = pixels(page)
     choose = "(e => { e.value = 'white'; e.dispatchEvent(new Event('change')); })"
@@ -141,16 +149,28 @@ def test_environment_wheel_and_exposure(page):
     page.wait_for("state.lighting === 'scene'")
 
 
-def test_the_page_says_that_the_preview_has_ended(page, command):
-    """And Ctrl-C ends the command cleanly, while a page waits for pictures."""
-    started, _ = command
+def end(started: subprocess.Popen) -> None:
+    """Ctrl-C, and what comes of it."""
     started.send_signal(signal.SIGINT)
     assert started.wait(30) == 0
     assert started.stdout.read() == "Ctrl-C ends it\n\nthe preview has ended\n"
     assert started.stderr.read() == ""
-    page.wait_for("!document.getElementById('notice').hidden")
-    text = page.evaluate("document.getElementById('notice').textContent")
-    assert "has ended" in text
+
+
+@pytest.mark.chromium
+def test_the_page_says_that_the_preview_has_ended(scene_path):
+    with rna_run(scene_path) as (started, url), open_page(find_chromium()) as page:
+        page.call("Page.navigate", url=url)
+        page.wait_for(f"{PICTURE}?.dataset.samples == 4")
+        end(started)
+        page.wait_for("!document.getElementById('notice').hidden")
+        text = page.evaluate("document.getElementById('notice').textContent")
+        assert "has ended" in text and f"--port {urlsplit(url).port}" in text
+
+
+def test_ctrl_c_ends_it(scene_path):
+    with rna_run(scene_path) as (started, _):
+        end(started)
 
 
 @pytest.mark.parametrize(
