@@ -40,7 +40,7 @@ def _parser() -> argparse.ArgumentParser:
         "rna-run scene.yaml --out out.exr --png out.png",
         usage="rna-run SCENE --out IMAGE.exr [options]\n       rna-run SCENE --preview [options]",
         epilog="docs/scene.md says what a scene file may contain, docs/preview.md what the preview "
-        "can do. Ctrl-C ends the render early and writes what is there, or ends the preview.",
+        "can do.\nCtrl-C ends the render early and writes what is there, or ends the preview.",
     )
     add = parser.add_argument
     add("scene", metavar="SCENE", type=Path, help="the scene file (YAML)")
