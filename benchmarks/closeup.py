@@ -19,8 +19,10 @@ from report import publish
 from rna_export.capture import blender_env
 from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
-from rna_export.compare.run import Pair, compare
+from rna_export.compare.run import Pair, judge, render_cycles, render_ours
+from rna_export.compare.views import shots_of
 from rna_export.metrics import PSNR_DEFINITION, to_png
+from rna_render.world import Placement, World
 from rna_sdk.console import split_script_arguments
 from rna_sdk.runtime import load
 
@@ -28,15 +30,20 @@ from rna_sdk.runtime import load
 def main() -> None:
     own, arguments = split_script_arguments(None)
     args = _parser().parse_args(own)
+    assets = {package: load(package) for package in args.packages}
+    every = shots_of(assets[args.packages[0]], args.resolution, args.turn)
+    near = [shot for shot in every if shot.camera_name == "strands"]
+    with tempfile.TemporaryDirectory() as scratch:
+        source, python = Source(args.source, arguments), blender_env.find_python()
+        with BlenderWorker(python, source, Path(scratch), default_workers()) as worker:
+            cycles = [render_cycles(shot, worker, args.cycles_samples) for shot in near]
     pairs: dict[str, list[Pair]] = {}
-    for package in args.packages:
-        with tempfile.TemporaryDirectory() as scratch:
-            source, python = Source(args.source, arguments), blender_env.find_python()
-            with BlenderWorker(python, source, Path(scratch), default_workers()) as worker:
-                settings = args.samples, args.cycles_samples, args.resolution, args.turn
-                pairs[package.stem] = compare(
-                    load(package), package, worker, *settings, ["strands"], lambda _: None
-                )
+    for package, asset in assets.items():
+        world = World([Placement(asset, np.eye(4))])
+        pairs[package.stem] = [
+            judge(shot, render_ours(shot, world, package, args.samples), original)
+            for shot, original in zip(near, cycles, strict=True)
+        ]
     columns = [[pair.ours for pair in column] for column in pairs.values()]
     columns.append([pair.cycles for pair in pairs[args.packages[-1].stem]])
     picture = np.concatenate([np.concatenate(column) for column in columns], axis=1)

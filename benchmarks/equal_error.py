@@ -27,21 +27,20 @@ from report import publish, report_parser
 from rna_export.capture import blender_env
 from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
-from rna_export.compare.views import FOV_Y, Shot, shots
+from rna_export.compare.run import Timed, render_ours
+from rna_export.compare.views import FOV_Y, Shot, shots_of
 from rna_export.metrics import PSNR_DEFINITION, psnr_without_noise
-from rna_render.render import make_integrator, render
 from rna_render.world import Placement, World
 from rna_sdk.console import split_script_arguments
-from rna_sdk.runtime import Asset, FiberAsset, load
+from rna_sdk.runtime import Asset, load
 
 
 def main() -> None:
     own, arguments = split_script_arguments(None)
     args = _parser().parse_args(own)
     assets = {tier: load(args.package, tier=tier) for tier in args.tiers}
-    first = assets[args.tiers[0]]
-    geometry = first.curves if isinstance(first, FiberAsset) else first.mesh
-    shot = next(s for s in shots(geometry, args.resolution, args.turn) if s.name == args.shot)
+    standard = shots_of(assets[args.tiers[0]], args.resolution, args.turn)
+    shot = next(s for s in standard if s.name == args.shot)
     with tempfile.TemporaryDirectory() as scratch:
         source = Source(args.source, arguments)
         python = blender_env.find_python()
@@ -57,15 +56,15 @@ def main() -> None:
         "psnr": PSNR_DEFINITION,
         "reference_samples": 2 * args.reference_samples,
         "cycles": [
-            {"samples": n, "seconds": seconds, "psnr": cycles.psnr(image)}
-            for n, (image, seconds) in rendered.items()
+            {"samples": n, "seconds": image.seconds, "psnr": cycles.psnr(image.pixels)}
+            for n, image in rendered.items()
         ],
     }
     report["ours"] = []
     for tier, asset in assets.items():
         for samples in args.samples:
-            image, seconds = _ours(asset, shot, samples, args)
-            equal = _equal(cycles.psnr(image), seconds, report["cycles"])
+            ours = _ours(asset, shot, samples, args)
+            equal = _equal(cycles.psnr(ours.pixels), ours.seconds, report["cycles"])
             report["ours"].append({"tier": tier, "samples": samples, **equal})
     publish(report, args.out)
 
@@ -76,34 +75,28 @@ class _Cycles:
     def __init__(self, worker: BlenderWorker, shot: Shot, reference_samples: int):
         self._worker, self._shot = worker, shot
         self.render(1, seed=1)  # the first one also builds the scene
-        halves = [self.render(reference_samples, seed)[0] for seed in (2, 3)]
+        halves = [self.render(reference_samples, seed).pixels for seed in (2, 3)]
         self._covered = halves[0][..., 3] > 0.0
         self._halves = [half[self._covered][:, :3] for half in halves]
 
-    def render(self, samples: int, seed: int) -> tuple[np.ndarray, float]:
-        """RGBA and seconds. The worker starts anew for another count, so that time is not here."""
+    def render(self, samples: int, seed: int) -> Timed:
+        """RGBA. The worker starts anew for another count, so that time is not here."""
         n = self._shot.resolution
         view = self._shot.to_world, FOV_Y, self._shot.wi
         self._worker.render_view(*view, samples, seed, 8, 8)
         begun = time.perf_counter()
         image = self._worker.render_view(*view, samples, seed, n, n)
-        return image, time.perf_counter() - begun
+        return Timed(image, time.perf_counter() - begun)
 
     def psnr(self, image: np.ndarray) -> float:
         return psnr_without_noise(image[self._covered][:, :3], *self._halves)
 
 
-def _ours(
-    asset: Asset, shot: Shot, samples: int, args: argparse.Namespace
-) -> tuple[np.ndarray, float]:
+def _ours(asset: Asset, shot: Shot, samples: int, args: argparse.Namespace) -> Timed:
     """RGBA, and the median time of the renders after one that warms up."""
-    scene = shot.scene(str(args.package), samples)
-    world, seconds = World([Placement(asset, np.eye(4))]), []
-    for _ in range(1 + args.repeats):
-        begun = time.perf_counter()
-        channels = render(scene, make_integrator(scene, world)).channels()
-        seconds.append(time.perf_counter() - begun)
-    return np.stack([channels[c] for c in "RGBA"], axis=-1), float(np.median(seconds[1:]))
+    world = World([Placement(asset, np.eye(4))])
+    renders = [render_ours(shot, world, args.package, samples) for _ in range(1 + args.repeats)]
+    return Timed(renders[-1].pixels, float(np.median([r.seconds for r in renders[1:]])))
 
 
 def _equal(psnr: float, seconds: float, cycles: list[dict[str, Any]]) -> dict[str, Any]:

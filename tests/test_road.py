@@ -14,7 +14,7 @@ import pytest
 
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.metrics import psnr
-from tests.exporters.scenes import write_scene
+from tests.exporters.scenes import fur, write_scene
 
 pytestmark = pytest.mark.blender
 
@@ -23,17 +23,7 @@ glossy = principled(Base_Color=(0.7, 0.2, 0.1, 1), Roughness=0.4)
 add(*BALL, glossy, smooth=True, matrix=Matrix.Translation((0, 0, 0.3)))
 add(*square(1.5, z=-1), diffuse((0.3, 0.5, 0.7)))
 """
-FIBERS = """
-import numpy as np, rna_hair
-from rna_hair.objects import add_curves, chiang_material
-rng = np.random.default_rng(3)
-out = rng.normal(size=(700, 1, 3))
-out /= np.linalg.norm(out, axis=2, keepdims=True)
-bend = 0.25 * rng.normal(size=(700, 1, 3)) * np.linspace(0, 1, 6)[:, None] ** 2
-points = out * np.linspace(0.4, 1.2, 6)[:, None] + bend
-strands = rna_hair.of_equal_length(points, np.linspace(0.04, 0.02, 6))
-add_curves(strands, "fur", chiang_material(melanin=0.4))
-"""
+FIBERS = fur(700, bend=0.25, root=0.04, tip=0.02, melanin=0.4)
 CAPTURE = "--validation-views 2 --validation-resolution 48 --validation-samples 32".split()
 
 

@@ -1,19 +1,23 @@
-"""Assets as bodies in the scene: what rays hit, and what the hits send to the viewer.
+"""What stands in the scene, as bodies: what rays hit, and what the hits send to the viewer.
 
-One class a kind of asset holds its geometry in Embree, and one holds points on it. The rest of
+One class a kind of thing holds its geometry in Embree, and one holds points on it. The rest of
 the renderer does not ask which kind it has.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from typing import Literal, Protocol
 
 import numpy as np
 
 from rna_render import fiber, surface
 from rna_render.embree import CurveScene, TriangleScene
-from rna_render.tracing import ClosestHits, GeometryScene
+from rna_render.lights.base import PlacedLight
+from rna_render.materials import MeshObject, Scattering
+from rna_render.neural_sampling import LobeMixture
+from rna_render.points import Body, Points, Role
+from rna_render.tracing import ClosestHits
 from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
 
@@ -62,25 +66,29 @@ class FiberAsset(Protocol):
 Asset = SurfaceAsset | FiberAsset
 
 
-class Points(ABC):
-    """Points of one asset that are seen, and the directions to the viewer; object space.
+# The lobes that rays leave assets in, by kind; see benchmarks/importance.py.
+SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45, mirror_kappa=20.0)
+FIBER_LOBES = LobeMixture(uniform=0.3, cone=0.45, cone_scale=0.06, forward=0.25, forward_kappa=5.0)
 
-    x, n: (m, 3) float32, points and unit normals.
-    """
 
-    x: np.ndarray
-    n: np.ndarray
+class _NeuralPoints(Points):
+    """Points of an asset: its decoder knows what scatters, and asks whether wi is free."""
+
+    _lobes: LobeMixture
+    _wo: np.ndarray
+    tangents: np.ndarray
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Radiance towards the viewer under irradiance 1 from wi, and whether wi is free.
-
-        row: (k,) which points. wi: (k, 3) float32, unit. distance: (k,) float32, to the light.
-        Returns (k, 3) float32, and (k,) bool: whether the asset itself leaves the light in sight.
-        """
         seen = self._visible(row, wi, distance)
         return np.where(seen[:, None], *self._evaluate(row, wi)), seen
+
+    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
+        return self._lobes.sample(self.n[row], self.tangents[row], self._wo[row], u)
+
+    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
+        return self._lobes.pdf(self.n[row], self.tangents[row], self._wo[row], wi)
 
     @abstractmethod
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray: ...
@@ -89,19 +97,11 @@ class Points(ABC):
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
 
 
-class Body(Protocol):
-    """An asset with its geometry in Embree."""
-
-    @property
-    def scene(self) -> GeometryScene: ...
-
-    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
-        """The points that the given rays, (m,), have hit; wo: (m, 3) float32, object space."""
-        ...
-
-
 class SurfaceBody:
     """A mesh. Its normals are interpolated from the corners, and not turned to the viewer."""
+
+    role = Role.SCATTER
+    passes_through = True
 
     def __init__(self, asset: SurfaceAsset) -> None:
         self.asset = asset
@@ -111,7 +111,9 @@ class SurfaceBody:
         return _SurfacePoints(self, hits.primitive[ray], hits.u[ray], hits.v[ray], wo)
 
 
-class _SurfacePoints(Points):
+class _SurfacePoints(_NeuralPoints):
+    _lobes = SURFACE_LOBES
+
     def __init__(
         self, body: SurfaceBody, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
     ) -> None:
@@ -121,6 +123,7 @@ class _SurfacePoints(Points):
         self.x = surface.interpolate_positions(mesh.positions, *at)
         self.n = surface.interpolate_normals(mesh.normals, *at)
         self._ng = surface.geometric_normals(mesh.positions, mesh.triangles, triangle)
+        self.tangents = np.zeros_like(self.n)
 
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
         return surface.visible(self._body.scene, self.x[row], self._ng[row], wi, distance)
@@ -132,6 +135,9 @@ class _SurfacePoints(Points):
 class FiberBody:
     """Strands. Their normals are those of the round cones, outward."""
 
+    role = Role.SCATTER
+    passes_through = True
+
     def __init__(self, asset: FiberAsset) -> None:
         self.asset = asset
         self.scene = CurveScene(asset.curves.points, asset.curves.radii, asset.curves.offsets)
@@ -141,7 +147,9 @@ class FiberBody:
         return _FiberPoints(self, hits.primitive[ray], hits.u[ray], hits.ng[ray], wo)
 
 
-class _FiberPoints(Points):
+class _FiberPoints(_NeuralPoints):
+    _lobes = FIBER_LOBES
+
     def __init__(
         self, body: FiberBody, segment: np.ndarray, u: np.ndarray, n: np.ndarray, wo: np.ndarray
     ) -> None:
@@ -149,17 +157,79 @@ class _FiberPoints(Points):
         self._body, self._segment, self._wo = body, segment, wo
         self.x = fiber.hit_points(curves.points, curves.radii, *at, u, n)
         self.n = n
-        self._tangents = fiber.tangents(curves.points, *at)
-        self._h = offset_across(n, self._tangents, wo)
+        self.tangents = fiber.tangents(curves.points, *at)
+        self._h = offset_across(n, self.tangents, wo)
 
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
         return fiber.visible(self._body.scene, self.x[row], self._segment[row], wi, distance)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        at = self.x[row], self._tangents[row], self._h[row]
+        at = self.x[row], self.tangents[row], self._h[row]
         return self._body.asset.evaluate(*at, self._wo[row], wi)
 
 
-def make_body(asset: Asset) -> Body:
-    """The body of an asset, by its kind."""
-    return FiberBody(asset) if asset.kind == "fiber" else SurfaceBody(asset)
+class ObjectBody:
+    """A mesh with materials. Rays that start on it can hit it again."""
+
+    passes_through = False
+
+    def __init__(self, mesh: MeshObject) -> None:
+        self.mesh = mesh
+        self.scene = TriangleScene([(mesh.positions, mesh.triangles)])
+        self.role = Role.CATCH_SHADOWS if mesh.catches_shadows else Role.SCATTER
+
+    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+        return _ObjectPoints(self.mesh, hits, ray, wo)
+
+
+class _ObjectPoints(Points):
+    def __init__(
+        self, mesh: MeshObject, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray
+    ) -> None:
+        where = hits.primitive[ray], hits.u[ray], hits.v[ray]
+        self.x = surface.interpolate_positions(mesh.positions, mesh.triangles, *where)
+        self.n = surface.interpolate_normals(mesh.normals, mesh.triangles, *where)
+        self._ng, self._wo = hits.ng[ray], wo
+        self._scattering = mesh.scattering(*where)
+
+    def transport(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        scattering, *directions = self._at(row)
+        return scattering.evaluate(*directions, wi), np.ones(len(row), bool)
+
+    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
+        scattering, *directions = self._at(row)
+        return scattering.sample(*directions, u)
+
+    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
+        scattering, *directions = self._at(row)
+        return scattering.pdf(*directions, wi)
+
+    def _at(self, row: np.ndarray) -> tuple[Scattering, np.ndarray, np.ndarray, np.ndarray]:
+        return self._scattering.take(row), self.n[row], self._ng[row], self._wo[row]
+
+
+class LightBody:
+    """A light that rays meet: black."""
+
+    role = Role.SHINE
+    passes_through = False
+
+    def __init__(self, light: PlacedLight) -> None:
+        self.scene = light.scene
+
+    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+        raise NotImplementedError("a light scatters nothing")
+
+
+Thing = Asset | MeshObject | PlacedLight
+
+
+def make_body(thing: Thing) -> Body:
+    """The body of an asset, by its kind, of an object or of a light."""
+    if isinstance(thing, PlacedLight):
+        return LightBody(thing)
+    if isinstance(thing, MeshObject):
+        return ObjectBody(thing)
+    return FiberBody(thing) if thing.kind == "fiber" else SurfaceBody(thing)

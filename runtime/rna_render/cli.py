@@ -5,24 +5,28 @@ from __future__ import annotations
 import argparse
 import os
 import re
-import signal
 import sys
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rna_render.limits import MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
+from rna_render.limits import MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
 from rna_sdk.console import INTERRUPTED, command_parser, run_command
 
 if TYPE_CHECKING:
-    from rna_render.film import Film
+    from rna_render.output import Output
     from rna_render.scene_file import SceneFile
-    from rna_render.scene_model import Scene
 
 # Before the heavy imports, which are made when they are needed and are part of the way to the
 # first ray.
 _START = time.perf_counter()
+
+
+VIEWS = ("srgb", "filmic")
+
+FRAME_NUMBER = re.compile(r"[^%]*%(0\d)?d[^%]*")
+"""A file name with one place for a number."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -30,7 +34,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
     _check_usage(parser, options)
-    return run_command(lambda: _run(options), options.debug, "nothing was written")
+    return run_command(lambda: _run(options), options.debug, "the image under way was not written")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -63,6 +67,20 @@ def _parser() -> argparse.ArgumentParser:
         metavar="FOLDER",
         type=Path,
         help="more .hdr and .exr images for the page of --preview (default: those beside SCENE)",
+    )
+    add(
+        "--frames",
+        metavar="RANGE",
+        type=_frames,
+        help="frames of the scene's animation: all, 3, or 0-10; the files' names then have %%04d, "
+        "such as frame.%%04d.exr, and frames that are there already are left as they are "
+        "(default: one still image)",
+    )
+    add("--view", choices=VIEWS, help="how the PNG shows radiance (default: the scene's)")
+    add(
+        "--denoise",
+        action="store_true",
+        help="take the noise out with Intel Open Image Denoise (default: off)",
     )
     add(
         "--samples",
@@ -112,12 +130,24 @@ def _resolution(text: str) -> tuple[int, int]:
     return side(width), side(height)
 
 
+def _frames(text: str) -> tuple[int, int | None]:
+    """The first frame and the last one, None for the scene's."""
+    if text == "all":
+        return 0, None
+    number = _whole(0, MAX_FRAMES - 1)
+    first, to, last = text.partition("-")
+    span = number(first), number(last if to else first)
+    if span[0] > span[1]:
+        raise argparse.ArgumentTypeError(f"expected the lower number first, found {text!r}")
+    return span
+
+
 def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     if options.out is None and not options.preview:
         parser.error("one of --out and --preview is required")
-    others = ("out", "png") if options.preview else ("port", "environments")
+    others = ("out", "png", "frames", "denoise") if options.preview else ("port", "environments")
     for name in others:
-        if getattr(options, name) is not None:
+        if getattr(options, name):
             parser.error(f"--{name} is {'not for' if options.preview else 'only for'} --preview")
     if options.environments is not None and not options.environments.is_dir():
         parser.error(f"{options.environments}: no such folder")
@@ -126,12 +156,21 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
             parser.error(f"{path}: expected a name that ends with {suffix}")
         if path is not None and not path.parent.is_dir():
             parser.error(f"{path}: there is no folder {path.parent}")
+        if path is not None and bool(FRAME_NUMBER.fullmatch(path.name)) != bool(options.frames):
+            parser.error(
+                f"{path}: expected a place for the frame's number, such as %04d"
+                if options.frames
+                else f"{path}: has a place for a frame's number, which needs --frames"
+            )
 
 
 def _run(options: argparse.Namespace) -> int:
+    from rna_render.denoise import Denoiser
+    from rna_render.output import Output
     from rna_render.scene_file import read_scene
+    from rna_render.sequence import frame_numbers, render_sequence
 
-    names = ("samples", "resolution", "seed", "tier")
+    names = ("samples", "resolution", "seed", "tier", "view")
     changes = {name: value for name in names if (value := getattr(options, name)) is not None}
     scene_file = read_scene(options.scene).with_changes(**changes)
     threads = _use_threads(options.threads)
@@ -140,20 +179,12 @@ def _run(options: argparse.Namespace) -> int:
 
         preview(scene_file, threads, options.port or 0, options.environments)
         return 0
-    film = _render(scene_file, threads)
-    stopped = film.samples < scene_file.scene.samples
-    if not film.samples:
-        print("stopped before the first sample was finished; nothing was written", file=sys.stderr)
-        return INTERRUPTED
-    if stopped:
-        print(
-            f"stopped: the image is the mean of {film.samples} of "
-            f"{scene_file.scene.samples} samples",
-            file=sys.stderr,
-        )
-    for path in _write_images(options, scene_file.scene, film):
-        print(f"wrote {path}")
-    return INTERRUPTED if stopped else 0
+    denoiser = Denoiser(threads) if options.denoise else None
+    output = Output(options.out, options.png, denoiser)
+    if options.frames is None:
+        return _render_still(scene_file, output, threads)
+    numbers = frame_numbers(scene_file, *options.frames)
+    return render_sequence(scene_file, numbers, output, threads, _START)
 
 
 def _use_threads(count: int | None) -> int:
@@ -167,60 +198,33 @@ def _use_threads(count: int | None) -> int:
     return threads
 
 
-def _render(scene_file: SceneFile, threads: int) -> Film:
-    from tqdm import tqdm
-
-    from rna_render.render import load_world, make_integrator, render
+def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
+    from rna_render.render import load_world
+    from rna_render.terminal import Interrupt, render_with_bar
 
     scene = scene_file.scene
+    output.check()
     world = load_world(scene_file, threads)
-    total = scene.resolution[0] * scene.resolution[1] * scene.samples
-    bar = tqdm(total=total, unit="ray", unit_scale=True, desc="rendering", leave=False)
-
-    def report_start() -> None:
-        bar.write(f"first rays traced after {time.perf_counter() - _START:.2f} s", file=sys.stderr)
-
-    integrator = make_integrator(scene, world, report_start)
-    with bar, _Interrupt() as interrupt:
-        return render(scene, integrator, stop=interrupt.requested, progress=bar.update)
-
-
-class _Interrupt:
-    """While entered, the first Ctrl-C asks for a stop and the second one ends the program."""
-
-    def __init__(self) -> None:
-        self._asked = False
-
-    def requested(self) -> bool:
-        return self._asked
-
-    def __enter__(self) -> _Interrupt:
-        self._previous = signal.signal(signal.SIGINT, self._ask)
-        return self
-
-    def __exit__(self, *exception: object) -> None:
-        signal.signal(signal.SIGINT, self._previous)
-
-    def _ask(self, number: int, frame: object) -> None:
-        if self._asked:
-            raise KeyboardInterrupt
-        self._asked = True
-        print("\nstopping after this band of pixels; Ctrl-C again ends at once", file=sys.stderr)
-
-
-def _write_images(options: argparse.Namespace, scene: Scene, film: Film) -> list[Path]:
-    import numpy as np
-
-    from rna_render.images import write_exr, write_png
-
-    channels = film.channels()
-    attributes = {"rnaScene": scene.model_dump_json(), "rnaSamples": str(film.samples)}
-    write_exr(options.out, channels, attributes)
-    if options.png is None:
-        return [options.out]
-    rgb = np.stack([channels[name] for name in "RGB"], axis=-1)
-    write_png(options.png, rgb, scene.exposure)
-    return [options.out, options.png]
+    with Interrupt() as interrupt:
+        film = render_with_bar(
+            scene_file,
+            world,
+            interrupt.requested,
+            first_rays=lambda: f"first rays traced after {time.perf_counter() - _START:.2f} s",
+        )
+    if not film.samples:
+        print("stopped before the first sample was finished; nothing was written", file=sys.stderr)
+        return INTERRUPTED
+    stopped = film.samples < scene.samples
+    if stopped:
+        print(
+            f"stopped: the image is the mean of {film.samples} of {scene.samples} samples",
+            file=sys.stderr,
+        )
+    output.write(scene, film)
+    for path in output.paths():
+        print(f"wrote {path}")
+    return INTERRUPTED if stopped else 0
 
 
 if __name__ == "__main__":

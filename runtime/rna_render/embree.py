@@ -1,4 +1,4 @@
-"""Geometry that rays are traced against in one space: triangle meshes, or round curves."""
+"""Geometry that rays are traced against in one space: meshes, round curves, spheres or discs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rna_render import embree_kernels as kernels
 from rna_render import embree_library as api
 from rna_render.embree_filters import own_strand_filter
 from rna_render.rays import per_ray
-from rna_render.tracing import GeometryScene, any_hits, closest_hits
+from rna_render.tracing import GeometryScene, Passing, any_hits, closest_hits
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 
@@ -155,8 +155,61 @@ class CurveScene(GeometryScene):
         strand: (n,) uint32. Other arguments and errors are those of `occluded`.
         """
         own = per_ray("strand", strand, len(origins), np.uint32)
-        arguments = self._filter.ctypes.data
-        return any_hits(self._scene, arguments, own, origins, directions, 0.0, tfar)
+        passing = Passing(self._filter.ctypes.data, own)
+        return any_hits(self._scene, origins, directions, 0.0, tfar, passing)
+
+
+class SphereScene(GeometryScene):
+    """Spheres in one space; rays hit them from outside and from inside, with u = v = 0.
+
+    centers: (n, 3) float32. radii: (n,) float32. Embree keeps a copy.
+
+    Raises SceneError for other dtypes or shapes, and for values that are not finite or radii that
+    are not positive.
+    """
+
+    def __init__(self, centers: np.ndarray, radii: np.ndarray) -> None:
+        super().__init__()
+        _check_points("spheres", centers, radii)
+        if len(centers):
+            points = (api.BUFFER_VERTEX, api.FORMAT_FLOAT4, np.column_stack([centers, radii]))
+            self._scene.add(api.GEOMETRY_SPHERE_POINT, 0, [points])
+            self.extent = float((np.abs(centers).max(axis=1) + radii).max())
+        self._scene.commit()
+
+
+class DiscScene(GeometryScene):
+    """Discs in one space; rays hit them from both sides, with u = v = 0 and the disc's normal.
+
+    centers: (n, 3) float32. normals: (n, 3) float32, of any length but zero. radii: (n,) float32.
+    Embree keeps a copy.
+
+    Raises SceneError for other dtypes or shapes, for values that are not finite, radii that are
+    not positive and normals that are zero.
+    """
+
+    def __init__(self, centers: np.ndarray, normals: np.ndarray, radii: np.ndarray) -> None:
+        super().__init__()
+        _check_points("discs", centers, radii)
+        if normals.dtype != np.float32 or normals.shape != centers.shape:
+            raise SceneError(f"discs: normals must be float32 {centers.shape}")
+        if not (np.isfinite(normals).all() and normals.any(axis=1).all()):
+            raise SceneError("discs: normals must be finite and not zero")
+        if len(centers):
+            points = (api.BUFFER_VERTEX, api.FORMAT_FLOAT4, np.column_stack([centers, radii]))
+            directions = (api.BUFFER_NORMAL, api.FORMAT_FLOAT3, normals)
+            self._scene.add(api.GEOMETRY_ORIENTED_DISC_POINT, 0, [points, directions])
+            self.extent = float((np.abs(centers).max(axis=1) + radii).max())
+        self._scene.commit()
+
+
+def _check_points(name: str, centers: np.ndarray, radii: np.ndarray) -> None:
+    if centers.dtype != np.float32 or centers.ndim != 2 or centers.shape[1] != 3:
+        raise SceneError(f"{name}: centers must be float32 (n, 3)")
+    if radii.dtype != np.float32 or radii.shape != centers.shape[:1]:
+        raise SceneError(f"{name}: radii must be float32 {centers.shape[:1]}")
+    if not (np.isfinite(centers).all() and np.isfinite(radii).all() and (radii > 0).all()):
+        raise SceneError(f"{name}: centers and radii must be finite, and radii more than 0")
 
 
 def _neighbours(segments: np.ndarray) -> np.ndarray:

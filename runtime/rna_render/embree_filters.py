@@ -1,4 +1,4 @@
-"""What a shadow ray passes through: compiled filters that Embree asks about every hit.
+"""What a ray passes through: compiled filters that Embree asks about every hit.
 
 A filter gets the address of RTCFilterFunctionNArguments and sets `valid` to 0 to refuse the hit.
 What to refuse stands in the ray's id.
@@ -17,7 +17,8 @@ from rna_render.embree_kernels import RAY_DIRECTION, RAY_ID
 FILTER_VALID, FILTER_USER_DATA, FILTER_RAY, FILTER_HIT = 0, 1, 3, 4
 FILTER_HIT_NORMAL, FILTER_HIT_PRIMITIVE, FILTER_HIT_INSTANCE = 0, 5, 7
 
-# RTCOccludedArguments as 64-bit words: flags with feature mask, context, filter, and padding.
+# RTCIntersectArguments and RTCOccludedArguments as 64-bit words, as far as they are alike: flags
+# with feature mask, context, filter; then zeros.
 ARGUMENT_WORDS = 8
 ARGUMENT_FILTER = 2
 INVOKE_ARGUMENT_FILTER = 1 << 1
@@ -81,7 +82,7 @@ def _refuse_own_strand(arguments):
 
 
 def own_instance_filter() -> np.ndarray:
-    """RTCOccludedArguments that make a ray pass through the instance its id names.
+    """Arguments that make a ray of either sort pass through the instance its id names.
 
     Returns (8,) uint64; the caller keeps it alive while its address is in use.
     """

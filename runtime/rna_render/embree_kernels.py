@@ -52,7 +52,7 @@ def _ray_block(words):
 
 
 @njit(cache=True)
-def _set_ray(ray, bits, origin, direction, tnear, tfar, ray_id):
+def _set_ray(ray, bits, origin, direction, tnear, tfar, mask, ray_id):
     """Fill the RTCRay; a ray that is not finite or has no direction gets an empty interval."""
     size = np.float32(0.0)
     for axis in range(3):
@@ -64,7 +64,7 @@ def _set_ray(ray, bits, origin, direction, tnear, tfar, ray_id):
     ray[RAY_TNEAR] = tnear
     ray[RAY_TIME] = 0.0
     ray[RAY_TFAR] = tfar if traced else -1.0
-    bits[RAY_MASK] = INVALID_ID
+    bits[RAY_MASK] = mask
     bits[RAY_ID] = ray_id
     bits[RAY_FLAGS] = 0
 
@@ -81,11 +81,27 @@ def _store_normal(ray, ng):
 
 @njit(cache=True, parallel=True)
 def intersect(
-    function, scene, owner_word, origins, directions, tnear, tfar, t, owner, primitive, u, v, ng
+    function,
+    scene,
+    arguments,
+    ray_id,
+    mask,
+    owner_word,
+    origins,
+    directions,
+    tnear,
+    tfar,
+    t,
+    owner,
+    primitive,
+    u,
+    v,
+    ng,
 ):
     """Closest hits.
 
     function, scene: addresses of rtcIntersect1 and of the scene.
+    arguments, ray_id: as for `occluded`. mask: uint32, rays meet instances that share a bit.
     owner_word: HIT_GEOMETRY or HIT_INSTANCE, the number that `owner` gets.
     origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
     t: (n,) float32 out, infinity for a miss.
@@ -103,12 +119,13 @@ def intersect(
             for k in range(count):
                 i = start + k
                 near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
-                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, 0)
+                number = ray_id[min(i, len(ray_id) - 1)]
+                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, mask, number)
                 bits[k, HIT_GEOMETRY] = INVALID_ID
                 bits[k, HIT_INSTANCE] = INVALID_ID
             for k in range(count):
                 if rays[k, RAY_TNEAR] <= rays[k, RAY_TFAR]:
-                    call_embree(function, scene, address + k * RAY_HIT_WORDS * 4, 0)
+                    call_embree(function, scene, address + k * RAY_HIT_WORDS * 4, arguments)
             for k in range(count):
                 i = start + k
                 hit = bits[k, HIT_GEOMETRY] != INVALID_ID
@@ -124,13 +141,13 @@ def intersect(
 
 
 @njit(cache=True, parallel=True)
-def occluded(function, scene, arguments, ray_id, origins, directions, tnear, tfar, result):
+def occluded(function, scene, arguments, ray_id, mask, origins, directions, tnear, tfar, result):
     """Whether anything is hit between tnear and tfar.
 
     function, scene: addresses of rtcOccluded1 and of the scene.
-    arguments: address of RTCOccludedArguments, or 0.
+    arguments: address of RTCOccludedArguments (RTCIntersectArguments begin alike), or 0.
     ray_id: (n,) uint32, or (1,) for all rays: what a ray passes through, if `arguments` are
-        those of one of the embree_filters.
+        those of one of the embree_filters. mask: uint32, as for `intersect`.
     origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
     result: (n,) bool out; False for a ray that is not finite or has no direction.
     """
@@ -145,7 +162,7 @@ def occluded(function, scene, arguments, ray_id, origins, directions, tnear, tfa
                 i = start + k
                 near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
                 number = ray_id[min(i, len(ray_id) - 1)]
-                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, number)
+                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, mask, number)
             for k in range(count):
                 if rays[k, RAY_TNEAR] <= rays[k, RAY_TFAR]:
                     call_embree(function, scene, address + k * RAY_WORDS * 4, arguments)

@@ -27,11 +27,14 @@ FORMAT_FLOAT4 = 0x9004
 FORMAT_FLOAT3X4_ROW_MAJOR = 0x9134
 BUFFER_INDEX = 0
 BUFFER_VERTEX = 1
+BUFFER_NORMAL = 3
 BUFFER_FLAGS = 32
 CURVE_NEIGHBOUR_LEFT = 1 << 0
 CURVE_NEIGHBOUR_RIGHT = 1 << 1
 GEOMETRY_TRIANGLE = 0
 GEOMETRY_ROUND_LINEAR_CURVE = 16
+GEOMETRY_SPHERE_POINT = 50
+GEOMETRY_ORIENTED_DISC_POINT = 52
 GEOMETRY_INSTANCE = 121
 SCENE_ROBUST = 1 << 2
 SCENE_FILTER_IN_ARGUMENTS = 1 << 3
@@ -55,6 +58,7 @@ _SIGNATURES = {
     "rtcSetNewGeometryBuffer": (_pointer, [_pointer, _int, _uint, _int, _size, _size]),
     "rtcSetGeometryUserData": (None, [_pointer, _pointer]),
     "rtcSetGeometryInstancedScene": (None, [_pointer, _pointer]),
+    "rtcSetGeometryMask": (None, [_pointer, _uint]),
     "rtcSetGeometryTransform": (None, [_pointer, _uint, _int, _pointer]),
 }
 
@@ -135,6 +139,8 @@ class SceneHandle:
             self.device.check(f"copying geometry {geometry_id}")
             ctypes.memmove(to, rows.ctypes.data, rows.nbytes)
         embree.rtcSetGeometryUserData(geometry, user_data)
+        # What an instance is hidden from, it says itself; the default would hide this from most.
+        embree.rtcSetGeometryMask(geometry, 0xFFFFFFFF)
         self.attach(geometry, geometry_id)
 
     def attach(self, geometry: int, geometry_id: int) -> None:

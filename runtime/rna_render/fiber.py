@@ -11,7 +11,7 @@ import numpy as np
 from numba import njit, prange
 
 from rna_render.embree import CurveScene
-from rna_render.rays import vectors
+from rna_render.rays import check_numbers, vectors
 from rna_sdk.errors import QueryError
 
 
@@ -29,7 +29,7 @@ def hit_points(
     rna_sdk.package.Curves and its `segments()`. segment, u, normals: as in CurveHits, without
     misses. Raises QueryError for a segment that is not there, or arrays of different length.
     """
-    _check_segments(first, segment)
+    check_numbers("segment", segment, len(first))
     if not len(segment) == len(u) == len(normals):
         raise QueryError(f"{len(segment)} segments, but {len(u)} u and {len(normals)} normals")
     result = np.empty((len(segment), 3), np.float32)
@@ -42,7 +42,7 @@ def tangents(points: np.ndarray, first: np.ndarray, segment: np.ndarray) -> np.n
 
     A segment without length gives (0, 0, 0). Arguments and errors are those of `hit_points`.
     """
-    _check_segments(first, segment)
+    check_numbers("segment", segment, len(first))
     result = np.empty((len(segment), 3), np.float32)
     _tangents(points, first, segment, result)
     return result
@@ -73,13 +73,8 @@ def visible(
     """
     positions = vectors("positions", positions)
     wi = vectors("wi", wi, len(positions))
-    _check_segments(scene.strands, segment)
+    check_numbers("segment", segment, len(scene.strands))
     return ~scene.occluded_by_others(scene.strands[segment], positions, wi, tfar)
-
-
-def _check_segments(segments: np.ndarray, segment: np.ndarray) -> None:
-    if len(segment) and not 0 <= segment.min() <= segment.max() < len(segments):
-        raise QueryError(f"a segment number is outside [0, {len(segments)})")
 
 
 @njit(cache=True, parallel=True)

@@ -10,33 +10,50 @@ import numpy as np
 
 @dataclass
 class Layers:
-    """One sample, or the mean of many, of every pixel in row-major order.
+    """One sample, or the sum of many, of every pixel in row-major order.
 
-    beauty: (n, 4) float, RGB radiance with the background in it, and coverage by assets and
+    beauty: (n, 4) float, RGB radiance with the background in it, and coverage by things and
         visible background.
-    hit: (n,) float, coverage by assets.
-    normal_world: (n, 3) float, where an asset is hit the shading normal of the surface or the
+    groups: (n, g, 3) float, the part of beauty that comes from each group of lights.
+    hit: (n,) float, coverage by things.
+    normal_world: (n, 3) float, where a thing is hit the shading normal of the surface or the
         outward normal of the fiber, else 0.
     position_world: (n, 3) float, likewise.
-    visibility: (n,) float, likewise: whether the first directional or point light is seen.
-    asset: (n,) uint32, number of the instance in the scene file, from 1; 0 for none.
+    light_samples: (n, 2) float, how many samples of lights were taken at the first hit, and how
+        many of them nothing stood in the way of.
+    caught: (n, 2) float, where a shadow catcher is hit the light that it receives, and what it
+        would receive if nothing stood in the way.
+    behind_catcher: (n, 4) float, as beauty, the visible background where a catcher is hit.
+    catcher: (n,) float, coverage by shadow catchers.
+    asset: (n,) uint32, number of the thing, from 1; 0 for none.
     """
 
     beauty: np.ndarray
+    groups: np.ndarray
     hit: np.ndarray
     normal_world: np.ndarray
     position_world: np.ndarray
-    visibility: np.ndarray
+    light_samples: np.ndarray
+    caught: np.ndarray
+    behind_catcher: np.ndarray
+    catcher: np.ndarray
     asset: np.ndarray
 
     @classmethod
-    def empty(cls, count: int, dtype: type) -> Layers:
+    def empty(cls, count: int, groups: int, dtype: type) -> Layers:
         """All zero, for `count` pixels."""
-        widths = {"beauty": (4,), "normal_world": (3,), "position_world": (3,)}
-        floats = {
-            name: np.zeros((count, *widths.get(name, ())), dtype)
-            for name in ("beauty", "hit", "normal_world", "position_world", "visibility")
+        shapes = {
+            "beauty": (4,),
+            "groups": (groups, 3),
+            "hit": (),
+            "normal_world": (3,),
+            "position_world": (3,),
+            "light_samples": (2,),
+            "caught": (2,),
+            "behind_catcher": (4,),
+            "catcher": (),
         }
+        floats = {name: np.zeros((count, *shape), dtype) for name, shape in shapes.items()}
         return cls(**floats, asset=np.zeros(count, np.uint32))
 
     @classmethod
@@ -47,21 +64,30 @@ class Layers:
 
 
 class Film:
-    """Sums samples. A sample enters whole or not at all, so a stopped image is a fair mean."""
+    """Sums samples. A sample enters whole or not at all, so a stopped image is a fair mean.
 
-    def __init__(self, resolution: tuple[int, int]) -> None:
+    resolution: width and height. groups: names of the groups of lights.
+    """
+
+    def __init__(self, resolution: tuple[int, int], groups: Sequence[str] = ()) -> None:
         self.width, self.height = resolution
         self.samples = 0
-        self._sum = Layers.empty(self.width * self.height, np.float64)
+        self._groups = tuple(groups)
+        count = self.width * self.height
+        self._sum = Layers.empty(count, len(groups), np.float64)
+        self._squares = np.zeros((count, 3))
 
     def add(self, sample: Layers) -> None:
         """Add one sample of every pixel."""
         total = self._sum
-        total.beauty += sample.beauty
-        total.hit += sample.hit
-        total.normal_world += sample.normal_world
-        total.position_world += sample.position_world
-        total.visibility += sample.visibility
+        for field in fields(Layers):
+            if field.name != "asset":
+                np.add(
+                    getattr(total, field.name),
+                    getattr(sample, field.name),
+                    out=getattr(total, field.name),
+                )
+        self._squares += np.square(sample.beauty[:, :3], dtype=np.float64)
         # The id of the first sample that hit anything: ids have no mean.
         np.copyto(total.asset, sample.asset, where=total.asset == 0)
         self.samples += 1
@@ -69,16 +95,25 @@ class Film:
     def channels(self) -> dict[str, np.ndarray]:
         """The image, (height, width) a channel; float32, but uint32 for assetId.
 
-        R, G, B, A are means over all samples, so RGB is premultiplied. The other channels are
-        means over the samples that hit an asset: normal.X/Y/Z (unit, or zero), position.X/Y/Z
-        and visibility; assetId is that of the first sample that did.
+        R, G, B, A are means over all samples, so RGB is premultiplied; variance.R/G/B are the
+        variances of these means, taken as if samples were independent; light.<group>.R/G/B the
+        parts of groups of lights. The other channels are means over the samples that hit a
+        thing: normal.X/Y/Z (unit, or zero), position.X/Y/Z and visibility; assetId is that of
+        the first sample that did.
         """
         total, count = self._sum, max(self.samples, 1)
         hits = np.maximum(total.hit, 1.0)[:, None]
         length = np.linalg.norm(total.normal_world, axis=1, keepdims=True)
         normal = total.normal_world / np.where(length > 0.0, length, 1.0)
+        mean = total.beauty / count
+        spread = np.maximum(self._squares / count - np.square(mean[:, :3]), 0.0)
         named = [
-            ("RGBA", "", total.beauty / count),
+            ("RGBA", "", mean + self._shadows() / count),
+            ("RGB", "variance.", spread / max(count - 1, 1)),
+            *(
+                ("RGB", f"light.{n}.", total.groups[:, g] / count)
+                for g, n in enumerate(self._groups)
+            ),
             ("XYZ", "normal.", normal),
             ("XYZ", "position.", total.position_world / hits),
         ]
@@ -87,8 +122,17 @@ class Film:
             for letters, prefix, values in named
             for column, letter in enumerate(letters)
         }
-        result["visibility"] = self._plane((total.visibility / hits[:, 0]).astype(np.float32))
+        taken, arrived = total.light_samples.T
+        result["visibility"] = self._plane((arrived / np.maximum(taken, 1.0)).astype(np.float32))
         result["assetId"] = self._plane(total.asset)
+        return result
+
+    def _shadows(self) -> np.ndarray:
+        """What shadow catchers add to the sum of beauty: background, darkened, with alpha."""
+        received, unblocked = self._sum.caught.T
+        lit = np.divide(received, unblocked, out=np.ones_like(received), where=unblocked > 0.0)
+        result = self._sum.behind_catcher * lit[:, None]
+        result[:, 3] += (1.0 - lit) * self._sum.catcher
         return result
 
     def _plane(self, values: np.ndarray) -> np.ndarray:

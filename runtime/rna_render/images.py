@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.srgb import encode_srgb
+from rna_render.view_transform import to_display
 from rna_sdk.errors import SceneError
 
 
@@ -44,20 +44,64 @@ def read_exr(path: Path) -> tuple[dict[str, np.ndarray], dict[str, object]]:
         raise SceneError(f"cannot read the image: {error}", file=path) from error
 
 
-def write_png(path: Path, rgb: np.ndarray, exposure: float = 0.0) -> None:
-    """Write an 8-bit sRGB PNG of linear radiance times 2^exposure, clamped to [0, 1].
+def write_png(
+    path: Path,
+    rgb: np.ndarray,
+    exposure: float = 0.0,
+    view: str = "srgb",
+    attributes: Mapping[str, str] | None = None,
+) -> None:
+    """Write an 8-bit sRGB PNG of linear radiance times 2^exposure, through a view transform.
 
-    rgb: (height, width, 3) float. Raises SceneError if the file cannot be written.
+    rgb: (height, width, 3) float. view: see to_display. attributes: text kept in the file.
+    Raises SceneError if the file cannot be written.
     """
+    from PIL import Image, PngImagePlugin
+
+    text = PngImagePlugin.PngInfo()
+    for name, value in (attributes or {}).items():
+        text.add_text(name, value)
+    image = Image.fromarray(np.rint(to_display(rgb, view, exposure) * 255.0).astype(np.uint8))
+    _write(path, lambda temporary: image.save(temporary, format="PNG", pnginfo=text))
+
+
+def read_attributes(path: Path) -> dict[str, str]:
+    """The `rna...` attributes that an EXR or PNG was written with; none if it cannot be read."""
+    try:
+        header = _png_text(path) if path.suffix.lower() == ".png" else _exr_header(path)
+    except (OSError, RuntimeError, ValueError, SyntaxError):
+        return {}
+    return {name: str(value) for name, value in header.items() if name.startswith("rna")}
+
+
+def _exr_header(path: Path) -> Mapping[str, object]:
+    import OpenEXR
+
+    with OpenEXR.File(str(path), header_only=True) as file:
+        return dict(file.header())
+
+
+def _png_text(path: Path) -> Mapping[str, object]:
     from PIL import Image
 
-    encoded = encode_srgb(np.asarray(rgb, np.float64) * 2.0**exposure)
-    image = Image.fromarray(np.rint(encoded * 255.0).astype(np.uint8))
-    _write(path, lambda temporary: image.save(temporary, format="PNG"))
+    with Image.open(path) as image:
+        return dict(image.info)
+
+
+def check_writable(path: Path) -> None:
+    """Raise SceneError if no image can be written there."""
+    if path.is_dir():
+        raise SceneError("cannot write the image: it is a folder", file=path)
+    temporary = _temporary(path)
+    try:
+        temporary.touch()
+        temporary.unlink()
+    except OSError as error:
+        raise SceneError(f"cannot write the image: {error.strerror}", file=path) from error
 
 
 def _write(path: Path, save: Callable[[Path], object]) -> None:
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    temporary = _temporary(path)
     try:
         save(temporary)
         os.replace(temporary, path)
@@ -65,3 +109,7 @@ def _write(path: Path, save: Callable[[Path], object]) -> None:
         raise SceneError(f"cannot write the image: {error}", file=path) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def _temporary(path: Path) -> Path:
+    return path.with_name(f".{path.name}.{os.getpid()}.tmp")

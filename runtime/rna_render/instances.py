@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -10,54 +11,98 @@ from rna_render import embree_kernels as kernels
 from rna_render import embree_library as api
 from rna_render.embree_filters import own_instance_filter
 from rna_render.rays import per_ray
-from rna_render.tracing import ClosestHits, GeometryScene, any_hits, closest_hits
+from rna_render.tracing import ClosestHits, GeometryScene, Passing, any_hits, closest_hits
+
+# Sorts of rays, bits of a mask.
+CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY = 1, 2, 4
+ALL_RAYS = CAMERA_RAY | INDIRECT_RAY | SHADOW_RAY
+
+NO_INSTANCE = -1
+
+
+@dataclass(frozen=True, slots=True)
+class Instance:
+    """A scene, placed.
+
+    world_from_object: (4, 4) affine. rays: bits of the sorts of rays that meet it.
+    """
+
+    scene: GeometryScene
+    world_from_object: np.ndarray
+    rays: int = ALL_RAYS
 
 
 class InstanceScene:
     """Scenes of one mesh or one set of curves each, placed in the world.
 
-    instances: for each, its scene and world_from_object, (4, 4) affine. The same scene may be
-    there many times; it is stored once. Raises SceneError if Embree refuses one.
+    The same scene may be in many instances; it is stored once. Raises SceneError if Embree
+    refuses one.
     """
 
-    def __init__(self, instances: Sequence[tuple[GeometryScene, np.ndarray]]) -> None:
+    def __init__(self, instances: Sequence[Instance]) -> None:
         self._count = len(instances)
         self._scene = api.SceneHandle(api.shared_device())
         self._filter = own_instance_filter()
         embree = api.library()
-        for index, (scene, world_from_object) in enumerate(instances):
+        for index, placed in enumerate(instances):
             instance = embree.rtcNewGeometry(self._scene.device.handle, api.GEOMETRY_INSTANCE)
-            embree.rtcSetGeometryInstancedScene(instance, scene.handle.handle)
-            matrix = np.ascontiguousarray(world_from_object[:3], np.float32)
+            embree.rtcSetGeometryInstancedScene(instance, placed.scene.handle.handle)
+            matrix = np.ascontiguousarray(placed.world_from_object[:3], np.float32)
             layout = api.FORMAT_FLOAT3X4_ROW_MAJOR
             embree.rtcSetGeometryTransform(instance, 0, layout, matrix.ctypes.data)
+            embree.rtcSetGeometryMask(instance, placed.rays)
             self._scene.attach(instance, index)
         self._scene.commit()
 
-    def intersect(self, origins_world: np.ndarray, directions_world: np.ndarray) -> ClosestHits:
+    def intersect(
+        self,
+        origins_world: np.ndarray,
+        directions_world: np.ndarray,
+        own: np.ndarray | None = None,
+        rays: int = ALL_RAYS,
+    ) -> ClosestHits:
         """The closest hit of each ray; its owner is the instance, its normal in object space.
 
-        origins_world, directions_world: (n, 3) float32; n may be 0. Raises QueryError for other
-        dtypes or shapes.
+        origins_world, directions_world: (n, 3) float32; n may be 0. own: (n,) int32, the
+        instance that each ray passes through; NO_INSTANCE, or None for all, for none of them.
+        rays: which sort they are. Raises QueryError for other dtypes or shapes.
         """
-        rays = origins_world, directions_world, 0.0, np.inf
-        return closest_hits(self._scene, kernels.HIT_INSTANCE, *rays)
+        if self._passes_everything(own):
+            return _misses(len(origins_world))
+        interval, passing = (0.0, np.inf), self._passing(own, len(origins_world), rays)
+        lines = origins_world, directions_world, *interval
+        return closest_hits(self._scene, kernels.HIT_INSTANCE, *lines, passing=passing)
 
-    def occluded_by_others(
+    def occluded(
         self,
-        instance: np.ndarray,
         origins_world: np.ndarray,
         directions_world: np.ndarray,
         tfar: np.ndarray | float = np.inf,
+        own: np.ndarray | None = None,
     ) -> np.ndarray:
-        """Whether each ray hits any instance but its own: (n,) bool.
+        """Whether each shadow ray hits any instance but its own: (n,) bool.
 
-        It passes through the instance it starts on, by the transport contract, and needs no
-        offset for that. instance: (n,) int32. tfar: one number or (n,), distance to the light.
-        Other arguments and errors are those of `intersect`.
+        tfar: one number or (n,), distance to the light. Other arguments and errors are those of
+        `intersect`.
         """
-        if self._count < 2:
-            return np.zeros(len(instance), bool)
-        own = per_ray("instance", instance, len(instance), np.uint32)
-        arguments = self._filter.ctypes.data
-        return any_hits(self._scene, arguments, own, origins_world, directions_world, 0.0, tfar)
+        if self._passes_everything(own):
+            return np.zeros(len(origins_world), bool)
+        passing = self._passing(own, len(origins_world), SHADOW_RAY)
+        return any_hits(self._scene, origins_world, directions_world, 0.0, tfar, passing)
+
+    def _passes_everything(self, own: np.ndarray | None) -> bool:
+        return self._count == 1 and own is not None and bool((own == 0).all())
+
+    def _passing(self, own: np.ndarray | None, count: int, rays: int) -> Passing:
+        if own is None:
+            return Passing(mask=rays)
+        ids = per_ray("own", own, count, np.int32).view(np.uint32)
+        return Passing(self._filter.ctypes.data, ids, rays)
+
+
+def _misses(n: int) -> ClosestHits:
+    nothing = np.full(n, -1, np.int32)
+    zeros = np.zeros(n, np.float32)
+    return ClosestHits(
+        np.full(n, np.inf, np.float32), nothing, nothing, zeros, zeros, np.zeros((n, 3), np.float32)
+    )

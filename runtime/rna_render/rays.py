@@ -21,6 +21,12 @@ def vectors(name: str, values: np.ndarray, count: int | None = None) -> np.ndarr
     return np.ascontiguousarray(values)
 
 
+def check_numbers(what: str, numbers: np.ndarray, count: int) -> None:
+    """Raises QueryError unless all `numbers` of triangles or segments are within [0, count)."""
+    if len(numbers) and not 0 <= numbers.min() <= numbers.max() < count:
+        raise QueryError(f"a {what} number is outside [0, {count})")
+
+
 def per_ray(
     name: str, values: np.ndarray | float, count: int, dtype: type = np.float32
 ) -> np.ndarray:

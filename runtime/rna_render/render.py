@@ -11,54 +11,52 @@ from rna_render.bodies import Asset
 from rna_render.camera import Camera
 from rna_render.film import Film, Layers
 from rna_render.integrator import Integrator
-from rna_render.lights import make_light
+from rna_render.lights import Light, MeshLight, PlacedLight, make_light
+from rna_render.lights.models import AreaModel
+from rna_render.materials import MeshObject, ground, read_mesh_object
 from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
-from rna_render.scene_model import EnvironmentModel, Scene
+from rna_render.scene_model import Scene
 from rna_render.transforms import world_from_object
 from rna_render.world import Placement, World
-from rna_sdk.errors import QueryError
+from rna_sdk.errors import QueryError, SceneError
 
 # Rays traced together: enough to fill all threads, few enough that a stop is noticed soon.
 BAND = 1 << 16
 
 
 def load_world(scene_file: SceneFile, threads: int | None = None) -> World:
-    """The scene's assets, loaded and placed; each pair of package and tier is loaded once.
+    """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
 
-    threads: for the neural runtime; all if None. Raises SceneError where the file names a
-    package or a tier that is not there, PackageError for a package that is broken.
+    Each pair of package and tier is loaded once, and so is each pair of object file and
+    material. threads: for the neural runtime; all if None. Raises SceneError where the file
+    names something that is not there or cannot be used, PackageError for a broken package.
     """
-    from rna_sdk.runtime import load
-
-    loaded: dict[tuple[Path, str | None], Asset] = {}
-    placements = []
-    for index, model in enumerate(scene_file.scene.assets):
-        path = scene_file.resolve(model.path)
-        if not path.is_file():
-            raise scene_file.error(("assets", index, "path"), f"no such file: {path}")
-        if (path, model.tier) not in loaded:
-            try:
-                loaded[path, model.tier] = load(path, tier=model.tier, threads=threads)
-            except QueryError as error:
-                raise scene_file.error(("assets", index, "tier"), str(error)) from error
-        placements.append(Placement(loaded[path, model.tier], world_from_object(model.transform)))
-    return World(placements)
+    return World(
+        [
+            *_placed_assets(scene_file, threads),
+            *_placed_objects(scene_file),
+            *_placed_ground(scene_file),
+            *_placed_lights(scene_file),
+        ]
+    )
 
 
 def make_integrator(
-    scene: Scene, world: World, on_first_hits: Callable[[], None] = lambda: None
+    scene: Scene,
+    world: World,
+    on_first_hits: Callable[[], None] = lambda: None,
+    resolve: Callable[[Path], Path] = Path,
 ) -> Integrator:
-    """What renders `scene`, once its assets are in `world`."""
-    shown = [
-        light.radiance
-        for light in scene.lights
-        if isinstance(light, EnvironmentModel) and light.visible_to_camera
-    ]
-    background = np.sum(shown, axis=0) if shown else None
-    lights = [make_light(light) for light in scene.lights]
+    """What renders `scene`, once its things are in `world`.
+
+    resolve: finds files that the scene names. Raises SceneError for an environment's image that
+    cannot be used.
+    """
+    without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
+    lights: list[Light] = [*world.lights, *(make_light(model, resolve) for model in without_shape)]
     camera = Camera(scene.camera, scene.resolution)
-    return Integrator(world, camera, lights, background, on_first_hits)
+    return Integrator(world, camera, lights, scene.max_depth, on_first_hits)
 
 
 def render(
@@ -72,7 +70,7 @@ def render(
     stop: asked after every band; the sample under way is then dropped. progress: told after
     every band how many pixels it had.
     """
-    film = Film(scene.resolution)
+    film = Film(scene.resolution, integrator.groups)
     pixels = np.arange(film.width * film.height, dtype=np.uint32)
     bands = [pixels[start : start + BAND] for start in range(0, len(pixels), BAND)]
     for number in range(scene.samples):
@@ -87,3 +85,64 @@ def render(
         if stop():
             break
     return film
+
+
+def _placed_assets(scene_file: SceneFile, threads: int | None) -> list[Placement]:
+    from rna_sdk.runtime import load
+
+    loaded: dict[tuple[Path, str | None], Asset] = {}
+    placements = []
+    for index, model in enumerate(scene_file.scene.assets):
+        path = scene_file.resolve(model.path)
+        if not path.is_file():
+            raise scene_file.error(("assets", index, "path"), f"no such file: {path}")
+        if (path, model.tier) not in loaded:
+            try:
+                loaded[path, model.tier] = load(path, tier=model.tier, threads=threads)
+            except QueryError as error:
+                raise scene_file.error(("assets", index, "tier"), str(error)) from error
+        placements.append(Placement(loaded[path, model.tier], world_from_object(model.transform)))
+    return placements
+
+
+def _placed_objects(scene_file: SceneFile) -> list[Placement]:
+    loaded: dict[tuple[Path, str], MeshObject] = {}
+    placements = []
+    for index, model in enumerate(scene_file.scene.objects):
+        path = scene_file.resolve(model.path)
+        key = path, repr(model.material)
+        if key not in loaded:
+            try:
+                loaded[key] = read_mesh_object(path, model.material, scene_file.resolve)
+            except SceneError as error:
+                raise scene_file.error(("objects", index), str(error)) from error
+        matrix = world_from_object(model.transform)
+        placements.append(Placement(loaded[key], matrix, _mesh_light(loaded[key], matrix)))
+    return placements
+
+
+def _placed_ground(scene_file: SceneFile) -> list[Placement]:
+    model = scene_file.scene.ground
+    if model is None:
+        return []
+    mesh = ground(model, scene_file.resolve)
+    return [Placement(mesh, np.eye(4), _mesh_light(mesh, np.eye(4)), boundless=True)]
+
+
+def _placed_lights(scene_file: SceneFile) -> list[Placement]:
+    models = [model for model in scene_file.scene.lights if isinstance(model, AreaModel)]
+    lights = [make_light(model, scene_file.resolve) for model in models]
+    return [
+        Placement(light, light.world_from_object, light, boundless=True)
+        for light in lights
+        if isinstance(light, PlacedLight)
+    ]
+
+
+def _mesh_light(mesh: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
+    """What an object shines with, if it does."""
+    if not mesh.is_emissive:
+        return None
+    linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
+    positions = (mesh.positions @ linear.T + translation).astype(np.float32)
+    return MeshLight(positions, mesh.triangles, mesh.emitted_luminance, mesh.emission)

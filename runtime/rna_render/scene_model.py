@@ -9,63 +9,17 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
-from rna_render.limits import MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
+from rna_render.lights.models import LightModel
+from rna_render.limits import MAX_DEPTH, MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
+from rna_render.materials.models import DiffuseModel, MaterialModel
+from rna_render.model_base import Model, Positive, TransformModel, Vector
 
-Vector = tuple[float, float, float]
-Quaternion = tuple[float, float, float, float]
-Nonnegative = Annotated[float, Field(ge=0)]
-Rgb = tuple[Nonnegative, Nonnegative, Nonnegative]
 PixelCount = Annotated[int, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
 
 
-class _Model(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class TransformModel(_Model):
-    """Places an asset in the world: scale, then rotation, then translation."""
-
-    translation: Vector = Field(default=(0.0, 0.0, 0.0), description="Where its origin goes.")
-    rotation_deg: Vector | None = Field(
-        default=None,
-        description="Degrees about the world's x, then y, then z axis; each turn is "
-        "counter-clockwise seen from the axis's positive end.",
-    )
-    quaternion: Quaternion | None = Field(
-        default=None,
-        description="The rotation as x, y, z, w (the order of glTF), of any length but zero; "
-        "instead of rotation_deg.",
-    )
-    scale: float = Field(
-        default=1.0, gt=0, description="Uniform scale; it changes no radiance, only the size."
-    )
-
-    @field_validator("scale", mode="before")
-    @classmethod
-    def _one_number(cls, value: object) -> object:
-        if isinstance(value, list | tuple):
-            raise ValueError(
-                "must be one number: an asset's light transport holds under uniform scale only"
-            )
-        return value
-
-    @field_validator("quaternion")
-    @classmethod
-    def _has_length(cls, value: Quaternion | None) -> Quaternion | None:
-        if value is not None and not any(value):
-            raise ValueError("must not be zero")
-        return value
-
-    @model_validator(mode="after")
-    def _one_rotation(self) -> TransformModel:
-        if self.rotation_deg is not None and self.quaternion is not None:
-            raise ValueError("has rotation_deg and quaternion; give one of them")
-        return self
-
-
-class AssetModel(_Model):
+class AssetModel(Model):
     """One instance of a package; instances of the same package share its memory."""
 
     path: Path = Field(description="The .rna file, relative to the scene file.")
@@ -77,7 +31,7 @@ class AssetModel(_Model):
     )
 
 
-class CameraModel(_Model):
+class CameraModel(Model):
     """A pinhole camera."""
 
     position: Vector = Field(description="Where the pinhole is.")
@@ -98,60 +52,103 @@ class CameraModel(_Model):
         return self
 
 
-class DirectionalModel(_Model):
-    """Light from one direction, as from a distant sun."""
+class ObjectModel(Model):
+    """A mesh that is not neural: a glTF, OBJ or PLY file."""
 
-    type: Literal["directional"] = Field(description="`directional`")
-    direction: Vector = Field(description="Towards the light; any length but zero.")
-    irradiance: Rgb = Field(description="W/m^2 on a plane that faces the light.")
-
-    @field_validator("direction")
-    @classmethod
-    def _has_length(cls, value: Vector) -> Vector:
-        if not any(value):
-            raise ValueError("must not be zero")
-        return value
-
-
-class PointModel(_Model):
-    """Light from a point, the same to all sides."""
-
-    type: Literal["point"] = Field(description="`point`")
-    position: Vector = Field(description="Where it is.")
-    intensity: Rgb = Field(description="W/sr; at distance r it brings irradiance intensity / r^2.")
-
-
-class EnvironmentModel(_Model):
-    """The same light from every direction."""
-
-    type: Literal["environment"] = Field(description="`environment`")
-    radiance: Rgb = Field(description="W/(m^2 sr).")
-    visible_to_camera: bool = Field(
-        default=True, description="Whether it is the background too; if not, alpha is 0 there."
+    path: Path = Field(description="A .glb, .gltf, .obj or .ply file, relative to the scene file.")
+    transform: TransformModel = Field(
+        default=TransformModel(), description="Where it stands; at the origin if left out."
+    )
+    material: MaterialModel | None = Field(
+        default=None, description="For the whole mesh; the file's own materials if left out."
     )
 
 
-LightModel = Annotated[
-    DirectionalModel | PointModel | EnvironmentModel, Field(discriminator="type")
-]
+class GroundModel(Model):
+    """A square, level plane."""
+
+    height: float = Field(default=0.0, description="Its y.")
+    size: Positive = Field(default=100.0, description="Length of its sides, metres.")
+    material: MaterialModel = Field(
+        default=DiffuseModel(type="diffuse"), description="What it is made of; grey if left out."
+    )
 
 
-class Scene(_Model):
+class TurnModel(Model):
+    """A turn about +y, spread over the frames."""
+
+    degrees: float = Field(
+        default=360.0,
+        description="How far in all; positive is counter-clockwise seen from above.",
+    )
+
+
+class AnimationModel(Model):
+    """A sequence of images of the same things."""
+
+    frames: int = Field(ge=1, le=MAX_FRAMES, description="How many images, numbered from 0.")
+    turntable: TurnModel | None = Field(
+        default=None, description="The camera goes around the point that it looks at."
+    )
+    light_sweep: TurnModel | None = Field(
+        default=None, description="Directional lights and environments turn."
+    )
+
+    @model_validator(mode="after")
+    def _has_motion(self) -> AnimationModel:
+        if self.turntable is None and self.light_sweep is None:
+            raise ValueError("nothing moves: give turntable or light_sweep, or both")
+        return self
+
+
+class Scene(Model):
     """A scene file."""
 
-    assets: tuple[AssetModel, ...] = Field(min_length=1, description="What is in the scene.")
+    assets: tuple[AssetModel, ...] = Field(default=(), description="The neural assets.")
+    objects: tuple[ObjectModel, ...] = Field(default=(), description="Meshes beside them.")
+    ground: GroundModel | None = Field(default=None, description="What they stand on.")
     camera: CameraModel = Field(description="Where it is seen from.")
     lights: tuple[LightModel, ...] = Field(default=(), description="What lights it.")
     resolution: tuple[PixelCount, PixelCount] = Field(
         default=(640, 480), description="Width and height of the image, pixels."
     )
     samples: int = Field(default=64, ge=1, le=MAX_SAMPLES, description="Samples a pixel.")
+    max_depth: int = Field(
+        default=8,
+        ge=1,
+        le=MAX_DEPTH,
+        description="Things that light may meet on its way to the camera, the first one seen "
+        "included; 1 is direct light alone.",
+    )
     seed: int = Field(
         default=0,
         ge=0,
         le=MAX_SEED,
         description="Start of the random numbers; same seed, same image.",
     )
+    view: Literal["srgb", "filmic"] = Field(
+        default="srgb",
+        description="How the PNG shows radiance: clamped, or with a filmic shoulder and toe.",
+    )
     exposure: float = Field(
         default=0.0, ge=-64, le=64, description="Stops: the PNG shows radiance times 2^exposure."
     )
+
+    animation: AnimationModel | None = Field(
+        default=None, description="What moves from frame to frame, for `rna-run --frames`."
+    )
+
+    @model_validator(mode="after")
+    def _has_something(self) -> Scene:
+        if not (self.assets or self.objects or self.ground):
+            raise ValueError("there is nothing in the scene: it has no assets, objects or ground")
+        return self
+
+    @model_validator(mode="after")
+    def _sweep_has_lights(self) -> Scene:
+        swept = self.animation is not None and self.animation.light_sweep is not None
+        if swept and not any(light.type in ("directional", "environment") for light in self.lights):
+            raise ValueError(
+                "animation.light_sweep turns directional lights and environments: there are none"
+            )
+        return self

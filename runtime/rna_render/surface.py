@@ -10,7 +10,7 @@ import numpy as np
 from numba import njit, prange
 
 from rna_render.embree import TriangleScene
-from rna_render.rays import vectors
+from rna_render.rays import check_numbers, vectors
 from rna_sdk.errors import QueryError
 
 # An origin moves off the surface by this part of the largest coordinate in its space: some thirty
@@ -56,7 +56,7 @@ def geometric_normals(
     Arguments and errors are those of `interpolate_positions`; a triangle without area gives
     (0, 0, 0).
     """
-    _check_triangle_numbers(triangles, triangle)
+    check_numbers("triangle", triangle, len(triangles))
     result = np.empty((len(triangle), 3), np.float32)
     _geometric_normals(positions, triangles, triangle, result)
     return result
@@ -105,17 +105,12 @@ def visible(
 
 
 def _at_hits(values, triangles, triangle, u, v, normalise):
-    _check_triangle_numbers(triangles, triangle)
+    check_numbers("triangle", triangle, len(triangles))
     if not len(triangle) == len(u) == len(v):
         raise QueryError(f"{len(triangle)} triangles, but {len(u)} u and {len(v)} v")
     result = np.empty((len(triangle), 3), np.float32)
     _interpolate(values, triangles, triangle, u, v, normalise, result)
     return result
-
-
-def _check_triangle_numbers(triangles: np.ndarray, triangle: np.ndarray) -> None:
-    if len(triangle) and not 0 <= triangle.min() <= triangle.max() < len(triangles):
-        raise QueryError(f"a triangle number is outside [0, {len(triangles)})")
 
 
 @njit(cache=True, parallel=True)

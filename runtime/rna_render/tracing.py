@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -27,6 +27,22 @@ class ClosestHits:
     u: np.ndarray
     v: np.ndarray
     ng: np.ndarray
+
+
+@dataclass(frozen=True, slots=True)
+class Passing:
+    """What rays pass through.
+
+    arguments: address of the arguments of an embree_filter, or 0. ray_id: (n,) or (1,) uint32,
+    what the filter refuses hits on. mask: they meet instances that share one of its bits.
+    """
+
+    arguments: int = 0
+    ray_id: np.ndarray = field(default_factory=lambda: np.zeros(1, np.uint32))
+    mask: int = 0xFFFFFFFF
+
+
+NOTHING = Passing()
 
 
 class GeometryScene:
@@ -58,8 +74,7 @@ class GeometryScene:
         A ray that is not finite or has no direction misses. Raises QueryError for other dtypes
         or shapes.
         """
-        no_filter, no_ids = 0, np.zeros(1, np.uint32)
-        return any_hits(self._scene, no_filter, no_ids, origins, directions, tnear, tfar)
+        return any_hits(self._scene, origins, directions, tnear, tfar)
 
 
 def closest_hits(
@@ -70,6 +85,7 @@ def closest_hits(
     tnear: np.ndarray | float,
     tfar: np.ndarray | float,
     with_normals: bool = True,
+    passing: Passing = NOTHING,
 ) -> ClosestHits:
     """Closest hits in any Embree scene.
 
@@ -85,23 +101,23 @@ def closest_hits(
     ng = np.empty((n if with_normals else 0, 3), np.float32)
     function = api.function_address("rtcIntersect1")
     out = t, owner, primitive, u, v, ng
-    kernels.intersect(function, scene.handle, owner_word, origins, directions, *interval, *out)
+    through = passing.arguments, passing.ray_id, np.uint32(passing.mask)
+    rays = origins, directions, *interval
+    kernels.intersect(function, scene.handle, *through, owner_word, *rays, *out)
     return ClosestHits(*out)
 
 
 def any_hits(
     scene: api.SceneHandle,
-    arguments: int,
-    ray_id: np.ndarray,
     origins: np.ndarray,
     directions: np.ndarray,
     tnear: np.ndarray | float,
     tfar: np.ndarray | float,
+    passing: Passing = NOTHING,
 ) -> np.ndarray:
     """Whether each ray hits anything in any Embree scene: (n,) bool.
 
-    arguments: address of RTCOccludedArguments, or 0. ray_id: (n,) or (1,) uint32. The rest, and
-    the errors, are those of GeometryScene.occluded.
+    Arguments and errors are those of GeometryScene.occluded.
     """
     origins = vectors("origins", origins)
     n = len(origins)
@@ -109,7 +125,6 @@ def any_hits(
     interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
     result = np.empty(n, bool)
     function = api.function_address("rtcOccluded1")
-    kernels.occluded(
-        function, scene.handle, arguments, ray_id, origins, directions, *interval, result
-    )
+    through = passing.arguments, passing.ray_id, np.uint32(passing.mask)
+    kernels.occluded(function, scene.handle, *through, origins, directions, *interval, result)
     return result

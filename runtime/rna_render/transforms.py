@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.scene_model import Quaternion, TransformModel, Vector
+from rna_render.model_base import Quaternion, TransformModel, Vector
 
 
 def world_from_object(model: TransformModel) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""The scene as it is traced: instances of bodies, in an order that keeps each asset's together."""
+"""The scene as it is traced: instances of bodies, in an order that keeps each body's together."""
 
 from __future__ import annotations
 
@@ -9,76 +9,156 @@ from itertools import pairwise
 import numpy as np
 from numba import njit, prange
 
-from rna_render.bodies import Asset, make_body
-from rna_render.instances import InstanceScene
+from rna_render.bodies import Thing, make_body
+from rna_render.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
+from rna_render.lights.base import PlacedLight, ShapeLight
+from rna_render.materials import MeshObject
+from rna_render.points import Points, Role
+from rna_render.surface import OFFSET
+from rna_render.tracing import ClosestHits
 from rna_sdk.runtime.transforms import Transform
 
 
 @dataclass(frozen=True)
 class Placement:
-    """An asset, and where it stands."""
+    """A thing, and where it stands.
 
-    asset: Asset
+    light: what it shines with, if it does. boundless: whether it says nothing about the size of
+    the scene, as a ground.
+    """
+
+    thing: Thing
     world_from_object: np.ndarray  # (4, 4), a similarity
+    light: ShapeLight | None = None
+    boundless: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Vertices:
+    """Points of the scene that scatter light: m of them, sorted by instance (and so by body).
+
+    ray: (m,) place of the ray that hit them in its batch. instance: (m,) int32.
+    bodies: for each body that was hit its rows, and its points in object space.
+    x_world, n_world: (m, 3) float32, points and shading normals.
+    ng_world: (m, 3) float32, geometric normals.
+    own: (m,) int32, the instance that rays from here pass through, or NO_INSTANCE.
+    """
+
+    ray: np.ndarray
+    instance: np.ndarray
+    bodies: list[tuple[slice, Points]]
+    x_world: np.ndarray
+    n_world: np.ndarray
+    ng_world: np.ndarray
+    own: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.ray)
+
+    def local_rows(self, row: np.ndarray) -> list[tuple[slice, np.ndarray, Points]]:
+        """The given rows, ascending, by body: which of them, their places in its points, these."""
+        result = []
+        for rows, points in self.bodies:
+            start, stop = np.searchsorted(row, (rows.start, rows.stop))
+            if start < stop:
+                result.append((slice(start, stop), row[start:stop] - rows.start, points))
+        return result
 
 
 class World:
-    """Instances of assets, in an order of their own: all instances of an asset are neighbours.
+    """Instances of bodies, in an order of their own: all instances of a body are neighbours.
 
-    So hits sorted by instance are sorted by asset too, and `asset_ranges` can cut them.
+    So hits sorted by instance are sorted by body too.
 
-    placements: the scene's assets, in the order of its file; the same object twice is one asset
+    placements: the scene's things, in the order of its file; the same object twice is one body
     with two instances. Raises QueryError for a transform that is not a similarity.
 
     Attributes:
-        bodies: the assets, each once.
         scene: all instances, in Embree.
         number: (k,) int32, for each instance its place in `placements`, counted from 1.
         scale: (k,) float32, world units an object unit.
+        lights: those of the placements.
+        light: (k,) int32, for each instance its place in `lights`; -1 if it does not shine.
+        radius: of a sphere about the scene, without what is boundless; world units.
+        scatters: whether light can go from one thing to another, or to another part of the same.
     """
 
     def __init__(self, placements: Sequence[Placement]) -> None:
         groups: dict[int, list[int]] = {}
         for index, placement in enumerate(placements):
-            groups.setdefault(id(placement.asset), []).append(index)
+            groups.setdefault(id(placement.thing), []).append(index)
         order = [index for group in groups.values() for index in group]
-        self.bodies = [make_body(placements[group[0]].asset) for group in groups.values()]
-        # Asset a has the instances from first[a] up to first[a + 1].
+        ordered = [placements[index] for index in order]
+        self._bodies = [make_body(placements[group[0]].thing) for group in groups.values()]
+        # Body b has the instances from first[b] up to first[b + 1].
         self._first = np.cumsum([0] + [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
-        transforms = [Transform(placements[index].world_from_object) for index in order]
+        transforms = [Transform(placement.world_from_object) for placement in ordered]
         scale = np.array([transform.scale for transform in transforms])
         self.scale = scale.astype(np.float32)
         self._matrices = np.array([transform.matrix for transform in transforms])
         self._rotations = self._matrices[:, :3, :3] / scale[:, None, None]
-        owners = np.repeat(np.arange(len(self.bodies)), np.diff(self._first))
+        bodies = [self._bodies[b] for b in np.repeat(np.arange(len(groups)), np.diff(self._first))]
         self.scene = InstanceScene(
             [
-                (self.bodies[owner].scene, matrix)
-                for owner, matrix in zip(owners, self._matrices, strict=True)
+                Instance(body.scene, matrix, _met_by(placement.thing))
+                for body, matrix, placement in zip(bodies, self._matrices, ordered, strict=True)
             ]
         )
+        self.lights = [placement.light for placement in ordered if placement.light is not None]
+        shines = np.array([placement.light is not None for placement in ordered])
+        self.light = np.where(shines, np.cumsum(shines) - 1, -1).astype(np.int32)
+        self._has_role = {role: np.array([body.role is role for body in bodies]) for role in Role}
+        self._passes = np.array([body.passes_through for body in bodies])
+        size = scale * np.sqrt(3.0) * [body.scene.extent for body in bodies]
+        reach = np.abs(self._matrices[:, :3, 3]).max(axis=1) + size
+        self._step = np.where(self._passes, 0.0, OFFSET * reach).astype(np.float32)
+        self.radius = _radius(self._matrices[:, :3, 3], size, [not p.boundless for p in ordered])
+        scattering = self._has_role[Role.SCATTER]
+        self.scatters = scattering.sum() > 1 or bool((scattering & ~self._passes).any())
 
-    def asset_ranges(self, instance: np.ndarray) -> list[tuple[int, slice]]:
-        """For each asset that is hit, its place in `bodies` and its rows.
+    def vertices(self, role: Role, hits: ClosestHits, d_world: np.ndarray) -> Vertices:
+        """The hits on bodies of that role, which is not SHINE.
 
-        instance: (n,) int32, ascending.
+        hits: of n rays. d_world: (n, 3) float32, their directions.
         """
+        ray = np.flatnonzero(hits.owner >= 0)
+        ray = ray[self._has_role[role][hits.owner[ray]]]
+        ray = ray[np.argsort(hits.owner[ray], kind="stable")]
+        instance = hits.owner[ray]
+        wo = self.to_object_directions(instance, -d_world[ray])
+        x, n = (np.empty((len(ray), 3), np.float32) for _ in range(2))
+        bodies = []
         cuts = np.searchsorted(instance, self._first)
-        return [
-            (asset, slice(start, stop))
-            for asset, (start, stop) in enumerate(pairwise(cuts))
-            if start < stop
-        ]
+        for body, (start, stop) in zip(self._bodies, pairwise(cuts), strict=True):
+            if start < stop:
+                rows = slice(start, stop)
+                points = body.points(hits, ray[rows], wo[rows])
+                x[rows], n[rows] = points.x, points.n
+                bodies.append((rows, points))
+        return Vertices(
+            ray,
+            instance,
+            bodies,
+            self._to_world_points(instance, x),
+            self.to_world_directions(instance, n),
+            self.to_world_directions(instance, hits.ng[ray]),
+            np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
+        )
 
-    def to_world_points(self, instance: np.ndarray, points: np.ndarray) -> np.ndarray:
-        """Object-space points (n, 3) float32 of the given instances, in the world."""
-        linear, translation = self._matrices[:, :3, :3], self._matrices[:, :3, 3]
-        return _transformed(linear, translation, instance, points)
+    def origins(self, vertices: Vertices, row: np.ndarray, wi_world: np.ndarray) -> np.ndarray:
+        """Where rays from the given rows along wi start: (k, 3) float32.
 
-    def to_world_normals(self, instance: np.ndarray, normals: np.ndarray) -> np.ndarray:
-        """Object-space unit normals (n, 3) float32 of the given instances, in the world."""
-        return _transformed(self._rotations, self._no_shift, instance, normals)
+        On bodies that they must not hit at once, a step off the surface towards wi; see
+        surface.offset_origins for how long it is.
+        """
+        result = vertices.x_world[row]
+        _step_off(result, vertices.ng_world[row], wi_world, self._step[vertices.instance[row]])
+        return result
+
+    def to_world_directions(self, instance: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Object-space directions (n, 3) float32 of the given instances, in the world."""
+        return _transformed(self._rotations, self._no_shift, instance, directions)
 
     def to_object_directions(
         self, instance: np.ndarray, directions_world: np.ndarray
@@ -87,9 +167,29 @@ class World:
         inverse = self._rotations.transpose(0, 2, 1)
         return _transformed(inverse, self._no_shift, instance, directions_world)
 
+    def _to_world_points(self, instance: np.ndarray, points: np.ndarray) -> np.ndarray:
+        linear, translation = self._matrices[:, :3, :3], self._matrices[:, :3, 3]
+        return _transformed(linear, translation, instance, points)
+
     @property
     def _no_shift(self) -> np.ndarray:
         return np.zeros((len(self.number), 3))
+
+
+def _met_by(thing: Thing) -> int:
+    """The sorts of rays that meet a thing."""
+    if isinstance(thing, PlacedLight) and not thing.visible_to_camera:
+        return ALL_RAYS & ~CAMERA_RAY
+    if isinstance(thing, MeshObject) and thing.catches_shadows:
+        return CAMERA_RAY
+    return ALL_RAYS
+
+
+def _radius(centres: np.ndarray, sizes: np.ndarray, counts: list[bool]) -> float:
+    """Of a sphere about balls that count, or about all if none does; a fair bound."""
+    chosen = np.array(counts) if any(counts) else np.ones(len(counts), bool)
+    centre = centres[chosen].mean(axis=0)
+    return float((np.linalg.norm(centres[chosen] - centre, axis=1) + sizes[chosen]).max())
 
 
 def _transformed(
@@ -109,3 +209,14 @@ def _transform(linear, shift, instance, vectors, result):
             for column in range(3):
                 value += linear[k, row, column] * vectors[i, column]
             result[i, row] = value
+
+
+@njit(cache=True, parallel=True)
+def _step_off(points, normals, directions, step):
+    for i in prange(len(points)):
+        toward = np.float64(0.0)
+        for axis in range(3):
+            toward += np.float64(normals[i, axis]) * directions[i, axis]
+        signed = -step[i] if toward < 0.0 else step[i]
+        for axis in range(3):
+            points[i, axis] += signed * normals[i, axis]

@@ -61,6 +61,21 @@ def ball(subdivisions: int = 2) -> str:
     return f"BALL = {vertices.tolist()!r}, {np.asarray(mesh.faces).tolist()!r}\n"
 
 
+def fur(strands: int, bend: float, root: float, tip: float, melanin: float) -> str:
+    """Bent strands of six points all over a ball, radius 0.4 to 1.2; `root`, `tip`: their radii."""
+    return f"""
+import numpy as np, rna_hair
+from rna_hair.objects import add_curves, chiang_material
+rng = np.random.default_rng(3)
+out = rng.normal(size=({strands}, 1, 3))
+out /= np.linalg.norm(out, axis=2, keepdims=True)
+bend = {bend} * rng.normal(size=({strands}, 1, 3)) * np.linspace(0, 1, 6)[:, None] ** 2
+points = out * np.linspace(0.4, 1.2, 6)[:, None] + bend
+strands = rna_hair.of_equal_length(points, np.linspace({root}, {tip}, 6))
+add_curves(strands, "fur", chiang_material(melanin={melanin}))
+"""
+
+
 def write_scene(folder: Path, name: str, body: str) -> Path:
     """`<folder>/<name>.py`, ready for rna-capture."""
     path = folder / f"{name}.py"

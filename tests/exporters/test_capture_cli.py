@@ -123,9 +123,12 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     text = " ".join(text.split())
     assert "rna-capture helmet.gltf --out helmet.rays/" in text
-    for name, field in CaptureSettings.model_fields.items():
-        if name != "lights_per_shard":
-            assert f"default {field.default})" in text, name
+    surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
+    for name in surfaces.keys() - {"lights_per_shard"}:
+        same = surfaces[name] == fibers[name]
+        told = f"default {surfaces[name]}" + ("" if same else f", for fibers {fibers[name]}")
+        assert f"{told})" in text, name
+    assert "for fibers" in text
 
 
 @pytest.mark.parametrize(

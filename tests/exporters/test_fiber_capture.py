@@ -14,21 +14,11 @@ from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import Source
 from rna_sdk.package import Curves
 from tests.exporters.conftest import OpenWorker
-from tests.exporters.scenes import write_scene
+from tests.exporters.scenes import fur, write_scene
 from tests.render.strands import curls
 
 WI = np.float32([0.36, 0.8, 0.48])
-FUR = """
-import numpy as np, rna_hair
-from rna_hair.objects import add_curves, chiang_material
-rng = np.random.default_rng(3)
-out = rng.normal(size=(400, 1, 3))
-out /= np.linalg.norm(out, axis=2, keepdims=True)
-bend = 0.3 * rng.normal(size=(400, 1, 3)) * np.linspace(0, 1, 6)[:, None] ** 2
-points = out * np.linspace(0.4, 1.2, 6)[:, None] + bend
-strands = rna_hair.of_equal_length(points, np.linspace(0.03, 0.01, 6))
-add_curves(strands, "fur", chiang_material(melanin=0.2))
-"""
+FUR = fur(400, bend=0.3, root=0.03, tip=0.01, melanin=0.2)
 
 
 def distance_to_axis(curves: Curves, points: np.ndarray, segment: np.ndarray) -> np.ndarray:

@@ -77,6 +77,23 @@ def test_options_replace_what_the_scene_says(folder, tmp_path):
     assert (scene["samples"], scene["seed"], scene["assets"][0]["tier"]) == (2, 9, "hq")
 
 
+def test_another_view_changes_the_png_alone(folder, tmp_path):
+    for view in ("srgb", "filmic"):
+        files = ["--out", tmp_path / f"{view}.exr", "--png", tmp_path / f"{view}.png"]
+        assert run(folder / "lit.yaml", *files, "--view", view) == 0
+    plain, filmic = (read_exr(tmp_path / f"{view}.exr") for view in ("srgb", "filmic"))
+    np.testing.assert_array_equal(plain[0]["R"], filmic[0]["R"])
+    assert json.loads(filmic[1]["rnaScene"])["view"] == "filmic"
+    assert (tmp_path / "srgb.png").read_bytes() != (tmp_path / "filmic.png").read_bytes()
+
+
+def test_an_image_that_cannot_be_written_is_one_line_before_the_render(folder, tmp_path, capsys):
+    (tmp_path / "out.exr").mkdir()
+    assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr") == 1
+    error = capsys.readouterr().err
+    assert error == f"error: {tmp_path / 'out.exr'}: cannot write the image: it is a folder\n"
+
+
 def test_threads_and_repetition_change_no_byte(folder, tmp_path):
     for name, threads in (("a", 1), ("b", 2), ("c", 2)):
         run(folder / "lit.yaml", "--out", tmp_path / f"{name}.exr", "--threads", threads)
@@ -97,6 +114,7 @@ def test_threads_and_repetition_change_no_byte(folder, tmp_path):
         ["--out", "out.exr", "--resolution", "0x480"],
         ["--out", "out.exr", "--seed", "-1"],
         ["--out", "out.exr", "--threads", "0"],
+        ["--out", "out.exr", "--view", "raw"],
         ["--out", "out.exr", "--unknown"],
     ],
 )
@@ -187,6 +205,7 @@ def test_shadows_of_other_assets_and_shared_packages(folder, tmp_path):
         "camera: {position: [0, 0.4, 4], look_at: [0, 0, 0], vertical_fov_deg: 2}\n"
         "lights: [{type: directional, direction: [0, 1, 0], irradiance: [1, 1, 1]}]\n"
         "resolution: [32, 24]\n"
+        "max_depth: 1\n"
     )
     assert run(tmp_path / "scene.yaml", "--out", tmp_path / "out.exr", "--samples", 16) == 0
     channels, _ = read_exr(tmp_path / "out.exr")

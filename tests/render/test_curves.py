@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rna_render.embree import CurveScene
-from rna_render.instances import InstanceScene
+from rna_render.instances import Instance, InstanceScene
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object
 from rna_sdk.errors import PackageError, QueryError, SceneError
@@ -118,7 +118,9 @@ def test_an_instance_is_hit_as_the_strands_are_in_their_own_space(scale):
     expected = scene_of(curves).intersect(origins, directions)
     origins_world = (origins @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
     directions_world = (directions @ matrix[:3, :3].T / scale).astype(np.float32)
-    hits = InstanceScene([(scene_of(curves), matrix)]).intersect(origins_world, directions_world)
+    hits = InstanceScene([Instance(scene_of(curves), matrix)]).intersect(
+        origins_world, directions_world
+    )
     same = hits.primitive == expected.segment
     assert same.mean() > 0.99 and np.mean(expected.segment >= 0) > 0.4
     # At a scale of 0.01 the world's coordinates are rounded to 2e-5 of the strands' own.

@@ -115,7 +115,7 @@ def test_fibers_and_surfaces_shadow_one_another():
     for below, above in ((log, lid), (floor, log), (log, log)):
         for height, blocked in ((1.0, True), (-1.0, False)):
             placed = [(below, {}), (above, {"translation": (0, height, 0)})]
-            channels = image(placed, [SUN], camera=camera)
+            channels = image(placed, [SUN], camera=camera, max_depth=1)
             assert (channels["assetId"] == 1).all()
             assert (channels["visibility"] == (not blocked)).all()
             assert ((channels["R"] == 0) == blocked).all()
@@ -129,7 +129,7 @@ def test_kinds_may_be_mixed_in_any_order():
     placed = [(a, {"translation": (x, 0, 0)}) for a, x in zip(assets, (3, 1, -1, -3), strict=True)]
     camera = FACING | {"vertical_fov_deg": 20}
     light = SUN | {"direction": (0.1, 0, 1)}
-    channels = image(placed, [light], camera=camera, resolution=(64, 48))
+    channels = image(placed, [light], camera=camera, resolution=(64, 48), max_depth=1)
     middle = channels["assetId"][24]
     order = [number for number, before in zip(middle[1:], middle, strict=False) if number != before]
     assert [number for number in order if number] == [4, 3, 2, 1]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from PIL import Image
 
 from rna_render.film import Film, Layers
-from rna_render.images import read_exr, write_exr, write_png
+from rna_render.images import check_writable, read_attributes, read_exr, write_exr, write_png
 from rna_render.srgb import decode_srgb, encode_srgb
 from rna_sdk.errors import SceneError
 
@@ -27,6 +30,36 @@ def test_an_exr_keeps_every_bit_and_every_channel(tmp_path):
         assert read[name].dtype == plane.dtype, name
         np.testing.assert_array_equal(read[name], plane, err_msg=name)
     assert header["rnaSamples"] == "12"
+
+
+def test_names_with_dots_are_layers(tmp_path):
+    """OpenEXR's readers make one layer of what stands before the last dot."""
+    import OpenEXR
+
+    plane = np.arange(12, dtype=np.float32).reshape(3, 4)
+    layers = ("", "denoised.", "light.key.", "light.rim_2.")
+    channels = {
+        layer + c: plane + 10 * i + j for i, layer in enumerate(layers) for j, c in enumerate("RGB")
+    }
+    write_exr(tmp_path / "image.exr", channels, {})
+    read, _ = read_exr(tmp_path / "image.exr")
+    for name, values in channels.items():
+        np.testing.assert_array_equal(read[name], values, err_msg=name)
+    with OpenEXR.File(str(tmp_path / "image.exr")) as file:
+        assert set(file.channels()) == {"RGB", "denoised", "light.key", "light.rim_2"}
+        rim = file.channels()["light.rim_2"].pixels
+    np.testing.assert_array_equal(rim[..., 1], channels["light.rim_2.G"])
+
+
+def test_attributes_come_back_from_both_kinds_of_file(tmp_path):
+    attributes = {"rnaScene": '{"path": "Gerät.rna"}', "rnaSamples": "12"}
+    write_exr(tmp_path / "a.exr", {"R": np.zeros((2, 2), np.float32)}, attributes)
+    write_png(tmp_path / "a.png", np.zeros((2, 2, 3)), attributes=attributes)
+    (tmp_path / "broken.exr").write_bytes((tmp_path / "a.exr").read_bytes()[:20])
+    (tmp_path / "broken.png").write_bytes((tmp_path / "a.png").read_bytes()[:20])
+    assert read_attributes(tmp_path / "a.exr") == read_attributes(tmp_path / "a.png") == attributes
+    for name in ("broken.exr", "broken.png", "none.exr", "none.png"):
+        assert read_attributes(tmp_path / name) == {}, name
 
 
 def test_the_same_image_is_the_same_file(tmp_path):
@@ -51,9 +84,41 @@ def test_images_that_cannot_be_written_leave_nothing(tmp_path):
         write_exr(tmp_path / "taken.exr", {"R": plane}, {})
     with pytest.raises(SceneError, match=r"taken\.png: cannot write"):
         write_png(tmp_path / "taken.png", np.zeros((2, 2, 3)))
+    with pytest.raises(SceneError, match=r"taken\.exr: cannot write the image: it is a folder"):
+        check_writable(tmp_path / "taken.exr")
+    with pytest.raises(SceneError, match=r"image\.exr: cannot write the image: No such file"):
+        check_writable(tmp_path / "nowhere" / "image.exr")
+    check_writable(tmp_path / "new.exr")
     with pytest.raises(SceneError, match="cannot write"):
         write_exr(tmp_path / "nowhere" / "image.exr", {"R": plane}, {})
     assert sorted(path.name for path in tmp_path.iterdir()) == ["taken.exr", "taken.png"]
+
+
+def test_a_full_disk_is_an_error_and_leaves_nothing(tmp_path):
+    script = """
+import resource, signal, sys
+from pathlib import Path
+import numpy as np
+from rna_render.images import write_exr, write_png
+from rna_sdk.errors import SceneError
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+noise = np.random.default_rng(0).random((100, 100, 3), np.float32)
+folder = Path(sys.argv[1])
+for write in (
+    lambda: write_exr(folder / "a.exr", {c: noise[..., i].copy() for i, c in enumerate("RGB")}, {}),
+    lambda: write_png(folder / "a.png", noise),
+):
+    try:
+        write()
+    except SceneError as error:
+        print(error)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", script, tmp_path], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.count("cannot write the image: ") == 2, done.stdout + done.stderr
+    assert done.stdout.count("File too large") == 2 and not list(tmp_path.iterdir())
 
 
 def test_what_is_no_exr_is_refused(tmp_path):
@@ -71,14 +136,24 @@ def test_srgb_and_back():
 
 def layers(hit, asset, normal=(0, 1, 0), position=(0, 0, 0), visibility=0.0, rgba=(0, 0, 0, 0)):
     """One sample of one pixel."""
-    row = Layers.empty(1, np.float32)
-    row.hit[:], row.asset[:], row.visibility[:] = hit, asset, visibility
+    row = Layers.empty(1, 1, np.float32)
+    row.hit[:], row.asset[:], row.light_samples[:] = hit, asset, (hit, visibility)
     row.normal_world[:], row.position_world[:], row.beauty[:] = normal, position, rgba
     return row
 
 
+def test_a_group_of_lights_is_a_layer():
+    film = Film((1, 1), ("key",))
+    for red in (1.0, 3.0):
+        sample = layers(1, 1)
+        sample.groups[:] = red, 0, 5
+        film.add(sample)
+    read = {name: plane.item() for name, plane in film.channels().items()}
+    assert [read[f"light.key.{c}"] for c in "RGB"] == [2, 0, 5]
+
+
 def test_channels_other_than_colour_are_means_over_hits():
-    film = Film((1, 1))
+    film = Film((1, 1), ("key",))
     film.add(layers(0, 0, normal=(0, 0, 0), rgba=(8, 0, 0, 0)))
     film.add(layers(1, 3, (1, 0, 0), (2, 0, 0), 1.0, (0, 4, 0, 1)))
     film.add(layers(1, 2, (0, 1, 0), (4, 0, 0), 0.0, (0, 0, 0, 1)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rna_render.embree import TriangleScene
-from rna_render.instances import InstanceScene
+from rna_render.instances import Instance, InstanceScene
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object
 from tests.render.assets import sphere, square, unit_vectors
@@ -27,7 +27,7 @@ def test_an_instance_is_hit_where_a_moved_mesh_would_be():
     origins = (unit_vectors(rng, 5000) * np.float32(2) + np.float32([1, -2, 3])).astype(np.float32)
     directions = unit_vectors(rng, 5000)
     directions[::2] = np.float32([1, -2, 3]) - origins[::2]
-    hits = InstanceScene([(scene_of(mesh), matrix)]).intersect(origins, directions)
+    hits = InstanceScene([Instance(scene_of(mesh), matrix)]).intersect(origins, directions)
     expected = TriangleScene([(moved, mesh.triangles)]).intersect(origins, directions)
     assert np.mean(hits.primitive == expected.triangle) > 0.999
     same = (hits.primitive == expected.triangle) & (hits.owner >= 0)
@@ -38,7 +38,7 @@ def test_an_instance_is_hit_where_a_moved_mesh_would_be():
 
 def test_hits_name_the_instance_in_front():
     one = scene_of(square())
-    scene = InstanceScene([(one, placed(translation=(0, y, 0))) for y in (0, 2, 1)])
+    scene = InstanceScene([Instance(one, placed(translation=(0, y, 0))) for y in (0, 2, 1)])
     origins = np.float32([[0, 3, 0], [0, -1, 0], [0, 1.5, 0], [9, 3, 0]])
     directions = np.float32([[0, -1, 0], [0, 1, 0], [0, -1, 0], [0, -1, 0]])
     hits = scene.intersect(origins, directions)
@@ -50,13 +50,13 @@ def test_hits_name_the_instance_in_front():
 def test_a_ray_passes_through_its_own_instance_and_no_other():
     """From inside a ball, with or without a lid over it."""
     ball, lid = scene_of(sphere(3)), scene_of(square(size=3.0))
-    scene = InstanceScene([(ball, np.eye(4)), (lid, placed(translation=(0, 2, 0)))])
+    scene = InstanceScene([Instance(ball, np.eye(4)), Instance(lid, placed(translation=(0, 2, 0)))])
     instance = np.int32([0, 0, 1, 1])
     origins = np.float32([[0, 0, 0], [0, 0, 0], [0, 2, 0], [0, 2, 0]])
     directions = np.float32([[0, 1, 0], [0, -1, 0], [0, 1, 0], [0, -1, 0]])
-    blocked = scene.occluded_by_others(instance, origins, directions)
+    blocked = scene.occluded(origins, directions, own=instance)
     assert blocked.tolist() == [True, False, False, True]
-    near = scene.occluded_by_others(instance, origins, directions, np.float32([1.5, 9, 9, 0.5]))
+    near = scene.occluded(origins, directions, np.float32([1.5, 9, 9, 0.5]), instance)
     assert near.tolist() == [False] * 4
 
 
@@ -64,16 +64,18 @@ def test_two_copies_of_one_scene_block_one_another_many_times_over():
     """Rays through many layers of their own instance still find the other one behind."""
     layers = [square(height=y) for y in np.linspace(-1, 1, 50)]
     stack = TriangleScene([(mesh.positions, mesh.triangles) for mesh in layers])
-    scene = InstanceScene([(stack, np.eye(4)), (stack, placed(translation=(0, 5, 0)))])
+    scene = InstanceScene(
+        [Instance(stack, np.eye(4)), Instance(stack, placed(translation=(0, 5, 0)))]
+    )
     rng = np.random.default_rng(4)
     origins = (0.1 * unit_vectors(rng, 2000)).astype(np.float32)
     up = np.tile(np.float32([0, 1, 0]), (2000, 1))
     own = np.zeros(2000, np.int32)
-    assert scene.occluded_by_others(own, origins, up).all()
-    assert not scene.occluded_by_others(own, origins, -up).any()
+    assert scene.occluded(origins, up, own=own).all()
+    assert not scene.occluded(origins, -up, own=own).any()
 
 
 def test_one_instance_has_no_others():
-    scene = InstanceScene([(scene_of(square()), np.eye(4))])
+    scene = InstanceScene([Instance(scene_of(square()), np.eye(4))])
     ray = np.float32([[0, -1, 0]]), np.float32([[0, 1, 0]])
-    assert scene.occluded_by_others(np.int32([0]), *ray).tolist() == [False]
+    assert scene.occluded(*ray, own=np.int32([0])).tolist() == [False]

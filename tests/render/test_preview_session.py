@@ -156,7 +156,8 @@ def test_a_change_interrupts_a_sample_between_bands(scene_file, world, monkeypat
     class Counting:
         """An integrator whose view is changed while it renders its 34th band of 64 pixels."""
 
-        def __init__(self, scene, world):
+        def __init__(self, scene, world, resolve):
+            self.groups = ()
             self._integrator, self.resolution = make_integrator(scene, world), scene.resolution
             self.bands = 0
             integrators.append(self)
@@ -180,7 +181,7 @@ def test_a_change_interrupts_a_sample_between_bands(scene_file, world, monkeypat
 def test_lights_that_cannot_be_used_are_an_error_and_the_next_view_is_shown(
     scene_file, world, monkeypatch
 ):
-    def refuse(scene, world):
+    def refuse(scene, world, resolve):
         if not scene.lights:
             raise SceneError("no such image", file="sky.hdr")
         return make_integrator(scene, world)
@@ -205,7 +206,7 @@ def test_an_unknown_choice_changes_nothing(session):
 
 
 def test_what_ends_the_render_thread_ends_the_session(scene_file, world, monkeypatch):
-    def fail(scene, world):
+    def fail(scene, world, resolve):
         raise MemoryError("too large")
 
     monkeypatch.setattr("rna_render.preview.session.make_integrator", fail)

@@ -47,7 +47,8 @@ def test_a_convex_body_in_a_white_furnace_shows_its_albedo():
     ball = LambertAsset(sphere(4))
     middle = {**ABOVE, "vertical_fov_deg": 5}
     channels = image([(ball, {})], [SKY], samples=256, camera=middle)
-    np.testing.assert_allclose(rgb(channels), np.broadcast_to(ALBEDO, (12, 16, 3)), rtol=0.01)
+    np.testing.assert_allclose(rgb(channels), np.broadcast_to(ALBEDO, (12, 16, 3)), rtol=0.12)
+    np.testing.assert_allclose(rgb(channels).mean(axis=(0, 1)), ALBEDO, rtol=0.006)
 
 
 def test_an_asset_with_albedo_one_vanishes_in_a_white_furnace():
@@ -83,7 +84,7 @@ def test_another_instance_casts_a_shadow(floor):
     lid = LambertAsset(square(size=2.0), albedo=WHITE)
     for height, blocked in ((1.0, True), (-1.0, False)):
         placed = [(floor, {}), (lid, {"translation": (0, height, 0)})]
-        channels = image(placed, [SUN], camera=LOW)
+        channels = image(placed, [SUN], camera=LOW, max_depth=1)
         assert (channels["assetId"] == 1).all()
         assert (channels["visibility"] == (0 if blocked else 1)).all()
         expected = np.zeros(3) if blocked else ALBEDO / np.pi
@@ -106,7 +107,7 @@ def test_an_instance_passes_its_own_shadow_rays_and_shows_the_shadowed_output():
 def test_two_instances_of_one_asset_shadow_one_another():
     lid = LambertAsset(square(size=2.0), shadowed=SHADOW_COLOUR)
     placed = [(lid, {}), (lid, {"translation": (0, 1, 0)})]
-    channels = image(placed, [SUN], camera=LOW)
+    channels = image(placed, [SUN], camera=LOW, max_depth=1)
     assert (rgb(channels) == 0).all() and (channels["assetId"] == 1).all()
 
 

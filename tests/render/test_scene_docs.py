@@ -11,15 +11,31 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from rna_render.scene_file import read_scene
-from rna_render.scene_model import (
-    AssetModel,
-    CameraModel,
+from rna_render.lights.models import (
     DirectionalModel,
+    DiskModel,
     EnvironmentModel,
     PointModel,
+    RectangleModel,
+    SphereModel,
+    SpotModel,
+)
+from rna_render.materials.models import (
+    CoatedModel,
+    ConductorModel,
+    DiffuseModel,
+    ShadowCatcherModel,
+)
+from rna_render.model_base import TransformModel
+from rna_render.scene_file import read_scene
+from rna_render.scene_model import (
+    AnimationModel,
+    AssetModel,
+    CameraModel,
+    GroundModel,
+    ObjectModel,
     Scene,
-    TransformModel,
+    TurnModel,
 )
 
 DOCS = Path(__file__).parents[2] / "docs" / "scene.md"
@@ -27,10 +43,22 @@ MODELS = [
     Scene,
     AssetModel,
     TransformModel,
+    ObjectModel,
+    GroundModel,
+    DiffuseModel,
+    ConductorModel,
+    CoatedModel,
+    ShadowCatcherModel,
     CameraModel,
     DirectionalModel,
     PointModel,
+    SpotModel,
+    RectangleModel,
+    DiskModel,
+    SphereModel,
     EnvironmentModel,
+    AnimationModel,
+    TurnModel,
 ]
 
 
@@ -43,10 +71,12 @@ def row(name: str, field: FieldInfo) -> str:
 def _default(field: FieldInfo) -> str:
     value = field.default
     assert value is not PydanticUndefined
-    if value is None or value == () or isinstance(value, BaseModel):
+    if value in (None, (), "") or isinstance(value, BaseModel):
         return "none"
     if isinstance(value, tuple):
         return f"`[{', '.join(f'{item:g}' for item in value)}]`"
+    if isinstance(value, str):
+        return f"`{value}`"
     return f"`{str(value).lower()}`" if isinstance(value, bool) else f"`{value:g}`"
 
 
@@ -82,4 +112,4 @@ def test_the_example_in_the_docs_is_a_scene(tmp_path):
     example = DOCS.read_text("utf-8").split("```yaml\n")[1].split("```")[0]
     (tmp_path / "scene.yaml").write_text(example, encoding="utf-8")
     scene = read_scene(tmp_path / "scene.yaml").scene
-    assert {light.type for light in scene.lights} == {"directional", "point", "environment"}
+    assert {light.type for light in scene.lights} == {"environment", "rectangle"}

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from rna_render.lights.models import DirectionalModel, EnvironmentModel
 from rna_render.scene_file import read_scene
-from rna_render.scene_model import DirectionalModel, EnvironmentModel
 from rna_sdk.errors import SceneError
 
 GOOD = """\
@@ -72,7 +72,7 @@ MISTAKES = [
     ("scale: 2", "quaternion: [0, 0, 0, 1]", 3, "assets[0].transform", "give one of them"),
     ("[1, 2, 3]", "[1, 2]", 4, "assets[0].transform.translation[2]", "missing"),
     ("[1, 2, 3]", "[1, 2, .nan]", 4, "assets[0].transform.translation[2]", "finite"),
-    ("type: directional", "type: spot", 12, "lights[0]", "'spot'"),
+    ("type: directional", "type: laser", 12, "lights[0]", "'laser'"),
     ("type: directional", "kind: directional", 12, "lights[0]", "type"),
     ("[3, 2, 1e-2]", "[3, -2, 1]", 14, "lights[0].irradiance[1]", "found -2"),
     ("direction: [0, 1, 0]", "direction: [0, 0, 0]", 13, "lights[0].direction", "zero"),

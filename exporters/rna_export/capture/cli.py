@@ -50,14 +50,17 @@ def parser() -> argparse.ArgumentParser:
         "--setup-blender", action="store_true", help="install Blender's module, then end"
     )
     p.add_argument("--minutes", type=float, help="time budget; sets the number of lights")
+    of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
         info = CaptureSettings.model_fields[name]
+        usual = f"{type(info.default).__name__}, default {info.default}"
+        if getattr(of_fibers, name) != info.default:
+            usual += f", for fibers {getattr(of_fibers, name)}"
         p.add_argument(
             "--" + name.replace("_", "-"),
             type=type(info.default),
             choices=("sphere", "hemisphere") if name == "domain" else None,
-            help=f"{info.description or 'random seed'} "
-            f"({type(info.default).__name__}, default {info.default})",
+            help=f"{info.description or 'random seed'} ({usual})",
         )
     p.add_argument(
         "--workers",

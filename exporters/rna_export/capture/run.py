@@ -94,7 +94,7 @@ def begin(
     low, high = geometry.box()
     manifest = CaptureManifest(
         name=source.path.stem,
-        kind=opened["kind"],
+        kind=worker.kind,
         source=source.path.name,
         source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
         arguments=source.arguments,

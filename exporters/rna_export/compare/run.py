@@ -10,11 +10,19 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.worker import BlenderWorker
-from rna_export.compare.views import FOV_Y, Shot, shots
+from rna_export.compare.views import FOV_Y, Shot, shots_of
 from rna_export.metrics import flip, psnr, psnr_without_noise
 from rna_render.render import make_integrator, render
 from rna_render.world import Placement, World
-from rna_sdk.runtime import Asset, FiberAsset
+from rna_sdk.runtime import Asset
+
+
+@dataclass(frozen=True)
+class Timed:
+    """What was rendered, and how long that took."""
+
+    pixels: np.ndarray
+    seconds: float
 
 
 @dataclass(frozen=True)
@@ -46,42 +54,40 @@ def compare(
     """The standard shots of the named cameras, one after the other, each program's time its own."""
     world = World([Placement(asset, np.eye(4))])
     pairs = []
-    geometry = asset.curves if isinstance(asset, FiberAsset) else asset.mesh
-    for number, shot in enumerate(shots(geometry, resolution, turn_deg)):
-        if shot.camera_name not in cameras:
-            continue
-        start = time.perf_counter()
-        channels = _ours(shot, world, package, samples)
-        middle = time.perf_counter()
-        halves = [
-            worker.render_view(
-                shot.to_world, FOV_Y, shot.wi, cycles_samples // 2, seed, resolution, resolution
-            )
-            for seed in (2 * number, 2 * number + 1)
-        ]
-        end = time.perf_counter()
-        pairs.append(_pair(shot, channels, halves, middle - start, end - middle))
-        done(pairs[-1])
+    for shot in shots_of(asset, resolution, turn_deg):
+        if shot.camera_name in cameras:
+            ours = render_ours(shot, world, package, samples)
+            cycles = render_cycles(shot, worker, cycles_samples)
+            pairs.append(judge(shot, ours, cycles))
+            done(pairs[-1])
     return pairs
 
 
-def _ours(shot: Shot, world: World, package: Path, samples: int) -> np.ndarray:
+def render_ours(shot: Shot, world: World, package: Path, samples: int) -> Timed:
+    """The shot from the package: (h, w, 4) float32 RGBA."""
+    start = time.perf_counter()
     scene = shot.scene(str(package), samples)
     channels = render(scene, make_integrator(scene, world)).channels()
-    return np.stack([channels[c] for c in "RGBA"], axis=-1)
+    image = np.stack([channels[c] for c in "RGBA"], axis=-1)
+    return Timed(image, time.perf_counter() - start)
 
 
-def _pair(
-    shot: Shot,
-    ours: np.ndarray,
-    halves: list[np.ndarray],
-    seconds_ours: float,
-    seconds_cycles: float,
-) -> Pair:
-    cycles = np.mean(halves, axis=0, dtype=np.float32)
-    covered = (ours[..., 3] > 0.0) & (cycles[..., 3] > 0.0)
-    a, b = np.ascontiguousarray(ours[..., :3]), np.ascontiguousarray(cycles[..., :3])
-    mean, error = flip(a, b)
+def render_cycles(shot: Shot, worker: BlenderWorker, samples: int) -> Timed:
+    """The shot of the original, as two independent halves of the samples: (2, h, w, 4) float32."""
+    start = time.perf_counter()
+    n, view = shot.resolution, (shot.to_world, FOV_Y, shot.wi)
+    seeds = 2 * shot.number, 2 * shot.number + 1
+    halves = np.stack([worker.render_view(*view, samples // 2, seed, n, n) for seed in seeds])
+    return Timed(halves, time.perf_counter() - start)
+
+
+def judge(shot: Shot, ours: Timed, cycles: Timed) -> Pair:
+    """What `render_ours` gave beside what `render_cycles` gave."""
+    image, halves = ours.pixels, cycles.pixels
+    mean = halves.mean(axis=0, dtype=np.float32)
+    covered = (image[..., 3] > 0.0) & (mean[..., 3] > 0.0)
+    a, b = np.ascontiguousarray(image[..., :3]), np.ascontiguousarray(mean[..., :3])
+    error, error_map = flip(a, b)
     clean = psnr_without_noise(a[covered], *(half[covered][:, :3] for half in halves))
-    quality = psnr(a[covered], b[covered]), clean, mean
-    return Pair(shot, a, b, error, *quality, seconds_ours, seconds_cycles)
+    quality = psnr(a[covered], b[covered]), clean, error
+    return Pair(shot, a, b, error_map, *quality, ours.seconds, cycles.seconds)

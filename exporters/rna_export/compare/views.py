@@ -9,6 +9,7 @@ import numpy as np
 from rna_render.camera import Camera
 from rna_render.scene_model import AssetModel, CameraModel, DirectionalModel, Scene
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.runtime import Asset, FiberAsset
 
 FOV_Y = np.radians(30.0)
 _LIGHTS = {"key": (40.0, 45.0), "side": (-80.0, 20.0), "back": (170.0, 35.0)}  # from the camera
@@ -24,6 +25,7 @@ _STRANDS = 16.0  # radii of the thickest strand from the middle of its picture t
 class Shot:
     """One picture of a comparison; world space is the asset's object space."""
 
+    number: int  # among all standard ones; Cycles' seeds follow from it
     camera_name: str  # one of CAMERAS
     light_name: str
     eye: np.ndarray  # (3,)
@@ -63,6 +65,12 @@ class Shot:
         )
 
 
+def shots_of(asset: Asset, resolution: int, turn_deg: float) -> list[Shot]:
+    """`shots` of an asset's own geometry."""
+    geometry = asset.curves if isinstance(asset, FiberAsset) else asset.mesh
+    return shots(geometry, resolution, turn_deg)
+
+
 def shots(geometry: Mesh | Curves, resolution: int, turn_deg: float) -> list[Shot]:
     """Cameras x lights around the asset; `turn_deg` says where its front is.
 
@@ -85,7 +93,7 @@ def shots(geometry: Mesh | Curves, resolution: int, turn_deg: float) -> list[Sho
         eye = target + wo * zoom * 1.02 * radius / np.sin(FOV_Y / 2)
         for light, (side, height) in _LIGHTS.items():
             wi = _direction(azimuth + turn_deg + side, height)
-            result.append(Shot(camera, light, eye, target, wi, resolution))
+            result.append(Shot(len(result), camera, light, eye, target, wi, resolution))
     return result
 
 

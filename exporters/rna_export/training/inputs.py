@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import cache
+from typing import NamedTuple
+
 import torch
 from torch import Tensor
 
@@ -13,7 +16,20 @@ Points = dict[str, Tensor]
 
 def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -> Tensor:
     """The decoder's input (k, K). `features`: (k, C). `p`: position in the bounds, 0 to 1."""
-    return torch.cat([_BLOCKS[b](features, p, at) for b in blocks], dim=1)
+    frame = cache(lambda: fiber_frame(at["tangent"], at["wo"], at["wi"]))
+    columns = {
+        "features": lambda: features,
+        "position": lambda: 2.0 * p - 1.0,
+        "normal": lambda: at["normal"],
+        "tangent": lambda: at["tangent"],
+        "h": lambda: at["h"].clamp(-1.0, 1.0)[:, None],
+        "wo": lambda: at["wo"],
+        "wi": lambda: at["wi"],
+        "half_vector": lambda: half_vector(at["normal"], at["wo"], at["wi"]),
+        "fiber_angles": lambda: fiber_angles(frame()),
+        "fiber_lobes": lambda: fiber_lobes(at["h"], frame()),
+    }
+    return torch.cat([columns[b]() for b in blocks], dim=1)
 
 
 def half_vector(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
@@ -26,24 +42,41 @@ def half_vector(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
     return torch.cat([n_h, sharp, _dot(n, wi), _dot(n, wo), _dot(wi, h)], dim=1)
 
 
-def fiber_angles(t: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
-    """s_i, s_o, s_i + s_o, log2((s_i + s_o)^2 + 1e-3) / 6, cos phi, sin phi: (k, 6).
+class FiberFrame(NamedTuple):
+    """Directions about a fiber, (k, 1) each."""
 
-    s: sine of the inclination; phi: azimuth of wi about the tangent, counted from wo's.
-    """
-    s_o, s_i, _, cos_phi, sin_phi = _fiber_frame(t, wo, wi)
-    total = s_i + s_o
+    s_o: Tensor  # sines of the inclinations
+    s_i: Tensor
+    c_o: Tensor
+    cos_phi: Tensor  # phi: azimuth of wi about the tangent, counted from wo's
+    sin_phi: Tensor
+
+
+def fiber_frame(t: Tensor, wo: Tensor, wi: Tensor) -> FiberFrame:
+    """The frame of tangents and directions, (k, 3) each; phi is 0 where there is no azimuth."""
+    s_o, s_i = _dot(t, wo).clamp(-1.0, 1.0), _dot(t, wi).clamp(-1.0, 1.0)
+    c_o, c_i = (torch.sqrt((1.0 - s**2).clamp(min=0.0)) for s in (s_o, s_i))
+    d = c_o * c_i
+    no_azimuth, safe = d < 1e-6, d.clamp(min=1e-6)
+    cos_phi = torch.where(no_azimuth, 1.0, (_dot(wo, wi) - s_o * s_i) / safe).clamp(-1.0, 1.0)
+    sin_phi = torch.where(no_azimuth, 0.0, _dot(t, torch.cross(wo, wi, dim=1)) / safe)
+    return FiberFrame(s_o, s_i, c_o, cos_phi, sin_phi.clamp(-1.0, 1.0))
+
+
+def fiber_angles(frame: FiberFrame) -> Tensor:
+    """s_i, s_o, s_i + s_o, log2((s_i + s_o)^2 + 1e-3) / 6, cos phi, sin phi: (k, 6)."""
+    total = frame.s_i + frame.s_o
     sharp = torch.log2(total**2 + 1e-3) / 6.0
-    return torch.cat([s_i, s_o, total, sharp, cos_phi, sin_phi], dim=1)
+    return torch.cat([frame.s_i, frame.s_o, total, sharp, frame.cos_phi, frame.sin_phi], dim=1)
 
 
-def fiber_lobes(t: Tensor, h: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
+def fiber_lobes(h: Tensor, frame: FiberFrame) -> Tensor:
     """cos(phi - Phi_p) for p = 0, 1, 2: how near wi is to the lobes R, TT and TRT, (k, 3).
 
     Phi_p = 2 g_o - 2 p g_t - p pi is where p passes through a smooth cylinder lead: Marschner et
     al., "Light Scattering from Human Hair Fibers", 2003.
     """
-    s_o, _, c_o, cos_phi, sin_phi = _fiber_frame(t, wo, wi)
+    s_o, _, c_o, cos_phi, sin_phi = frame
     sin_o = h.clamp(-1.0, 1.0)[:, None]
     sin_t = sin_o * c_o / torch.sqrt(ETA**2 - s_o**2)
     step = _doubled(torch.sqrt((1.0 - sin_t**2).clamp(min=0.0)), sin_t)  # 2 g_t
@@ -57,17 +90,6 @@ def fiber_lobes(t: Tensor, h: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
     return torch.cat(columns, dim=1)
 
 
-def _fiber_frame(t: Tensor, wo: Tensor, wi: Tensor) -> tuple[Tensor, ...]:
-    """s_o, s_i, c_o, cos phi, sin phi: (k, 1) each."""
-    s_o, s_i = _dot(t, wo).clamp(-1.0, 1.0), _dot(t, wi).clamp(-1.0, 1.0)
-    c_o, c_i = (torch.sqrt((1.0 - s**2).clamp(min=0.0)) for s in (s_o, s_i))
-    d = c_o * c_i
-    no_azimuth, safe = d < 1e-6, d.clamp(min=1e-6)
-    cos_phi = torch.where(no_azimuth, 1.0, (_dot(wo, wi) - s_o * s_i) / safe).clamp(-1.0, 1.0)
-    sin_phi = torch.where(no_azimuth, 0.0, _dot(t, torch.cross(wo, wi, dim=1)) / safe)
-    return s_o, s_i, c_o, cos_phi, sin_phi.clamp(-1.0, 1.0)
-
-
 def _doubled(cos: Tensor, sin: Tensor) -> tuple[Tensor, Tensor]:
     """Cosine and sine of twice the angle."""
     return cos**2 - sin**2, 2.0 * sin * cos
@@ -75,17 +97,3 @@ def _doubled(cos: Tensor, sin: Tensor) -> tuple[Tensor, Tensor]:
 
 def _dot(a: Tensor, b: Tensor) -> Tensor:
     return (a * b).sum(dim=1, keepdim=True)
-
-
-_BLOCKS = {
-    "features": lambda features, p, at: features,
-    "position": lambda features, p, at: 2.0 * p - 1.0,
-    "normal": lambda features, p, at: at["normal"],
-    "tangent": lambda features, p, at: at["tangent"],
-    "h": lambda features, p, at: at["h"].clamp(-1.0, 1.0)[:, None],
-    "wo": lambda features, p, at: at["wo"],
-    "wi": lambda features, p, at: at["wi"],
-    "half_vector": lambda features, p, at: half_vector(at["normal"], at["wo"], at["wi"]),
-    "fiber_angles": lambda features, p, at: fiber_angles(at["tangent"], at["wo"], at["wi"]),
-    "fiber_lobes": lambda features, p, at: fiber_lobes(at["tangent"], at["h"], at["wo"], at["wi"]),
-}

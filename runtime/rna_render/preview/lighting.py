@@ -8,7 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.scene_model import EnvironmentModel, LightModel, Scene, Vector
+from rna_render.lights.models import EnvironmentModel, LightModel
+from rna_render.model_base import Vector
+from rna_render.scene_model import Scene
 
 SCENE_LIGHTS = "scene"
 """The choice that a preview begins with."""
@@ -35,8 +37,6 @@ def lighting_choices(scene_path: Path, folder: Path | None = None) -> dict[str, 
         SCENE_LIGHTS: Lighting("The scene's own lights", None),
         "white": Lighting("White from all sides", (white,)),
     }
-    if "path" not in EnvironmentModel.model_fields:
-        return choices
     for number, path in enumerate(_images(scene_path.parent, folder), 1):
         light = EnvironmentModel(type="environment", path=path)
         choices[f"image-{number}"] = Lighting(path.stem, (light,))

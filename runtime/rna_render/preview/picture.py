@@ -10,6 +10,7 @@ import numpy as np
 
 from rna_render.film import Film
 from rna_render.srgb import decode_srgb, encode_srgb
+from rna_render.view_transform import to_display
 
 # Seen where the scene has no background: a little lighter than the page.
 BACKDROP_SRGB = 0x2A / 255
@@ -38,11 +39,13 @@ class Picture:
     """A picture, encoded when it is first asked for.
 
     rgba: (h, w, 4) float32, linear and premultiplied; None after an error. exposure: stops.
+    view: see to_display.
     """
 
     label: Label
     rgba: np.ndarray | None
     exposure: float
+    view: str
 
     @cached_property
     def jpeg(self) -> bytes:
@@ -52,8 +55,12 @@ class Picture:
         if self.rgba is None:
             return b""
         rgb, a = self.rgba[..., :3], self.rgba[..., 3:]
-        behind = np.float32(decode_srgb(np.float32(BACKDROP_SRGB)))
-        encoded = encode_srgb(rgb * np.float32(2.0**self.exposure) + behind * (1 - a))
+        if (a == 1).all():
+            encoded = to_display(rgb, self.view, self.exposure)
+        else:
+            # The backdrop is the page's, and goes through no view transform.
+            shown = decode_srgb(to_display(rgb, self.view, self.exposure))
+            encoded = encode_srgb(shown + (1 - a) * decode_srgb(np.float32(BACKDROP_SRGB)))
         image = Image.fromarray(np.rint(encoded * 255).astype(np.uint8))
         file = io.BytesIO()
         image.save(file, "JPEG", quality=JPEG_QUALITY, subsampling=0)

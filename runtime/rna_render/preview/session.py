@@ -212,8 +212,8 @@ class Session:
         """All samples of the whole image, or one of a first look."""
         width, height = (max(1, round(side / divisor)) for side in scene.resolution)
         scene = scene.model_copy(update={"resolution": (width, height)})
-        integrator = make_integrator(scene, self._world)
-        film = Film(scene.resolution)
+        integrator = make_integrator(scene, self._world, resolve=self._scene_file.resolve)
+        film = Film(scene.resolution, integrator.groups)
         for number in range(scene.samples if divisor == 1 else 1):
             start = time.perf_counter()
             sample = self._sample(revision, integrator, width * height, Sampler(scene.seed, number))
@@ -245,7 +245,9 @@ class Session:
         with self._changed:
             if label.revision == self._revision:
                 label = replace(label, serial=self._next_serial())
-                self._picture = Picture(label, picture, self._view.exposure)
+                self._picture = Picture(
+                    label, picture, self._view.exposure, self._scene_file.scene.view
+                )
                 self._changed.notify_all()
 
 

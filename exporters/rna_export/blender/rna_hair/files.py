@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .axes import y_up_to_z_up, z_up_to_y_up
 from .strands import Strands, of_equal_length
 
 _HAIR_HEADER = struct.Struct("<4sIIIIff3f88s")  # 128 bytes
@@ -80,7 +81,7 @@ def read_hair(path: Path | str) -> Strands:
     good = bool(np.isfinite(widths).all() and widths.min() >= 0.0)
     _check(good, path, "thickness", "a negative or not finite one", "0 and more")
     offsets = np.concatenate([[0], np.cumsum(segments + 1)])
-    return Strands(_z_up_to_y_up(xyz), 0.5 * widths, offsets)
+    return Strands(z_up_to_y_up(xyz), 0.5 * widths, offsets)
 
 
 def write_hair(path: Path | str, strands: Strands) -> None:
@@ -102,7 +103,7 @@ def write_hair(path: Path | str, strands: Strands) -> None:
     with Path(path).open("wb") as file:
         file.write(header)
         file.write(segments.astype("<u2").tobytes())
-        file.write(_y_up_to_z_up(strands.points).astype("<f4").tobytes())
+        file.write(y_up_to_z_up(strands.points).astype("<f4").tobytes())
         file.write((2.0 * strands.radii).astype("<f4").tobytes())
 
 
@@ -130,11 +131,3 @@ def _check_finite(path: Path, where: str, values: np.ndarray) -> None:
     if len(bad):
         number = bad[0] // 3
         _check(False, path, where, f"point {number} not finite", "finite coordinates")
-
-
-def _z_up_to_y_up(xyz: np.ndarray) -> np.ndarray:
-    return np.stack([xyz[:, 0], xyz[:, 2], -xyz[:, 1]], axis=-1).astype(np.float32)
-
-
-def _y_up_to_z_up(xyz: np.ndarray) -> np.ndarray:
-    return np.stack([xyz[:, 0], -xyz[:, 2], xyz[:, 1]], axis=-1).astype(np.float32)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
+from .axes import y_up_to_z_up
 from .strands import Strands
 
 
@@ -15,9 +16,7 @@ def add_curves(strands: Strands, name: str, material: bpy.types.Material) -> bpy
     """
     curves = bpy.data.hair_curves.new(name)
     curves.add_curves(strands.counts.tolist())
-    x, y, z = strands.points.T
-    turned = np.stack([x, -z, y], axis=-1).astype(np.float32)
-    curves.position_data.foreach_set("vector", turned.reshape(-1))
+    curves.position_data.foreach_set("vector", y_up_to_z_up(strands.points).reshape(-1))
     radius = curves.attributes.new("radius", "FLOAT", "POINT")
     radius.data.foreach_set("value", np.ascontiguousarray(strands.radii, np.float32))
     curves.set_types(type="POLY")

@@ -1,0 +1,63 @@
+"""Noise taken out of finished images by Intel Open Image Denoise, where it is installed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_sdk.errors import SceneError
+
+INSTALL = "pip install 'pyoidn>=2.5'"
+
+
+class Denoiser:
+    """Open Image Denoise on the CPU, for linear radiance.
+
+    It looks at colour alone: the normals that could guide it are accepted only beside an albedo,
+    which a neural asset does not have.
+
+    name: of the filter and its version, for headers.
+    """
+
+    def __init__(self, threads: int) -> None:
+        """threads: that it may use. Raises SceneError if it is not installed or does not start."""
+        try:
+            import pyoidn
+
+            self._device = pyoidn.Device()
+        except ImportError as error:
+            message = f"denoising needs Intel Open Image Denoise: {INSTALL}"
+            raise SceneError(message) from error
+        except OSError as error:
+            raise SceneError(f"Intel Open Image Denoise cannot be loaded: {error}") from error
+        self._oidn = pyoidn
+        self._device.set_int("numThreads", threads)
+        self._device.commit()
+        self._check()
+        version = self._device.get_int("version")  # 20501 for 2.5.1
+        numbers = f"{version // 10000}.{version // 100 % 100}.{version % 100}"
+        self.name = f"Intel Open Image Denoise {numbers}"
+
+    def __call__(self, rgb: np.ndarray) -> np.ndarray:
+        """The image without noise, (height, width, 3) float32 as `rgb` is; finite everywhere.
+
+        The same whatever the number of threads.
+        """
+        oidn, color = self._oidn, np.ascontiguousarray(rgb, np.float32)
+        result = np.empty_like(color)
+        ray_tracing = oidn.Filter(self._device, oidn.OIDN_FILTER_TYPE_RT)
+        # No `with`: pyoidn's swallows every exception.
+        try:
+            for name, image in (("color", color), ("output", result)):
+                ray_tracing.set_image(name, image, oidn.OIDN_FORMAT_FLOAT3)
+            ray_tracing.set_bool("hdr", True)
+            ray_tracing.commit()
+            ray_tracing.execute()
+            self._check()
+        finally:
+            ray_tracing.release()
+        return result
+
+    def _check(self) -> None:
+        message = self._device.get_error()
+        if message is not None:
+            raise SceneError(f"Intel Open Image Denoise: {message}")

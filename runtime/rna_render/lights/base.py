@@ -1,0 +1,100 @@
+"""What the integrator knows of a light.
+
+The transport T of an asset contains the cosine, so there is none here: a light gives, for points
+of the scene, directions towards itself, and what arrives from there.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_render.tracing import GeometryScene
+
+
+@dataclass(frozen=True, slots=True)
+class LightSamples:
+    """One direction towards a light from each of n points.
+
+    wi_world: (n, 3) float32, unit.
+    distance: (n,) float32, to the light, maybe infinite.
+    radiance: (n, 3) float32, what arrives if nothing is in the way: RGB radiance, or irradiance
+        from a delta light.
+    pdf: (n,) float32, density of wi per steradian; 1 for a delta light, 0 where nothing arrives.
+    """
+
+    wi_world: np.ndarray
+    distance: np.ndarray
+    radiance: np.ndarray
+    pdf: np.ndarray
+
+
+class Light(ABC):
+    """A light of the scene. Its directions are a pure function of the point and of u.
+
+    group: of the scene file; "" for none.
+    """
+
+    group: str
+
+    @property
+    @abstractmethod
+    def delta(self) -> bool:
+        """Whether all its light at a point comes from one direction: no ray can meet it."""
+
+    @abstractmethod
+    def power(self, scene_radius: float) -> float:
+        """About how much light it brings to a scene of that radius: W of luminance.
+
+        Only for choosing among lights.
+        """
+
+    @abstractmethod
+    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
+        """Directions for the points x, (n, 3) float32; u: (n, 2) float64 in [0, 1)."""
+
+
+class InfiniteLight(Light):
+    """Light from infinitely far away that rays which leave the scene meet."""
+
+    visible_to_camera: bool
+
+    @abstractmethod
+    def escaped(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Radiance that comes against the rays' unit directions, (n, 3) float32, and pdf of them.
+
+        Returns (n, 3) float32, and (n,) float32: the density with which `sample` finds d.
+        """
+
+
+class ShapeLight(Light):
+    """Light from a surface that rays meet: one of its own (PlacedLight), or an object's."""
+
+    @abstractmethod
+    def met(
+        self,
+        x_world: np.ndarray,
+        d_world: np.ndarray,
+        distance: np.ndarray,
+        primitive: np.ndarray,
+        u: np.ndarray,
+        v: np.ndarray,
+        ng_world: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Radiance against rays that meet the light's surface, and the density of their directions.
+
+        x_world: (n, 3) float32, where the rays start. d_world: (n, 3) float32, unit. distance:
+        (n,) float32, to the surface. primitive, u, v, ng_world: as in ClosestHits, of the hit,
+        but ng_world (n, 3) float32 in the world. Returns (n, 3) float32, and (n,) float32: the
+        density per steradian with which `sample` at x finds d.
+        """
+
+
+class PlacedLight(ShapeLight):
+    """A shape that is nothing but a light: black, and in the scene as an instance of its own."""
+
+    scene: GeometryScene
+    world_from_object: np.ndarray  # (4, 4), a similarity
+    visible_to_camera: bool

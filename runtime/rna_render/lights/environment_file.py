@@ -1,0 +1,65 @@
+"""Images of environments: EXR or Radiance HDR in, radiance out."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from rna_render.images import read_exr
+from rna_render.lights.equirectangular import EquirectangularImage
+from rna_render.lights.radiance_hdr import HDR_MAGIC, read_hdr
+from rna_sdk.errors import SceneError
+
+# First bytes of the file: OpenEXR file layout, "Magic Number".
+EXR_MAGIC = bytes([0x76, 0x2F, 0x31, 0x01])
+
+
+def environment_image(path: Path) -> EquirectangularImage:
+    """The image, ready to be sampled; the last few files are kept while they do not change.
+
+    Errors are those of `read_environment`.
+    """
+    try:
+        state = path.stat()
+    except OSError as error:
+        raise SceneError(f"cannot read the image: {error.strerror}", file=path) from error
+    return _kept_image(path, state.st_mtime_ns, state.st_size)
+
+
+@lru_cache(maxsize=4)
+def _kept_image(path: Path, modified: int, size: int) -> EquirectangularImage:
+    return EquirectangularImage(read_environment(path))
+
+
+def read_environment(path: Path) -> np.ndarray:
+    """Radiance of the texels, (h, w, 3) float32; negative values, which filters leave, are 0.
+
+    The file's first bytes say what it is. Raises SceneError if it cannot be read, is neither EXR
+    nor HDR, has no R, G and B (or Y), or has texels that are not finite.
+    """
+    try:
+        with path.open("rb") as file:
+            start = file.read(4)
+    except OSError as error:
+        raise SceneError(f"cannot read the image: {error.strerror}", file=path) from error
+    if start == EXR_MAGIC:
+        texels = _colours(path, read_exr(path)[0])
+    elif start.startswith(HDR_MAGIC):
+        texels = read_hdr(path)
+    else:
+        raise SceneError("is neither an EXR nor a Radiance HDR image", file=path)
+    bad = np.count_nonzero(~np.isfinite(texels).all(axis=2))
+    if bad:
+        raise SceneError(f"has {bad} texels that are not finite numbers", file=path)
+    return np.maximum(texels, np.float32(0.0), out=texels)
+
+
+def _colours(path: Path, channels: dict[str, np.ndarray]) -> np.ndarray:
+    names = "RGB" if set("RGB") <= set(channels) else "YYY"
+    found = [channels[name] for name in names if name in channels]
+    if len(found) != 3 or any(plane.shape != found[0].shape for plane in found):
+        has = ", ".join(sorted(channels)) or "none"
+        raise SceneError(f"has no channels R, G and B of one size; it has {has}", file=path)
+    return np.stack(found, axis=2).astype(np.float32)

@@ -1,0 +1,119 @@
+"""A rectangle that sends light from its front, sampled by the solid angle that it fills.
+
+Ureña, Fajardo and King, An Area-Preserving Parametrization for Spherical Rectangles (EGSR 2013).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit, prange
+
+from rna_render.embree import TriangleScene
+from rna_render.lights.area import AreaLight
+from rna_render.lights.directions import facing_frame, flat_pdf
+from rna_render.lights.models import RectangleModel
+
+# Steradians. The solid angle is a difference of angles, exact to 1e-15; below this it is sampled
+# uniformly over the area instead, which is as good for what looks so small.
+MIN_SOLID_ANGLE = 1e-7
+
+
+class RectangleLight(AreaLight):
+    """In its own space it faces +z, with its middle at the origin and its height along +y."""
+
+    def __init__(self, model: RectangleModel) -> None:
+        width, height = model.size
+        super().__init__(model, width * height)
+        self.world_from_object = facing_frame(model.position, model.look_at, model.up)
+        self._half = np.array([width / 2.0, height / 2.0])
+        corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
+        positions = (corners * [*self._half, 0.0]).astype(np.float32)
+        self.scene = TriangleScene([(positions, np.uint32([[0, 1, 2], [0, 2, 3]]))])
+
+    def _sample(self, x_world, u, wi_world, distance, pdf) -> None:
+        _sample_rectangle(self.world_from_object, self._half, x_world, u, wi_world, distance, pdf)
+
+    def _pdf(self, x_world, d_world, pdf) -> None:
+        _rectangle_pdf(self.world_from_object, self._half, x_world, d_world, pdf)
+
+
+@njit(cache=True)
+def _seen_from(frame, half, x):
+    """Edges x0, x1, y0, y1 of the rectangle as seen from x, and x's height over its front."""
+    px, py, pz = x[0] - frame[0, 3], x[1] - frame[1, 3], x[2] - frame[2, 3]
+    a = px * frame[0, 0] + py * frame[1, 0] + pz * frame[2, 0]
+    b = px * frame[0, 1] + py * frame[1, 1] + pz * frame[2, 1]
+    height = px * frame[0, 2] + py * frame[1, 2] + pz * frame[2, 2]
+    return -half[0] - a, half[0] - a, -half[1] - b, half[1] - b, height
+
+
+@njit(cache=True)
+def _edge_angle(x, y, sign, height):
+    """Angle between the planes through x and two edges that meet in a corner, (x, y, -height).
+
+    cos = sign x y / (sqrt(x^2 + h^2) sqrt(y^2 + h^2)), section 4 of the paper, as an arctangent:
+    an arccosine would lose angles near 0 and pi.
+    """
+    return np.arctan2(height * np.sqrt(x * x + y * y + height * height), sign * x * y)
+
+
+@njit(cache=True)
+def _solid_angle(x0, x1, y0, y1, height):
+    """Of the rectangle, and the sum k of section 5: 2 pi less the two angles at x0."""
+    k = 2.0 * np.pi - _edge_angle(x0, y1, 1.0, height) - _edge_angle(x0, y0, -1.0, height)
+    right = _edge_angle(x1, y0, 1.0, height) + _edge_angle(x1, y1, -1.0, height)
+    return right - k, k
+
+
+@njit(cache=True)
+def _pdf(frame, half, x, d):
+    per_area = 1.0 / (4.0 * half[0] * half[1])
+    uniform = flat_pdf(frame[:3, 3], frame[:3, 2], False, per_area, x, d)
+    if uniform == 0.0:  # from behind, too
+        return 0.0
+    x0, x1, y0, y1, height = _seen_from(frame, half, x)
+    solid_angle, _ = _solid_angle(x0, x1, y0, y1, height)
+    return uniform if solid_angle < MIN_SOLID_ANGLE else 1.0 / solid_angle
+
+
+@njit(cache=True)
+def _point(x0, x1, y0, y1, height, u1, u2):
+    """The point that u means, relative to x in the rectangle's axes (section 5 of the paper)."""
+    solid_angle, k = _solid_angle(x0, x1, y0, y1, height)
+    if solid_angle < MIN_SOLID_ANGLE:
+        return x0 + u1 * (x1 - x0), y0 + u2 * (y1 - y0)
+    b0 = -y0 / np.sqrt(height * height + y0 * y0)
+    b1 = y1 / np.sqrt(height * height + y1 * y1)
+    angle = u1 * solid_angle + k
+    sine = np.sin(angle)
+    f = (np.cos(angle) * b0 - b1) / (sine if abs(sine) > 1e-300 else 1e-300)
+    c = np.copysign(1.0 / np.sqrt(max(f * f + b0 * b0, 1.0)), f)
+    x = c * height / np.sqrt(max(1.0 - c * c, 1e-300))
+    x = min(max(x, x0), x1)
+    squared = x * x + height * height
+    h0, h1 = y0 / np.sqrt(squared + y0 * y0), y1 / np.sqrt(squared + y1 * y1)
+    h = h0 + u2 * (h1 - h0)
+    y = h * np.sqrt(squared / max(1.0 - h * h, 1e-300))
+    return x, min(max(y, y0), y1)
+
+
+@njit(cache=True, parallel=True)
+def _sample_rectangle(frame, half, x_world, u, wi_world, distance, pdf):
+    for i in prange(len(x_world)):
+        x0, x1, y0, y1, height = _seen_from(frame, half, x_world[i])
+        a, b = 0.0, 0.0
+        if height > 0.0:
+            a, b = _point(x0, x1, y0, y1, height, u[i, 0], u[i, 1])
+        r = np.sqrt(a * a + b * b + height * height)
+        scale = 1.0 / r if r > 0.0 else 0.0
+        distance[i] = r
+        for axis in range(3):
+            offset = a * frame[axis, 0] + b * frame[axis, 1] - height * frame[axis, 2]
+            wi_world[i, axis] = offset * scale
+        pdf[i] = _pdf(frame, half, x_world[i], wi_world[i])
+
+
+@njit(cache=True, parallel=True)
+def _rectangle_pdf(frame, half, x_world, d_world, pdf):
+    for i in prange(len(x_world)):
+        pdf[i] = _pdf(frame, half, x_world[i], d_world[i])

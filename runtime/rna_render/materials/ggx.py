@@ -1,0 +1,169 @@
+"""The GGX microfacet surface: its distribution, its masking, samples of it, and what it reflects.
+
+Walter et al., Microfacet Models for Refraction through Rough Surfaces (EGSR 2007); Heitz,
+Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs (JCGT 3(2), 2014).
+Directions are local: the normal is +z. Scalars are float64.
+
+numba's cache does not see changes here when it runs kernels of other files (bsdf.py) that call
+these functions: delete their cached code (`__pycache__/*.nbi`) after editing this file.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+from numba import njit, prange
+
+# Rougher than a mirror by so much that no sample's density leaves float32 (peak 1/(pi alpha^2)).
+MIN_ALPHA = 1e-3
+
+# Rows of roughness and columns of sqrt(cosine) of the albedo's table, and samples of each entry:
+# half a turn, and outward. Together they keep it within 1.5e-3 of the integral.
+TABLE_SIZE = 96
+TURN_SAMPLES, OUTWARD_SAMPLES = 24, 48
+
+
+@njit(cache=True)
+def distribution(alpha, nh):
+    """D of the half vector's cosine nh > 0, per steradian of half vectors."""
+    a2 = alpha * alpha
+    spread = (1.0 - nh * nh) + a2 * nh * nh
+    return a2 / (np.pi * spread * spread)
+
+
+@njit(cache=True)
+def _root(alpha, cosine):
+    return np.sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine)
+
+
+@njit(cache=True)
+def visibility(alpha, cos_o, cos_i):
+    """G / (4 cos_o cos_i) with Smith's height-correlated G; cosines of at least 0, not both 0."""
+    return 0.5 / (cos_i * _root(alpha, cos_o) + cos_o * _root(alpha, cos_i))
+
+
+@njit(cache=True)
+def reflected_density(alpha, cos_o, nh):
+    """Density of the directions that `sample_reflection` finds, per steradian.
+
+    G1(wo) D / (4 cos_o), below the horizon too.
+    """
+    return distribution(alpha, nh) / (2.0 * (cos_o + _root(alpha, cos_o)))
+
+
+@njit(cache=True)
+def sample_reflection(alpha, ox, oy, oz, u1, u2):
+    """Reflection of wo at a normal out of those that wo sees; maybe below the horizon.
+
+    Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps (HPG 2023), listing 3.
+    """
+    sx, sy, sz = alpha * ox, alpha * oy, oz
+    length = np.sqrt(sx * sx + sy * sy + sz * sz)
+    sx, sy, sz = sx / length, sy / length, sz / length
+    phi = 2.0 * np.pi * u1
+    z = (1.0 - u2) * (1.0 + sz) - sz
+    radius = np.sqrt(max(0.0, 1.0 - z * z))
+    hx = alpha * (radius * np.cos(phi) + sx)
+    hy = alpha * (radius * np.sin(phi) + sy)
+    hz = z + sz
+    length = np.sqrt(hx * hx + hy * hy + hz * hz)
+    if length > 0.0:
+        hx, hy, hz = hx / length, hy / length, hz / length
+    else:
+        hx, hy, hz = 0.0, 0.0, 1.0
+    twice = 2.0 * (ox * hx + oy * hy + oz * hz)
+    return twice * hx - ox, twice * hy - oy, twice * hz - oz
+
+
+@njit(cache=True)
+def schlick(cosine):
+    """(1 - cosine)^5, the weight of grazing reflectance."""
+    x = 1.0 - min(max(cosine, 0.0), 1.0)
+    return x * x * x * x * x
+
+
+@cache
+def albedo_table() -> tuple[np.ndarray, np.ndarray]:
+    """What the surface reflects in all directions, of light along wo: r0 * A + B.
+
+    r0 is the reflectance straight on, and Schlick's Fresnel term makes it 1 at grazing angles.
+
+    Returns (96, 96, 2) float64, A and B by roughness (uniform in sqrt(alpha), first row
+    MIN_ALPHA) and by wo (uniform in sqrt(cosine)); and (96, 2) float64, their means over wo,
+    weighted by 2 cosine. Look both up with `albedo_terms` and `mean_albedo_terms`.
+    """
+    table = np.empty((TABLE_SIZE, TABLE_SIZE, 2))
+    _fill_table(table)
+    # The mean of the interpolated table itself, so that what it takes and gives adds up to 1.
+    fine = (np.arange(4096) + 0.5) / 4096
+    nodes = np.linspace(0, 1, TABLE_SIZE)
+    mean = np.empty((TABLE_SIZE, 2))
+    for row in range(TABLE_SIZE):
+        for term in range(2):
+            value = np.interp(np.sqrt(fine), nodes, table[row, :, term])
+            mean[row, term] = np.mean(2.0 * fine * value)
+    return table, mean
+
+
+@njit(cache=True, parallel=True)
+def _fill_table(table):
+    size = len(table)
+    for row in prange(size):
+        alpha = max(MIN_ALPHA, (row / (size - 1)) ** 2)
+        for column in range(size):
+            cos_o = (column / (size - 1)) ** 2
+            a, b = _quadrature(alpha, cos_o)
+            table[row, column, 0], table[row, column, 1] = a, b
+
+
+@njit(cache=True)
+def _quadrature(alpha, cos_o):
+    sin_o = np.sqrt(1.0 - cos_o * cos_o)
+    all_light, grazing = 0.0, 0.0
+    for i in range(TURN_SAMPLES):
+        for j in range(OUTWARD_SAMPLES):
+            # Denser towards u2 = 1, where the steepest facets are; wo's plane is a mirror.
+            rest = 1.0 - (j + 0.5) / OUTWARD_SAMPLES
+            u1, u2 = 0.5 * (i + 0.5) / TURN_SAMPLES, 1.0 - rest * rest
+            x, _, z = sample_reflection(alpha, sin_o, 0.0, cos_o, u1, u2)
+            if z > 0.0:
+                # D cancels in f cos / pdf, and leaves G2 / G1.
+                weight = 2.0 * visibility(alpha, cos_o, z) * z * (cos_o + _root(alpha, cos_o))
+                weight *= 2.0 * rest
+                oh = np.sqrt(max(0.0, 0.5 * (1.0 + sin_o * x + cos_o * z)))
+                all_light += weight
+                grazing += weight * schlick(oh)
+    count = TURN_SAMPLES * OUTWARD_SAMPLES
+    return (all_light - grazing) / count, grazing / count
+
+
+@njit(cache=True)
+def _place(value, size):
+    """Cell of a table's axis, and the place in it; value in [0, 1]."""
+    place = value * (size - 1)
+    cell = min(int(place), size - 2)
+    return cell, place - cell
+
+
+@njit(cache=True)
+def albedo_terms(table, alpha, cosine):
+    """A and B of `albedo_table`, bilinear."""
+    row, s = _place(np.sqrt(min(alpha, 1.0)), len(table))
+    column, t = _place(np.sqrt(min(max(cosine, 0.0), 1.0)), len(table))
+    a, b = 0.0, 0.0
+    for i in range(2):
+        for j in range(2):
+            weight = (s if i else 1.0 - s) * (t if j else 1.0 - t)
+            a += weight * table[row + i, column + j, 0]
+            b += weight * table[row + i, column + j, 1]
+    return a, b
+
+
+@njit(cache=True)
+def mean_albedo_terms(mean, alpha):
+    """Means of A and B over wo, linear."""
+    row, s = _place(np.sqrt(min(alpha, 1.0)), len(mean))
+    a = (1.0 - s) * mean[row, 0] + s * mean[row + 1, 0]
+    b = (1.0 - s) * mean[row, 1] + s * mean[row + 1, 1]
+    return a, b

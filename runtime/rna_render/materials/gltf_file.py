@@ -1,0 +1,152 @@
+"""Meshes of glTF 2.0 files, with the whole hierarchy of nodes baked into them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rna_render.materials.gltf_container import GltfContainer, open_gltf
+from rna_render.materials.gltf_materials import GltfMaterials
+from rna_render.materials.material import Material
+from rna_render.materials.mesh_parts import MeshFile, Part
+
+# Section 3.7.2.1: modes of primitives.
+TRIANGLES, STRIP, FAN = 4, 5, 6
+
+# Extensions that a file may require of its reader. Those of materials may be left out of the look.
+KNOWN_EXTENSIONS = {"KHR_mesh_quantization", "KHR_texture_transform", "EXT_texture_webp"}
+
+
+def read_gltf(path: Path, with_materials: bool) -> MeshFile:
+    """The parts of a .gltf or .glb file, in the world of its scene.
+
+    with_materials: whether to read its own; else all parts have material 0, which is a
+    stand-in. Raises SceneError for files beside it that cannot be read, and whatever Python
+    raises for a file that is not valid.
+    """
+    container = open_gltf(path)
+    required = set(container.json.get("extensionsRequired", ())) - KNOWN_EXTENSIONS
+    required = {name for name in required if not name.startswith("KHR_materials_")}
+    if required:
+        raise ValueError(
+            f"it requires an extension that is not known: {', '.join(sorted(required))}"
+        )
+    left_out: set[str] = set()
+    primitives = list(_primitives(container, left_out))
+    if not with_materials:
+        parts = [part for part, _ in (_part(container, *item, 0) for item in primitives)]
+        return MeshFile(parts, [Material()], sorted(left_out))
+    used = dict.fromkeys(data.get("material") for _, data in primitives)
+    materials = GltfMaterials(container)
+    read = materials.read(used)
+    places = {number: place for place, number in enumerate(read)}
+    parts = []
+    for matrix, data in primitives:
+        part, coloured = _part(container, matrix, data, places[data.get("material")])
+        parts.append(part)
+        if coloured:
+            left_out.add("vertex colours")
+    return MeshFile(parts, list(read.values()), sorted(left_out | materials.left_out))
+
+
+def _primitives(
+    container: GltfContainer, left_out: set[str]
+) -> Iterator[tuple[np.ndarray, dict[str, Any]]]:
+    """Primitives of triangles in the scene, each with its node's (4, 4) matrix to the world."""
+    document = container.json
+    nodes, seen = document.get("nodes", []), set()
+    stack = [(np.eye(4), root) for root in reversed(_roots(document, nodes))]
+    while stack:
+        world_from_parent, number = stack.pop()
+        if number in seen:
+            raise ValueError(f"node {number} is in its scene twice")
+        seen.add(number)
+        node = nodes[number]
+        matrix = world_from_parent @ _local_matrix(node)
+        stack += [(matrix, child) for child in reversed(node.get("children", ()))]
+        if "EXT_mesh_gpu_instancing" in node.get("extensions", {}):
+            left_out.add("EXT_mesh_gpu_instancing")
+        if "mesh" not in node:
+            continue
+        mesh = document["meshes"][node["mesh"]]
+        if "skin" in node or any(node.get("weights", mesh.get("weights", ()))):
+            left_out.add("skins and morph targets")
+        for primitive in mesh["primitives"]:
+            if primitive.get("mode", TRIANGLES) in (TRIANGLES, STRIP, FAN):
+                yield matrix, primitive
+            else:
+                left_out.add("points and lines")
+
+
+def _roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
+    """The root nodes of the default scene, or of the file if it has no scenes."""
+    if "scenes" in document:
+        return list(document["scenes"][document.get("scene", 0)].get("nodes", ()))
+    children = {child for node in nodes for child in node.get("children", ())}
+    return [number for number in range(len(nodes)) if number not in children]
+
+
+def _local_matrix(node: dict[str, Any]) -> np.ndarray:
+    """Section 3.5.3: a column-major matrix, or translation * rotation * scale."""
+    if "matrix" in node:
+        return np.array(node["matrix"], np.float64).reshape(4, 4).T
+    x, y, z, w = np.array(node.get("rotation", (0, 0, 0, 1)), np.float64)
+    rotation = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation * np.array(node.get("scale", (1, 1, 1)), np.float64)
+    matrix[:3, 3] = node.get("translation", (0, 0, 0))
+    return matrix
+
+
+def _part(
+    container: GltfContainer, matrix: np.ndarray, data: dict[str, Any], material: int
+) -> tuple[Part, bool]:
+    """A primitive in the world, and whether it has colours of its own."""
+    attributes = data["attributes"]
+    vectors = {
+        name: container.accessor(attributes[name]).astype(np.float64)
+        for name in ("POSITION", "NORMAL", "TEXCOORD_0")
+        if name in attributes
+    }
+    positions, normals, uvs = (vectors.get(n) for n in ("POSITION", "NORMAL", "TEXCOORD_0"))
+    for values, shape in ((normals, (len(positions), 3)), (uvs, (len(positions), 2))):
+        if values is not None and values.shape != shape:
+            raise ValueError(f"an attribute has shape {values.shape}, not {shape}")
+    if "indices" in data:
+        corners = container.accessor(data["indices"])[:, 0].astype(np.int64)
+    else:
+        corners = np.arange(len(positions))
+    triangles = _triangles(corners, data.get("mode", TRIANGLES))
+    linear = matrix[:3, :3]
+    mirrored = np.linalg.det(linear) < 0
+    if mirrored:  # section 3.7.4: the winding turns with it
+        triangles = triangles[:, ::-1]
+    if normals is not None:
+        normals = normals @ _cofactors(linear).T * (-1.0 if mirrored else 1.0)
+    positions = positions @ linear.T + matrix[:3, 3]
+    return Part(positions, normals, uvs, triangles, material), "COLOR_0" in attributes
+
+
+def _cofactors(matrix: np.ndarray) -> np.ndarray:
+    """The inverse transpose times the determinant, which singular matrices have too."""
+    x, y, z = matrix
+    return np.array([np.cross(y, z), np.cross(z, x), np.cross(x, y)])
+
+
+def _triangles(corners: np.ndarray, mode: int) -> np.ndarray:
+    if mode == TRIANGLES:
+        return corners.reshape(-1, 3)
+    first, second, third = corners[:-2], corners[1:-1], corners[2:]
+    if mode == FAN:
+        return np.stack([second, third, np.broadcast_to(corners[0], third.shape)], axis=1)
+    odd = np.arange(len(third)) % 2 == 1
+    return np.stack([first, np.where(odd, third, second), np.where(odd, second, third)], axis=1)

@@ -1,0 +1,36 @@
+"""The plane that things stand on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rna_render.materials.material import make_material
+from rna_render.materials.mesh_object import MeshObject
+from rna_render.materials.models import ShadowCatcherModel
+
+if TYPE_CHECKING:
+    from rna_render.scene_model import GroundModel  # which itself needs this package
+
+
+def ground(model: GroundModel, resolve: Callable[[Path], Path]) -> MeshObject:
+    """A square of two triangles about (0, height, 0) that faces +Y.
+
+    Its texture coordinates are metres, u along +X and v along +Z, with (0, 0) in the middle: an
+    image covers a square metre, upright for who looks down with -Z up. resolve: as in
+    `make_material`, whose errors it raises.
+    """
+    half = model.size / 2
+    x, z = np.array([[-1, 1, 1, -1], [1, 1, -1, -1]]) * half
+    return MeshObject(
+        positions=np.column_stack([x, np.full(4, model.height), z]).astype(np.float32),
+        normals=np.tile(np.float32([0, 1, 0]), (4, 1)),
+        uvs=np.column_stack([x, z]).astype(np.float32),
+        triangles=np.array([[0, 1, 2], [0, 2, 3]], np.uint32),
+        material_numbers=np.zeros(2, np.int32),
+        materials=(make_material(model.material, resolve),),
+        catches_shadows=isinstance(model.material, ShadowCatcherModel),
+    )

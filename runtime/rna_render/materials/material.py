@@ -1,0 +1,67 @@
+"""What a part of a mesh is made of: factors and textures, as in glTF 2.0, section 3.9."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from rna_render.materials.models import (
+    CoatedModel,
+    ConductorModel,
+    MaterialModel,
+    ShadowCatcherModel,
+)
+from rna_render.materials.textures import SRGB, Texture, read_texels
+from rna_render.model_base import Vector
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Material:
+    """One material; each texture multiplies the factors it stands beside.
+
+    base_color: linear, in [0, 1]. roughness: the square root of GGX's alpha. coat_f0:
+    reflectance of the coat of what is not metallic, seen straight on; 0 for none. emission:
+    radiance, W/(m^2 sr). metallic_roughness_texture: metallic in blue, roughness in green.
+    """
+
+    base_color: Vector = (1.0, 1.0, 1.0)
+    metallic: float = 0.0
+    roughness: float = 1.0
+    coat_f0: float = 0.0
+    emission: Vector = (0.0, 0.0, 0.0)
+    base_color_texture: Texture | None = None
+    metallic_roughness_texture: Texture | None = None
+    emission_texture: Texture | None = None
+
+    @property
+    def has_textures(self) -> bool:
+        return any(
+            (self.base_color_texture, self.metallic_roughness_texture, self.emission_texture)
+        )
+
+
+def reflectance_of_ior(ior: float) -> float:
+    """Reflectance of a surface between air and a dielectric, seen straight on."""
+    return ((ior - 1.0) / (ior + 1.0)) ** 2
+
+
+def make_material(model: MaterialModel, resolve: Callable[[Path], Path]) -> Material:
+    """The material that a scene file describes.
+
+    resolve: from a path of the scene file to one that can be opened. A shadow catcher is white
+    and Lambertian here. Raises SceneError if its texture cannot be read.
+    """
+    if isinstance(model, ShadowCatcherModel):
+        return Material()
+    texture = None
+    if model.texture is not None:
+        path = resolve(model.texture)
+        texture = Texture(read_texels(path, path), SRGB)
+    kind = {"base_color": model.color, "emission": model.emission, "base_color_texture": texture}
+    if isinstance(model, ConductorModel):
+        return Material(**kind, metallic=1.0, roughness=model.roughness)
+    if isinstance(model, CoatedModel):
+        f0 = reflectance_of_ior(model.ior)
+        return Material(**kind, roughness=model.roughness, coat_f0=f0)
+    return Material(**kind)

@@ -1,0 +1,74 @@
+"""Mesh files: glTF, OBJ and PLY in, a mesh with materials out."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+
+from rna_render.materials.gltf_file import read_gltf
+from rna_render.materials.material import make_material
+from rna_render.materials.mesh_object import MeshObject
+from rna_render.materials.mesh_parts import MeshFile, join_parts
+from rna_render.materials.models import MaterialModel, ShadowCatcherModel
+from rna_render.materials.obj_file import read_obj
+from rna_render.materials.ply_file import read_ply
+from rna_sdk.errors import SceneError
+
+_READERS: dict[str, Callable[[Path, bool], MeshFile]] = {
+    ".glb": read_gltf,
+    ".gltf": read_gltf,
+    ".obj": read_obj,
+    ".ply": read_ply,
+}
+
+
+class MeshFileWarning(UserWarning):
+    """Something in a mesh file changes its look and is not shown."""
+
+
+def read_mesh_object(
+    path: Path, material: MaterialModel | None, resolve: Callable[[Path], Path]
+) -> MeshObject:
+    """A .glb, .gltf, .obj or .ply file as one mesh, in the file's own space.
+
+    Nodes of glTF are baked, without lights, cameras and animation; coordinates of OBJ and PLY
+    are taken as they are, with +Y up. Parts without normals get flat ones.
+
+    material: what the whole mesh is made of; the file's own materials if None. resolve: from a
+    path in `material` to one that can be opened.
+
+    Warns once (MeshFileWarning) with all that the file says of its look and is not shown, such
+    as transmission or normal textures. Raises SceneError, which names the file: it is not there,
+    has another ending, is broken, has no triangles, positions that are not finite, or a texture
+    but no texture coordinates.
+    """
+    reader = _READERS.get(path.suffix.lower())
+    if reader is None:
+        known = ", ".join(_READERS)
+        raise SceneError(f"expected a file that ends with one of {known}", file=path)
+    if not path.is_file():
+        raise SceneError("no such file", file=path)
+    file = _read(reader, path, with_materials=material is None)
+    materials = file.materials if material is None else [make_material(material, resolve)]
+    catches = isinstance(material, ShadowCatcherModel)
+    mesh = join_parts(path, file.parts, materials, catches)
+    if file.left_out:
+        message = f"{path}: not shown: {', '.join(file.left_out)}"
+        warnings.warn(message, MeshFileWarning, stacklevel=2)
+    return mesh
+
+
+def _read(reader: Callable[[Path, bool], MeshFile], path: Path, with_materials: bool) -> MeshFile:
+    try:
+        return reader(path, with_materials)
+    except SceneError:
+        raise
+    except OSError as error:
+        raise SceneError(error.strerror or str(error), file=path) from error
+    except Exception as error:  # whatever a broken file makes trimesh or json raise
+        kind = path.suffix.lower()
+        said = " ".join(str(error).split())[:200]
+        if not isinstance(error, ValueError) or not said:
+            said = f"{type(error).__name__} {said}".strip()
+        raise SceneError(f"it cannot be read as {kind}: {said}", file=path) from error

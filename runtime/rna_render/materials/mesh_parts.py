@@ -1,0 +1,123 @@
+"""Parts of a mesh as a file holds them, and the one mesh that they make."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from rna_render.materials.material import Material
+from rna_render.materials.mesh_object import MeshObject
+from rna_sdk.errors import SceneError
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Part:
+    """Triangles of one material, where they stand in the file.
+
+    positions: (v, 3) float. normals: the same, of any length, or None. uvs: (v, 2) float, (0, 0)
+    the upper left corner of images, or None. triangles: (t, 3) integers. material: place in the
+    file's list of materials.
+    """
+
+    positions: np.ndarray
+    normals: np.ndarray | None
+    uvs: np.ndarray | None
+    triangles: np.ndarray
+    material: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeshFile:
+    """What a file holds, and what of its look is left out: one phrase each."""
+
+    parts: Sequence[Part]
+    materials: Sequence[Material]
+    left_out: Sequence[str] = ()
+
+
+def join_parts(
+    path: Path, parts: Sequence[Part], materials: Sequence[Material], catches_shadows: bool = False
+) -> MeshObject:
+    """All parts as one mesh; a part without normals gets those of its flat triangles.
+
+    Raises SceneError, which names the file, where there are no triangles, numbers that are not
+    finite, triangles of vertices that are not there, or textures but no texture coordinates.
+    """
+    parts = [_checked(path, part, materials) for part in parts if len(part.triangles)]
+    if not parts:
+        raise SceneError("there are no triangles in it", file=path)
+    starts = np.cumsum([0] + [len(part.positions) for part in parts[:-1]])
+    if starts[-1] + len(parts[-1].positions) >= 2**32:
+        raise SceneError("there are too many vertices in it", file=path)
+    uvs = None
+    if any(part.uvs is not None for part in parts):
+        # Parts without any have no textures either: any number will do.
+        uvs = np.concatenate(
+            [
+                np.zeros((len(part.positions), 2), np.float32) if part.uvs is None else part.uvs
+                for part in parts
+            ]
+        )
+    triangles = [part.triangles + start for part, start in zip(parts, starts, strict=True)]
+    return MeshObject(
+        positions=np.concatenate([part.positions for part in parts]),
+        normals=np.concatenate([part.normals for part in parts]),
+        uvs=uvs,
+        triangles=np.ascontiguousarray(np.concatenate(triangles), np.uint32),
+        material_numbers=np.concatenate(
+            [np.full(len(part.triangles), part.material, np.int32) for part in parts]
+        ),
+        materials=tuple(materials),
+        catches_shadows=catches_shadows,
+    )
+
+
+def fans(faces: np.ndarray) -> np.ndarray:
+    """Convex polygons of k corners each, (n, k), cut into triangles: (n * (k - 2), 3)."""
+    parts = [faces[:, [0, corner, corner + 1]] for corner in range(1, faces.shape[1] - 1)]
+    return np.concatenate(parts)
+
+
+def flat_normals(positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Unit normals of triangles, (t, 3) float64; 0 where one has no area."""
+    a, b, c = (positions[triangles[:, corner]].astype(np.float64) for corner in range(3))
+    return _unit(np.cross(b - a, c - a))
+
+
+def _checked(path: Path, part: Part, materials: Sequence[Material]) -> Part:
+    """The part with the dtypes of MeshObject, and normals."""
+    triangles = np.asarray(part.triangles, np.int64)
+    with np.errstate(over="ignore"):
+        positions = np.ascontiguousarray(part.positions, np.float32)
+    count = len(positions)
+    if triangles.min() < 0 or triangles.max() >= count:
+        raise SceneError(f"a triangle has a vertex outside [0, {count})", file=path)
+    if not np.isfinite(positions).all():
+        raise SceneError("positions must be finite in float32", file=path)
+    uvs = part.uvs
+    if uvs is not None:
+        with np.errstate(over="ignore"):
+            uvs = np.asarray(uvs, np.float32)
+        if not np.isfinite(uvs).all():
+            raise SceneError("texture coordinates must be finite in float32", file=path)
+    elif materials[part.material].has_textures:
+        raise SceneError("a texture needs texture coordinates, but there are none", file=path)
+    if part.normals is not None:
+        return Part(positions, _unit(part.normals), uvs, triangles, part.material)
+    corners = triangles.ravel()
+    normals = np.repeat(flat_normals(positions, triangles), 3, axis=0).astype(np.float32)
+    uvs = None if uvs is None else uvs[corners]
+    apart = np.arange(len(corners)).reshape(-1, 3)
+    return Part(positions[corners], normals, uvs, apart, part.material)
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    """Unit vectors, (n, 3) float32; 0 for one that is 0 or not finite."""
+    vectors = np.asarray(vectors, np.float64)
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    usable = (length > 0) & np.isfinite(length)
+    with np.errstate(invalid="ignore"):
+        return np.where(usable, vectors / np.where(usable, length, 1), 0).astype(np.float32)

@@ -1,0 +1,113 @@
+"""Textures: images on a mesh, as linear colours between their texels.
+
+A texture coordinate (0, 0) is the upper left corner of the image and (1, 1) the lower right one,
+as in glTF 2.0, section 3.8.4.
+"""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numba import njit, prange
+
+from rna_render.srgb import decode_srgb
+from rna_sdk.errors import SceneError
+
+REPEAT, CLAMP, MIRROR = 0, 1, 2
+
+_LEVELS = np.arange(256) / 255.0
+LINEAR = _LEVELS.astype(np.float32)
+SRGB = decode_srgb(_LEVELS).astype(np.float32)
+IDENTITY = np.eye(2, 3)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Texture:
+    """An image, looked up bilinearly; filtering happens after decoding to linear values.
+
+    texels: (height, width, 3) uint8, the upper row first.
+    decode: (256,) float32, linear value of each level: SRGB or LINEAR.
+    wrap: what is outside [0, 1] in u and in v: REPEAT, CLAMP or MIRROR.
+    transform: (2, 3) float64, from the mesh's coordinates (u, v, 1) to the image's.
+    """
+
+    texels: np.ndarray
+    decode: np.ndarray
+    wrap: tuple[int, int] = (REPEAT, REPEAT)
+    transform: np.ndarray = field(default_factory=lambda: IDENTITY)
+
+    def lookup(self, uv: np.ndarray) -> np.ndarray:
+        """Linear colours at texture coordinates (n, 2) float32, finite: (n, 3) float32."""
+        result = np.empty((len(uv), 3), np.float32)
+        _lookup(self.texels, self.decode, *self.wrap, self.transform, uv, result)
+        return result
+
+    def mean(self) -> np.ndarray:
+        """The mean linear colour: (3,) float64."""
+        levels = [np.bincount(self.texels[..., c].ravel(), minlength=256) for c in range(3)]
+        return np.array(levels) @ self.decode.astype(np.float64) / self.texels[..., 0].size
+
+
+def read_texels(source: Path | bytes, name: object) -> np.ndarray:
+    """An image file as (height, width, 3) uint8; its alpha is left out.
+
+    source: the file, or what is in it. name: for errors. Raises SceneError if it is not there or
+    is no image.
+    """
+    from PIL import Image
+
+    try:
+        with Image.open(source if isinstance(source, Path) else io.BytesIO(source)) as image:
+            if image.mode.startswith("I"):  # 16 bits of grey, which PIL would clip to 8
+                grey = np.clip(np.asarray(image, np.float64) / 257.0, 0, 255)
+                return np.repeat(np.rint(grey).astype(np.uint8)[..., None], 3, axis=2)
+            if image.mode == "F":
+                raise SceneError("images of floating point numbers are no textures", file=name)
+            return np.array(image.convert("RGB"))
+    except FileNotFoundError as error:
+        raise SceneError("no such file", file=name) from error
+    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+        reason = getattr(error, "strerror", None) or "it is broken, or of a kind that PIL lacks"
+        raise SceneError(f"cannot read the image: {reason}", file=name) from error
+
+
+@njit(cache=True)
+def _wrapped(x, wrap):
+    """A coordinate within [0, 1]."""
+    if wrap == REPEAT:
+        return x - np.floor(x)
+    if wrap == MIRROR:
+        x -= 2.0 * np.floor(0.5 * x)
+        return 2.0 - x if x > 1.0 else x
+    return min(max(x, 0.0), 1.0)
+
+
+@njit(cache=True)
+def _texels_around(x, size, wrap):
+    """The two texels whose centres x is between, and its place between them."""
+    place = _wrapped(x, wrap) * size - 0.5
+    first = int(np.floor(place))
+    rest = place - first
+    second = first + 1
+    if wrap == REPEAT:
+        return first % size, second % size, rest
+    return max(first, 0), min(second, size - 1), rest
+
+
+@njit(cache=True, parallel=True)
+def _lookup(texels, decode, wrap_u, wrap_v, transform, uv, result):
+    height, width = texels.shape[0], texels.shape[1]
+    for i in prange(len(uv)):
+        a, b = np.float64(uv[i, 0]), np.float64(uv[i, 1])
+        u = transform[0, 0] * a + transform[0, 1] * b + transform[0, 2]
+        v = transform[1, 0] * a + transform[1, 1] * b + transform[1, 2]
+        left, right, s = _texels_around(u, width, wrap_u)
+        top, bottom, t = _texels_around(v, height, wrap_v)
+        for c in range(3):
+            upper = (1.0 - s) * decode[texels[top, left, c]] + s * decode[texels[top, right, c]]
+            lower = (1.0 - s) * decode[texels[bottom, left, c]]
+            lower += s * decode[texels[bottom, right, c]]
+            result[i, c] = (1.0 - t) * upper + t * lower

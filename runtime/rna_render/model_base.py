@@ -1,0 +1,62 @@
+"""What all parts of a scene file are made of."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+
+Vector = tuple[float, float, float]
+Quaternion = tuple[float, float, float, float]
+Nonnegative = Annotated[float, Field(ge=0)]
+Positive = Annotated[float, Field(gt=0)]
+Share = Annotated[float, Field(ge=0, le=1)]
+Rgb = tuple[Nonnegative, Nonnegative, Nonnegative]
+Albedo = tuple[Share, Share, Share]
+
+
+class Model(BaseModel):
+    """A mapping of the scene file: finite numbers, and no key that is not known."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class TransformModel(Model):
+    """Places something in the world: scale, then rotation, then translation."""
+
+    translation: Vector = Field(default=(0.0, 0.0, 0.0), description="Where its origin goes.")
+    rotation_deg: Vector | None = Field(
+        default=None,
+        description="Degrees about the world's x, then y, then z axis; each turn is "
+        "counter-clockwise seen from the axis's positive end.",
+    )
+    quaternion: Quaternion | None = Field(
+        default=None,
+        description="The rotation as x, y, z, w (the order of glTF), of any length but zero; "
+        "instead of rotation_deg.",
+    )
+    scale: float = Field(
+        default=1.0, gt=0, description="Uniform scale; it changes no radiance, only the size."
+    )
+
+    @field_validator("scale", mode="before")
+    @classmethod
+    def _one_number(cls, value: object) -> object:
+        if isinstance(value, list | tuple):
+            raise ValueError(
+                "must be one number: an asset's light transport holds under uniform scale only"
+            )
+        return value
+
+    @field_validator("quaternion")
+    @classmethod
+    def _has_length(cls, value: Quaternion | None) -> Quaternion | None:
+        if value is not None and not any(value):
+            raise ValueError("must not be zero")
+        return value
+
+    @model_validator(mode="after")
+    def _one_rotation(self) -> TransformModel:
+        if self.rotation_deg is not None and self.quaternion is not None:
+            raise ValueError("has rotation_deg and quaternion; give one of them")
+        return self

@@ -1,0 +1,72 @@
+"""The files that an image becomes: an EXR, and perhaps a PNG beside it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from rna_render.denoise import Denoiser
+from rna_render.film import Film
+from rna_render.images import check_writable, read_attributes, write_exr, write_png
+from rna_render.scene_model import Scene
+
+
+@dataclass(frozen=True)
+class Output:
+    """Where images go, and what is done to them first.
+
+    exr: the file, or for a sequence a name with one `%d` or `%04d`. png: likewise, or None.
+    denoiser: None to keep the noise.
+    """
+
+    exr: Path
+    png: Path | None = None
+    denoiser: Denoiser | None = None
+
+    def frame(self, number: int) -> Output:
+        """The files of one frame of a sequence."""
+        exr, *png = (path.with_name(path.name % number) for path in self.paths())
+        return replace(self, exr=exr, png=png[0] if png else None)
+
+    def paths(self) -> list[Path]:
+        """The files."""
+        return [self.exr] if self.png is None else [self.exr, self.png]
+
+    def check(self) -> None:
+        """Raise SceneError if a file cannot be written, before time is spent on its image."""
+        for path in self.paths():
+            check_writable(path)
+
+    def is_there(self, scene: Scene, since: float) -> bool:
+        """Whether all files were made from this very scene, and not before `since` (seconds)."""
+        return all(
+            path.is_file()
+            and path.stat().st_mtime >= since
+            and read_attributes(path) == self._attributes(scene, scene.samples)
+            for path in self.paths()
+        )
+
+    def write(self, scene: Scene, film: Film) -> None:
+        """Write the files. Raises SceneError if one cannot be written."""
+        channels = film.channels()
+        rgb = np.stack([channels[name] for name in "RGB"], axis=-1)
+        if self.denoiser is not None:
+            rgb = self.denoiser(rgb)
+            channels |= _layer("denoised", rgb)
+        attributes = self._attributes(scene, film.samples)
+        write_exr(self.exr, channels, attributes)
+        if self.png is not None:
+            write_png(self.png, rgb, scene.exposure, scene.view, attributes)
+
+    def _attributes(self, scene: Scene, samples: int) -> dict[str, str]:
+        attributes = {"rnaScene": scene.model_dump_json(), "rnaSamples": str(samples)}
+        if self.denoiser is not None:
+            attributes["rnaDenoised"] = self.denoiser.name
+        return attributes
+
+
+def _layer(name: str, rgb: np.ndarray) -> dict[str, np.ndarray]:
+    """An image as channels of a layer, by OpenEXR's convention."""
+    return {f"{name}.{c}": np.ascontiguousarray(rgb[..., i]) for i, c in enumerate("RGB")}

@@ -1,0 +1,72 @@
+"""Points that rays have hit, and how they scatter light; one interface for all kinds of bodies."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from enum import Enum, auto
+from typing import Protocol
+
+import numpy as np
+
+from rna_render.tracing import ClosestHits, GeometryScene
+
+
+class Points(ABC):
+    """Points of one body that are seen, and the directions wo to the viewer; object space.
+
+    x, n: (m, 3) float32, points and unit normals.
+    """
+
+    x: np.ndarray
+    n: np.ndarray
+
+    @abstractmethod
+    def transport(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Radiance towards the viewer under irradiance 1 from wi, and whether wi is free.
+
+        It contains the cosine. row: (k,) which points. wi: (k, 3) float32, unit. distance: (k,)
+        float32, to where the light comes from. Returns (k, 3) float32, and (k,) bool: whether
+        the body itself leaves that place in sight, if rays that start on it pass through it.
+        """
+
+    @abstractmethod
+    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Directions wi, about as often as light from there matters: (k, 3) float32, unit.
+
+        row: (k,) which points. u: (k, 3) float64 in [0, 1).
+        """
+
+    @abstractmethod
+    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
+        """Density of `sample` in wi, per steradian: (k,) float32."""
+
+
+class Role(Enum):
+    """What a body does in the scene."""
+
+    SCATTER = auto()
+    CATCH_SHADOWS = auto()  # shows the shadows that fall on it to the camera, and nothing else
+    SHINE = auto()  # a light, and black
+
+
+class Body(Protocol):
+    """A thing with its geometry in Embree, in its object space.
+
+    passes_through: whether rays that start on it pass through it, since its transport holds what
+    happens inside it.
+    """
+
+    role: Role
+    passes_through: bool
+
+    @property
+    def scene(self) -> GeometryScene: ...
+
+    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+        """The points that the given rays, (m,), have hit. A body that shines has none.
+
+        wo: (m, 3) float32, object space.
+        """
+        ...

@@ -1,0 +1,61 @@
+"""Rendering with a bar of progress, which Ctrl-C ends early."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Callable
+
+from tqdm import tqdm
+
+from rna_render.film import Film
+from rna_render.render import make_integrator, render
+from rna_render.scene_file import SceneFile
+from rna_render.world import World
+
+
+class Interrupt:
+    """While entered, the first Ctrl-C asks for a stop and the second one ends the program."""
+
+    def __init__(self) -> None:
+        self._asked = False
+
+    def requested(self) -> bool:
+        return self._asked
+
+    def __enter__(self) -> Interrupt:
+        self._previous = signal.signal(signal.SIGINT, self._ask)
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        signal.signal(signal.SIGINT, self._previous)
+
+    def _ask(self, number: int, frame: object) -> None:
+        if self._asked:
+            raise KeyboardInterrupt
+        self._asked = True
+        print("\nstopping after this band of pixels; Ctrl-C again ends at once", file=sys.stderr)
+
+
+def render_with_bar(
+    scene_file: SceneFile,
+    world: World,
+    stop: Callable[[], bool],
+    what: str = "rendering",
+    first_rays: Callable[[], str] | None = None,
+) -> Film:
+    """Render the scene, or fewer samples of it if `stop` says so.
+
+    what: stands before the bar. first_rays: what to print when the first rays are traced.
+    """
+    scene = scene_file.scene
+    total = scene.resolution[0] * scene.resolution[1] * scene.samples
+    bar = tqdm(total=total, unit="ray", unit_scale=True, desc=what, leave=False)
+
+    def report_start() -> None:
+        if first_rays is not None:
+            bar.write(first_rays(), file=sys.stderr)
+
+    with bar:
+        integrator = make_integrator(scene, world, report_start, scene_file.resolve)
+        return render(scene, integrator, stop=stop, progress=bar.update)

@@ -1,0 +1,86 @@
+"""Intel Open Image Denoise, where it is installed, and what is said where it is not."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+
+from rna_render.cli import main
+from rna_render.denoise import Denoiser
+from rna_render.images import read_exr
+from rna_sdk.errors import SceneError
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
+
+SCENE = """\
+assets: [{path: ball.rna}]
+camera: {position: [0, 0, 5], look_at: [0, 0, 0], vertical_fov_deg: 30}
+lights: [{type: environment, radiance: [1, 2, 3], visible_to_camera: false}]
+resolution: [64, 48]
+samples: 4
+"""
+
+
+@pytest.fixture
+def scene(tmp_path):
+    write_lambert_package(tmp_path / "ball.rna", sphere(4))
+    (tmp_path / "scene.yaml").write_text(SCENE)
+    return tmp_path / "scene.yaml"
+
+
+def need_denoiser() -> None:
+    pytest.importorskip("pyoidn", reason="Intel Open Image Denoise (pyoidn) is not installed")
+
+
+def test_noise_goes_and_bright_light_stays():
+    need_denoiser()
+    rng = np.random.default_rng(0)
+    clean = np.where(np.arange(96)[None, :, None] < 48, [4.0, 2.0, 1.0], 0.1) * np.ones((96, 1, 1))
+    noisy = (clean * rng.gamma(2.0, 0.5, clean.shape)).astype(np.float32)
+    before = noisy.copy()
+    result = Denoiser(threads=2)(noisy)
+    np.testing.assert_array_equal(noisy, before)
+    assert result.dtype == np.float32 and result.shape == noisy.shape
+    error = np.abs(result - clean).mean() / np.abs(noisy - clean).mean()
+    assert error < 0.25
+    np.testing.assert_allclose(result[:, 8:40].mean((0, 1)), [4, 2, 1], rtol=0.1)
+    np.testing.assert_array_equal(Denoiser(threads=1)(noisy), result)
+
+
+def test_the_exr_keeps_the_noise_and_has_the_denoised_colour_beside_it(scene, tmp_path):
+    need_denoiser()
+    for name, more in (("plain", []), ("denoised", ["--denoise"])):
+        files = ["--out", str(tmp_path / f"{name}.exr"), "--png", str(tmp_path / f"{name}.png")]
+        assert main([str(scene), *files, *more]) == 0
+    plain, plain_header = read_exr(tmp_path / "plain.exr")
+    both, header = read_exr(tmp_path / "denoised.exr")
+    assert set(both) - set(plain) == {"denoised.R", "denoised.G", "denoised.B"}
+    for name, plane in plain.items():
+        np.testing.assert_array_equal(both[name], plane, err_msg=name)
+    assert not np.array_equal(both["denoised.R"], both["R"])
+    assert header["rnaDenoised"].startswith("Intel Open Image Denoise 2.")
+    assert "rnaDenoised" not in plain_header
+    assert (tmp_path / "plain.png").read_bytes() != (tmp_path / "denoised.png").read_bytes()
+
+
+def test_without_it_one_line_says_how_to_get_it_before_anything_is_rendered(
+    scene, tmp_path, capsys, monkeypatch
+):
+    monkeypatch.setitem(sys.modules, "pyoidn", None)
+    assert main([str(scene), "--out", str(tmp_path / "out.exr"), "--denoise"]) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("error: ") and error.count("\n") == 1
+    assert "pip install 'pyoidn>=" in error
+    assert not (tmp_path / "out.exr").exists()
+
+
+def test_a_library_that_does_not_load_is_an_error(monkeypatch):
+    class Broken:
+        def Device(self):
+            raise OSError("no such library")
+
+    monkeypatch.setitem(sys.modules, "pyoidn", Broken())
+    with pytest.raises(SceneError, match="cannot be loaded: no such library"):
+        Denoiser(threads=1)

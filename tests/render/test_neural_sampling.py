@@ -1,0 +1,65 @@
+"""Directions that rays leave assets in, against their densities."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rna_render.bodies import FIBER_LOBES, SURFACE_LOBES
+from rna_render.neural_sampling import LobeMixture
+from tests.render.assets import unit_vectors
+from tests.render.chi_squared import assert_directions_follow
+
+MIXTURES = {
+    "uniform": LobeMixture(uniform=1.0),
+    "cosine": LobeMixture(cosine=1.0),
+    "mirror": LobeMixture(mirror=1.0),
+    "cone": LobeMixture(cone=1.0),
+    "forward": LobeMixture(forward=1.0),
+    "surfaces": SURFACE_LOBES,
+    "fibers": FIBER_LOBES,
+}
+
+
+N = 200_000
+
+
+def frame(seed: int) -> list[np.ndarray]:
+    """Normal, tangent and viewer; the viewer may be on the back."""
+    return list(unit_vectors(np.random.default_rng(seed), 3))
+
+
+def tiled(vectors: list[np.ndarray], count: int) -> list[np.ndarray]:
+    return [np.tile(vector, (count, 1)) for vector in vectors]
+
+
+@pytest.mark.parametrize("name", MIXTURES)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_directions_follow_their_density(name, seed):
+    mixture, at = MIXTURES[name], frame(seed)
+    u = np.random.default_rng(seed + 10).random((N, 3))
+    wi = mixture.sample(*tiled(at, N), u)
+    assert_directions_follow(wi, lambda w: mixture.pdf(*tiled(at, len(w)), w))
+
+
+def test_a_fiber_seen_along_its_tangent_is_sampled_too():
+    """The cone of specular reflection is one direction there."""
+    n, t = np.float32([1, 0, 0]), np.float32([0, 0, 1])
+    wi = FIBER_LOBES.sample(*tiled([n, t, t], N), np.random.default_rng(3).random((N, 3)))
+    density = FIBER_LOBES.pdf(*tiled([n, t, t], N), wi)
+    assert np.isfinite(wi).all() and (density > 0).all()
+    assert_directions_follow(wi, lambda w: FIBER_LOBES.pdf(*tiled([n, t, t], len(w)), w))
+
+
+def test_a_normal_and_a_tangent_of_no_length_are_no_trouble():
+    none = np.zeros((2, 3), np.float32)
+    wo = np.float32([[0, 0, 1], [0, 1, 0]])
+    for mixture in MIXTURES.values():
+        wi = mixture.sample(none, none, wo, np.float64([[0, 0, 0], [1 - 1e-16, 0.5, 1 - 1e-16]]))
+        np.testing.assert_allclose(np.linalg.norm(wi, axis=1), 1, atol=1e-6)
+        assert (mixture.pdf(none, none, wo, wi) > 0).all()
+
+
+def test_an_empty_batch_is_legal():
+    none = np.zeros((0, 3), np.float32)
+    assert SURFACE_LOBES.sample(none, none, none, np.zeros((0, 3))).shape == (0, 3)
