@@ -27,7 +27,8 @@ def preview(
         session.start()
         threading.Thread(target=server.serve_forever, name="server", daemon=True).start()
         try:
-            print(f"preview of {scene_file.path} at {server.url}\nCtrl-C ends it", flush=True)
+            address = f"preview of {scene_file.path} at {server.url}\n"
+            print(f"{address}Ctrl-C ends it\n", end="", flush=True)
             session.join()
         except KeyboardInterrupt:
             print("\nthe preview has ended")
