@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import traceback
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -43,10 +44,12 @@ def run_command(command: Callable[[], int | None], debug: bool, when_stopped: st
     """The exit status of `command`: what it returns, or 0 for None.
 
     1 after an RnaError, which is printed as one line, or with its traceback if `debug`;
-    INTERRUPTED after Ctrl-C, where `when_stopped` is printed.
+    INTERRUPTED after Ctrl-C, where `when_stopped` is printed. A warning is one line, too.
     """
     try:
-        return command() or 0
+        with warnings.catch_warnings():
+            warnings.showwarning = _print_warning
+            return command() or 0
     except RnaError as error:
         if debug:
             traceback.print_exc()
@@ -56,3 +59,7 @@ def run_command(command: Callable[[], int | None], debug: bool, when_stopped: st
     except KeyboardInterrupt:
         print(f"stopped; {when_stopped}", file=sys.stderr)
         return INTERRUPTED
+
+
+def _print_warning(message: Warning | str, *_place: object, **_more: object) -> None:
+    print("warning: " + "; ".join(str(message).splitlines()), file=sys.stderr)

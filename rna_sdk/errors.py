@@ -6,6 +6,7 @@
     +-- PackageError     a `.rna` file breaks the format; carries the issues found
     +-- QueryError       wrong arguments to a runtime call: names, shapes, dtypes
     +-- SceneError       a scene file cannot be rendered; names file, line and key
+    +-- PreviewError     the preview cannot start
     +-- CaptureError     capture cannot start or go on
     +-- TrainingError    training cannot start or go on
     +-- ExportError      a checkpoint cannot be turned into a package
@@ -63,6 +64,10 @@ class SceneError(RnaError):
         place = ":".join(parts)
         subject = f"{key}: {message}" if key else message
         super().__init__(f"{place}: {subject}" if place else subject)
+
+
+class PreviewError(RnaError):
+    """The preview cannot start."""
 
 
 class CaptureError(RnaError):

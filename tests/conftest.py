@@ -9,6 +9,7 @@ import pytest
 
 from rna_export.capture.blender_env import find_python
 from rna_sdk.errors import CaptureError
+from tests.render.chromium import INSTALL, find_chromium
 
 REPOSITORY = Path(__file__).parent.parent
 DATA = REPOSITORY.parent / "shared" / "data"
@@ -17,7 +18,8 @@ _skipped: Counter[str] = Counter()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    for marker, reason in (("blender", _no_blender), ("data", _no_data), ("gpu", _no_gpu)):
+    needs = {"blender": _no_blender, "chromium": _no_chromium, "data": _no_data, "gpu": _no_gpu}
+    for marker, reason in needs.items():
         marked = [item for item in items if item.get_closest_marker(marker)]
         if marked and (why := reason()):
             for item in marked:
@@ -48,6 +50,10 @@ def _no_blender() -> str | None:
     except CaptureError as error:
         return str(error)
     return None
+
+
+def _no_chromium() -> str | None:
+    return None if find_chromium() else INSTALL
 
 
 def _no_data() -> str | None:

@@ -35,7 +35,9 @@ def test_its_commands_exist() -> None:
     assert commands <= set(scripts)
 
 
-@pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", "docs/making-assets.md"])
+@pytest.mark.parametrize(
+    "page", ["README.md", "CONTRIBUTING.md", "docs/making-assets.md", "docs/preview.md"]
+)
 def test_links_lead_somewhere(page: str) -> None:
     path = REPOSITORY / page
     links = re.findall(r"\]\((?!https?:)([^)#]+)", path.read_text())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
 import time
@@ -41,14 +42,32 @@ def _parser() -> argparse.ArgumentParser:
         "rna-run",
         "Render a scene of relightable neural assets to an image.",
         "rna-run scene.yaml --out out.exr --png out.png",
-        usage="rna-run SCENE --out IMAGE.exr [options]",
-        epilog="docs/scene.md says what a scene file may contain. Ctrl-C ends the render early and "
-        "writes what is there.",
+        usage="rna-run SCENE --out IMAGE.exr [options]\n       rna-run SCENE --preview [options]",
+        epilog="docs/scene.md says what a scene file may contain, docs/preview.md what the preview "
+        "can do.\nCtrl-C ends the render early and writes what is there, or ends the preview.",
     )
     add = parser.add_argument
     add("scene", metavar="SCENE", type=Path, help="the scene file (YAML)")
-    add("--out", metavar="FILE", type=Path, required=True, help="linear EXR with AOVs to write")
+    add("--out", metavar="FILE", type=Path, help="linear EXR with AOVs to write")
     add("--png", metavar="FILE", type=Path, help="sRGB PNG to write beside it (default: none)")
+    add(
+        "--preview",
+        action="store_true",
+        help="show the scene in a browser page, which this computer alone can open, while it is "
+        "rendered, until Ctrl-C; nothing is written (default: off)",
+    )
+    add(
+        "--port",
+        metavar="N",
+        type=_whole(1, 65535),
+        help="of the page of --preview (default: any that is free)",
+    )
+    add(
+        "--environments",
+        metavar="FOLDER",
+        type=Path,
+        help="more .hdr and .exr images for the page of --preview (default: those beside SCENE)",
+    )
     add(
         "--frames",
         metavar="RANGE",
@@ -124,6 +143,14 @@ def _frames(text: str) -> tuple[int, int | None]:
 
 
 def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    if options.out is None and not options.preview:
+        parser.error("one of --out and --preview is required")
+    others = ("out", "png", "frames", "denoise") if options.preview else ("port", "environments")
+    for name in others:
+        if getattr(options, name):
+            parser.error(f"--{name} is {'not for' if options.preview else 'only for'} --preview")
+    if options.environments is not None and not options.environments.is_dir():
+        parser.error(f"{options.environments}: no such folder")
     for path, suffix in ((options.out, ".exr"), (options.png, ".png")):
         if path is not None and path.suffix.lower() != suffix:
             parser.error(f"{path}: expected a name that ends with {suffix}")
@@ -147,6 +174,11 @@ def _run(options: argparse.Namespace) -> int:
     changes = {name: value for name in names if (value := getattr(options, name)) is not None}
     scene_file = read_scene(options.scene).with_changes(**changes)
     threads = _use_threads(options.threads)
+    if options.preview:
+        from rna_render.preview.command import preview
+
+        preview(scene_file, threads, options.port or 0, options.environments)
+        return 0
     denoiser = Denoiser(threads) if options.denoise else None
     output = Output(options.out, options.png, denoiser)
     if options.frames is None:
@@ -156,6 +188,9 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _use_threads(count: int | None) -> int:
+    # libgomp's threads spin while they have nothing to do, and take the cores from ONNX Runtime's.
+    # It reads this when numba loads it.
+    os.environ.setdefault("OMP_WAIT_POLICY", "passive")
     import numba
 
     threads = min(count or numba.config.NUMBA_NUM_THREADS, numba.config.NUMBA_NUM_THREADS)

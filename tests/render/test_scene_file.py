@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_render.scene_file import read_scene
 from rna_render.lights.models import DirectionalModel, EnvironmentModel
+from rna_render.scene_file import read_scene
 from rna_sdk.errors import SceneError
 
 GOOD = """\

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_render.camera import Camera
-from rna_render.scene_model import AssetModel, CameraModel, DirectionalModel, Scene
+from rna_render.lights.models import DirectionalModel
+from rna_render.scene_model import AssetModel, CameraModel, Scene
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.runtime import Asset, FiberAsset
 

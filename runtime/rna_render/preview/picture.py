@@ -1,0 +1,73 @@
+"""What the page is sent: a picture as it was rendered, and what there is to say of it."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from rna_render.film import Film
+from rna_render.srgb import decode_srgb, encode_srgb
+from rna_render.view_transform import to_display
+
+# Seen where the scene has no background: a little lighter than the page.
+BACKDROP_SRGB = 0x2A / 255
+# Of less than that, artefacts are seen beside the noise of a few samples.
+JPEG_QUALITY = 92
+
+
+@dataclass(frozen=True)
+class Label:
+    """What there is to say of a picture.
+
+    serial: later pictures have higher ones. revision: of the view that it shows. samples: how
+    many it is the mean of, 0 for a first look with fewer pixels. sample_ms: time of the last
+    one. error: why there is no picture.
+    """
+
+    serial: int
+    revision: int
+    samples: int = 0
+    sample_ms: float = 0.0
+    error: str | None = None
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture, encoded when it is first asked for.
+
+    rgba: (h, w, 4) float32, linear and premultiplied; None after an error. exposure: stops.
+    view: see to_display.
+    """
+
+    label: Label
+    rgba: np.ndarray | None
+    exposure: float
+    view: str
+
+    @cached_property
+    def jpeg(self) -> bytes:
+        """JPEG, sRGB, over the backdrop; empty after an error."""
+        from PIL import Image
+
+        if self.rgba is None:
+            return b""
+        rgb, a = self.rgba[..., :3], self.rgba[..., 3:]
+        if (a == 1).all():
+            encoded = to_display(rgb, self.view, self.exposure)
+        else:
+            # The backdrop is the page's, and goes through no view transform.
+            shown = decode_srgb(to_display(rgb, self.view, self.exposure))
+            encoded = encode_srgb(shown + (1 - a) * decode_srgb(np.float32(BACKDROP_SRGB)))
+        image = Image.fromarray(np.rint(encoded * 255).astype(np.uint8))
+        file = io.BytesIO()
+        image.save(file, "JPEG", quality=JPEG_QUALITY, subsampling=0)
+        return file.getvalue()
+
+
+def rgba(film: Film) -> np.ndarray:
+    """The film's picture so far, (h, w, 4) float32."""
+    channels = film.channels()
+    return np.stack([channels[name] for name in "RGBA"], axis=-1)

@@ -1,0 +1,268 @@
+"""The scene as the page sees it: a thread that renders the view, and starts again when it changes.
+
+A view is rendered first with few pixels, as many as should take FIRST_LOOK_MS, then with more,
+then with all, of which samples are added up. Every change of camera or light makes a new revision;
+once `change` has returned, `wait` hands out no picture of an older one.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from rna_render.film import Film, Layers
+from rna_render.integrator import Integrator
+from rna_render.preview.change import Change
+from rna_render.preview.lighting import SCENE_LIGHTS, Lighting, lit
+from rna_render.preview.orbit import Orbit
+from rna_render.preview.picture import Label, Picture, rgba
+from rna_render.render import make_integrator
+from rna_render.sampling import Sampler
+from rna_render.scene_file import SceneFile
+from rna_render.scene_model import Scene
+from rna_render.world import World
+from rna_sdk.errors import QueryError, RnaError
+
+# Short enough that turning looks smooth.
+FIRST_LOOK_MS = 80.0
+# Of an image's sides, for first looks.
+COARSEST = 16
+# Rays traced together: a change is noticed after so many.
+BAND = 1 << 15
+
+
+@dataclass(frozen=True)
+class View:
+    """What is shown: from where, lit by what, how bright."""
+
+    orbit: Orbit
+    lighting: str
+    light_rotation_deg: float
+    exposure: float
+
+
+class Session:
+    """Renders one scene for any number of pages.
+
+    world: the scene's, loaded. threads: to render with; all if None. choices: what the scene can
+    be lit with.
+    """
+
+    def __init__(
+        self,
+        scene_file: SceneFile,
+        world: World,
+        choices: Mapping[str, Lighting],
+        threads: int | None = None,
+    ) -> None:
+        self._scene_file, self._world, self._choices = scene_file, world, choices
+        self._threads = threads
+        scene = scene_file.scene
+        self._start = Orbit.of(scene.camera)
+        self._ms_a_pixel: float | None = None  # of the last sample; the render thread's own
+        self._thread = threading.Thread(target=self._run, name="preview", daemon=True)
+        self._changed = threading.Condition()
+        # All below is guarded by _changed.
+        self._view = View(self._start, SCENE_LIGHTS, 0.0, scene.exposure)
+        self._revision = 1
+        self._serial = 0
+        self._picture: Picture | None = None  # of this revision
+        self._stopping = False
+        self._failure: BaseException | None = None
+
+    def start(self) -> None:
+        """Begin to render."""
+        self._thread.start()
+
+    def stop(self) -> None:
+        """End the render thread, after the band of pixels under way."""
+        with self._changed:
+            self._stopping = True
+            self._changed.notify_all()
+        self._thread.join()
+
+    def join(self) -> None:
+        """Wait until the session ends. Raises what ended it, if that was not `stop`."""
+        self._thread.join()
+        if self._failure is not None:
+            raise self._failure
+
+    def change(self, change: Change) -> dict[str, object]:
+        """Change the view, and return `state`. Raises QueryError for a lighting there is not."""
+        if change.lighting is not None and change.lighting not in self._choices:
+            raise QueryError(f"lighting: there is no {change.lighting!r}")
+        with self._changed:
+            before, self._view = self._view, _changed(self._view, change, self._start)
+            if replace(before, exposure=self._view.exposure) != self._view:
+                self._revision += 1
+                self._picture = None
+            elif self._picture is not None and before != self._view:
+                label = replace(self._picture.label, serial=self._next_serial())
+                self._picture = replace(self._picture, label=label, exposure=self._view.exposure)
+            self._changed.notify_all()
+            return self._state()
+
+    def state(self) -> dict[str, object]:
+        """What the page's controls show, as JSON."""
+        with self._changed:
+            return self._state()
+
+    def wait(self, after: int, timeout: float) -> Picture | None:
+        """The newest picture, when its serial is above `after`; None after `timeout` seconds."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._stopping or self._is_after(after), timeout)
+            return self._picture if self._is_after(after) else None
+
+    @property
+    def ended(self) -> bool:
+        """Whether no further picture will come."""
+        with self._changed:
+            return self._stopping
+
+    def is_current(self, picture: Picture) -> bool:
+        """Whether the view has not changed since."""
+        with self._changed:
+            return picture.label.revision == self._revision
+
+    def _is_after(self, serial: int) -> bool:
+        return self._picture is not None and self._picture.label.serial > serial
+
+    def _state(self) -> dict[str, object]:
+        scene, view, camera = self._scene_file.scene, self._view, self._view.orbit.camera()
+        return {
+            "scene": self._scene_file.path.name,
+            "resolution": scene.resolution,
+            "samples": scene.samples,
+            "revision": self._revision,
+            "choices": [{"key": k, "label": choice.label} for k, choice in self._choices.items()],
+            "lighting": view.lighting,
+            "light_rotation_deg": view.light_rotation_deg,
+            "exposure": view.exposure,
+            "camera": camera.model_dump(mode="json"),
+        }
+
+    def _next_serial(self) -> int:
+        self._serial += 1
+        return self._serial
+
+    # What follows is run by the render thread.
+
+    def _run(self) -> None:
+        try:
+            self._use_threads()
+            done = 0
+            while (revision := self._next_revision(done)) is not None:
+                done = revision
+                self._render(revision)
+        except BaseException as error:
+            self._failure = error
+        finally:
+            with self._changed:
+                self._stopping = True
+                self._changed.notify_all()
+
+    def _use_threads(self) -> None:
+        """Numba's number of threads is each thread's own."""
+        import numba
+
+        if self._threads is not None:
+            numba.set_num_threads(self._threads)
+
+    def _next_revision(self, done: int) -> int | None:
+        """Wait for a revision other than `done`; None when the session ends."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._stopping or self._revision != done)
+            return None if self._stopping else self._revision
+
+    def _render(self, revision: int) -> None:
+        """First looks, then samples, until all are there or the view has changed."""
+        with self._changed:
+            scene = self._seen(self._view)
+        try:
+            for divisor in self._divisors(scene.resolution):
+                if self._is_old(revision):
+                    return
+                self._accumulate(revision, scene, divisor)
+        except RnaError as error:
+            self._publish(Label(0, revision, error=str(error)), None)
+
+    def _seen(self, view: View) -> Scene:
+        scene = lit(self._scene_file.scene, self._choices[view.lighting], view.light_rotation_deg)
+        return scene.model_copy(update={"camera": view.orbit.camera()})
+
+    def _divisors(self, resolution: tuple[int, int]) -> Iterator[int]:
+        """By what to divide the sides of the image: from a first look's to 1, halving."""
+        divisor = 1
+        while divisor < COARSEST and self._expected_ms(resolution, divisor) > FIRST_LOOK_MS:
+            divisor *= 2
+        while divisor:
+            yield divisor
+            divisor //= 2
+
+    def _expected_ms(self, resolution: tuple[int, int], divisor: int) -> float:
+        if self._ms_a_pixel is None:
+            return np.inf
+        return self._ms_a_pixel * resolution[0] * resolution[1] / divisor**2
+
+    def _accumulate(self, revision: int, scene: Scene, divisor: int) -> None:
+        """All samples of the whole image, or one of a first look."""
+        width, height = (max(1, round(side / divisor)) for side in scene.resolution)
+        scene = scene.model_copy(update={"resolution": (width, height)})
+        integrator = make_integrator(scene, self._world, resolve=self._scene_file.resolve)
+        film = Film(scene.resolution, integrator.groups)
+        for number in range(scene.samples if divisor == 1 else 1):
+            start = time.perf_counter()
+            sample = self._sample(revision, integrator, width * height, Sampler(scene.seed, number))
+            if sample is None:
+                return
+            film.add(sample)
+            sample_ms = 1e3 * (time.perf_counter() - start)
+            self._ms_a_pixel = sample_ms / (width * height)
+            samples = film.samples if divisor == 1 else 0
+            self._publish(Label(0, revision, samples, round(sample_ms, 1)), rgba(film))
+
+    def _sample(
+        self, revision: int, integrator: Integrator, count: int, sampler: Sampler
+    ) -> Layers | None:
+        """One sample of every pixel; None if the view has changed."""
+        bands = []
+        for start in range(0, count, BAND):
+            if self._is_old(revision):
+                return None
+            pixels = np.arange(start, min(start + BAND, count), dtype=np.uint32)
+            bands.append(integrator.render(pixels, sampler))
+        return Layers.concatenate(bands)
+
+    def _is_old(self, revision: int) -> bool:
+        with self._changed:
+            return self._stopping or self._revision != revision
+
+    def _publish(self, label: Label, picture: np.ndarray | None) -> None:
+        with self._changed:
+            if label.revision == self._revision:
+                label = replace(label, serial=self._next_serial())
+                self._picture = Picture(
+                    label, picture, self._view.exposure, self._scene_file.scene.view
+                )
+                self._changed.notify_all()
+
+
+def _changed(view: View, change: Change, start: Orbit) -> View:
+    """The view after a change."""
+    orbit = start if change.reset else view.orbit
+    if any(change.orbit_deg):
+        orbit = orbit.turned(*np.radians(change.orbit_deg))
+    if change.dolly != 1.0:
+        orbit = orbit.dollied(change.dolly)
+    if any(change.pan):
+        orbit = orbit.panned(*change.pan)
+    asked = {
+        "lighting": change.lighting,
+        "light_rotation_deg": change.light_rotation_deg,
+        "exposure": change.exposure,
+    }
+    return replace(view, orbit=orbit, **{k: v for k, v in asked.items() if v is not None})

@@ -1,0 +1,135 @@
+"""A page in headless Chromium, driven over its debugging pipe: no port, no other package.
+
+Chrome DevTools Protocol: https://chromedevtools.github.io/devtools-protocol/. With
+--remote-debugging-pipe Chromium reads commands from its descriptor 3 and writes answers and events
+to 4, each JSON with a zero byte at its end.
+"""
+
+from __future__ import annotations
+
+import base64
+import fcntl
+import json
+import os
+import select
+import shutil
+import signal
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+INSTALL = "no Chromium; on Debian: apt-get install chromium"
+
+
+def find_chromium() -> str | None:
+    """The program's path."""
+    names = ("chromium", "chromium-browser", "google-chrome")
+    return next((path for name in names if (path := shutil.which(name))), None)
+
+
+class Page:
+    """A page of a running Chromium."""
+
+    def __init__(self, commands: int, answers: int) -> None:
+        self._commands, self._answers, self._read = commands, answers, b""
+        self._number = 0
+        self._session: str | None = None
+        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        attached = self.call("Target.attachToTarget", targetId=target, flatten=True)
+        self._session = attached["sessionId"]
+
+    def call(self, method: str, **parameters: Any) -> dict[str, Any]:
+        """What the protocol's method returns."""
+        self._number += 1
+        message = {"id": self._number, "method": method, "params": parameters}
+        if self._session is not None:
+            message["sessionId"] = self._session
+        os.write(self._commands, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self._next_message()
+            if answer.get("id") == self._number:
+                assert "error" not in answer, f"{method}: {answer['error']}"
+                return answer["result"]
+
+    def evaluate(self, expression: str) -> Any:
+        """The value of JavaScript, that of its promise if it is one."""
+        result = self.call(
+            "Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True
+        )
+        assert "exceptionDetails" not in result, result["exceptionDetails"]
+        return result["result"].get("value")
+
+    def wait_for(self, expression: str, seconds: float = 30.0) -> Any:
+        """The value of JavaScript once it is true in JavaScript's sense."""
+        end = time.monotonic() + seconds
+        while not (value := self.evaluate(expression)):
+            assert time.monotonic() < end, f"not within {seconds} s: {expression}"
+            time.sleep(0.02)
+        return value
+
+    def mouse(self, kind: str, x: float, y: float, **more: Any) -> None:
+        """kind: mousePressed, mouseMoved, mouseReleased or mouseWheel."""
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
+
+    def screenshot(self) -> bytes:
+        """PNG."""
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
+
+    def _next_message(self) -> dict[str, Any]:
+        while b"\0" not in self._read:
+            ready, _, _ = select.select([self._answers], [], [], 60)
+            data = os.read(self._answers, 1 << 20) if ready else b""
+            assert data, "Chromium has ended, or says nothing"
+            self._read += data
+        message, _, self._read = self._read.partition(b"\0")
+        return json.loads(message)
+
+
+@contextmanager
+def open_page(chromium: str, width: int = 1280, height: int = 720) -> Iterator[Page]:
+    """An empty page of that size in a Chromium of its own."""
+    theirs_in, commands = _pipe()
+    answers, theirs_out = _pipe()
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
+        options = ["--headless=new", "--remote-debugging-pipe", f"--user-data-dir={profile}"]
+        options += ["--no-first-run", "--disable-gpu", "--hide-scrollbars"]
+        options += [f"--window-size={width},{height}"]
+        if os.geteuid() == 0:
+            options += ["--no-sandbox"]  # which root cannot have
+        nowhere = os.open(os.devnull, os.O_RDWR)
+        pairs = [(nowhere, 0), (nowhere, 1), (nowhere, 2), (theirs_in, 3), (theirs_out, 4)]
+        pid = os.posix_spawn(
+            chromium,
+            [chromium, *options],
+            os.environ,
+            file_actions=[(os.POSIX_SPAWN_DUP2, ours, theirs) for ours, theirs in pairs],
+            setpgroup=0,
+        )
+        try:
+            for descriptor in (theirs_in, theirs_out, nowhere):
+                os.close(descriptor)
+            page = Page(commands, answers)
+            page.call(
+                "Emulation.setDeviceMetricsOverride",
+                width=width,
+                height=height,
+                deviceScaleFactor=1,
+                mobile=False,
+            )
+            yield page
+        finally:
+            os.killpg(pid, signal.SIGKILL)
+            os.waitpid(pid, 0)
+            os.close(commands)
+            os.close(answers)
+
+
+def _pipe() -> tuple[int, int]:
+    """A pipe whose ends are not among the descriptors that Chromium's are copied to."""
+    ends = os.pipe()
+    moved = tuple(fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in ends)
+    for end in ends:
+        os.close(end)
+    return moved
