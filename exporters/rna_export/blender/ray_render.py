@@ -58,11 +58,18 @@ def render_rays(request):
     cycles = bpy.context.scene.cycles
     cycles.pixel_filter_type, cycles.filter_width = "BOX", 0.01
     camera.update_tag()
+    _turn_lamp(request)
     _render(request)
 
 
 def render_view(request):
-    """Render an ordinary pinhole image: `matrix` is camera to world, Blender's axes."""
+    """Render an ordinary pinhole image, lit from `wi`."""
+    _turn_lamp(request)
+    render_pinhole(request)
+
+
+def render_pinhole(request):
+    """Render an image of the scene as it is: `matrix` is camera to world, Blender's axes."""
     camera = _camera("view", "PERSP")
     camera.sensor_fit = "VERTICAL"
     camera.angle = request["fovY"]
@@ -72,11 +79,13 @@ def render_view(request):
     _render(request)
 
 
+def _turn_lamp(request):
+    towards = mathutils.Vector(request["wi"])
+    bpy.data.objects["rna sun"].rotation_quaternion = towards.to_track_quat("Z", "Y")
+
+
 def _render(request):
     scene = bpy.context.scene
-    lamp = bpy.data.objects["rna sun"]
-    towards = mathutils.Vector(request["wi"])
-    lamp.rotation_quaternion = towards.to_track_quat("Z", "Y")
     scene.cycles.samples = request["samples"]
     scene.cycles.seed = request["seed"] & 0x7FFFFFFF
     scene.render.resolution_x, scene.render.resolution_y = request["width"], request["height"]

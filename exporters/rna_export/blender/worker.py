@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import curves_export
 import mesh_export
 import ray_render
+import scene_render
 import source_scene
 
 
@@ -37,6 +38,7 @@ HANDLERS = {
     "exportCurves": lambda request: curves_export.export_curves(request["out"]),
     "exportMesh": lambda request: mesh_export.export_mesh(request["out"]),
     "renderRays": ray_render.render_rays,
+    "renderScene": scene_render.render_scene,
     "renderView": ray_render.render_view,
 }
 

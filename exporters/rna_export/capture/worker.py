@@ -58,6 +58,7 @@ class BlenderWorker:
         self._folder, self._name = folder, name
         self._renders = 0
         self._samples: int | None = None  # of the last render
+        self._holds_scene = False  # what `render_scene` made of the source
         folder.mkdir(parents=True, exist_ok=True)
         self._start()
 
@@ -100,6 +101,7 @@ class BlenderWorker:
     def restart(self) -> None:
         """A fresh process with the same source: Blender's memory grows over many renders."""
         self.close()
+        self._holds_scene = False
         self._start()
 
     def _ask(self, **request: Any) -> dict[str, Any]:
@@ -186,11 +188,41 @@ class BlenderWorker:
 
         `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians.
         """
-        matrix = np.eye(4)
-        matrix[:3] = to_blender(np.asarray(to_world, np.float64)[:3].T).T
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
-        request = {"out": str(out), "matrix": matrix.tolist(), "fovY": float(fov_y)}
+        request = {"out": str(out), **_pinhole(to_world, fov_y, width, height)}
         self._render("renderView", request, wi, samples, seed, width, height)
+        passes = _read_render(out)
+        out.unlink()
+        return _channels(passes, "Combined", "RGBA").reshape(height, width, 4)
+
+    def render_scene(
+        self,
+        scene: dict[str, Any],
+        to_world: np.ndarray,
+        fov_y: float,
+        samples: int,
+        seed: int,
+        width: int,
+        height: int,
+    ) -> np.ndarray:
+        """A pinhole image of the source in a scene, (height, width, 4) float32 premultiplied RGBA.
+
+        scene: see `rna_export.compare.cycles_scene`. No clamping. What the scene describes is built
+        anew when it is another one than in the render before; the numbers of samples may differ
+        without a fresh process, so the same render need not repeat to the bit. `to_world` and
+        `fov_y` as in `render_view`.
+        """
+        self._holds_scene = True
+        out = self._folder / f"scene-{self._name}-{self._renders}.exr"
+        self._renders += 1
+        self._ask(
+            op="renderScene",
+            out=str(out),
+            scene=_scene_to_blender(scene),
+            **_pinhole(to_world, fov_y, width, height),
+            samples=samples,
+            seed=seed,
+        )
         passes = _read_render(out)
         out.unlink()
         return _channels(passes, "Combined", "RGBA").reshape(height, width, 4)
@@ -205,7 +237,7 @@ class BlenderWorker:
         width: int,
         height: int,
     ) -> None:
-        if self._samples not in (None, samples):
+        if self._holds_scene or self._samples not in (None, samples):
             # Cycles keeps its table of sample points, whose size follows the sample count: without
             # a fresh process the same render would not repeat.
             self.restart()
@@ -213,7 +245,36 @@ class BlenderWorker:
         self._renders += 1
         towards = [float(v) for v in to_blender(np.asarray(wi, np.float64))]
         size = {"width": width, "height": height}
-        self._ask(op=op, **request, **size, wi=towards, samples=samples, seed=seed)
+        self._ask(op=op, **{**request, **size}, wi=towards, samples=samples, seed=seed)
+
+
+def _pinhole(to_world: np.ndarray, fov_y: float, width: int, height: int) -> dict[str, Any]:
+    """A camera, which looks along its -z in Blender too, as a request has it."""
+    matrix = np.eye(4)
+    matrix[:3] = to_blender(np.asarray(to_world, np.float64)[:3].T).T
+    size = {"width": width, "height": height}
+    return {"matrix": matrix.tolist(), "fovY": float(fov_y), **size}
+
+
+def _scene_to_blender(scene: dict[str, Any]) -> dict[str, Any]:
+    """The same scene in Blender's axes."""
+
+    def turned(vectors: Any) -> Any:
+        return to_blender(np.asarray(vectors, np.float64)).tolist()
+
+    lights = [
+        {k: turned(v) if k in ("position", "look_at", "up", "direction") else v for k, v in x}
+        for x in (light.items() for light in scene["lights"])
+    ]
+    meshes = [{**mesh, "positions": turned(mesh["positions"])} for mesh in scene["meshes"]]
+    asset = scene["asset"]
+    if asset is not None:
+        matrix = np.asarray(asset, np.float64)
+        # Both spaces turn: the rows, where the matrix leads to, and the columns, where from.
+        matrix[:3, :3] = to_blender(to_blender(matrix[:3, :3].T).T)
+        matrix[:3, 3] = to_blender(matrix[:3, 3])
+        asset = matrix.tolist()
+    return {**scene, "lights": lights, "meshes": meshes, "asset": asset}
 
 
 def _write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> None:

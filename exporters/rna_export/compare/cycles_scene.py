@@ -1,0 +1,91 @@
+"""A scene of the renderer as the worker has Cycles render it, the original for the asset.
+
+The description is JSON in the renderer's own space, +Y up:
+
+- `asset`: 4 x 4 matrix of the original, or null where the scene has no asset;
+- `meshes`: `positions`, `triangles` and the Lambertian `color` of each object, the ground too;
+- `lights`: what the scene file says of them, with the paths of images resolved;
+- `bounces`: how often light may scatter, or null for what the source itself sets.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rna_render.materials import MeshObject, ground, read_mesh_object
+from rna_render.materials.models import DiffuseModel, MaterialModel
+from rna_render.scene_model import Scene
+from rna_render.transforms import world_from_object
+from rna_sdk.errors import SceneError
+
+
+def cycles_scene(
+    scene: Scene, resolve: Callable[[Path], Path] = Path, bounces: int | None = None
+) -> dict[str, Any]:
+    """The description that `BlenderWorker.render_scene` takes.
+
+    resolve: finds files that the scene names. Raises SceneError for what has no twin in Blender:
+    more assets than one, a scaled one (Cycles does not scale the depth of subsurface scattering),
+    objects and grounds that are not of one diffuse colour, spheres that shine.
+    """
+    return {
+        "asset": _asset(scene),
+        "meshes": [*_objects(scene, resolve), *_ground(scene, resolve)],
+        "lights": [_light(model.model_dump(mode="json"), resolve) for model in scene.lights],
+        "bounces": bounces,
+    }
+
+
+def _asset(scene: Scene) -> list[list[float]] | None:
+    if not scene.assets:
+        return None
+    if len(scene.assets) > 1:
+        raise SceneError(f"found {len(scene.assets)} assets; Cycles gets one original at most")
+    transform = scene.assets[0].transform
+    if transform.scale != 1.0:
+        raise SceneError(f"the asset is scaled by {transform.scale:g}; Cycles gets it as it is")
+    return world_from_object(transform).tolist()
+
+
+def _objects(scene: Scene, resolve: Callable[[Path], Path]) -> list[dict[str, Any]]:
+    meshes = []
+    for model in scene.objects:
+        colour = _colour(model.material)
+        mesh = read_mesh_object(resolve(model.path), model.material, resolve)
+        meshes.append(_mesh(mesh, world_from_object(model.transform), colour))
+    return meshes
+
+
+def _ground(scene: Scene, resolve: Callable[[Path], Path]) -> list[dict[str, Any]]:
+    if scene.ground is None:
+        return []
+    colour = _colour(scene.ground.material)
+    return [_mesh(ground(scene.ground, resolve), np.eye(4), colour)]
+
+
+def _mesh(mesh: MeshObject, matrix: np.ndarray, colour: tuple[float, ...]) -> dict[str, Any]:
+    """World space, without its normals: Cycles shades it flat."""
+    positions = mesh.positions @ matrix[:3, :3].T + matrix[:3, 3]
+    return {
+        "positions": positions.tolist(),
+        "triangles": mesh.triangles.tolist(),
+        "color": list(colour),
+    }
+
+
+def _colour(material: MaterialModel | None) -> tuple[float, ...]:
+    if not isinstance(material, DiffuseModel) or material.texture or any(material.emission):
+        raise SceneError("Cycles gets objects of one diffuse colour that do not shine alone")
+    return material.color
+
+
+def _light(light: dict[str, Any], resolve: Callable[[Path], Path]) -> dict[str, Any]:
+    if light["type"] == "sphere":
+        raise SceneError("Cycles gets no spheres that shine")
+    if light.get("path"):
+        light["path"] = str(resolve(Path(light["path"])).resolve())
+    return light
