@@ -19,9 +19,9 @@ import os
 import tempfile
 import time
 from pathlib import Path
-from typing import Any
 
 import numpy as np
+from equality import equal_error
 from report import publish, report_parser
 
 from rna_export.capture import blender_env
@@ -64,7 +64,7 @@ def main() -> None:
     for tier, asset in assets.items():
         for samples in args.samples:
             ours = _ours(asset, shot, samples, args)
-            equal = _equal(cycles.psnr(ours.pixels), ours.seconds, report["cycles"])
+            equal = equal_error(cycles.psnr(ours.pixels), ours.seconds, report["cycles"])
             report["ours"].append({"tier": tier, "samples": samples, **equal})
     publish(report, args.out)
 
@@ -97,23 +97,6 @@ def _ours(asset: Asset, shot: Shot, samples: int, args: argparse.Namespace) -> T
     world = World([Placement(asset, np.eye(4))])
     renders = [render_ours(shot, world, args.package, samples) for _ in range(1 + args.repeats)]
     return Timed(renders[-1].pixels, float(np.median([r.seconds for r in renders[1:]])))
-
-
-def _equal(psnr: float, seconds: float, cycles: list[dict[str, Any]]) -> dict[str, Any]:
-    """Where Cycles has our error: its error is a / samples, its time b + c samples."""
-    counts = np.array([row["samples"] for row in cycles], float)
-    errors = 10.0 ** (-np.array([row["psnr"] for row in cycles]) / 10.0)
-    a = np.exp(np.mean(np.log(errors * counts)))
-    c, b = np.polyfit(counts, [row["seconds"] for row in cycles], 1)
-    equal = a / 10.0 ** (-psnr / 10.0)
-    return {
-        "psnr": psnr,
-        "seconds": seconds,
-        "cycles_samples": equal,
-        "cycles_seconds": b + c * equal,
-        "extrapolated": bool(equal > counts.max()),
-        "times_as_fast": (b + c * equal) / seconds,
-    }
 
 
 def _parser() -> argparse.ArgumentParser:

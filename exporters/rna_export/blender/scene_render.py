@@ -10,6 +10,8 @@ import bpy
 import mathutils
 import ray_render
 
+_BOUNCES = ("max_bounces", "diffuse_bounces", "glossy_bounces", "transmission_bounces")
+
 
 class _State:
     """What of the Blender file is ours, and which scene it shows."""
@@ -28,6 +30,7 @@ class _State:
                 item.parent = self.handle
         self.collection = bpy.data.collections.new("rna scene")
         scene.collection.children.link(self.collection)
+        self.bounces = {name: getattr(scene.cycles, name) for name in _BOUNCES}
         self.shown = None
 
 
@@ -56,8 +59,8 @@ def _build(state, described):
             _add_lamp(state.collection, light)
     _set_world(environments)
     bounces = described["bounces"]
-    for kind in ("max", "diffuse", "glossy", "transmission") if bounces is not None else ():
-        setattr(bpy.context.scene.cycles, f"{kind}_bounces", bounces)
+    for name, of_source in state.bounces.items():
+        setattr(bpy.context.scene.cycles, name, of_source if bounces is None else bounces)
     state.shown = described
 
 
