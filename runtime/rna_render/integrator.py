@@ -216,14 +216,7 @@ class Integrator:
         samples, delta = self._light_samples(light, vertices.x_world, u)
         row = np.flatnonzero((samples.pdf > 0.0) & samples.radiance.any(axis=1))
         tried = row
-        wi_world, distance = samples.wi_world[row], samples.distance[row]
-        blocked = world.scene.occluded(
-            world.origins(vertices, row, wi_world),
-            wi_world,
-            distance * SHORTER,
-            vertices.own[row],
-        )
-        row = row[~blocked]
+        row = row[~self._blocked(vertices, row, samples, vertices.own[row])]
         wi = world.to_object_directions(vertices.instance[row], samples.wi_world[row])
         local_distance = samples.distance[row] / world.scale[vertices.instance[row]]
         radiance, seen = np.zeros((len(row), 3), np.float32), np.zeros(len(row), bool)
@@ -236,6 +229,22 @@ class Integrator:
         share = np.where(delta[row], 1.0, _share(pdf, own_pdf)[:, 0])
         weight = samples.radiance[row] * (share / pdf)[:, None].astype(np.float32)
         return _Found(tried, row, light[row], weight * radiance, seen)
+
+    def _blocked(
+        self, vertices: Vertices, row: np.ndarray, samples: LightSamples, own: np.ndarray | None
+    ) -> np.ndarray:
+        """Whether something stands between the given rows and their samples: (k,) bool."""
+        wi_world, distance = samples.wi_world[row], samples.distance[row]
+        origin = self._world.origins(vertices, row, wi_world)
+        # The step off the surface may be longer than SHORTER leaves before the light, so rays go
+        # to the point of the light from where they start, not from the vertex.
+        near = np.flatnonzero(np.isfinite(distance))
+        step = origin[near] - vertices.x_world[row[near]]
+        aim = wi_world[near] * distance[near, None] - step
+        length = np.linalg.norm(aim, axis=1)
+        wi_world[near] = aim / np.maximum(length, np.float32(1e-30))[:, None]
+        distance[near] = length
+        return self._world.scene.occluded(origin, wi_world, distance * SHORTER, own)
 
     def _light_samples(
         self, light: np.ndarray, x_world: np.ndarray, u: np.ndarray
@@ -316,8 +325,7 @@ class Integrator:
         """Light that arrives at the vertices, and what would if nothing were in the way, (n, 2)."""
         samples, _ = self._light_samples(light, vertices.x_world, u)
         every = np.arange(len(vertices))
-        origin = self._world.origins(vertices, every, samples.wi_world)
-        blocked = self._world.scene.occluded(origin, samples.wi_world, samples.distance * SHORTER)
+        blocked = self._blocked(vertices, every, samples, None)
         cosine = np.abs(np.sum(vertices.n_world * samples.wi_world, axis=1))
         pdf = samples.pdf * probability[light]
         weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
