@@ -313,20 +313,32 @@ class Integrator:
         choices, probability = self._choose_lights(numbers, 1)
         for number, light in enumerate(choices):
             u = numbers.square(LIGHT + number)
-            band.caught[at] += self._irradiance(vertices, light, probability, u)
+            arrives = self._irradiance(vertices, rays.direction[at], light, probability, u)
+            band.caught[at] += arrives
         for k in self._infinite:
             if self._lights[k].visible_to_camera:
                 band.behind_catcher[at, :3] += self._lights[k].escaped(rays.direction[at])[0]
                 band.behind_catcher[at, 3] = 1.0
 
     def _irradiance(
-        self, vertices: Vertices, light: np.ndarray, probability: np.ndarray, u: np.ndarray
+        self,
+        vertices: Vertices,
+        d_world: np.ndarray,
+        light: np.ndarray,
+        probability: np.ndarray,
+        u: np.ndarray,
     ) -> np.ndarray:
-        """Light that arrives at the vertices, and what would if nothing were in the way, (n, 2)."""
+        """Light that arrives at the vertices, and what would if nothing were in the way, (n, 2).
+
+        It arrives on the side that rays along d hit: no sky shines up through a floor.
+        """
         samples, _ = self._light_samples(light, vertices.x_world, u)
         every = np.arange(len(vertices))
         blocked = self._blocked(vertices, every, samples, None)
         cosine = np.abs(np.sum(vertices.n_world * samples.wi_world, axis=1))
+        side = np.sum(vertices.ng_world * d_world, axis=1)
+        side *= np.sum(vertices.ng_world * samples.wi_world, axis=1)
+        cosine = np.where(side < 0.0, cosine, np.float32(0.0))
         pdf = samples.pdf * probability[light]
         weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
         unblocked = samples.radiance.mean(axis=1) * weight
