@@ -317,8 +317,11 @@ class Integrator:
             band.caught[at] += arrives
         for k in self._infinite:
             if self._lights[k].visible_to_camera:
-                band.behind_catcher[at, :3] += self._lights[k].escaped(rays.direction[at])[0]
+                radiance, _ = self._lights[k].escaped(rays.direction[at])
+                band.behind_catcher[at, :3] += radiance
                 band.behind_catcher[at, 3] = 1.0
+                if (group := self._group[k]) is not None:
+                    band.groups_behind[at, group] += radiance
 
     def _irradiance(
         self,

@@ -115,6 +115,14 @@ def test_half_of_the_sky_darkened():
     np.testing.assert_allclose(channels["A"], 1, rtol=1e-5)
 
 
+def test_groups_of_lights_add_up_on_it():
+    sky, disk = SKY | {"radiance": (1, 2, 4), "group": "sky"}, DISK | {"group": "lamp"}
+    channels = shown([shade()], [sky, disk])
+    parts = sum(np.stack([channels[f"light.{g}.{c}"] for c in "RGB"], -1) for g in ("sky", "lamp"))
+    assert rgb(channels).min() > 0
+    np.testing.assert_allclose(parts, rgb(channels), rtol=1e-4)
+
+
 def test_an_asset_above_it_is_as_it_would_be_without():
     """It takes no light from the asset, and gives none: only the camera sees it."""
     ball = LambertAsset(sphere(3)), {"translation": (0, 1.2, 0)}
