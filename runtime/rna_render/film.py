@@ -24,6 +24,7 @@ class Layers:
     caught: (n, 2) float, where a shadow catcher is hit the light that it receives, and what it
         would receive if nothing stood in the way.
     behind_catcher: (n, 4) float, as beauty, the visible background where a catcher is hit.
+    groups_behind: (n, g, 3) float, as groups, the same.
     catcher: (n,) float, coverage by shadow catchers.
     asset: (n,) uint32, number of the thing, from 1; 0 for none.
     """
@@ -36,6 +37,7 @@ class Layers:
     light_samples: np.ndarray
     caught: np.ndarray
     behind_catcher: np.ndarray
+    groups_behind: np.ndarray
     catcher: np.ndarray
     asset: np.ndarray
 
@@ -51,6 +53,7 @@ class Layers:
             "light_samples": (2,),
             "caught": (2,),
             "behind_catcher": (4,),
+            "groups_behind": (groups, 3),
             "catcher": (),
         }
         floats = {name: np.zeros((count, *shape), dtype) for name, shape in shapes.items()}
@@ -102,18 +105,17 @@ class Film:
         the first sample that did.
         """
         total, count = self._sum, max(self.samples, 1)
+        lit = self._lit()
+        groups = (total.groups + total.groups_behind * lit[:, None, None]) / count
         hits = np.maximum(total.hit, 1.0)[:, None]
         length = np.linalg.norm(total.normal_world, axis=1, keepdims=True)
         normal = total.normal_world / np.where(length > 0.0, length, 1.0)
         mean = total.beauty / count
         spread = np.maximum(self._squares / count - np.square(mean[:, :3]), 0.0)
         named = [
-            ("RGBA", "", mean + self._shadows() / count),
+            ("RGBA", "", mean + self._shadows(lit) / count),
             ("RGB", "variance.", spread / max(count - 1, 1)),
-            *(
-                ("RGB", f"light.{n}.", total.groups[:, g] / count)
-                for g, n in enumerate(self._groups)
-            ),
+            *(("RGB", f"light.{name}.", groups[:, g]) for g, name in enumerate(self._groups)),
             ("XYZ", "normal.", normal),
             ("XYZ", "position.", total.position_world / hits),
         ]
@@ -127,10 +129,13 @@ class Film:
         result["assetId"] = self._plane(total.asset)
         return result
 
-    def _shadows(self) -> np.ndarray:
-        """What shadow catchers add to the sum of beauty: background, darkened, with alpha."""
+    def _lit(self) -> np.ndarray:
+        """Part of the light that arrives at shadow catchers: (n,)."""
         received, unblocked = self._sum.caught.T
-        lit = np.divide(received, unblocked, out=np.ones_like(received), where=unblocked > 0.0)
+        return np.divide(received, unblocked, out=np.ones_like(received), where=unblocked > 0.0)
+
+    def _shadows(self, lit: np.ndarray) -> np.ndarray:
+        """What shadow catchers add to the sum of beauty: background, darkened, with alpha."""
         result = self._sum.behind_catcher * lit[:, None]
         result[:, 3] += (1.0 - lit) * self._sum.catcher
         return result

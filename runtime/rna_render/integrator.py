@@ -216,14 +216,7 @@ class Integrator:
         samples, delta = self._light_samples(light, vertices.x_world, u)
         row = np.flatnonzero((samples.pdf > 0.0) & samples.radiance.any(axis=1))
         tried = row
-        wi_world, distance = samples.wi_world[row], samples.distance[row]
-        blocked = world.scene.occluded(
-            world.origins(vertices, row, wi_world),
-            wi_world,
-            distance * SHORTER,
-            vertices.own[row],
-        )
-        row = row[~blocked]
+        row = row[~self._blocked(vertices, row, samples, vertices.own[row])]
         wi = world.to_object_directions(vertices.instance[row], samples.wi_world[row])
         local_distance = samples.distance[row] / world.scale[vertices.instance[row]]
         radiance, seen = np.zeros((len(row), 3), np.float32), np.zeros(len(row), bool)
@@ -236,6 +229,22 @@ class Integrator:
         share = np.where(delta[row], 1.0, _share(pdf, own_pdf)[:, 0])
         weight = samples.radiance[row] * (share / pdf)[:, None].astype(np.float32)
         return _Found(tried, row, light[row], weight * radiance, seen)
+
+    def _blocked(
+        self, vertices: Vertices, row: np.ndarray, samples: LightSamples, own: np.ndarray | None
+    ) -> np.ndarray:
+        """Whether something stands between the given rows and their samples: (k,) bool."""
+        wi_world, distance = samples.wi_world[row], samples.distance[row]
+        origin = self._world.origins(vertices, row, wi_world)
+        # The step off the surface may be longer than SHORTER leaves before the light, so rays go
+        # to the point of the light from where they start, not from the vertex.
+        near = np.flatnonzero(np.isfinite(distance))
+        step = origin[near] - vertices.x_world[row[near]]
+        aim = wi_world[near] * distance[near, None] - step
+        length = np.linalg.norm(aim, axis=1)
+        wi_world[near] = aim / np.maximum(length, np.float32(1e-30))[:, None]
+        distance[near] = length
+        return self._world.scene.occluded(origin, wi_world, distance * SHORTER, own)
 
     def _light_samples(
         self, light: np.ndarray, x_world: np.ndarray, u: np.ndarray
@@ -304,21 +313,35 @@ class Integrator:
         choices, probability = self._choose_lights(numbers, 1)
         for number, light in enumerate(choices):
             u = numbers.square(LIGHT + number)
-            band.caught[at] += self._irradiance(vertices, light, probability, u)
+            arrives = self._irradiance(vertices, rays.direction[at], light, probability, u)
+            band.caught[at] += arrives
         for k in self._infinite:
             if self._lights[k].visible_to_camera:
-                band.behind_catcher[at, :3] += self._lights[k].escaped(rays.direction[at])[0]
+                radiance, _ = self._lights[k].escaped(rays.direction[at])
+                band.behind_catcher[at, :3] += radiance
                 band.behind_catcher[at, 3] = 1.0
+                if (group := self._group[k]) is not None:
+                    band.groups_behind[at, group] += radiance
 
     def _irradiance(
-        self, vertices: Vertices, light: np.ndarray, probability: np.ndarray, u: np.ndarray
+        self,
+        vertices: Vertices,
+        d_world: np.ndarray,
+        light: np.ndarray,
+        probability: np.ndarray,
+        u: np.ndarray,
     ) -> np.ndarray:
-        """Light that arrives at the vertices, and what would if nothing were in the way, (n, 2)."""
+        """Light that arrives at the vertices, and what would if nothing were in the way, (n, 2).
+
+        It arrives on the side that rays along d hit: no sky shines up through a floor.
+        """
         samples, _ = self._light_samples(light, vertices.x_world, u)
         every = np.arange(len(vertices))
-        origin = self._world.origins(vertices, every, samples.wi_world)
-        blocked = self._world.scene.occluded(origin, samples.wi_world, samples.distance * SHORTER)
+        blocked = self._blocked(vertices, every, samples, None)
         cosine = np.abs(np.sum(vertices.n_world * samples.wi_world, axis=1))
+        side = np.sum(vertices.ng_world * d_world, axis=1)
+        side *= np.sum(vertices.ng_world * samples.wi_world, axis=1)
+        cosine = np.where(side < 0.0, cosine, np.float32(0.0))
         pdf = samples.pdf * probability[light]
         weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
         unblocked = samples.radiance.mean(axis=1) * weight
