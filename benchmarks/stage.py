@@ -11,7 +11,7 @@ import numpy as np
 from rna_render.scene_model import Scene
 from rna_sdk.runtime import Asset, FiberAsset
 
-GREY = {"type": "diffuse", "color": (0.5, 0.5, 0.5)}
+GREY = {"type": "diffuse", "color": (0.2, 0.2, 0.2)}
 RED = {"type": "diffuse", "color": (0.65, 0.05, 0.04)}
 FOV_Y_DEG = 30.0
 
