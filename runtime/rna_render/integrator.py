@@ -21,26 +21,17 @@ import numpy as np
 from rna_render.camera import Camera
 from rna_render.film import Layers
 from rna_render.instances import CAMERA_RAY, INDIRECT_RAY
-from rna_render.lights import InfiniteLight, Light, LightSamples, LightSelection
+from rna_render.light_sampling import LightChoice, LightSampling
+from rna_render.lights import InfiniteLight, Light
+from rna_render.path_numbers import CHOICES, DIRECTION, PIXEL_DIMENSION, ROULETTE, PathNumbers
 from rna_render.points import Role
 from rna_render.sampling import Sampler
+from rna_render.shadow_catcher import caught_light
 from rna_render.tracing import ClosestHits
 from rna_render.world import Vertices, World
 
-# So few lights that each of them has a sample at the first point of a path.
-FEW_LIGHTS = 4
-
-# Dimensions of the sampler: the place in the pixel, then these at each point of a path, with one
-# for each light that has a sample there.
-PIXEL_DIMENSION = 0
-CHOICES, DIRECTION, ROULETTE, LIGHT = 1, 2, 3, 4
-DIMENSIONS_A_VERTEX = 3 + FEW_LIGHTS
-
 # Paths are ended at random from this many points on.
 FIRST_ROULETTE = 3
-
-# A shadow ray ends this part of its length before the light, which is a surface itself.
-SHORTER = np.float32(1.0 - 2.0**-13)
 
 Strategy = Literal["both", "lights", "rays"]
 
@@ -67,9 +58,9 @@ class Integrator:
     """Renders bands of pixels.
 
     lights: those of the world first, in its order. max_depth: how many points of a path may
-    scatter. on_first_hits: called once, when the first camera rays have been traced. strategy:
-    how light is found; anything but "both" is for tests, since each way alone misses some lights
-    or is slow.
+    scatter. clamp: the most radiance that one path may bring by way of more than one thing, if any.
+    on_first_hits: called once, when the first camera rays have been traced. strategy: how light is
+    found; anything but "both" is for tests, since each way alone misses some lights or is slow.
     """
 
     def __init__(
@@ -78,6 +69,7 @@ class Integrator:
         camera: Camera,
         lights: Sequence[Light],
         max_depth: int,
+        clamp: float | None = None,
         on_first_hits: Callable[[], None] = lambda: None,
         strategy: Strategy = "both",
     ) -> None:
@@ -85,9 +77,10 @@ class Integrator:
         self._camera = camera
         self._lights = lights
         self._max_depth = max_depth
+        self._clamp = None if clamp is None else np.float32(clamp)
         self._on_first_hits: Callable[[], None] | None = on_first_hits
         self._strategy = strategy
-        self._selection = LightSelection(lights, world.radius)
+        self._sampling = LightSampling(world, lights)
         self.groups = sorted({light.group for light in lights} - {""})
         self._group = [self.groups.index(x.group) if x.group else None for x in lights]
         self._infinite = [k for k, light in enumerate(lights) if isinstance(light, InfiniteLight)]
@@ -97,7 +90,7 @@ class Integrator:
         """One sample of the given pixels, (n,) uint32."""
         band = Layers.empty(len(pixels), len(self.groups), np.float32)
         rays = self._camera_rays(pixels, sampler)
-        self._collect(band, rays)
+        self._collect(band, rays, 0)
         self._catch_shadows(band, rays, pixels, sampler)
         vertices = self._vertices(Role.SCATTER, rays)
         self._describe(band, vertices)
@@ -105,12 +98,12 @@ class Integrator:
             if not len(vertices):
                 break
             path, beta = rays.path[vertices.ray], rays.beta[vertices.ray]
-            numbers = _Numbers(sampler, pixels[path], depth)
-            choices, probability = self._choose_lights(numbers, depth)
-            for number, light in enumerate(choices):
-                u = numbers.square(LIGHT + number)
-                found = self._sample_lights(vertices, light, probability, u)
-                self._add(band, path[found.row], found.light, beta[found.row] * found.radiance)
+            numbers = PathNumbers(sampler, pixels[path], depth)
+            choices, probability = self._sampling.choose(numbers)
+            for choice in choices if self._strategy != "rays" else ():
+                found = self._sample_lights(vertices, choice, probability)
+                radiance = self._clamped(beta[found.row] * found.radiance, depth)
+                self._add(band, path[found.row], found.light, radiance)
                 if depth == 1:
                     band.light_samples[path[found.tried], 0] += 1.0
                     band.light_samples[path[found.row], 1] += found.seen
@@ -118,7 +111,7 @@ class Integrator:
             if last and not self._rays_meet_lights:
                 break
             rays = self._scatter(vertices, path, beta, numbers, probability)
-            self._collect(band, rays)
+            self._collect(band, rays, depth)
             if last:
                 break
             vertices = self._vertices(Role.SCATTER, rays)
@@ -145,8 +138,8 @@ class Integrator:
         band.position_world[vertices.ray] = vertices.x_world
         band.asset[vertices.ray] = self._world.number[vertices.instance]
 
-    def _collect(self, band: Layers, rays: _Rays) -> None:
-        """Add the light that rays meet."""
+    def _collect(self, band: Layers, rays: _Rays, depth: int) -> None:
+        """Add the light that rays meet which have left a point of that depth, 0 for the camera."""
         owner = rays.hits.owner
         from_camera = rays.pdf is None
         escaped = np.flatnonzero(owner < 0)
@@ -160,14 +153,14 @@ class Integrator:
             if from_camera and not light.visible_to_camera:
                 continue
             radiance, pdf = light.escaped(rays.direction[escaped])
-            self._add_met(band, rays, escaped, k, radiance, pdf)
+            self._add_met(band, rays, depth, escaped, k, radiance, pdf)
             if from_camera:
                 band.beauty[rays.path[escaped], 3] = 1.0
         for k, light in enumerate(self._world.lights):
             met = np.flatnonzero((owner >= 0) & (self._world.light[owner] == k))
             if len(met):
                 radiance, pdf = light.met(*self._meeting(rays, met))
-                self._add_met(band, rays, met, k, radiance, pdf)
+                self._add_met(band, rays, depth, met, k, radiance, pdf)
 
     def _meeting(self, rays: _Rays, met: np.ndarray) -> tuple[np.ndarray, ...]:
         """The arguments of ShapeLight.met."""
@@ -179,6 +172,7 @@ class Integrator:
         self,
         band: Layers,
         rays: _Rays,
+        depth: int,
         row: np.ndarray,
         light: int,
         radiance: np.ndarray,
@@ -187,7 +181,15 @@ class Integrator:
         weight = rays.beta[row]
         if rays.pdf is not None and self._strategy == "both":
             weight = weight * _share(rays.pdf[row], rays.probability[light] * pdf)
-        self._add(band, rays.path[row], np.full(len(row), light), weight * radiance)
+        added = self._clamped(weight * radiance, depth)
+        self._add(band, rays.path[row], np.full(len(row), light), added)
+
+    def _clamped(self, radiance: np.ndarray, depth: int) -> np.ndarray:
+        """Radiance of single paths, not above the clamp if it left more than one thing."""
+        if self._clamp is None or depth < 2:
+            return radiance
+        largest = np.maximum(radiance.max(axis=1, keepdims=True), np.float32(1e-30))
+        return radiance * np.minimum(self._clamp / largest, np.float32(1.0))
 
     def _add(self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray) -> None:
         """Add radiance from lights; a path is there once at most."""
@@ -197,26 +199,15 @@ class Integrator:
                 of_light = light == k
                 band.groups[path[of_light], group] += radiance[of_light]
 
-    def _choose_lights(self, numbers: _Numbers, depth: int) -> tuple[list[np.ndarray], np.ndarray]:
-        """Which lights get a sample at each point, (n,) each, and how likely each light is to."""
-        if self._strategy == "rays" or not self._lights:
-            return [], np.zeros(len(self._lights))
-        count = len(numbers.pixels)
-        if depth == 1 and len(self._lights) <= FEW_LIGHTS:
-            every = [np.full(count, light) for light in range(len(self._lights))]
-            return every, np.ones(len(self._lights))
-        chosen = self._selection.choose(numbers.square(CHOICES)[:, 0])
-        return [chosen], self._selection.probability
-
     def _sample_lights(
-        self, vertices: Vertices, light: np.ndarray, probability: np.ndarray, u: np.ndarray
+        self, vertices: Vertices, choice: LightChoice, probability: np.ndarray
     ) -> _Found:
         """Light from one light a vertex, and which of it arrives."""
-        world = self._world
-        samples, delta = self._light_samples(light, vertices.x_world, u)
+        world, light = self._world, choice.light
+        samples = self._sampling.sample(choice, vertices.x_world)
         row = np.flatnonzero((samples.pdf > 0.0) & samples.radiance.any(axis=1))
         tried = row
-        row = row[~self._blocked(vertices, row, samples, vertices.own[row])]
+        row = row[~self._sampling.blocked(vertices, row, samples, vertices.own[row])]
         wi = world.to_object_directions(vertices.instance[row], samples.wi_world[row])
         local_distance = samples.distance[row] / world.scale[vertices.instance[row]]
         radiance, seen = np.zeros((len(row), 3), np.float32), np.zeros(len(row), bool)
@@ -226,55 +217,17 @@ class Integrator:
             if self._rays_meet_lights:
                 own_pdf[part] = points.pdf(place, wi[part])
         pdf = samples.pdf[row] * probability[light[row]]
-        share = np.where(delta[row], 1.0, _share(pdf, own_pdf)[:, 0])
+        delta = self._sampling.delta(light[row])
+        share = np.where(delta, 1.0, _share(pdf, own_pdf)[:, 0])
         weight = samples.radiance[row] * (share / pdf)[:, None].astype(np.float32)
         return _Found(tried, row, light[row], weight * radiance, seen)
-
-    def _blocked(
-        self, vertices: Vertices, row: np.ndarray, samples: LightSamples, own: np.ndarray | None
-    ) -> np.ndarray:
-        """Whether something stands between the given rows and their samples: (k,) bool."""
-        wi_world, distance = samples.wi_world[row], samples.distance[row]
-        origin = self._world.origins(vertices, row, wi_world)
-        # The step off the surface may be longer than SHORTER leaves before the light, so rays go
-        # to the point of the light from where they start, not from the vertex.
-        near = np.flatnonzero(np.isfinite(distance))
-        step = origin[near] - vertices.x_world[row[near]]
-        aim = wi_world[near] * distance[near, None] - step
-        length = np.linalg.norm(aim, axis=1)
-        wi_world[near] = aim / np.maximum(length, np.float32(1e-30))[:, None]
-        distance[near] = length
-        return self._world.scene.occluded(origin, wi_world, distance * SHORTER, own)
-
-    def _light_samples(
-        self, light: np.ndarray, x_world: np.ndarray, u: np.ndarray
-    ) -> tuple[LightSamples, np.ndarray]:
-        """A sample of the given light for each point, and whether it is a delta light."""
-        delta = np.array([light.delta for light in self._lights], bool)
-        chosen = np.unique(light)
-        if len(chosen) == 1:
-            k = int(chosen[0])
-            return self._lights[k].sample(x_world, u), np.full(len(x_world), delta[k])
-        n = len(x_world)
-        result = LightSamples(
-            np.zeros((n, 3), np.float32),
-            np.zeros(n, np.float32),
-            np.zeros((n, 3), np.float32),
-            np.zeros(n, np.float32),
-        )
-        for k in chosen:
-            row = np.flatnonzero(light == k)
-            samples = self._lights[k].sample(x_world[row], u[row])
-            result.wi_world[row], result.distance[row] = samples.wi_world, samples.distance
-            result.radiance[row], result.pdf[row] = samples.radiance, samples.pdf
-        return result, delta[light]
 
     def _scatter(
         self,
         vertices: Vertices,
         path: np.ndarray,
         beta: np.ndarray,
-        numbers: _Numbers,
+        numbers: PathNumbers,
         probability: np.ndarray,
     ) -> _Rays:
         """Continue the paths, each with a ray in a direction of its body's choice."""
@@ -303,18 +256,14 @@ class Integrator:
     def _catch_shadows(
         self, band: Layers, rays: _Rays, pixels: np.ndarray, sampler: Sampler
     ) -> None:
-        """What lights would bring to shadow catchers, and what of it arrives."""
+        """What shadow catchers receive, and what shows behind them."""
         vertices = self._vertices(Role.CATCH_SHADOWS, rays)
         if not len(vertices):
             return
         at = vertices.ray
+        numbers = PathNumbers(sampler, pixels[at], 1)
         band.catcher[at] = 1.0
-        numbers = _Numbers(sampler, pixels[at], 1)
-        choices, probability = self._choose_lights(numbers, 1)
-        for number, light in enumerate(choices):
-            u = numbers.square(LIGHT + number)
-            arrives = self._irradiance(vertices, rays.direction[at], light, probability, u)
-            band.caught[at] += arrives
+        band.caught[at] = caught_light(self._sampling, vertices, rays.direction[at], numbers)
         for k in self._infinite:
             if self._lights[k].visible_to_camera:
                 radiance, _ = self._lights[k].escaped(rays.direction[at])
@@ -322,44 +271,6 @@ class Integrator:
                 band.behind_catcher[at, 3] = 1.0
                 if (group := self._group[k]) is not None:
                     band.groups_behind[at, group] += radiance
-
-    def _irradiance(
-        self,
-        vertices: Vertices,
-        d_world: np.ndarray,
-        light: np.ndarray,
-        probability: np.ndarray,
-        u: np.ndarray,
-    ) -> np.ndarray:
-        """Light that arrives at the vertices, and what would if nothing were in the way, (n, 2).
-
-        It arrives on the side that rays along d hit: no sky shines up through a floor.
-        """
-        samples, _ = self._light_samples(light, vertices.x_world, u)
-        every = np.arange(len(vertices))
-        blocked = self._blocked(vertices, every, samples, None)
-        cosine = np.abs(np.sum(vertices.n_world * samples.wi_world, axis=1))
-        side = np.sum(vertices.ng_world * d_world, axis=1)
-        side *= np.sum(vertices.ng_world * samples.wi_world, axis=1)
-        cosine = np.where(side < 0.0, cosine, np.float32(0.0))
-        pdf = samples.pdf * probability[light]
-        weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
-        unblocked = samples.radiance.mean(axis=1) * weight
-        return np.column_stack([unblocked * ~blocked, unblocked])
-
-
-@dataclass(frozen=True, slots=True)
-class _Numbers:
-    """The random numbers at one depth of some paths."""
-
-    sampler: Sampler
-    pixels: np.ndarray
-    depth: int
-
-    def square(self, dimension: int) -> np.ndarray:
-        """(n, 2) in [0, 1)."""
-        number = (self.depth - 1) * DIMENSIONS_A_VERTEX + dimension
-        return self.sampler.square(self.pixels, number)
 
 
 @dataclass(frozen=True, slots=True)

@@ -56,7 +56,7 @@ def make_integrator(
     without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
     lights: list[Light] = [*world.lights, *(make_light(model, resolve) for model in without_shape)]
     camera = Camera(scene.camera, scene.resolution)
-    return Integrator(world, camera, lights, scene.max_depth, on_first_hits)
+    return Integrator(world, camera, lights, scene.max_depth, scene.clamp_indirect, on_first_hits)
 
 
 def render(

@@ -120,6 +120,11 @@ class Scene(Model):
         description="Things that light may meet on its way to the camera, the first one seen "
         "included; 1 is direct light alone.",
     )
+    clamp_indirect: Positive | None = Field(
+        default=None,
+        description="The most radiance that one path may bring by way of more than one thing. It "
+        "removes specks, and the light that was in them.",
+    )
     seed: int = Field(
         default=0,
         ge=0,

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from rna_render.bodies import Thing
 from rna_render.camera import Camera
-from rna_render.integrator import Integrator, Strategy
+from rna_render.integrator import Integrator
 from rna_render.lights import MeshLight, PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
@@ -36,7 +36,7 @@ class Estimate:
 def shoot(
     things: Sequence[tuple[Thing, dict[str, Any]]],
     lights: Sequence[dict[str, Any]] = (),
-    strategy: Strategy = "both",
+    strategy: Literal["both", "lights", "rays"] = "both",
     **changes: Any,
 ) -> Channels:
     """Channels of the image of `things`, with their transforms, and of lights of a scene file.

@@ -1,0 +1,43 @@
+"""Shadows for alpha: how much of the light a surface receives that it would in an empty scene."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_render.light_sampling import LightChoice, LightSampling
+from rna_render.path_numbers import PathNumbers
+from rna_render.world import Vertices
+
+
+def caught_light(
+    lighting: LightSampling, vertices: Vertices, d_world: np.ndarray, numbers: PathNumbers
+) -> np.ndarray:
+    """Light that arrives, and what would if nothing were in the way: (n, 2) float32.
+
+    Irradiance, mean of RGB, on the side that rays along d hit: no sky shines up through a floor.
+    d_world: (n, 3) float32, of the rays that hit the vertices.
+    """
+    result = np.zeros((len(vertices), 2), np.float32)
+    choices, probability = lighting.choose(numbers)
+    for choice in choices:
+        result += _one_light(lighting, vertices, d_world, choice, probability)
+    return result
+
+
+def _one_light(
+    lighting: LightSampling,
+    vertices: Vertices,
+    d_world: np.ndarray,
+    choice: LightChoice,
+    probability: np.ndarray,
+) -> np.ndarray:
+    samples = lighting.sample(choice, vertices.x_world)
+    blocked = lighting.blocked(vertices, np.arange(len(vertices)), samples, None)
+    cosine = np.abs(np.sum(vertices.n_world * samples.wi_world, axis=1))
+    side = np.sum(vertices.ng_world * d_world, axis=1)
+    side *= np.sum(vertices.ng_world * samples.wi_world, axis=1)
+    cosine = np.where(side < 0.0, cosine, np.float32(0.0))
+    pdf = samples.pdf * probability[choice.light]
+    weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
+    unblocked = samples.radiance.mean(axis=1) * weight
+    return np.column_stack([unblocked * ~blocked, unblocked])
