@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+import numba
 import numpy as np
 
 from rna_render.bodies import Thing
@@ -60,7 +62,19 @@ def shoot(
     integrator = Integrator(
         world, camera, [*world.lights, *others], scene.max_depth, strategy=strategy
     )
-    return render(scene, integrator).channels()
+    with one_thread():
+        return render(scene, integrator).channels()
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """For small images: threads would wait for one another, minutes long on a busy machine."""
+    threads = numba.get_num_threads()
+    numba.set_num_threads(1)
+    try:
+        yield
+    finally:
+        numba.set_num_threads(threads)
 
 
 def _placed(thing: Thing, matrix: np.ndarray) -> Placement:

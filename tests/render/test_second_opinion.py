@@ -21,6 +21,7 @@ from rna_render.images import write_exr
 from rna_render.render import load_world, make_integrator, render
 from rna_render.scene_file import read_scene
 from tests.render.stage import rgb
+from tests.render.studio import one_thread
 
 pytest.importorskip("mitsuba", reason="mitsuba is not installed: pip install mitsuba")
 from tests.render import mitsuba_scenes as twin
@@ -50,10 +51,11 @@ def our_batches(folder: Path, scene: Scene) -> np.ndarray:
     file = read_scene(path)
     integrator = make_integrator(file.scene, load_world(file), resolve=file.resolve)
     images = []
-    for seed in range(BATCHES):
-        film = render(file.scene.model_copy(update={"seed": seed}), integrator)
-        fine = rgb(film.channels()).astype(np.float64)
-        images.append(fine.reshape(height, OURS_FINER, width, OURS_FINER, 3).mean(axis=(1, 3)))
+    with one_thread():
+        for seed in range(BATCHES):
+            film = render(file.scene.model_copy(update={"seed": seed}), integrator)
+            fine = rgb(film.channels()).astype(np.float64)
+            images.append(fine.reshape(height, OURS_FINER, width, OURS_FINER, 3).mean(axis=(1, 3)))
     return np.stack(images)
 
 
