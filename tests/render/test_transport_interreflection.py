@@ -36,7 +36,7 @@ def test_a_white_sphere_vanishes_in_a_white_furnace(smooth):
     channels = shoot([(made_of(ball), {})], [SKY], camera=WIDE, max_depth=64)
     assert 0.3 < np.mean(channels["assetId"] > 0) < 0.9
     assert rgb(channels).mean() == pytest.approx(1, abs=0.005)
-    assert channels["R"].min() > 0.9 and channels["R"].max() < 1.1
+    assert channels["R"].min() > 0.8 and channels["R"].max() < 1.2
 
 
 def test_a_white_bowl_vanishes_in_a_white_furnace():
