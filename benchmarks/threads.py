@@ -1,0 +1,123 @@
+"""Speed of a real render on two threads against one.
+
+    python benchmarks/threads.py --out benchmarks/results/threads.json
+
+Prints JSON. The scene is that of the quickstart on a ground under a sky. Every run is a process of
+its own, since the runtime and numba take their threads when they start; runs on one and on two
+threads alternate, and medians are compared. Loading and compiling are left out, and so is a first
+sample.
+
+`scaling` is by the clock and needs an idle machine. `parallel_share` is how much of the time on one
+thread goes to what threads share, compiled loops and the neural networks, by Python's profiler;
+`scaling_limit` is what follows from it for two threads by Amdahl's law.
+"""
+
+from __future__ import annotations
+
+import argparse
+import cProfile
+import json
+import os
+import platform
+import pstats
+import subprocess
+import sys
+import time
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from report import publish, report_parser
+
+QUICKSTART = Path(__file__).parent.parent / "examples" / "quickstart" / "scene.yaml"
+TARGET = 1.85
+PROFILE = "profile"
+
+
+def main() -> None:
+    args = arguments()
+    if args.worker:
+        print(json.dumps(worker(args)))
+        return
+    runs: dict[str, list[float]] = {"1": [], "2": []}
+    for _ in range(args.repeats):
+        for threads, seconds in runs.items():
+            seconds.append(in_process(threads, args))
+    one, two = (median(seconds) for seconds in runs.values())
+    share = in_process(PROFILE, args)
+    paths = args.width * (args.width * 9 // 16) * args.samples
+    report: dict[str, Any] = {
+        "scene": "examples/quickstart on a ground, under a sky",
+        "resolution": [args.width, args.width * 9 // 16],
+        "samples": args.samples,
+        "processor": platform.processor() or platform.machine(),
+        "cores": os.cpu_count(),
+        "load": [round(load, 2) for load in os.getloadavg()],
+        "seconds": runs,
+        "camera_paths_per_second": {"1": paths / one, "2": paths / two},
+        "scaling": one / two,
+        "target": TARGET,
+        "parallel_share": share,
+        "scaling_limit": 1.0 / (1.0 - share / 2.0),
+    }
+    publish(report, args.out)
+
+
+def arguments() -> argparse.Namespace:
+    parser = report_parser(
+        description="Render the quickstart's scene on one and on two threads; prints JSON.",
+        epilog="example: python benchmarks/threads.py --out threads.json",
+    )
+    parser.add_argument("--width", type=int, default=480, help="of the image, pixels")
+    parser.add_argument("--samples", type=int, default=4, help="a pixel")
+    parser.add_argument("--worker", help=argparse.SUPPRESS)
+    return parser.parse_args()
+
+
+def in_process(task: str, args: argparse.Namespace) -> float:
+    command = [sys.executable, __file__, "--worker", task]
+    command += ["--width", str(args.width), "--samples", str(args.samples)]
+    threads = "1" if task == PROFILE else task
+    environment = os.environ | {"NUMBA_NUM_THREADS": threads}
+    result = subprocess.run(command, check=True, env=environment, stdout=subprocess.PIPE)
+    return float(result.stdout)
+
+
+def worker(args: argparse.Namespace) -> float:
+    """Seconds that a render takes, or the share of them that threads divide."""
+    from rna_render.render import load_world, make_integrator, render
+    from rna_render.scene_file import read_scene
+    from rna_render.scene_model import GroundModel
+
+    resolution = args.width, args.width * 9 // 16
+    file = read_scene(QUICKSTART).with_changes(
+        ground=GroundModel(), resolution=resolution, samples=args.samples
+    )
+    threads = 1 if args.worker == PROFILE else int(args.worker)
+    world = load_world(file, threads)
+    integrator = make_integrator(file.scene, world, resolve=file.resolve)
+    render(file.scene.model_copy(update={"samples": 1}), integrator)
+    if args.worker == PROFILE:
+        profile = cProfile.Profile(time.process_time)
+        profile.runcall(render, file.scene, integrator)
+        return parallel_share(profile)
+    start = time.perf_counter()
+    render(file.scene, integrator)
+    return time.perf_counter() - start
+
+
+def parallel_share(profile: cProfile.Profile) -> float:
+    from numba.core.registry import CPUDispatcher
+
+    modules = {getattr(module, "__file__", None): module for module in sys.modules.values()}
+    total = shared = 0.0
+    for (file, _, name), (_, _, own, _, _) in pstats.Stats(profile).stats.items():
+        total += own
+        compiled = isinstance(getattr(modules.get(file), name, None), CPUDispatcher)
+        if compiled or "onnxruntime" in name:
+            shared += own
+    return shared / total
+
+
+if __name__ == "__main__":
+    main()
