@@ -30,7 +30,7 @@ from rna_sdk.runtime import load
 def main() -> None:
     own, arguments = split_script_arguments(None)
     args = _parser().parse_args(own)
-    assets = {package: load(package) for package in args.packages}
+    assets = {package: load(package, threads=1) for package in args.packages}
     every = shots_of(assets[args.packages[0]], args.resolution, args.turn)
     near = [shot for shot in every if shot.camera_name == "strands"]
     with tempfile.TemporaryDirectory() as scratch:

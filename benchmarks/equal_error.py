@@ -38,7 +38,7 @@ from rna_sdk.runtime import Asset, load
 def main() -> None:
     own, arguments = split_script_arguments(None)
     args = _parser().parse_args(own)
-    assets = {tier: load(args.package, tier=tier) for tier in args.tiers}
+    assets = {tier: load(args.package, tier=tier, threads=1) for tier in args.tiers}
     standard = shots_of(assets[args.tiers[0]], args.resolution, args.turn)
     shot = next(s for s in standard if s.name == args.shot)
     with tempfile.TemporaryDirectory() as scratch:

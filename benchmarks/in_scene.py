@@ -47,7 +47,7 @@ def main() -> None:
     args = _parser().parse_args(own)
     args.work.mkdir(parents=True, exist_ok=True)
     python = blender_env.find_python()
-    asset = load(args.package, tier=args.tier)
+    asset = load(args.package, tier=args.tier, threads=1)
     view = {"turn_deg": args.turn, "resolution": tuple(args.resolution)}
     stage = Stage.of(asset, args.package.resolve(), args.tier, **view)
     environments = [_environment(name, python) for name in args.environments]

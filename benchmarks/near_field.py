@@ -36,7 +36,7 @@ DISTANCES = (8.66, 1.73, 0.86)  # of the asset's size
 def main() -> None:
     own, arguments = split_script_arguments(None)
     args = _parser().parse_args(own)
-    asset = load(args.package, tier=args.tier)
+    asset = load(args.package, tier=args.tier, threads=1)
     view = {"turn_deg": args.turn, "resolution": tuple(args.resolution), "margin": 0.95}
     stage = Stage.of(asset, args.package.resolve(), args.tier, **view)
     covered = OurScene(stage.scene()).channels(8)["A"] > 0.0

@@ -7,19 +7,15 @@ its own, since the runtime and numba take their threads when they start; runs on
 threads alternate, and medians are compared. Loading and compiling are left out, and so is a first
 sample.
 
-`scaling` is by the clock and needs an idle machine. `parallel_share` is how much of the time on one
-thread goes to what threads share, compiled loops and the neural networks, by Python's profiler;
-`scaling_limit` is what follows from it for two threads by Amdahl's law.
+It needs an idle machine.
 """
 
 from __future__ import annotations
 
 import argparse
-import cProfile
 import json
 import os
 import platform
-import pstats
 import subprocess
 import sys
 import time
@@ -31,7 +27,6 @@ from report import publish, report_parser
 
 QUICKSTART = Path(__file__).parent.parent / "examples" / "quickstart" / "scene.yaml"
 TARGET = 1.85
-PROFILE = "profile"
 
 
 def main() -> None:
@@ -44,7 +39,6 @@ def main() -> None:
         for threads, seconds in runs.items():
             seconds.append(in_process(threads, args))
     one, two = (median(seconds) for seconds in runs.values())
-    share = in_process(PROFILE, args)
     paths = args.width * (args.width * 9 // 16) * args.samples
     report: dict[str, Any] = {
         "scene": "examples/quickstart on a ground, under a sky",
@@ -57,8 +51,6 @@ def main() -> None:
         "camera_paths_per_second": {"1": paths / one, "2": paths / two},
         "scaling": one / two,
         "target": TARGET,
-        "parallel_share": share,
-        "scaling_limit": 1.0 / (1.0 - share / 2.0),
     }
     publish(report, args.out)
 
@@ -68,8 +60,8 @@ def arguments() -> argparse.Namespace:
         description="Render the quickstart's scene on one and on two threads; prints JSON.",
         epilog="example: python benchmarks/threads.py --out threads.json",
     )
-    parser.add_argument("--width", type=int, default=480, help="of the image, pixels")
-    parser.add_argument("--samples", type=int, default=4, help="a pixel")
+    parser.add_argument("--width", type=int, default=640, help="of the image, pixels")
+    parser.add_argument("--samples", type=int, default=8, help="a pixel")
     parser.add_argument("--worker", help=argparse.SUPPRESS)
     return parser.parse_args()
 
@@ -77,14 +69,13 @@ def arguments() -> argparse.Namespace:
 def in_process(task: str, args: argparse.Namespace) -> float:
     command = [sys.executable, __file__, "--worker", task]
     command += ["--width", str(args.width), "--samples", str(args.samples)]
-    threads = "1" if task == PROFILE else task
-    environment = os.environ | {"NUMBA_NUM_THREADS": threads}
+    environment = os.environ | {"NUMBA_NUM_THREADS": task}
     result = subprocess.run(command, check=True, env=environment, stdout=subprocess.PIPE)
     return float(result.stdout)
 
 
 def worker(args: argparse.Namespace) -> float:
-    """Seconds that a render takes, or the share of them that threads divide."""
+    """Seconds that a render takes."""
     from rna_render.render import load_world, make_integrator, render
     from rna_render.scene_file import read_scene
     from rna_render.scene_model import GroundModel
@@ -93,30 +84,12 @@ def worker(args: argparse.Namespace) -> float:
     file = read_scene(QUICKSTART).with_changes(
         ground=GroundModel(), resolution=resolution, samples=args.samples
     )
-    threads = 1 if args.worker == PROFILE else int(args.worker)
-    world = load_world(file, threads)
+    world = load_world(file)
     integrator = make_integrator(file.scene, world, resolve=file.resolve)
     render(file.scene.model_copy(update={"samples": 1}), integrator)
-    if args.worker == PROFILE:
-        profile = cProfile.Profile(time.process_time)
-        profile.runcall(render, file.scene, integrator)
-        return parallel_share(profile)
     start = time.perf_counter()
     render(file.scene, integrator)
     return time.perf_counter() - start
-
-
-def parallel_share(profile: cProfile.Profile) -> float:
-    from numba.core.registry import CPUDispatcher
-
-    modules = {getattr(module, "__file__", None): module for module in sys.modules.values()}
-    total = shared = 0.0
-    for (file, _, name), (_, _, own, _, _) in pstats.Stats(profile).stats.items():
-        total += own
-        compiled = isinstance(getattr(modules.get(file), name, None), CPUDispatcher)
-        if compiled or "onnxruntime" in name:
-            shared += own
-    return shared / total
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ def _unit(vector: np.ndarray) -> np.ndarray:
     return vector / np.linalg.norm(vector)
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _directions(pixels, u, width, corner, step_x, step_y, result):
     for i in prange(len(pixels)):
         x = pixels[i] % width + u[i, 0]

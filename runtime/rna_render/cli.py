@@ -204,7 +204,7 @@ def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
 
     scene = scene_file.scene
     output.check()
-    world = load_world(scene_file, threads)
+    world = load_world(scene_file)
     with Interrupt() as interrupt:
         film = render_with_bar(
             scene_file,

@@ -79,7 +79,7 @@ def _store_normal(ray, ng):
     ng[0], ng[1], ng[2] = x * scale, y * scale, z * scale
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def intersect(
     function,
     scene,
@@ -140,7 +140,7 @@ def intersect(
                     ng[i] = 0.0
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def occluded(function, scene, arguments, ray_id, mask, origins, directions, tnear, tfar, result):
     """Whether anything is hit between tnear and tfar.
 

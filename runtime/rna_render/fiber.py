@@ -77,7 +77,7 @@ def visible(
     return ~scene.occluded_by_others(scene.strands[segment], positions, wi, tfar)
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _hit_points(points, radii, first, segment, u, normals, result):
     for i in prange(len(segment)):
         a = first[segment[i]]
@@ -88,7 +88,7 @@ def _hit_points(points, radii, first, segment, u, normals, result):
             result[i, axis] = centre + radius * normals[i, axis]
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _tangents(points, first, segment, result):
     for i in prange(len(segment)):
         a = first[segment[i]]

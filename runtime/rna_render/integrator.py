@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from threading import Lock
 from typing import Literal
 
 import numpy as np
@@ -55,7 +56,7 @@ class _Rays:
 
 
 class Integrator:
-    """Renders bands of pixels.
+    """Renders bands of pixels; several threads may each render one at once.
 
     lights: those of the world first, in its order. max_depth: how many points of a path may
     scatter. clamp: the most radiance that one path may bring by way of more than one thing, if any.
@@ -79,6 +80,7 @@ class Integrator:
         self._max_depth = max_depth
         self._clamp = None if clamp is None else np.float32(clamp)
         self._on_first_hits: Callable[[], None] | None = on_first_hits
+        self._reporting = Lock()
         self._strategy = strategy
         self._sampling = LightSampling(world, lights)
         self.groups = sorted({light.group for light in lights} - {""})
@@ -121,12 +123,16 @@ class Integrator:
         direction = self._camera.directions(pixels, sampler.square(pixels, PIXEL_DIMENSION))
         origin = np.tile(self._camera.position, (len(pixels), 1))
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
-        if self._on_first_hits is not None:
-            self._on_first_hits()
-            self._on_first_hits = None
+        self._report_first_hits()
         beta = np.ones((len(pixels), 3), np.float32)
         path, never = np.arange(len(pixels)), np.zeros(len(self._lights))
         return _Rays(path, origin, direction, hits, beta, None, never)
+
+    def _report_first_hits(self) -> None:
+        with self._reporting:
+            if self._on_first_hits is not None:
+                self._on_first_hits()
+                self._on_first_hits = None
 
     def _vertices(self, role: Role, rays: _Rays) -> Vertices:
         return self._world.vertices(role, rays.hits, rays.direction)

@@ -145,7 +145,7 @@ def _dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample(shares, mirror_kappa, cone_scale, forward_kappa, n, tangents, wo, u, wi):
     for i in prange(len(n)):
         o, normal, tangent, mirror = _frame(n, tangents, wo, i)
@@ -173,7 +173,7 @@ def _sample(shares, mirror_kappa, cone_scale, forward_kappa, n, tangents, wo, u,
             wi[i, axis] = direction[axis] / length
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _pdf(shares, mirror_kappa, cone_scale, forward_kappa, n, tangents, wo, wi, pdf):
     for i in prange(len(n)):
         o, normal, tangent, mirror = _frame(n, tangents, wo, i)

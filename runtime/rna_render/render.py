@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 
+from rna_render.bands import rendered_bands
 from rna_render.bodies import Asset
 from rna_render.camera import Camera
 from rna_render.film import Film, Layers
@@ -21,20 +23,17 @@ from rna_render.transforms import world_from_object
 from rna_render.world import Placement, World
 from rna_sdk.errors import QueryError, SceneError
 
-# Rays traced together: enough to fill all threads, few enough that a stop is noticed soon.
-BAND = 1 << 16
 
-
-def load_world(scene_file: SceneFile, threads: int | None = None) -> World:
+def load_world(scene_file: SceneFile) -> World:
     """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
 
     Each pair of package and tier is loaded once, and so is each pair of object file and
-    material. threads: for the neural runtime; all if None. Raises SceneError where the file
-    names something that is not there or cannot be used, PackageError for a broken package.
+    material. Raises SceneError where the file names something that is not there or cannot be used,
+    PackageError for a broken package.
     """
     return World(
         [
-            *_placed_assets(scene_file, threads),
+            *_placed_assets(scene_file),
             *_placed_objects(scene_file),
             *_placed_ground(scene_file),
             *_placed_lights(scene_file),
@@ -67,27 +66,25 @@ def render(
 ) -> Film:
     """Render `scene.samples` samples of every pixel, or fewer if `stop` says so.
 
-    stop: asked after every band; the sample under way is then dropped. progress: told after
-    every band how many pixels it had.
+    stop: asked after every band; the sample under way is then dropped. progress: told after every
+    band how many pixels it had.
     """
     film = Film(scene.resolution, integrator.groups)
-    pixels = np.arange(film.width * film.height, dtype=np.uint32)
-    bands = [pixels[start : start + BAND] for start in range(0, len(pixels), BAND)]
-    for number in range(scene.samples):
-        sampler, finished = Sampler(scene.seed, number), []
-        for band in bands:
-            finished.append(integrator.render(band, sampler))
-            progress(len(band))
+    samplers = (Sampler(scene.seed, number) for number in range(scene.samples))
+    sample: list[Layers] = []
+    with closing(rendered_bands(integrator, film.width * film.height, samplers)) as bands:
+        for band, last in bands:
+            sample.append(band)
+            progress(len(band.hit))
+            if last:
+                film.add(Layers.concatenate(sample))
+                sample.clear()
             if stop():
                 break
-        if len(finished) == len(bands):
-            film.add(Layers.concatenate(finished))
-        if stop():
-            break
     return film
 
 
-def _placed_assets(scene_file: SceneFile, threads: int | None) -> list[Placement]:
+def _placed_assets(scene_file: SceneFile) -> list[Placement]:
     from rna_sdk.runtime import load
 
     loaded: dict[tuple[Path, str | None], Asset] = {}
@@ -98,7 +95,7 @@ def _placed_assets(scene_file: SceneFile, threads: int | None) -> list[Placement
             raise scene_file.error(("assets", index, "path"), f"no such file: {path}")
         if (path, model.tier) not in loaded:
             try:
-                loaded[path, model.tier] = load(path, tier=model.tier, threads=threads)
+                loaded[path, model.tier] = load(path, tier=model.tier, threads=1)
             except QueryError as error:
                 raise scene_file.error(("assets", index, "tier"), str(error)) from error
         placements.append(Placement(loaded[path, model.tier], world_from_object(model.transform)))

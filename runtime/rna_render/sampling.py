@@ -78,7 +78,7 @@ def _second_sobol_dimension(index):
     return x
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _scrambled_sobol(pixels, sample, dimension, seed, points):
     image_key = _hash(_hash(seed) + np.uint32(dimension))
     for i in prange(len(pixels)):

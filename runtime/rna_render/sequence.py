@@ -54,7 +54,7 @@ def render_sequence(
             files.check()
             start = time.perf_counter()
             if world is None:
-                world = load_world(scene_file, threads)
+                world = load_world(scene_file)
                 start = time.perf_counter()
                 print(f"assets loaded after {start - started:.2f} s", file=sys.stderr)
             what = f"frame {number} ({place} of {len(numbers)})"

@@ -113,7 +113,7 @@ def _at_hits(values, triangles, triangle, u, v, normalise):
     return result
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _interpolate(values, triangles, triangle, u, v, normalise, result):
     for i in prange(len(triangle)):
         a, b, c = triangles[triangle[i]]
@@ -126,7 +126,7 @@ def _interpolate(values, triangles, triangle, u, v, normalise, result):
         result[i, 0], result[i, 1], result[i, 2] = x * scale, y * scale, z * scale
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _geometric_normals(positions, triangles, triangle, result):
     for i in prange(len(triangle)):
         a, b, c = triangles[triangle[i]]
@@ -141,7 +141,7 @@ def _geometric_normals(positions, triangles, triangle, result):
         result[i, 0], result[i, 1], result[i, 2] = x * scale, y * scale, z * scale
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _offset(positions, geometric_normals, directions, step, result):
     for i in prange(len(positions)):
         toward = np.float64(0.0)

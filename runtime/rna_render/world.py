@@ -200,7 +200,7 @@ def _transformed(
     return result
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _transform(linear, shift, instance, vectors, result):
     for i in prange(len(instance)):
         k = instance[i]
@@ -211,7 +211,7 @@ def _transform(linear, shift, instance, vectors, result):
             result[i, row] = value
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _step_off(points, normals, directions, step):
     for i in prange(len(points)):
         toward = np.float64(0.0)

@@ -142,7 +142,7 @@ def test_the_same_seed_gives_the_same_image_on_any_number_of_threads_and_bands(m
     asset = FiberProbe(curls(40, radius=0.05), SHADOW_COLOUR)
     first = image([(asset, {}), (asset, TURN)], [SUN, SKY], camera=ABOVE)
     threads = numba.get_num_threads()
-    monkeypatch.setattr("rna_render.render.BAND", 37)
+    monkeypatch.setattr("rna_render.bands.BAND", 37)
     try:
         numba.set_num_threads(1)
         second = image([(asset, {}), (asset, TURN)], [SUN, SKY], camera=ABOVE)

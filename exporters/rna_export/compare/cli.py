@@ -78,7 +78,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 
     if not args.source.is_file():
         raise CaptureError(f"{args.source}: no such file")
-    asset = load(args.package, tier=args.tier)
+    asset = load(args.package, tier=args.tier, threads=1)
     python, source = blender_env.find_python(), Source(args.source, arguments)
     with (
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,

@@ -83,7 +83,7 @@ class SunLight(InfiniteLight):
         return np.where(inside[:, None], self._radiance, np.float32(0.0)), pdf
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample_cone(axis, one_minus_cosine, u, wi_world):
     for i in prange(len(wi_world)):
         wi = cone_direction(axis[0], axis[1], axis[2], one_minus_cosine, u[i, 0], u[i, 1])

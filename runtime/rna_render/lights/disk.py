@@ -45,7 +45,7 @@ def concentric(u1, u2):
     return radius * np.cos(phi), radius * np.sin(phi)
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample_disk(frame, radius, area, x_world, u, wi_world, distance, pdf):
     normal, middle = frame[:3, 2], frame[:3, 3]
     for i in prange(len(x_world)):
@@ -60,7 +60,7 @@ def _sample_disk(frame, radius, area, x_world, u, wi_world, distance, pdf):
         pdf[i] = flat_pdf(middle, normal, False, 1.0 / area, x_world[i], wi_world[i])
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _disk_pdf(frame, area, x_world, d_world, pdf):
     normal, middle = frame[:3, 2], frame[:3, 3]
     for i in prange(len(x_world)):

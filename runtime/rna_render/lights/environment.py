@@ -64,7 +64,7 @@ class EnvironmentImageLight(InfiniteLight):
         return radiance * self._scale, pdf
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample_sphere(u, wi_world):
     for i in prange(len(wi_world)):
         wi = cone_direction(0.0, 0.0, 1.0, 2.0, u[i, 0], u[i, 1])

@@ -86,7 +86,7 @@ def _corners(row, column, h, w):
     return max(row - 1, 0), min(row, h - 1), column, (column + 1) % w
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _accumulate(texels, heights, columns):
     """Running sums, along each row, of the cells' mean luminance times the row's height."""
     h, w, _ = texels.shape
@@ -132,7 +132,7 @@ def _cap_angle(one_minus_cosine):
     return 2.0 * np.arcsin(np.sqrt(one_minus_cosine / 2.0))
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample_image(texels, turn, heights, rows, columns, u, d_world):
     for i in prange(len(u)):
         s, t = _sample_place(texels, heights, rows, columns, u[i, 0], u[i, 1])
@@ -144,7 +144,7 @@ def _sample_image(texels, turn, heights, rows, columns, u, d_world):
         d_world[i, 2] = turn[0] * z - turn[1] * x
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _lookup_image(texels, turn, heights, total, d_world, radiance, pdf):
     h, w, _ = texels.shape
     for i in prange(len(d_world)):

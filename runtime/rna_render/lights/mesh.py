@@ -120,7 +120,7 @@ def _triangle_pdf(corners, normals, per_area, triangle, x, d):
     return flat_pdf(corners[triangle, 0], normals[triangle], True, per_area[triangle], x, d)
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample_mesh(
     corners, normals, cumulative, per_area, x_world, u, wi_world, distance, triangle, b1, b2, pdf
 ):
@@ -141,7 +141,7 @@ def _sample_mesh(
         pdf[i] = _triangle_pdf(corners, normals, per_area, chosen, x_world[i], wi_world[i])
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _mesh_pdf(corners, normals, per_area, x_world, d_world, primitive, pdf):
     for i in prange(len(x_world)):
         pdf[i] = _triangle_pdf(corners, normals, per_area, primitive[i], x_world[i], d_world[i])

@@ -81,7 +81,7 @@ def _falloff(cosine, cos_inner, cos_outer):
     return t * t * (3.0 - 2.0 * t)
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _towards(
     position, intensity, axis, cos_inner, cos_outer, x_world, wi_world, distance, irradiance, pdf
 ):

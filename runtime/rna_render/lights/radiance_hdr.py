@@ -166,7 +166,7 @@ def _decode_pixels(data, at, line):
     return _OK, at
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _from_rgbe(rgbe, scale, texels):
     """Mantissas m and exponent e: m 2^(e - 136), and 0 for e = 0.
 

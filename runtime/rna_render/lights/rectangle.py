@@ -97,7 +97,7 @@ def _point(x0, x1, y0, y1, height, u1, u2):
     return x, min(max(y, y0), y1)
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample_rectangle(frame, half, x_world, u, wi_world, distance, pdf):
     for i in prange(len(x_world)):
         x0, x1, y0, y1, height = _seen_from(frame, half, x_world[i])
@@ -113,7 +113,7 @@ def _sample_rectangle(frame, half, x_world, u, wi_world, distance, pdf):
         pdf[i] = _pdf(frame, half, x_world[i], wi_world[i])
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _rectangle_pdf(frame, half, x_world, d_world, pdf):
     for i in prange(len(x_world)):
         pdf[i] = _pdf(frame, half, x_world[i], d_world[i])

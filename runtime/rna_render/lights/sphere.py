@@ -59,7 +59,7 @@ def _sphere_distance(cx, cy, cz, radius, wi):
     return along - np.sqrt(max(0.0, radius * radius - (px * px + py * py + pz * pz)))
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample_sphere(centre, radius, x_world, u, wi_world, distance, pdf):
     for i in prange(len(x_world)):
         cx, cy, cz, length, one_minus_cosine = _cone(centre, radius, x_world[i])
@@ -74,7 +74,7 @@ def _sample_sphere(centre, radius, x_world, u, wi_world, distance, pdf):
             distance[i] = 0.0
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sphere_pdf(centre, radius, x_world, pdf):
     for i in prange(len(x_world)):
         pdf[i] = _cone_pdf(_cone(centre, radius, x_world[i])[4])

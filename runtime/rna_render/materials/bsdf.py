@@ -173,7 +173,7 @@ def _density(m, o, i, alpha, share):
     return density
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _evaluate(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, wi, result):
     for k in prange(len(wo)):
         g, o, i = _row(ng, k), _unit(_row(wo, k)), _unit(_row(wi, k))
@@ -199,7 +199,7 @@ def _evaluate(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, wi, 
             result[k, c] = f * cos_i
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _sample(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, u, wi):
     for k in prange(len(wo)):
         o = _unit(_row(wo, k))
@@ -224,7 +224,7 @@ def _sample(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, u, wi)
         wi[k, 2] = ix * s[2] + iy * t[2] + iz * z
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _pdf(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, wi, result):
     for k in prange(len(wo)):
         o, i = _unit(_row(wo, k)), _unit(_row(wi, k))

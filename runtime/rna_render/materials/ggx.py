@@ -106,7 +106,7 @@ def albedo_table() -> tuple[np.ndarray, np.ndarray]:
     return table, mean
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _fill_table(table):
     size = len(table)
     for row in prange(size):

@@ -139,7 +139,7 @@ def _mean_emission(material: Material) -> np.ndarray:
     return np.asarray(material.emission) * (1.0 if texture is None else texture.mean())
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _interpolate(uvs, triangles, triangle, u, v, result):
     for i in prange(len(triangle)):
         row = triangle[i]

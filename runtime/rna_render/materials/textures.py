@@ -97,7 +97,7 @@ def _texels_around(x, size, wrap):
     return max(first, 0), min(second, size - 1), rest
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True, parallel=True, nogil=True)
 def _lookup(texels, decode, wrap_u, wrap_v, transform, uv, result):
     height, width = texels.shape[0], texels.shape[1]
     for i in prange(len(uv)):

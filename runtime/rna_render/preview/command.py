@@ -21,7 +21,7 @@ def preview(
     Raises PreviewError for a port that is taken, and what load_world raises.
     """
     with PreviewServer(port) as server:
-        world = load_world(scene_file, threads)
+        world = load_world(scene_file)
         choices = lighting_choices(scene_file.path, environments)
         session = server.session = Session(scene_file, world, choices, threads)
         session.start()

@@ -10,10 +10,12 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Iterator, Mapping
+from contextlib import closing
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from rna_render.bands import rendered_bands
 from rna_render.film import Film, Layers
 from rna_render.integrator import Integrator
 from rna_render.preview.change import Change
@@ -31,8 +33,6 @@ from rna_sdk.errors import QueryError, RnaError
 FIRST_LOOK_MS = 80.0
 # Of an image's sides, for first looks.
 COARSEST = 16
-# Rays traced together: a change is noticed after so many.
-BAND = 1 << 15
 
 
 @dataclass(frozen=True)
@@ -229,13 +229,13 @@ class Session:
         self, revision: int, integrator: Integrator, count: int, sampler: Sampler
     ) -> Layers | None:
         """One sample of every pixel; None if the view has changed."""
-        bands = []
-        for start in range(0, count, BAND):
-            if self._is_old(revision):
-                return None
-            pixels = np.arange(start, min(start + BAND, count), dtype=np.uint32)
-            bands.append(integrator.render(pixels, sampler))
-        return Layers.concatenate(bands)
+        sample = []
+        with closing(rendered_bands(integrator, count, [sampler])) as bands:
+            for band, _ in bands:
+                if self._is_old(revision):
+                    return None
+                sample.append(band)
+        return Layers.concatenate(sample)
 
     def _is_old(self, revision: int) -> bool:
         with self._changed:

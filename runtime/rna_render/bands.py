@@ -1,0 +1,65 @@
+"""Samples of an image, cut into bands of pixels, several of which are rendered at once.
+
+Each band is rendered by one thread from its camera rays to its light. The loops within are long
+enough to keep a thread busy, and what Python does between them for one band is done while the other
+threads are in their loops. Threads that share each loop instead wait for one another at its end,
+and for Python.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from itertools import islice
+from typing import Protocol
+
+import numba
+import numpy as np
+
+from rna_render.film import Layers
+from rna_render.sampling import Sampler
+
+# Rays in a band: at most BAND, so that a stop is noticed soon, and no fewer than SMALL_BAND if the
+# image has them, so that each step has more to do than to start.
+BAND = 1 << 16
+SMALL_BAND = 1 << 13
+
+
+class BandRenderer(Protocol):
+    """Renders one sample of some pixels; rna_render.integrator.Integrator does."""
+
+    def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers: ...
+
+
+def rendered_bands(
+    renderer: BandRenderer, count: int, samplers: Iterable[Sampler]
+) -> Iterator[tuple[Layers, bool]]:
+    """The bands of each sample in turn, and whether each is the last one of its sample.
+
+    count: pixels of the image. As many bands are under way as numba has threads for the caller; a
+    caller that stops early waits for those, and the rest is not begun.
+    """
+    threads = numba.get_num_threads()
+    bands = _bands(count, threads)
+    work = ((band, sampler, band is bands[-1]) for sampler in samplers for band in bands)
+    # Numba's number of threads is each thread's own.
+    workers = ThreadPoolExecutor(threads, "rna-band", numba.set_num_threads, (1,))
+    under_way: deque[tuple[Future[Layers], bool]] = deque()
+    try:
+        while True:
+            for band, sampler, last in islice(work, threads - len(under_way)):
+                under_way.append((workers.submit(renderer.render, band, sampler), last))
+            if not under_way:
+                return
+            rendered, last = under_way.popleft()
+            yield rendered.result(), last
+    finally:
+        workers.shutdown(cancel_futures=True)
+
+
+def _bands(count: int, threads: int) -> list[np.ndarray]:
+    """Places of pixels, (n,) uint32 each."""
+    size = min(BAND, max(SMALL_BAND, -(-count // threads)))
+    pixels = np.arange(count, dtype=np.uint32)
+    return [pixels[start : start + size] for start in range(0, count, size)]
