@@ -101,7 +101,8 @@ def intersect(
     """Closest hits.
 
     function, scene: addresses of rtcIntersect1 and of the scene.
-    arguments, ray_id: as for `occluded`. mask: uint32, rays meet instances that share a bit.
+    arguments, ray_id: as for `occluded`. mask: (n,) uint32, or (1,) for all
+        rays; they meet instances that share a bit.
     owner_word: HIT_GEOMETRY or HIT_INSTANCE, the number that `owner` gets.
     origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
     t: (n,) float32 out, infinity for a miss.
@@ -120,7 +121,8 @@ def intersect(
                 i = start + k
                 near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
                 number = ray_id[min(i, len(ray_id) - 1)]
-                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, mask, number)
+                met = mask[min(i, len(mask) - 1)]
+                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, met, number)
                 bits[k, HIT_GEOMETRY] = INVALID_ID
                 bits[k, HIT_INSTANCE] = INVALID_ID
             for k in range(count):
@@ -147,7 +149,7 @@ def occluded(function, scene, arguments, ray_id, mask, origins, directions, tnea
     function, scene: addresses of rtcOccluded1 and of the scene.
     arguments: address of RTCOccludedArguments (RTCIntersectArguments begin alike), or 0.
     ray_id: (n,) uint32, or (1,) for all rays: what a ray passes through, if `arguments` are
-        those of one of the embree_filters. mask: uint32, as for `intersect`.
+        those of one of the embree_filters. mask: as for `intersect`.
     origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
     result: (n,) bool out; False for a ray that is not finite or has no direction.
     """
@@ -162,7 +164,8 @@ def occluded(function, scene, arguments, ray_id, mask, origins, directions, tnea
                 i = start + k
                 near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
                 number = ray_id[min(i, len(ray_id) - 1)]
-                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, mask, number)
+                met = mask[min(i, len(mask) - 1)]
+                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, met, number)
             for k in range(count):
                 if rays[k, RAY_TNEAR] <= rays[k, RAY_TFAR]:
                     call_embree(function, scene, address + k * RAY_WORDS * 4, arguments)

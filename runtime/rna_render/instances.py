@@ -13,9 +13,16 @@ from rna_render.embree_filters import own_instance_filter
 from rna_render.rays import per_ray
 from rna_render.tracing import ClosestHits, GeometryScene, Passing, any_hits, closest_hits
 
+# Bits of Embree's masks. Up to as many instances have a bit each, and a ray that passes through
+# one does not enter it. Of more instances, bits stand for the sorts of rays that meet them, and a
+# filter refuses the hits on a ray's own, one by one: slow where there is much hair to pass through.
+MASK_BITS = 32
+
 # Sorts of rays, bits of a mask.
 CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY = 1, 2, 4
 ALL_RAYS = CAMERA_RAY | INDIRECT_RAY | SHADOW_RAY
+
+_SORTS = (CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY, ALL_RAYS)
 
 NO_INSTANCE = -1
 
@@ -43,6 +50,8 @@ class InstanceScene:
         self._count = len(instances)
         self._scene = api.SceneHandle(api.shared_device())
         self._filter = own_instance_filter()
+        self._own_bits = len(instances) <= MASK_BITS
+        self._met = {rays: _met_by(rays, instances) for rays in _SORTS} if self._own_bits else {}
         embree = api.library()
         for index, placed in enumerate(instances):
             instance = embree.rtcNewGeometry(self._scene.device.handle, api.GEOMETRY_INSTANCE)
@@ -50,7 +59,7 @@ class InstanceScene:
             matrix = np.ascontiguousarray(placed.world_from_object[:3], np.float32)
             layout = api.FORMAT_FLOAT3X4_ROW_MAJOR
             embree.rtcSetGeometryTransform(instance, 0, layout, matrix.ctypes.data)
-            embree.rtcSetGeometryMask(instance, placed.rays)
+            embree.rtcSetGeometryMask(instance, 1 << index if self._own_bits else placed.rays)
             self._scene.attach(instance, index)
         self._scene.commit()
 
@@ -95,9 +104,19 @@ class InstanceScene:
 
     def _passing(self, own: np.ndarray | None, count: int, rays: int) -> Passing:
         if own is None:
-            return Passing(mask=rays)
+            return Passing(mask=np.full(1, self._met.get(rays, rays), np.uint32))
         ids = per_ray("own", own, count, np.int32).view(np.uint32)
-        return Passing(self._filter.ctypes.data, ids, rays)
+        if not self._own_bits:
+            return Passing(self._filter.ctypes.data, ids, np.full(1, rays, np.uint32))
+        # A shift by 32, for NO_INSTANCE, leaves no bit in 64.
+        bit = np.left_shift(np.uint64(1), np.minimum(ids, MASK_BITS).astype(np.uint64))
+        return Passing(mask=self._met[rays] & ~bit.astype(np.uint32))
+
+
+def _met_by(rays: int, instances: Sequence[Instance]) -> np.uint32:
+    """The bits of the instances that a sort of rays meets."""
+    bits = (1 << index for index, placed in enumerate(instances) if placed.rays & rays)
+    return np.uint32(sum(bits))
 
 
 def _misses(n: int) -> ClosestHits:

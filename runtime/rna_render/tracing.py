@@ -34,12 +34,13 @@ class Passing:
     """What rays pass through.
 
     arguments: address of the arguments of an embree_filter, or 0. ray_id: (n,) or (1,) uint32,
-    what the filter refuses hits on. mask: they meet instances that share one of its bits.
+    what the filter refuses hits on. mask: (n,) or (1,) uint32; rays meet instances that share one
+    of its bits.
     """
 
     arguments: int = 0
     ray_id: np.ndarray = field(default_factory=lambda: np.zeros(1, np.uint32))
-    mask: int = 0xFFFFFFFF
+    mask: np.ndarray = field(default_factory=lambda: np.full(1, 0xFFFFFFFF, np.uint32))
 
 
 NOTHING = Passing()
@@ -101,7 +102,7 @@ def closest_hits(
     ng = np.empty((n if with_normals else 0, 3), np.float32)
     function = api.function_address("rtcIntersect1")
     out = t, owner, primitive, u, v, ng
-    through = passing.arguments, passing.ray_id, np.uint32(passing.mask)
+    through = passing.arguments, passing.ray_id, passing.mask
     rays = origins, directions, *interval
     kernels.intersect(function, scene.handle, *through, owner_word, *rays, *out)
     return ClosestHits(*out)
@@ -125,6 +126,6 @@ def any_hits(
     interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
     result = np.empty(n, bool)
     function = api.function_address("rtcOccluded1")
-    through = passing.arguments, passing.ray_id, np.uint32(passing.mask)
+    through = passing.arguments, passing.ray_id, passing.mask
     kernels.occluded(function, scene.handle, *through, origins, directions, *interval, result)
     return result

@@ -3,9 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from rna_render.embree import TriangleScene
-from rna_render.instances import Instance, InstanceScene
+from rna_render.instances import (
+    ALL_RAYS,
+    CAMERA_RAY,
+    INDIRECT_RAY,
+    NO_INSTANCE,
+    SHADOW_RAY,
+    Instance,
+    InstanceScene,
+)
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object
 from tests.render.assets import sphere, square, unit_vectors
@@ -79,3 +88,31 @@ def test_one_instance_has_no_others():
     scene = InstanceScene([Instance(scene_of(square()), np.eye(4))])
     ray = np.float32([[0, -1, 0]]), np.float32([[0, 1, 0]])
     assert scene.occluded(*ray, own=np.int32([0])).tolist() == [False]
+
+
+@pytest.mark.parametrize("mask_bits", [0, 3])
+def test_what_rays_pass_through_does_not_depend_on_how_they_are_told(monkeypatch, mask_bits):
+    """By a bit of the mask for each instance, or by a filter."""
+    monkeypatch.setattr("rna_render.instances.MASK_BITS", mask_bits)
+    ball = scene_of(sphere(3))
+    scene = InstanceScene(
+        [
+            Instance(ball, np.eye(4)),
+            Instance(ball, placed(translation=(0.5, 0, 0))),
+            Instance(scene_of(square(size=3.0)), placed(translation=(0, 2, 0)), SHADOW_RAY),
+        ]
+    )
+    up = np.float32([[0, 1, 0]])
+    for own, rays, owner in (
+        (None, ALL_RAYS, 2),
+        ([0], CAMERA_RAY, 1),
+        ([1], INDIRECT_RAY, 0),
+        ([NO_INSTANCE], SHADOW_RAY, 2),
+        ([2], SHADOW_RAY, -1),
+    ):
+        start = np.float32([[0.25, 1.5 if owner in (2, -1) else 0, 0]])
+        passed = None if own is None else np.int32(own)
+        hits = scene.intersect(start, up, passed, rays)
+        assert hits.owner.tolist() == [owner], (own, rays)
+    blocked = scene.occluded(np.float32([[0.25, 1.5, 0]]), up, own=np.int32([2]))
+    assert blocked.tolist() == [False]
