@@ -1,0 +1,1 @@
+"""What `rna-bench` measures: speed against accuracy, and where the method breaks."""
