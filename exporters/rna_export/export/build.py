@@ -112,12 +112,10 @@ def _tiers(
             f"{name}: ONNX and PyTorch differ by at most {agreement.max_absolute:.1e} "
             f"absolute, {agreement.max_relative:.1e} relative"
         )
-        decoder_entry = Precision(precision.decoder).tier_name(one.preset_name)
-        planes_entry = Precision(planes=precision.planes).tier_name(one.preset_name)
         tier = Tier(
             name=name,
-            planes=f"features/{planes_entry}.safetensors",
-            decoder=f"decoders/{decoder_entry}.onnx",
+            planes=precision.planes_entry(one.preset_name),
+            decoder=precision.decoder_entry(one.preset_name),
             inputs=config.inputs,
             resolution=config.resolution,
             channels=config.channels,
