@@ -18,6 +18,7 @@ import numpy as np
 
 from rna_sdk.package.protobuf import Message, WireError
 from rna_sdk.runtime import onnx_bytes as pb
+from rna_sdk.runtime.int8_entry import Entry
 from rna_sdk.runtime.int8_graph import fuse_int8_layers
 from rna_sdk.runtime.layer_chain import Layer, find_chain, floats
 
@@ -31,13 +32,15 @@ _INPUT_STEP = 4
 """The first layer's channels must be a multiple of this, and at least a block."""
 
 
-def prepare_decoder(model: bytes, largest_query: float) -> bytes:
+def prepare_decoder(model: bytes, largest_query: float) -> tuple[bytes, Entry | None]:
     """The decoder to run on this machine: `model` rewritten where that pays, or as it is.
+
+    With an Entry, what it makes of the queries is what the decoder takes.
 
     largest_query: no number in the queries will be further from 0.
     """
     if platform.machine().lower() not in ("x86_64", "amd64"):
-        return model  # measured, and onnxruntime has the blocked convolution, on x86 only
+        return model, None  # measured, and onnxruntime has the blocked convolution, on x86 only
     return fuse_int8_layers(convolve_layers(model, largest_query))
 
 

@@ -5,11 +5,12 @@ for a 1 x 1 convolution over a row of "pixels", one query each, QLinearConv. The
 up to 256 neurons: at width 64 a query takes 88 ns instead of 157, at 128 256 instead of 326, at
 256 760 instead of 820, at 512 2,740 instead of 1,880. Only QGemm gives float32.
 
-    q [n, k] -> Reshape -> [1, 1, n, k] -> QLinearConv -> ... -> Reshape -> QGemm -> [n, m]
+    uint8 [n, k] -> Reshape -> [1, 1, n, k] -> QLinearConv -> ... -> Reshape -> QGemm -> [n, m]
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,29 +18,44 @@ from numpy.typing import NDArray
 
 from rna_sdk.package.protobuf import Message, WireError
 from rna_sdk.runtime import onnx_bytes as pb
+from rna_sdk.runtime.int8_entry import Entry, find_entry
 from rna_sdk.runtime.int8_layers import Int8Layer, find_int8_layers
 
+_QUERIES = "queries"
 _WIDEST_CONVOLUTION = 256
 _DOMAIN = "com.microsoft"  # onnxruntime's own operators; this QLinearConv takes channels last
 _OWN = "rna_sdk"  # begins the names of values that the rewriting adds
 
 
-def fuse_int8_layers(model: bytes) -> bytes:
-    """`model` with an operator in integers for each int8 layer; as it is where it has none."""
+def fuse_int8_layers(model: bytes) -> tuple[bytes, Entry | None]:
+    """`model` with an operator in integers for each int8 layer; as it is where it has none.
+
+    With an Entry the model no longer takes queries, but what the entry makes of them.
+    """
     message = Message(memoryview(model))
     graph = message.message(7)
     try:
         layers = find_int8_layers(graph)
     except (WireError, ValueError):
-        return model
-    return _assemble(message, graph, layers) if layers else model
+        return model, None
+    if not layers:
+        return model, None
+    entry = find_entry(graph, _QUERIES, layers[0].input[0])
+    if entry is not None:
+        added = entry.columns - len(entry.gain)
+        weight = np.pad(layers[0].weight, ((0, added), (0, 0)))
+        layers[0] = replace(layers[0], weight=weight)
+    return _assemble(message, graph, layers, entry), entry
 
 
-def _assemble(model: Message, graph: Message, layers: list[Int8Layer]) -> bytes:
-    """The model with each layer's nodes replaced."""
+def _assemble(
+    model: Message, graph: Message, layers: list[Int8Layer], entry: Entry | None
+) -> bytes:
+    """The model with each layer's nodes replaced, and without those of the entry."""
     nodes = [[node] for node in pb.chunks(graph, 1)]
     tensors = pb.chunks(graph, 5)
     fused = {place for layer in layers for place in layer.places}
+    fused.update(entry.places if entry else ())
     for place in fused:
         nodes[place] = []
     others = [node for k, node in enumerate(graph.messages(1)) if k not in fused]
@@ -63,8 +79,11 @@ def _assemble(model: Message, graph: Message, layers: list[Int8Layer]) -> bytes:
             group.append(pb.node("Reshape", [_pixels(result), _own(result, "rows")], result))
     fields = [pb.chunk(1, node) for group in nodes for node in group]
     fields += [pb.chunk(2, b"decoder"), *(pb.chunk(5, tensor) for tensor in tensors)]
-    for number in (11, 12):
-        fields += [pb.chunk(number, value) for value in pb.chunks(graph, number)]
+    queries = pb.chunks(graph, 11)
+    if entry is not None:
+        queries = [pb.value(layers[0].input[0], ["N", entry.columns], "uint8")]
+    fields += [pb.chunk(11, value) for value in queries]
+    fields += [pb.chunk(12, value) for value in pb.chunks(graph, 12)]
     opsets = [*pb.chunks(model, 8), pb.opset(_DOMAIN, 1)]
     head = pb.integer(1, model.integer(1)) + b"".join(pb.chunk(8, o) for o in opsets)
     return head + pb.chunk(7, b"".join(fields))

@@ -98,7 +98,7 @@ class _Graph:
         axes = {a.text(1): a.integer(3) for a in self.nodes[place].messages(5)}
         if not axes.keys() <= {"axis"}:
             return None
-        values = [_numbers(self._constants.get(n)) for n in names]
+        values = [numbers(self._constants.get(n)) for n in names]
         return _Quantized(place, names, values, axes.get("axis", 1))
 
     def _quantizer(self, name: str) -> int | None:
@@ -107,7 +107,7 @@ class _Graph:
             return None
         place = next(k for k, node in enumerate(self.nodes) if name in node.texts(1))
         node = self.nodes[place]
-        parts = [_numbers(self._constants.get(n)) for n in node.texts(1)[1:]]
+        parts = [numbers(self._constants.get(n)) for n in node.texts(1)[1:]]
         if node.text(4) != "QuantizeLinear" or node.has(5) or len(parts) != 2:
             return None
         scale, zero = parts
@@ -139,7 +139,7 @@ def _constants(
     return weight, weight_scale, bias
 
 
-def _numbers(tensor: Message | None) -> _Array | None:
+def numbers(tensor: Message | None) -> _Array | None:
     """A TensorProto as an array; None where it is not there, or packed in another way."""
     if tensor is None or tensor.integer(2) not in _DTYPES:
         return None

@@ -51,13 +51,13 @@ def opset(domain: str, version: int) -> bytes:
     return chunk(1, domain.encode()) + integer(2, version)
 
 
-def value(name: str, dims: Sequence[int | str]) -> bytes:
-    """A ValueInfoProto of a float32 tensor; a dimension is a size or a symbol."""
+def value(name: str, dims: Sequence[int | str], dtype: str = "float32") -> bytes:
+    """A ValueInfoProto of a tensor; a dimension is a size or a symbol."""
     shape = b"".join(
         chunk(1, integer(1, dim) if isinstance(dim, int) else chunk(2, dim.encode()))
         for dim in dims
     )
-    tensor_type = integer(1, _TYPES["float32"]) + chunk(2, shape)
+    tensor_type = integer(1, _TYPES[dtype]) + chunk(2, shape)
     return chunk(1, name.encode()) + chunk(2, chunk(1, tensor_type))
 
 
