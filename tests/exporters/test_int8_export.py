@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import onnx
 import pytest
 import torch
 
@@ -22,6 +23,8 @@ from rna_export.training.run import Run, train
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Int8Planes, Package, validate
 from rna_sdk.runtime import load
+from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime.int8_graph import fuse_int8_layers
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.exporters.test_decoder_export import make_model, run
 
@@ -39,6 +42,40 @@ def test_onnx_is_the_twin_and_near_the_trained(kind: str, preset: str) -> None:
     assert 0.0 < agreement.max_absolute < 12.5
     y, exact = layers(queries), model.decoder(queries)
     assert float((y - exact).square().mean()) < 1e-3 * float(exact.square().mean())
+
+
+@pytest.mark.parametrize("preset", ["small", "paper-small"])
+@torch.no_grad()
+def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
+    model = make_model(preset)
+    queries = random_queries(model, 5000, 7)
+    decoder = export_decoder(model, int8_decoder(model, queries))
+    runtime = Decoder(decoder)
+    for asked in (queries, 1e30 * queries, -queries):
+        found, expected = runtime.run(asked.numpy()), run(decoder, asked)
+        close = np.isclose(found, expected, rtol=1e-4, atol=1e-5).all(axis=1)
+        assert close.mean() > 0.98
+    # Those four nodes and the layers are not in what onnxruntime runs.
+    fused, entry = fuse_int8_layers(decoder)
+    assert entry is not None and len(entry.gain) == queries.shape[1]
+    operators = {node.op_type for node in onnx.load_from_string(fused).graph.node}
+    assert not {"QuantizeLinear", "DequantizeLinear", "Gemm", "Add"} & operators
+
+
+@pytest.mark.parametrize("columns", [22, 17, 24])
+@torch.no_grad()
+def test_a_row_does_not_depend_on_the_number_of_rows(columns: int) -> None:
+    layers = (torch.nn.Linear(columns, 16), torch.nn.ReLU(), torch.nn.Linear(16, 6))
+    model = make_model()
+    model.decoder = torch.nn.Sequential(*layers)
+    queries = torch.randn(2000, columns)
+    runtime = Decoder(export_decoder(model, int8_decoder(model, queries)))
+    expected = runtime.run(queries.numpy())
+    assert runtime.columns == columns and expected.std() > 0.01
+    for rows in (1, 3, 16, 100):
+        np.testing.assert_array_equal(
+            runtime.run(queries[7 : 7 + rows].numpy()), expected[7:][:rows]
+        )
 
 
 @pytest.mark.parametrize(
