@@ -109,8 +109,8 @@ def _tiers(
             decoders[precision.decoder] = _decoder(one, precision.decoder, dataset)
         decoder, agreement = decoders[precision.decoder]
         say(
-            f"{name}: ONNX and PyTorch differ by at most {agreement.max_absolute:.1e} "
-            f"absolute, {agreement.max_relative:.1e} relative"
+            f"{name}: the {precision.decoder} ONNX decoder and PyTorch differ by at most "
+            f"{agreement.max_absolute:.1e} absolute, {agreement.max_relative:.1e} relative"
         )
         tier = Tier(
             name=name,
