@@ -36,16 +36,25 @@ def fuse_int8_layers(model: bytes) -> tuple[bytes, Entry | None]:
     graph = message.message(7)
     try:
         layers = find_int8_layers(graph)
+        entry = _entry(graph, layers[0]) if layers else None
     except (WireError, ValueError):
         return model, None
     if not layers:
         return model, None
-    entry = find_entry(graph, _QUERIES, layers[0].input[0])
     if entry is not None:
         added = entry.columns - len(entry.gain)
         weight = np.pad(layers[0].weight, ((0, added), (0, 0)))
         layers[0] = replace(layers[0], weight=weight)
     return _assemble(message, graph, layers, entry), entry
+
+
+def _entry(graph: Message, first: Int8Layer) -> Entry | None:
+    """How queries become the first layer's input, if nothing else reads that."""
+    source = first.input[0]
+    others = (node for k, node in enumerate(graph.messages(1)) if k not in first.places)
+    if any(source in node.texts(1) for node in others):
+        return None
+    return find_entry(graph, _QUERIES, source)
 
 
 def _assemble(

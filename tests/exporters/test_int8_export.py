@@ -62,6 +62,21 @@ def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
     assert not {"QuantizeLinear", "DequantizeLinear", "Gemm", "Add"} & operators
 
 
+@torch.no_grad()
+def test_queries_that_another_node_reads_in_uint8_are_made_in_the_graph() -> None:
+    model = make_model()
+    queries = random_queries(model, 500, 7)
+    decoder = onnx.load_from_string(export_decoder(model, int8_decoder(model, queries)))
+    first = next(node for node in decoder.graph.node if node.op_type == "QuantizeLinear")
+    reader = onnx.helper.make_node("DequantizeLinear", [*first.output, *first.input[1:]], ["seen"])
+    decoder.graph.node.append(reader)
+    changed = decoder.SerializeToString()
+    assert fuse_int8_layers(changed)[1] is None
+    expected = run(changed, queries)
+    found = Decoder(changed).run(queries.numpy())
+    assert np.isclose(found, expected, rtol=1e-4, atol=1e-5).all(axis=1).mean() > 0.98
+
+
 @pytest.mark.parametrize("columns", [22, 17, 24])
 @torch.no_grad()
 def test_a_row_does_not_depend_on_the_number_of_rows(columns: int) -> None:
