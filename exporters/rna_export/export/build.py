@@ -16,6 +16,7 @@ import torch
 import rna_sdk
 from rna_export.capture.dataset import Dataset, ValidationView
 from rna_export.export.decoder import check_decoder, export_decoder
+from rna_export.export.small_images import flip_at_heights
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import score
@@ -24,7 +25,6 @@ from rna_sdk.package import (
     Agreement,
     Bounds,
     Cost,
-    Domain,
     Manifest,
     Provenance,
     Tier,
@@ -57,13 +57,12 @@ def build_package(
         tiers.append(tier)
         data[tier.name] = tier_data
     bounds = trained[0].model.triplane
-    domain = dataset.manifest.settings.domain
     manifest = Manifest(
         generator=f"rna-export {rna_sdk.__version__}",
         name=dataset.manifest.name,
         kind=dataset.manifest.kind,
         bounds=Bounds(min=tuple(bounds.low.tolist()), max=tuple(bounds.high.tolist())),
-        domain=Domain(wo=domain, wi=domain),
+        domain=dataset.manifest.domain,
         tiers=tuple(tiers),
         provenance=_provenance(trained, dataset, source),
         license=license_,
@@ -136,13 +135,15 @@ def _measure(
 
 
 def _validation(asset: Asset, views: list[ValidationView]) -> Validation:
-    scores = score([view.pick(*asset.evaluate(*_inputs(view))) for view in views], views)
+    radiance = [view.pick(*asset.evaluate(*_inputs(view))) for view in views]
+    scores = score(radiance, views)
     return Validation(
         psnr=scores.psnr,
         flip=scores.flip,
         relative_mse=scores.relative_mse,
         images=scores.images,
         definition=f"psnr: {PSNR_DEFINITION}; flip: {FLIP_DEFINITION}",
+        flip_at_height=flip_at_heights(radiance, views),
     )
 
 
