@@ -41,11 +41,12 @@ def choose_tier(
         return _cheapest(tiers, lambda tier: _psnr(tier) >= limit, asked, _psnr, " dB")
     if max_error is not None:
         limit = _number("max_error", max_error, "mean FLIP")
-        at = _at_height(pixels)
+        height = math.inf if pixels is None else _height(pixels)
+        at = f" at {height:.0f} pixels" if height < math.inf else ""
         asked = f"max_error: found no tier within {limit:g}{at}"
 
         def error(tier: Tier) -> float:
-            return expected_error(tier, pixels)
+            return expected_error(tier, height)
 
         return _cheapest(tiers, lambda tier: error(tier) <= limit, asked, error)
     return tiers[0]
@@ -62,16 +63,14 @@ def expected_error(tier: Tier, pixels: float | None = None) -> float:
         QueryError: `pixels` is no number of at least 0.
     """
     validation = tier.validation
-    if pixels is not None and not _number("pixels", pixels, "pixels") >= 0.0:
-        raise QueryError(f"pixels: expected 0 or more, found {pixels!r}")
+    height = math.inf if pixels is None else _height(pixels)
     if validation is None:
         return math.inf
     table = validation.flip_at_height[::-1]
-    if pixels is None or not table:
+    if not table:
         return validation.flip
     heights = [math.log(at.height) for at in table]
-    height = math.log(max(pixels, 1e-9))
-    return float(np.interp(height, heights, [at.flip for at in table]))
+    return float(np.interp(math.log(max(height, 1.0)), heights, [at.flip for at in table]))
 
 
 def _cheapest(
@@ -101,8 +100,10 @@ def _number(name: str, value: object, unit: str) -> float:
     return value
 
 
-def _at_height(pixels: float | None) -> str:
-    return "" if pixels is None else f" at {pixels:.0f} pixels"
+def _height(pixels: float) -> float:
+    if not _number("pixels", pixels, "pixels") >= 0.0:
+        raise QueryError(f"pixels: expected 0 or more, found {pixels!r}")
+    return pixels
 
 
 def _psnr(tier: Tier) -> float:

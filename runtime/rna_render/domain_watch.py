@@ -25,6 +25,7 @@ class WatchedAsset:
         self._asset, self._name = asset, name
         self._counting = Lock()
         self._asked = self._from_outside = self._lit_outside = self._outside = 0
+        self._told = False
 
     def __getattr__(self, name: str) -> object:
         return getattr(self._asset, name)
@@ -42,11 +43,12 @@ class WatchedAsset:
         return self._asset.evaluate(*arguments)
 
     def complaint(self) -> str | None:
-        """What part of the queries was outside, if any was."""
-        if not self._outside:
+        """What part of the queries was outside, if any was; once."""
+        if self._told or not self._outside:
             return None
+        self._told = True
         whole, views, lights = (
-            f"{100.0 * count / self._asked:.2g}%"
+            f"{count / self._asked:.1%}"
             for count in (self._outside, self._from_outside, self._lit_outside)
         )
         return (
