@@ -30,7 +30,7 @@ from rna_render.scene_model import QualityModel, Scene
 from rna_render.srgb import encode_srgb
 from rna_render.world import World
 
-ROWS = ((3.5, 1), (5.5, 5), (6.5, 6), (7.7, 7), (9.3, 7), (11.5, 7), (14.5, 7))
+ROWS = ((3.8, 1), (5.0, 4), (6.5, 5), (8.5, 6), (11.0, 7), (15.0, 8), (21.0, 9))
 """Distance from the camera and number of assets of each row: 40 in all."""
 
 MIDDLE = (0.4, -0.16)
@@ -98,14 +98,18 @@ def field(args: argparse.Namespace, tier: str | None, quality: QualityModel | No
         {
             "assets": assets,
             "ground": {},
-            "camera": {"position": (0, 2.2, 0), "look_at": (0, 0, -5.6), "vertical_fov_deg": 32},
+            "camera": {"position": (0, 1.1, 0), "look_at": (0, 1.0, -5), "vertical_fov_deg": 40},
             "lights": [
                 {"type": "directional", "direction": (0.5, 0.7, 0.4), "irradiance": (2, 1.9, 1.7)},
-                {"type": "directional", "direction": (-0.7, 0.5, 0.5), "irradiance": (0.7, 0.8, 1)},
-                {"type": "directional", "direction": (0.1, 0.6, -0.8), "irradiance": (0.8, 0.8, 1)},
+                {
+                    "type": "directional",
+                    "direction": (-0.7, 0.5, 0.5),
+                    "irradiance": (0.5, 0.6, 0.7),
+                },
+                {"type": "environment", "radiance": (0.15, 0.18, 0.22)},
             ],
             "resolution": (args.width, args.width),
-            "max_depth": 4,
+            "max_depth": 3,
             "clamp_indirect": 1.0,
             "samples": args.samples,
         }
@@ -123,7 +127,7 @@ def standing(x: float, z: float, turn_deg: float) -> dict[str, Any]:
 
 def spread(k: int, count: int, distance: float) -> float:
     """x of the k-th of `count` assets that fill the image's width at this distance."""
-    return 0.75 * distance * ((k + 0.5) / count - 0.5)
+    return 0.8 * distance * ((k + 0.5) / count - 0.5)
 
 
 class Render:
