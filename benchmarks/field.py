@@ -31,7 +31,7 @@ from rna_render.scene_model import QualityModel, Scene
 from rna_render.srgb import encode_srgb
 from rna_render.world import World
 
-ROWS = ((3.8, 1), (5.0, 4), (6.5, 5), (8.5, 6), (11.0, 7), (15.0, 8), (21.0, 9))
+ROWS = ((4.1, 1), (4.8, 4), (6.5, 5), (8.5, 6), (11.0, 7), (15.0, 8), (21.0, 9))
 """Distance from the camera and number of assets of each row: 40 in all."""
 
 MIDDLE = (0.4, -0.16)
@@ -87,7 +87,7 @@ def arguments() -> argparse.Namespace:
 
 
 def field(args: argparse.Namespace, tier: str | None, quality: QualityModel | None) -> SceneFile:
-    """40 assets on a ground under sun and sky."""
+    """40 assets on a ground under four lamps far away."""
     assets = [
         {
             "path": args.package.resolve(),
@@ -101,7 +101,7 @@ def field(args: argparse.Namespace, tier: str | None, quality: QualityModel | No
         {
             "assets": assets,
             "ground": {},
-            "camera": {"position": (0, 1.1, 0), "look_at": (0, 1.0, -5), "vertical_fov_deg": 40},
+            "camera": {"position": (0, 1.1, 0), "look_at": (0, 1.3, -5), "vertical_fov_deg": 40},
             "lights": [
                 {"type": "directional", "direction": (0.5, 0.7, 0.4), "irradiance": (2, 1.9, 1.7)},
                 {
@@ -109,10 +109,15 @@ def field(args: argparse.Namespace, tier: str | None, quality: QualityModel | No
                     "direction": (-0.7, 0.5, 0.5),
                     "irradiance": (0.5, 0.6, 0.7),
                 },
-                {"type": "environment", "radiance": (0.15, 0.18, 0.22)},
+                {
+                    "type": "directional",
+                    "direction": (0.1, 0.6, -0.8),
+                    "irradiance": (0.6, 0.6, 0.7),
+                },
+                {"type": "directional", "direction": (0, 1, 0.2), "irradiance": (0.4, 0.45, 0.5)},
             ],
             "resolution": (args.width, args.width),
-            "max_depth": 3,
+            "max_depth": 2,
             "clamp_indirect": 1.0,
             "samples": args.samples,
         }
