@@ -253,8 +253,11 @@ class Integrator:
         origin = world.origins(vertices, row, direction)
         hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
-        for part, place, points in vertices.local_rows(row):
-            transport[part], _ = points.transport(place, wi[part], distance[part])
+        # A ray into a black sky brings nothing, whatever the decoder says.
+        met = np.flatnonzero((hits.owner >= 0) | bool(self._infinite))
+        for part, place, points in vertices.local_rows(row[met]):
+            at = met[part]
+            transport[at], _ = points.transport(place, wi[at], distance[at])
         scale = np.divide(1.0, pdf, out=np.zeros_like(pdf), where=pdf > 0.0)
         throughput = beta[row] * transport * scale[:, None]
         return _Rays(path[row], origin, direction, hits, throughput, pdf, probability)

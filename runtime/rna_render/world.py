@@ -74,6 +74,7 @@ class World:
     with two instances. Raises QueryError for a transform that is not a similarity.
 
     Attributes:
+        things: those of `placements`.
         scene: all instances, in Embree.
         number: (k,) int32, for each instance its place in `placements`, counted from 1.
         scale: (k,) float32, world units an object unit.
@@ -89,6 +90,7 @@ class World:
             groups.setdefault(id(placement.thing), []).append(index)
         order = [index for group in groups.values() for index in group]
         ordered = [placements[index] for index in order]
+        self.things = [placement.thing for placement in placements]
         self._bodies = [make_body(placements[group[0]].thing) for group in groups.values()]
         # Body b has the instances from first[b] up to first[b + 1].
         self._first = np.cumsum([0] + [len(group) for group in groups.values()])
