@@ -23,14 +23,15 @@ class Sampler:
     seed: int
     sample: int
 
-    def square(self, pixels: np.ndarray, dimension: int) -> np.ndarray:
-        """Points in the unit square, one a pixel: (n, 2) float64 in [0, 1).
+    def square(self, pixels: np.ndarray, dimension: int, parts: int = 1) -> np.ndarray:
+        """Points in the unit square, `parts` for each pixel: (n * parts, 2) float64 in [0, 1).
 
-        pixels: (n,) uint32. dimension: which decision of the sample they are for.
+        pixels: (n,) uint32. dimension: which decision of the sample they are for. The
+        parts are spread as well as if they were samples of their own.
         """
-        points = np.empty((len(pixels), 2), np.float64)
-        _scrambled_sobol(pixels, self.sample, dimension, self.seed, points)
-        return points
+        points = np.empty((len(pixels), parts, 2), np.float64)
+        _scrambled_sobol(pixels, self.sample * parts, dimension, self.seed, points)
+        return points.reshape(-1, 2)
 
 
 @njit(cache=True)
@@ -83,12 +84,14 @@ def _second_sobol_dimension(index):
 
 
 @njit(cache=True, parallel=True, nogil=True)
-def _scrambled_sobol(pixels, sample, dimension, seed, points):
+def _scrambled_sobol(pixels, first_sample, dimension, seed, points):
     image_key = _hash(_hash(seed) + np.uint32(dimension))
     for i in prange(len(pixels)):
         key = _hash(image_key ^ _hash(pixels[i] + np.uint32(1)))
-        index = _owen_scramble(np.uint32(sample), key)
-        first = _owen_scramble(_reverse_bits(index), _hash(key + np.uint32(1)))
-        second = _owen_scramble(_second_sobol_dimension(index), _hash(key + np.uint32(2)))
-        points[i, 0] = first * 2.0**-32
-        points[i, 1] = second * 2.0**-32
+        first_key, second_key = _hash(key + np.uint32(1)), _hash(key + np.uint32(2))
+        for part in range(points.shape[1]):
+            index = _owen_scramble(np.uint32(first_sample + part), key)
+            first = _owen_scramble(_reverse_bits(index), first_key)
+            second = _owen_scramble(_second_sobol_dimension(index), second_key)
+            points[i, part, 0] = first * 2.0**-32
+            points[i, part, 1] = second * 2.0**-32

@@ -84,8 +84,7 @@ def _empty_vectors(n: int) -> np.ndarray:
 
 
 @njit(cache=True)
-def _luminance(texels, row, column):
-    texel = texels[row, column]
+def _luminance(texel):
     return LUMINANCE[0] * texel[0] + LUMINANCE[1] * texel[1] + LUMINANCE[2] * texel[2]
 
 
@@ -104,8 +103,8 @@ def _accumulate(texels, heights, columns):
         columns[row, 0] = 0.0
         for column in range(w):
             r0, r1, c0, c1 = _corners(row, column, h, w)
-            sum4 = _luminance(texels, r0, c0) + _luminance(texels, r0, c1)
-            sum4 += _luminance(texels, r1, c0) + _luminance(texels, r1, c1)
+            sum4 = _luminance(texels[r0, c0]) + _luminance(texels[r0, c1])
+            sum4 += _luminance(texels[r1, c0]) + _luminance(texels[r1, c1])
             total += sum4 / 4.0 * heights[row]
             columns[row, column + 1] = total
 
@@ -177,17 +176,25 @@ def _sample_linear(a, b, u):
 
 
 @njit(cache=True)
-def _sample_cell(texels, heights, row, column, u1, u2):
+def _gather(texels, row, column, corners):
+    """Write the four texels about a cell, (4, 3)."""
+    r0, r1, c0, c1 = _corners(row, column, texels.shape[0], texels.shape[1])
+    for channel in range(3):
+        corners[0, channel], corners[1, channel] = texels[r0, c0, channel], texels[r0, c1, channel]
+        corners[2, channel], corners[3, channel] = texels[r1, c0, channel], texels[r1, c1, channel]
+
+
+@njit(cache=True)
+def _sample_cell(corners, heights, row, u1, u2):
     """A place in a cell, x and y in [0, 1]."""
-    h, w, _ = texels.shape
+    h = len(heights) - 1
+    l00, l01 = _luminance(corners[0]), _luminance(corners[1])
+    l10, l11 = _luminance(corners[2]), _luminance(corners[3])
     if row == 0:
         y = _cap_angle(u2 * heights[0]) / np.pi * h + 0.5
     elif row == h:
         y = 0.5 - _cap_angle(u2 * heights[h]) / np.pi * h
-    r0, r1, c0, c1 = _corners(row, column, h, w)
-    l00, l01 = _luminance(texels, r0, c0), _luminance(texels, r0, c1)
-    l10, l11 = _luminance(texels, r1, c0), _luminance(texels, r1, c1)
-    if 0 < row < h:
+    else:
         y = _sample_linear(l00 + l01, l10 + l11, u2)
     return _sample_linear(l00 + y * (l10 - l00), l01 + y * (l11 - l01), u1), y
 
@@ -198,20 +205,18 @@ def _cap_angle(one_minus_cosine):
 
 
 @njit(cache=True)
-def _look_up(texels, heights, total, row, column, x, y, sine, radiance):
+def _look_up(corners, heights, w, total, row, x, y, sine, radiance):
     """Write the radiance at a place in a cell; returns the density of its direction.
 
     sine: of its angle to +y. The density is the probability of the cell, times luminance by mean
     luminance there, by the cell's part of the sphere: uniform in cos(theta), or
     2 pi^2 sin(theta) ds dt.
     """
-    h, w, _ = texels.shape
-    r0, r1, c0, c1 = _corners(row, column, h, w)
-    a, b, c, d = texels[r0, c0], texels[r0, c1], texels[r1, c0], texels[r1, c1]
+    h = len(heights) - 1
     luminance = 0.0
     for channel in range(3):
-        top = a[channel] * (1.0 - x) + b[channel] * x
-        bottom = c[channel] * (1.0 - x) + d[channel] * x
+        top = corners[0, channel] * (1.0 - x) + corners[1, channel] * x
+        bottom = corners[2, channel] * (1.0 - x) + corners[3, channel] * x
         value = top * (1.0 - y) + bottom * y
         radiance[channel] = value
         luminance += LUMINANCE[channel] * value
@@ -229,12 +234,14 @@ def _sample_image(
         first = chunk * CHUNK
         count = min(CHUNK, n - first)
         row, column = np.empty(count, np.int64), np.empty(count, np.int64)
-        places = np.empty((count, 2))
+        places, corners = np.empty((count, 2)), np.empty((count, 4, 3), np.float32)
         tables = rows, row_guide, columns, column_guide
         _choose_cells(*tables, u[first : first + count], row, column, places)
         for k in range(count):
+            _gather(texels, row[k], column[k], corners[k])
+        for k in range(count):
             i = first + k
-            x, y = _sample_cell(texels, heights, row[k], column[k], places[k, 0], places[k, 1])
+            x, y = _sample_cell(corners[k], heights, row[k], places[k, 0], places[k, 1])
             phi = 2.0 * np.pi * ((column[k] + 0.5 + x) / w - 0.5)
             theta = np.pi * (row[k] - 0.5 + y) / h
             sine = np.sin(theta)
@@ -242,21 +249,26 @@ def _sample_image(
             d_world[i, 0] = turn[0] * away + turn[1] * along
             d_world[i, 1] = np.cos(theta)
             d_world[i, 2] = turn[0] * along - turn[1] * away
-            cell = row[k], column[k], x, y
-            pdf[i] = _look_up(texels, heights, rows[h + 1], *cell, sine, radiance[i])
+            place = row[k], x, y, sine
+            pdf[i] = _look_up(corners[k], heights, w, rows[h + 1], *place, radiance[i])
 
 
 @njit(cache=True, parallel=True, nogil=True)
 def _lookup_image(texels, turn, heights, total, d_world, radiance, pdf):
     h, w, _ = texels.shape
-    for i in prange(len(d_world)):
-        dx, dy, dz = d_world[i, 0], d_world[i, 1], d_world[i, 2]
-        x, z = turn[0] * dx - turn[1] * dz, turn[1] * dx + turn[0] * dz
-        sine = np.sqrt(x * x + z * z)
-        s = (0.5 + np.arctan2(x, -z) / (2.0 * np.pi)) * w - 0.5
-        t = np.arctan2(sine, np.float64(dy)) / np.pi * h + 0.5
-        # A direction that is not a number finds some cell, and radiance that is not a number.
-        row = min(max(int(np.floor(t)), 0), h)
-        column = int(np.floor(s)) % w
-        cell = row, column, s - np.floor(s), t - row
-        pdf[i] = _look_up(texels, heights, total, *cell, sine, radiance[i])
+    n = len(pdf)
+    for chunk in prange((n + CHUNK - 1) // CHUNK):
+        corners = np.empty((4, 3), np.float32)
+        for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
+            dx, dy, dz = d_world[i, 0], d_world[i, 1], d_world[i, 2]
+            x, z = turn[0] * dx - turn[1] * dz, turn[1] * dx + turn[0] * dz
+            sine = np.sqrt(x * x + z * z)
+            s = (0.5 + np.arctan2(x, -z) / (2.0 * np.pi)) * w - 0.5
+            t = np.arctan2(sine, np.float64(dy)) / np.pi * h + 0.5
+            # A direction that is not a number finds some cell, and radiance that is not a number.
+            row = min(max(int(np.floor(t)), 0), h)
+            column = int(np.floor(s))
+            column = column if 0 <= column < w else w - 1
+            _gather(texels, row, column, corners)
+            place = row, s - np.floor(s), t - row, sine
+            pdf[i] = _look_up(corners, heights, w, total, *place, radiance[i])
