@@ -15,11 +15,6 @@ from rna_render.world import Vertices, World
 # A shadow ray ends this part of its length before the light, which is a surface itself.
 SHORTER = np.float32(1.0 - 2.0**-13)
 
-# Samples of a point that the camera sees, where all lights have some; lights with one direction
-# have one each, and the others share the rest. The camera ray and the path that follows are the
-# same for all of them.
-SAMPLES_A_VERTEX = 4
-
 
 @dataclass(frozen=True, slots=True)
 class LightChoice:
@@ -45,9 +40,7 @@ class LightSampling:
         self._lights = lights
         self._selection = LightSelection(lights, world.radius)
         self._delta = np.array([light.delta for light in lights], bool)
-        wide = max(np.count_nonzero(~self._delta), 1)
-        share = max((SAMPLES_A_VERTEX - np.count_nonzero(self._delta)) // wide, 1)
-        self._times = np.where(self._delta, 1, share)
+        self._times = np.array([light.samples for light in lights], np.int64)
 
     def choose(self, numbers: PathNumbers) -> tuple[list[LightChoice], np.ndarray]:
         """The samples of lights at each of n points, and how many each light gets on average.
