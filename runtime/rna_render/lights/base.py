@@ -48,7 +48,7 @@ class Light(ABC):
     def samples(self) -> int:
         """How many samples pay at a point that the camera sees, beside one camera ray.
 
-        Under a lamp two take the time that they save; under a sky it takes more to do so.
+        Under lamps a third takes more time than it saves.
         """
         return 1 if self.delta else 2
 

@@ -10,10 +10,6 @@ from rna_render.lights.directions import cone_direction, luminance
 from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.models import EnvironmentModel
 
-# Squared error times time, of a toy on a ground under an image: 0.75 of that with 2 samples, and
-# with 8 it is 0.87.
-SKY_SAMPLES = 4
-
 _SPHERE_PDF = np.float32(1.0 / (4.0 * np.pi))
 
 
@@ -21,7 +17,6 @@ class EnvironmentLight(InfiniteLight):
     """The same radiance from everywhere, sampled uniformly over the sphere."""
 
     delta = False
-    samples = SKY_SAMPLES
 
     def __init__(self, model: EnvironmentModel) -> None:
         self.group = model.group
@@ -49,7 +44,8 @@ class EnvironmentImageLight(InfiniteLight):
     """
 
     delta = False
-    samples = SKY_SAMPLES
+    # Squared error times time, of a toy on a ground: 0.75 of that with 2 samples, and 0.87 with 8.
+    samples = 4
 
     def __init__(self, model: EnvironmentModel, image: EquirectangularImage) -> None:
         self.group = model.group
