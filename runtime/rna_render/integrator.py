@@ -1,7 +1,7 @@
 """One sample of a band of pixels, as a wavefront: every step handles all paths of the band.
 
 At each point where a path scatters, light is found in two ways: by samples of lights, and by the
-ray that continues the path. Where the camera sees a point and lights are few, each of them has
+ray that continues the path. At the first points of a path, if lights are few, each of them has
 samples; else there is one, of a light chosen by its power. Where both ways can find the same
 light, they share it by the power heuristic of Veach (Robust Monte Carlo Methods for Light Transport
 Simulation, 1997, section 9.2). The radiance towards the viewer is the integral of L T over all

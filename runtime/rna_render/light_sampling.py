@@ -16,6 +16,10 @@ from rna_render.world import Vertices, World
 SHORTER = np.float32(1.0 - 2.0**-13)
 
 
+# Few lights all have samples at so many points of a path, fewer at each next one.
+FULLY_LIT = 2
+
+
 @dataclass(frozen=True, slots=True)
 class LightChoice:
     """Samples of lights to take at points.
@@ -31,7 +35,7 @@ class LightChoice:
 class LightSampling:
     """Samples of the lights of a world, and shadow rays to them.
 
-    At points that the camera sees, few lights all have samples; else one light is chosen, by its
+    At the first points of a path, few lights all have samples; else one light is chosen, by its
     power, and has one.
     """
 
@@ -50,16 +54,17 @@ class LightSampling:
         row = np.arange(len(numbers.pixels))
         if not self._lights:
             return [], np.zeros(0)
-        if numbers.depth == 1 and len(self._lights) <= LIGHTS_AT_A_VERTEX:
+        if numbers.depth <= FULLY_LIT and len(self._lights) <= LIGHTS_AT_A_VERTEX:
+            times = np.maximum(self._times // numbers.depth, 1)
             every = [
                 LightChoice(
                     np.repeat(row, parts),
                     np.full(len(row) * parts, light),
                     numbers.square(LIGHT + light, parts),
                 )
-                for light, parts in enumerate(self._times.tolist())
+                for light, parts in enumerate(times.tolist())
             ]
-            return every, self._times.astype(np.float64)
+            return every, times.astype(np.float64)
         chosen = self._selection.choose(numbers.square(CHOICES)[:, 0])
         return [LightChoice(row, chosen, numbers.square(LIGHT))], self._selection.probability
 
