@@ -9,7 +9,8 @@ import pytest
 
 from rna_render.images import write_exr
 from rna_render.lights.environment_file import read_environment
-from rna_render.lights.equirectangular import EquirectangularImage, _interval
+from rna_render.lights.equirectangular import EquirectangularImage
+from rna_render.lights.intervals import find_interval, interval_near
 from tests.render.chi_squared import assert_directions_follow
 from tests.render.lights import light
 
@@ -118,8 +119,9 @@ def test_directions_follow_the_density(name, turn):
 def test_intervals_are_found_from_wherever_the_search_starts():
     cumulative = np.array([0.0, 0.0, 1.0, 1.0, 1.0, 4.0, 4.5, 4.5])
     for value, interval in ((0.0, 1), (0.99, 1), (1.0, 4), (3.9, 4), (4.0, 5), (4.4, 5)):
+        assert find_interval(cumulative, value) == interval
         for near in range(7):
-            assert _interval(cumulative, near, value) == interval
+            assert interval_near(cumulative, near, value) == interval
 
 
 @pytest.mark.parametrize("name", IMAGES)

@@ -21,6 +21,7 @@ import numpy as np
 from numba import njit, prange
 
 from rna_render.lights.directions import LUMINANCE
+from rna_render.lights.intervals import fill_guide, guide_entry, interval_near, place_within
 
 # Samples in one unit of parallel work, which goes through them once for each table: while one
 # sample waits for memory, the next ones already ask for theirs.
@@ -48,9 +49,9 @@ class EquirectangularImage:
         _accumulate(self._texels, self._heights, self._columns)
         self._rows = np.concatenate([[0.0], np.cumsum(self._columns[:, -1])])
         self._column_guide = np.empty((h + 1, w), np.int32)
-        _fill_guide(self._columns, self._column_guide)
+        fill_guide(self._columns, self._column_guide)
         self._row_guide = np.empty((1, h + 1), np.int32)
-        _fill_guide(self._rows[None], self._row_guide)
+        fill_guide(self._rows[None], self._row_guide)
         self.total = float(self._rows[-1]) * 2.0 * np.pi / w
 
     def turned(self, angle: float) -> EquirectangularImage:
@@ -110,62 +111,20 @@ def _accumulate(texels, heights, columns):
 
 
 @njit(cache=True)
-def _guess(u, count):
-    return min(int(u * count), count - 1)
-
-
-@njit(cache=True, parallel=True, nogil=True)
-def _fill_guide(cumulative, guide):
-    """For each row of cumulative sums and each k the interval that u = k / count is in, about."""
-    count = guide.shape[1]
-    for row in prange(len(guide)):
-        interval = 0
-        for k in range(count):
-            interval = _interval(cumulative[row], interval, k / count * cumulative[row, count])
-            guide[row, k] = interval
-
-
-@njit(cache=True)
-def _interval(cumulative, near, value):
-    """The interval of rising numbers from 0 that a value is in, found in steps from one near it.
-
-    An interval of no length is never found, unless all that follow have none.
-    """
-    while near > 0 and cumulative[near] > value:
-        near -= 1
-    while near < len(cumulative) - 2 and cumulative[near + 1] <= value:
-        near += 1
-    return near
-
-
-@njit(cache=True)
-def _place(cumulative, interval, value):
-    """Where in its interval a value is, in [0, 1)."""
-    length = cumulative[interval + 1] - cumulative[interval]
-    place = (value - cumulative[interval]) / length if length > 0.0 else 0.0
-    return min(max(place, 0.0), 1.0 - 1e-16)
-
-
-@njit(cache=True)
 def _choose_cells(rows, row_guide, columns, column_guide, u, row, column, places):
-    """Row and column of a cell for each u, and a place in the unit square that it leaves.
-
-    Guide tables (Chen and Asau, On Generating Random Variates from an Empirical Distribution,
-    AIIE Transactions 6, 1974) find intervals in a step or two, and in the order of u: nearby
-    points stay neighbours, so that well spread ones stay so.
-    """
+    """Row and column of a cell for each u, and a place in the unit square that it leaves."""
     count, w = len(row_guide), column_guide.shape[1]
     for i in range(len(u)):
         value = u[i, 1] * rows[count]
-        row[i] = _interval(rows, row_guide[_guess(u[i, 1], count)], value)
-        places[i, 1] = _place(rows, row[i], value)
+        row[i] = interval_near(rows, row_guide[guide_entry(u[i, 1], count)], value)
+        places[i, 1] = place_within(rows, row[i], value)
     for i in range(len(u)):
-        column[i] = column_guide[row[i], _guess(u[i, 0], w)]
+        column[i] = column_guide[row[i], guide_entry(u[i, 0], w)]
     for i in range(len(u)):
         cumulative = columns[row[i]]
         value = u[i, 0] * cumulative[w]
-        column[i] = _interval(cumulative, column[i], value)
-        places[i, 0] = _place(cumulative, column[i], value)
+        column[i] = interval_near(cumulative, column[i], value)
+        places[i, 0] = place_within(cumulative, column[i], value)
 
 
 @njit(cache=True)
