@@ -110,7 +110,7 @@ def render(
     film = Film(scene.resolution, integrator.groups)
     samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
     if scene.quality is not None and scene.quality.seconds is not None:
-        samplers = in_time(samplers, scene.quality.seconds)
+        samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)
     sample: list[Layers] = []
     with closing(rendered_bands(integrator, film.width * film.height, samplers)) as bands:
         for band, last in bands:

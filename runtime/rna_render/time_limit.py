@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing
 
 import numpy as np
@@ -19,15 +19,21 @@ ENOUGH_SAMPLES = 16
 _MEASURED = 1 << 15
 
 
-def in_time(samplers: Iterable[Sampler], seconds: float) -> Iterator[Sampler]:
+def in_time(
+    samplers: Iterable[Sampler], seconds: float, finished: Callable[[], int]
+) -> Iterator[Sampler]:
     """The first of the samplers, and as many more as fit into `seconds` from the first on.
 
-    One more fits if it may take as long as the mean of those before.
+    One more fits if all given so far and it take as long each as the mean of those finished;
+    before any is, if there is time left at all.
+
+    finished: how many of the samples are done; it may lag behind those given.
     """
     start = time.perf_counter()
-    for done, sampler in enumerate(samplers):
-        elapsed = time.perf_counter() - start
-        if done and elapsed * (done + 1) / done > seconds:
+    for given, sampler in enumerate(samplers):
+        elapsed, done = time.perf_counter() - start, finished()
+        expected = elapsed * (given + 1) / done if done else elapsed
+        if given and expected > seconds:
             return
         yield sampler
 

@@ -37,7 +37,7 @@ def test_as_many_samples_as_fit(
 ) -> None:
     clock = Clock(monkeypatch)
     done = []
-    for sampler in in_time((Sampler(0, k) for k in range(64)), seconds):
+    for sampler in in_time((Sampler(0, k) for k in range(64)), seconds, lambda: len(done)):
         done.append(sampler)
         clock.now += each
     assert len(done) == count
