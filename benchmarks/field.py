@@ -127,7 +127,7 @@ def field(args: argparse.Namespace, tier: str | None, quality: QualityModel | No
                 {"type": "directional", "direction": (0, 1, 0.2), "irradiance": (0.4, 0.45, 0.5)},
             ],
             "resolution": (args.width, 3 * args.width // 8),
-            "max_depth": 2,
+            "max_depth": 4,
             "clamp_indirect": 1.0,
             "samples": args.samples,
         }
