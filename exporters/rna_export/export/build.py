@@ -125,7 +125,7 @@ def _measure(
         for tier, one in zip(manifest.tiers, trained, strict=True):
             asset = load(path, tier=tier.name)
             validation = _validation(asset, views)
-            cost = _cost(asset, _multiply_adds(one), views)
+            cost = _cost(asset, one.model.multiply_adds, views)
             say(
                 f"{tier.name}: PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f} "
                 f"({validation.definition})\n"
@@ -162,11 +162,6 @@ def _cost(asset: Asset, multiply_adds: int, views: list[ValidationView]) -> Cost
         threads=asset.threads,
         machine=f"{_processor()}, {len(os.sched_getaffinity(0))} cores",
     )
-
-
-def _multiply_adds(one: Trained) -> int:
-    linear = [m for m in one.model.decoder if isinstance(m, torch.nn.Linear)]
-    return sum(layer.in_features * layer.out_features for layer in linear)
 
 
 def _inputs(view: ValidationView) -> list[np.ndarray]:

@@ -19,9 +19,6 @@ RELATIVE, ABSOLUTE = 1e-4, 1e-5  # a larger difference refuses the export
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
 
-# Direct and scattered light, and scattered light in shadow, to visible and shadowed: (9, 6).
-_SUMS = np.kron([[1, 0], [1, 0], [0, 1]], np.eye(3))
-
 
 @dataclass(frozen=True)
 class Agreement:
@@ -43,10 +40,12 @@ def export_decoder(model: NeuralAsset) -> bytes:
             value = graph.add("Relu", [value])
     y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling / model.unit)))
     x = graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)])
-    if model.config.separates_direct:
-        graph.add("MatMul", [x, graph.constant(float(model.unit) * _SUMS)], "transport")
+    sums, unit = np.array(model.config.colour_sums), float(model.unit)
+    if np.array_equal(sums, np.eye(2)):
+        graph.add("Mul", [x, graph.constant(unit)], "transport")
     else:
-        graph.add("Mul", [x, graph.constant(float(model.unit))], "transport")
+        matrix = unit * np.kron(sums.T, np.eye(3))
+        graph.add("MatMul", [x, graph.constant(matrix)], "transport")
     return graph.serialize(model.decoder[0].in_features)
 
 

@@ -30,6 +30,19 @@ class ModelConfig(BaseModel):
     separates_direct: bool = Field(
         False, description="direct and scattered light are outputs of their own, summed at the end"
     )
+    visibility_hint: bool = Field(
+        True, description="outputs of their own where light is shadowed; False only to compare"
+    )
+    texture: Literal["triplane", "uv"] = Field(
+        "triplane", description="where features are kept; uv only to compare, packages have none"
+    )
+
+    @property
+    def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """Which of the decoder's colours add up to the visible and to the shadowed transport."""
+        if self.separates_direct:
+            return ((1, 1, 0), (0, 0, 1)) if self.visibility_hint else ((1, 1), (1, 1))
+        return ((1, 0), (0, 1)) if self.visibility_hint else ((1,), (1,))
 
 
 class TrainingConfig(BaseModel):
