@@ -3,16 +3,34 @@
 from __future__ import annotations
 
 import argparse
+import json
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, TypeVar
 
-from rna_export.capture.dataset import Dataset
+from pydantic import BaseModel, ConfigDict, Field
+from tqdm import tqdm
+
+from rna_bench.frontier.chart import draw
+from rna_bench.frontier.cycles import CyclesCurve, render_curve
+from rna_bench.frontier.findings import findings, sentences
+from rna_bench.frontier.page import write_page
+from rna_bench.frontier.points import label_of, points_of
+from rna_bench.step_times import step_times
+
+from rna_export.capture.dataset import Dataset, write_atomically
+from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
+from rna_export.trials.cost import Costs, measure_costs, validation_queries
 from rna_export.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
 from rna_export.trials.pool import Crew, TrialPool, largest_first
 from rna_export.trials.record import Record, read_record
 from rna_export.trials.trial import Trial
 from rna_sdk.errors import TrainingError
-from tqdm import tqdm
+from rna_sdk.package import Package
+
+Model = TypeVar("Model", bound=BaseModel)
+
+_CYCLES_SECONDS = 90.0
 
 
 @dataclass(frozen=True)
@@ -59,6 +77,83 @@ class Study:
                     f"{record.trial.name}: PSNR {scores.psnr:.2f} dB, FLIP {scores.flip:.4f}, "
                     f"{record.seconds:.0f} s of training"
                 )
+
+    def time(self) -> None:
+        """Measure the cost of every package, all in one run; and where the time goes."""
+        packages = {
+            label_of(record.trial.name, precision): self.package(record.trial, precision)
+            for record in self.records()
+            for precision, point in record.points.items()
+            if point.bytes is not None
+        }
+        if not packages:
+            raise TrainingError(f"{self.out}: no finished model to time")
+        print(f"timing {len(packages)} packages; anything else that runs now falsifies it")
+        queries = validation_queries(self.dataset)
+        costs = measure_costs(packages, queries)
+        steps = {}
+        for label, path in packages.items():
+            with Package.open(path) as package:
+                steps[label] = step_times(package, tuple(queries))
+        timings = Timings(costs=costs, step_ns=steps)
+        write_atomically(self.out / "costs.json", timings.model_dump_json(indent=1).encode())
+
+    def package(self, trial: Trial, precision: str) -> Path:
+        """Of a finished trial."""
+        return self.folder(trial) / f"{precision}.rna"
+
+    def render_cycles(self, source: Path) -> None:
+        """Render the validation images with Cycles, unless that is done."""
+        path = self.out / "cycles.json"
+        if path.is_file():
+            return
+        print(f"Cycles renders {source.name}, for about {_CYCLES_SECONDS:.0f} s")
+        curve = render_curve(self.dataset, source, _CYCLES_SECONDS, self.out)
+        write_atomically(path, (curve.model_dump_json(indent=1) + "\n").encode())
+
+    def report(self) -> dict[str, Any]:
+        """`frontier.json`. Raises `TrainingError` when no model is finished."""
+        records = self.records()
+        if not records:
+            raise TrainingError(f"{self.out}: no finished model to chart")
+        timings = _read(self.out / "costs.json", Timings)
+        cycles = _read(self.out / "cycles.json", CyclesCurve)
+        points = points_of(records, timings.costs if timings else None)
+        exclude = {"arguments"}  # paths of one machine
+        return {
+            "dataset": self.dataset.manifest.model_dump(mode="json", by_alias=True, exclude=exclude),
+            "definitions": {"psnr": PSNR_DEFINITION, "flip": FLIP_DEFINITION, "p99": P99_DEFINITION},
+            "models_planned": len(self.trials),
+            "training_device": records[0].device,
+            "timings": timings.model_dump() if timings else None,
+            "points": points,
+            "cycles": cycles.model_dump() if cycles else None,
+            "findings": findings(points),
+        }
+
+    def write(self) -> None:
+        """Write `frontier.json`, `frontier.png` and `index.html` from what is there."""
+        report = self.report()
+        path = self.out / "frontier.json"
+        write_atomically(path, (json.dumps(report, indent=1) + "\n").encode())
+        draw(report, self.out / "frontier.png")
+        write_page(report, self)
+        for sentence in sentences(report["findings"]):
+            print(sentence)
+        print(f"wrote {path}, {self.out / 'frontier.png'}, {self.out / 'index.html'}")
+
+
+class Timings(BaseModel):
+    """`costs.json`."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    costs: Costs
+    step_ns: dict[str, dict[str, float]] = Field(description="package -> step -> ns, one thread")
+
+
+def _read(path: Path, model: type[Model]) -> Model | None:
+    return model.model_validate_json(path.read_bytes()) if path.is_file() else None
 
 
 def _device(asked: str) -> str:

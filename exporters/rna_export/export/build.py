@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import platform
 import tempfile
 import time
 from collections.abc import Callable
@@ -16,6 +15,7 @@ import torch
 import rna_sdk
 from rna_export.capture.dataset import Dataset, ValidationView
 from rna_export.export.decoder import check_decoder, export_decoder
+from rna_export.machine import processor
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import score
@@ -160,20 +160,12 @@ def _cost(asset: Asset, multiply_adds: int, views: list[ValidationView]) -> Cost
         multiply_adds=multiply_adds,
         ns_per_query=1e9 * float(np.median(seconds[1:])) / _COST_ROWS,
         threads=asset.threads,
-        machine=f"{_processor()}, {len(os.sched_getaffinity(0))} cores",
+        machine=f"{processor()}, {len(os.sched_getaffinity(0))} cores",
     )
 
 
 def _inputs(view: ValidationView) -> list[np.ndarray]:
     return [np.ascontiguousarray(rows) for rows in view.queries.values()]
-
-
-def _processor() -> str:
-    try:
-        with open("/proc/cpuinfo") as file:
-            return next(line.split(":", 1)[1].strip() for line in file if "model name" in line)
-    except (OSError, StopIteration):
-        return platform.machine()
 
 
 def _provenance(trained: list[Trained], dataset: Dataset, source: str | None) -> Provenance:

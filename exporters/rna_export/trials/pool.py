@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import multiprocessing
 import os
 import traceback
@@ -102,12 +103,14 @@ class _Process:
 
 
 def _begin(dataset: Path, crew: Crew) -> None:
+    import lightning  # its own log handler comes with it
     import numba
     import torch
 
     from rna_export.memory import keep_freed_memory
 
     keep_freed_memory()
+    logging.getLogger(lightning.pytorch.__name__).setLevel(logging.WARNING)
     torch.set_num_threads(crew.threads)
     numba.set_num_threads(min(crew.threads, numba.config.NUMBA_NUM_THREADS))
     _Process.dataset, _Process.device = Dataset(dataset), crew.device
