@@ -24,8 +24,8 @@ import trimesh
 from numpy.typing import NDArray
 from onnx import TensorProto, helper, numpy_helper
 from report import publish, report_parser
-from rna_bench.step_times import step_times
 
+from rna_bench.step_times import step_times
 from rna_sdk.package import (
     Bounds,
     Curves,

@@ -13,8 +13,8 @@ PSNR_DEFINITION = (
 )
 FLIP_DEFINITION = "mean LDR-FLIP of the sRGB image over black, whole image"
 P99_DEFINITION = (
-    "99th percentile over the asset's pixels of |error| / (reference + a tenth of the image's mean), "
-    "each the mean of RGB; mean over images"
+    "99th percentile over the asset's pixels of |error| / (reference + a tenth of its image's "
+    "mean), each the mean of RGB; mean over images"
 )
 IRRADIANCE = np.pi
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
+from safetensors.numpy import load_file
 
 from rna_export.capture import blender_env
 from rna_export.capture.dataset import Dataset, ValidationView
@@ -17,7 +18,6 @@ from rna_export.capture.run import default_workers, scene_of
 from rna_export.capture.tasks import ValidationHalf
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.trials.scores import ModelScores, scores_of, write_strips
-from safetensors.numpy import load_file
 
 _NOISE = 7  # names noise that neither half of the references has
 
@@ -103,4 +103,3 @@ def _render(
         image[found["pixel"]] = found["radiance"]
         radiance.append(image[view.pixel])
     return radiance
-

@@ -17,7 +17,6 @@ from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.page import write_page
 from rna_bench.frontier.points import label_of, points_of
 from rna_bench.step_times import step_times
-
 from rna_export.capture.dataset import Dataset, write_atomically
 from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
 from rna_export.trials.cost import Costs, measure_costs, validation_queries
@@ -49,7 +48,7 @@ class Study:
         dataset = Dataset(args.dataset)
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.manifest.kind, args.steps or usual)
-        crew = Crew.usual(_device(args.device), args.workers)
+        crew = Crew.usual(args.device, args.workers)
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew)
 
     def folder(self, trial: Trial) -> Path:
@@ -121,8 +120,14 @@ class Study:
         points = points_of(records, timings.costs if timings else None)
         exclude = {"arguments"}  # paths of one machine
         return {
-            "dataset": self.dataset.manifest.model_dump(mode="json", by_alias=True, exclude=exclude),
-            "definitions": {"psnr": PSNR_DEFINITION, "flip": FLIP_DEFINITION, "p99": P99_DEFINITION},
+            "dataset": self.dataset.manifest.model_dump(
+                mode="json", by_alias=True, exclude=exclude
+            ),
+            "definitions": {
+                "psnr": PSNR_DEFINITION,
+                "flip": FLIP_DEFINITION,
+                "p99": P99_DEFINITION,
+            },
             "models_planned": len(self.trials),
             "training_device": records[0].device,
             "timings": timings.model_dump() if timings else None,
@@ -154,15 +159,6 @@ class Timings(BaseModel):
 
 def _read(path: Path, model: type[Model]) -> Model | None:
     return model.model_validate_json(path.read_bytes()) if path.is_file() else None
-
-
-def _device(asked: str) -> str:
-    import torch
-
-    cuda = torch.cuda.is_available()
-    if asked == "cuda" and not cuda:
-        raise TrainingError("--device cuda: torch finds no CUDA device here")
-    return "cuda" if cuda and asked != "cpu" else "cpu"
 
 
 def _chosen(trials: list[Trial], names: list[str] | None) -> list[Trial]:

@@ -40,9 +40,7 @@ class Costs(BaseModel):
     of: dict[str, QueryCost]
 
 
-def measure_costs(
-    packages: dict[str, Path], queries: list[np.ndarray], repeats: int = 7
-) -> Costs:
+def measure_costs(packages: dict[str, Path], queries: list[np.ndarray], repeats: int = 7) -> Costs:
     """Costs of packages by name, each the median of `repeats` evaluations.
 
     Every repeat goes through all packages and a matrix product, so that whatever else slows the

@@ -1,4 +1,4 @@
-"""The grids of models: shapes of ours, the paper's tables, and what each of our choices is worth."""
+"""The grids of models: shapes of ours, the paper's tables, what each of our choices is worth."""
 
 from __future__ import annotations
 

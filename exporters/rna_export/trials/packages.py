@@ -14,6 +14,14 @@ PRECISIONS = ("float32-float16",)
 
 def write_packages(trained: Trained, dataset: Dataset, folder: Path) -> dict[str, Path]:
     """Write `<precision>.rna` into `folder`; returns their paths by precision."""
-    path = folder / f"{PRECISIONS[0]}.rna"
-    build_package([trained], dataset, path, None, "NOASSERTION", lambda _: None)
-    return {PRECISIONS[0]: path}
+    paths = {precision: folder / f"{precision}.rna" for precision in PRECISIONS}
+    for precision, path in paths.items():
+        write_precision(trained, dataset, path, precision, None, "NOASSERTION")
+    return paths
+
+
+def write_precision(
+    trained: Trained, dataset: Dataset, path: Path, precision: str, source: str | None, terms: str
+) -> None:
+    """Write a package of one tier at one precision; source and terms as of `rna-export`."""
+    build_package([trained], dataset, path, source, terms, lambda _: None)

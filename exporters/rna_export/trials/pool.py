@@ -30,7 +30,16 @@ class Crew:
 
     @classmethod
     def usual(cls, device: str, workers: int | None = None) -> Crew:
-        """A process for each core of a CPU, or one for a GPU; cores are shared out evenly."""
+        """A process for each core of a CPU, or one for a GPU; cores are shared out evenly.
+
+        device: `auto` is the GPU if there is one. Raises `TrainingError` for `cuda` without one.
+        """
+        import torch
+
+        there = torch.cuda.is_available()
+        if device == "cuda" and not there:
+            raise TrainingError("--device cuda: torch finds no CUDA device here")
+        device = "cuda" if there and device != "cpu" else "cpu"
         cores = len(os.sched_getaffinity(0))
         count = workers or (1 if device == "cuda" else cores)
         return cls(count, max(1, cores // count), device)

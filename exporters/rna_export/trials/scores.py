@@ -62,7 +62,9 @@ def write_strips(
     folder: Path, name: str, radiance: list[np.ndarray], views: list[ValidationView]
 ) -> None:
     """`<name>-render.png` and `<name>-flip.png` (grey): all views in a row."""
-    pairs = [(v.image(r), v.image(v.samples["radiance"])) for r, v in zip(radiance, views)]
+    pairs = [
+        (v.image(r), v.image(v.samples["radiance"])) for r, v in zip(radiance, views, strict=True)
+    ]
     renders = np.concatenate([to_png(image) for image, _ in pairs], axis=1)
     errors = np.concatenate([flip(*pair)[1] for pair in pairs], axis=1)
     Image.fromarray(renders).save(folder / f"{name}-render.png")
