@@ -26,8 +26,9 @@ def sentences(found: dict[str, Any]) -> list[str]:
     if cheaper:
         said.append(
             f"At the accuracy of paper-hq ({cheaper['paper_psnr']:.1f} dB, "
-            f"{cheaper['paper_ns']:,.0f} ns a query) the cheapest of ours is {cheaper['name']}: {cheaper['psnr']:.1f} dB, "
-            f"{cheaper['ns']:,.0f} ns, 1/{cheaper['times_as_cheap']:.0f} of the cost."
+            f"{cheaper['paper_ns']:,.0f} ns a query) the cheapest of ours is {cheaper['name']}: "
+            f"{cheaper['psnr']:.1f} dB, {cheaper['ns']:,.0f} ns, "
+            f"1/{cheaper['times_as_cheap']:.0f} of the cost."
         )
     if better:
         said.append(
