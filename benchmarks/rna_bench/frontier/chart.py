@@ -47,8 +47,16 @@ def _draw_points(axis: Any, points: list[dict[str, Any]], cost: str) -> None:
             ]
             if some:
                 label = LABELS[family] + (", int8" if decoder == "int8" else "")
-                at = [p[cost] for p in some], [p["psnr"] for p in some]
-                axis.scatter(*at, 26, COLOURS[family], marker, label=label, alpha=0.85, lw=0)
+                axis.scatter(
+                    [p[cost] for p in some],
+                    [p["psnr"] for p in some],
+                    s=26,
+                    c=COLOURS[family],
+                    marker=marker,
+                    label=label,
+                    alpha=0.85,
+                    lw=0,
+                )
     best = front(points, cost, "psnr")
     line = [p[cost] for p in best], [p["psnr"] for p in best]
     axis.step(*line, where="post", color=COLOURS["ours"], lw=1, alpha=0.6, label="best at its cost")

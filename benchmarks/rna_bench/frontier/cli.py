@@ -54,7 +54,7 @@ def run(args: argparse.Namespace) -> None:
     if "train" in parts:
         study.train()
     if "cost" in parts:
-        study.time()
+        study.time(again=args.only is not None)
     if "cycles" in parts and args.source is not None:
         study.render_cycles(args.source)
     if "chart" in parts:

@@ -65,6 +65,8 @@ class Study:
         """Train, export and score every model that is not finished."""
         done = {record.trial.name for record in self.records()}
         todo = [t for t in largest_first(self.chosen) if t.name not in done]
+        if not todo:
+            return
         with (
             tqdm(total=len(self.chosen), initial=len(self.chosen) - len(todo), unit="model") as bar,
             TrialPool(self.dataset.folder, self.crew) as pool,
@@ -77,8 +79,11 @@ class Study:
                     f"{record.seconds:.0f} s of training"
                 )
 
-    def time(self) -> None:
-        """Measure the cost of every package, all in one run; and where the time goes."""
+    def time(self, again: bool) -> None:
+        """Measure the cost of every package, all in one run; and where the time goes.
+
+        again: even if that is done, and no package is new.
+        """
         packages = {
             label_of(record.trial.name, precision): self.package(record.trial, precision)
             for record in self.records()
@@ -87,6 +92,9 @@ class Study:
         }
         if not packages:
             raise TrainingError(f"{self.out}: no finished model to time")
+        earlier = _read(self.out / "costs.json", Timings)
+        if earlier and set(earlier.costs.of) == set(packages) and not again:
+            return
         print(f"timing {len(packages)} packages; anything else that runs now falsifies it")
         queries = validation_queries(self.dataset)
         costs = measure_costs(packages, queries)

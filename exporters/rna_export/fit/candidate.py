@@ -40,7 +40,7 @@ class Candidate:
             return float("-inf")
         (few, first), (many, last) = known[-2:]
         gain = max(0.0, first - last)
-        return last - gain * (_octaves(many, steps) / _octaves(few, many))
+        return min(first, last) - gain * (_octaves(many, steps) / _octaves(few, many))
 
 
 def _octaves(few: int, many: int) -> int:

@@ -86,7 +86,7 @@ def _chart(fit: Fit) -> str:
             colour = "#5aa0e6" if candidate is fit.chosen else "#8a8f98"
             axis.plot([candidate.ns] * len(known), errors, "-", color=colour, lw=0.8, alpha=0.6)
             sizes = [12 + 14 * k for k in range(len(known))]
-            axis.scatter([candidate.ns] * len(known), errors, sizes, colour)
+            axis.scatter([candidate.ns] * len(known), errors, s=sizes, c=colour)
         if fit.goal.limits_cost:
             axis.axvline(fit.goal.value, color="#e0a040", lw=1)
         else:
