@@ -56,7 +56,7 @@ def render_curve(dataset: Dataset, source: Path, seconds: float, folder: Path) -
         opened = Source(source.resolve(), dataset.manifest.arguments)
         python = blender_env.find_python()
         with BlenderWorker(python, opened, Path(scratch), default_workers()) as worker:
-            for samples in _doubling(taken, seconds):
+            for samples in _doubling(taken, seconds, dataset.manifest.settings.validation_samples):
                 copy = _at(dataset, samples, Path(scratch) / str(samples))
                 _render(copy, views[:1], worker)  # a new sample count starts Blender anew
                 start = time.perf_counter()
@@ -74,11 +74,14 @@ def render_curve(dataset: Dataset, source: Path, seconds: float, folder: Path) -
     return CyclesCurve(threads=default_workers(), ns_a_path=ns_a_path, points=tuple(result))
 
 
-def _doubling(taken: dict[int, float], seconds: float) -> Iterator[int]:
-    """1, 2, 4, ... until the next would end later than allowed; three at least."""
+def _doubling(taken: dict[int, float], seconds: float, reference: int) -> Iterator[int]:
+    """1, 2, 4, ... until the next would end later than allowed; three at least.
+
+    No more than a quarter of the reference's paths, whose noise counts as error, too.
+    """
     for k in count():
         next_one = 2.0 * list(taken.values())[-1] if taken else 0.0
-        if k >= 3 and sum(taken.values()) + next_one > seconds:
+        if k >= 3 and (sum(taken.values()) + next_one > seconds or 4 * 2**k > reference):
             return
         yield 2**k
 

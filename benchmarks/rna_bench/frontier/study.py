@@ -29,7 +29,7 @@ from rna_sdk.package import Package
 
 Model = TypeVar("Model", bound=BaseModel)
 
-_CYCLES_SECONDS = 90.0
+_CYCLES_SECONDS = 60.0
 
 
 @dataclass(frozen=True)
