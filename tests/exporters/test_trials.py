@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
 
 from rna_export.capture.dataset import Dataset
 from rna_export.trials import run as run_module
+from rna_export.trials.packages import PRECISIONS
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import read_record
 from rna_export.trials.run import run_trial
@@ -65,6 +67,20 @@ def test_training_that_ended_before_the_export_is_not_repeated(
             run_trial(trial(), dataset, tmp_path, "cpu")
     monkeypatch.setattr(run_module, "train", None)
     assert run_trial(trial(), dataset, tmp_path, "cpu").seconds > 0.0
+
+
+def test_finished_trial_gets_a_precision_that_is_new(
+    finished: Path, dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "copy"
+    shutil.copytree(finished, folder)
+    record = read_record(folder, trial(), dataset.manifest.source_sha256)
+    others = {k: v for k, v in record.points.items() if k != PRECISIONS[0]}
+    record.model_copy(update={"points": others}).write(folder)
+    monkeypatch.setattr(run_module, "train", None)
+    found = run_trial(trial(), dataset, folder, "cpu")
+    assert found.points[PRECISIONS[0]].scores == record.points[PRECISIONS[0]].scores
+    assert found.seconds == record.seconds
 
 
 def test_folder_of_another_model_is_refused(finished: Path, dataset: Dataset) -> None:

@@ -23,6 +23,7 @@ from rna_export.trials.cost import Costs, measure_costs, validation_queries
 from rna_export.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
 from rna_export.trials.pool import Crew, TrialPool, largest_first
 from rna_export.trials.record import Record, read_record
+from rna_export.trials.run import missing_precisions
 from rna_export.trials.trial import Trial
 from rna_sdk.errors import TrainingError
 from rna_sdk.package import Package
@@ -63,7 +64,7 @@ class Study:
 
     def train(self) -> None:
         """Train, export and score every model that is not finished."""
-        done = {record.trial.name for record in self.records()}
+        done = {r.trial.name for r in self.records() if not missing_precisions(r)}
         todo = [t for t in largest_first(self.chosen) if t.name not in done]
         if not todo:
             return

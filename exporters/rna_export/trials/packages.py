@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from rna_export.capture.dataset import Dataset
@@ -12,9 +13,11 @@ PRECISIONS = ("float32-float16",)
 """Of decoder and planes; the first loses next to nothing."""
 
 
-def write_packages(trained: Trained, dataset: Dataset, folder: Path) -> dict[str, Path]:
+def write_packages(
+    trained: Trained, dataset: Dataset, folder: Path, precisions: Sequence[str] = PRECISIONS
+) -> dict[str, Path]:
     """Write `<precision>.rna` into `folder`; returns their paths by precision."""
-    paths = {precision: folder / f"{precision}.rna" for precision in PRECISIONS}
+    paths = {precision: folder / f"{precision}.rna" for precision in precisions}
     for precision, path in paths.items():
         write_precision(trained, dataset, path, precision, None, "NOASSERTION")
     return paths

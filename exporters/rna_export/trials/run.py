@@ -27,28 +27,44 @@ def run_trial(
 ) -> Record:
     """Train, export and measure what is not finished yet in `folder`; returns the record.
 
-    table: the dataset's samples on the device, to share between trials. Raises `TrainingError`
-    when the folder belongs to another trial, `ExportError` when the model cannot be exported.
+    A finished training without some of `PRECISIONS` gets those alone. table: the dataset's
+    samples on the device, to share between trials. Raises `TrainingError` when the folder belongs
+    to another trial, `ExportError` when the model cannot be exported.
     """
     source = dataset.manifest.source_sha256
     record = read_record(folder, trial, source)
-    if record is not None:
+    if record is not None and not missing_precisions(record):
         return record
     folder.mkdir(parents=True, exist_ok=True)
     if not trial.packageable:
         dataset, table = UnwrappedDataset(dataset.folder), None
-    seconds = _train(trial, dataset, folder, device, table)
+    seconds = record.seconds if record else _train(trial, dataset, folder, device, table)
     trained = load_checkpoint(folder / "best.ckpt")
-    measure = _measure_packages if trial.packageable else _measure_model
-    points = measure(trained, dataset, folder)
+    if trial.packageable:
+        points = dict(record.points) if record else {}
+        wanted = missing_precisions(record) if record else PRECISIONS
+        points.update(_measure_packages(trained, dataset, folder, wanted))
+    else:
+        points = _measure_model(trained, dataset, folder)
     record = Record(
-        trial=trial, dataset_sha256=source, device=device, seconds=seconds, points=points
+        trial=trial,
+        dataset_sha256=source,
+        device=record.device if record else device,
+        seconds=seconds,
+        points=points,
     )
     record.write(folder)
     for checkpoint in folder.glob("*.ckpt"):
         if checkpoint.name != "best.ckpt":
             checkpoint.unlink()
     return record
+
+
+def missing_precisions(record: Record) -> tuple[str, ...]:
+    """Of PRECISIONS, those that were not measured; none of a model that no package holds."""
+    if not record.trial.packageable:
+        return ()
+    return tuple(p for p in PRECISIONS if p not in record.points)
 
 
 def _train(
@@ -85,10 +101,12 @@ def steps_done(folder: Path) -> int:
     return int(torch.load(path, map_location="cpu", weights_only=True)["global_step"])
 
 
-def _measure_packages(trained: Trained, dataset: Dataset, folder: Path) -> dict[str, Point]:
-    """Error of each package through the runtime."""
+def _measure_packages(
+    trained: Trained, dataset: Dataset, folder: Path, precisions: tuple[str, ...]
+) -> dict[str, Point]:
+    """Error of a package of each precision, through the runtime."""
     views, points = dataset.validation_views(), {}
-    for precision, path in write_packages(trained, dataset, folder).items():
+    for precision, path in write_packages(trained, dataset, folder, precisions).items():
         asset = load(path, threads=1)
         radiance = [view.pick(*asset.evaluate(*view.queries.values())) for view in views]
         write_strips(folder, precision, radiance, views)
