@@ -9,15 +9,18 @@ from rna_export.training.inputs import Points
 from rna_export.training.model import NeuralAsset
 
 
-def sample_loss(model: NeuralAsset, at: Points, blur: float) -> Tensor:
+def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") -> Tensor:
     """The loss of a batch of samples, of the outputs alone that match their visibility.
+
+    loss: "log" or "unbiased", of radiance that is not told apart into direct and scattered light.
 
     Direct light has no noise, scattered light next to nothing but noise: each gets its own loss,
     where the model has an output for each.
     """
     y, visible = model(at, blur), at["visible"] > 0.5
     if not model.config.separates_direct:
-        return log_l2(torch.where(visible[:, None], y[:, 0], y[:, 1]), at["radiance"], model.unit)
+        seen = torch.where(visible[:, None], y[:, 0], y[:, 1])
+        return _LOSSES[loss](seen, at["radiance"], model.unit)
     direct = log_l2(y[:, 0], at["direct"], model.unit, weight=at["visible"][:, None])
     scattered = torch.where(visible[:, None], y[:, 1], y[:, 2])
     return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
@@ -44,3 +47,6 @@ def unbiased_l2(y: Tensor, target: Tensor, unit: Tensor | float = 1.0) -> Tensor
     x_over_unit = torch.expm1(y)
     weight = 1.0 / (x_over_unit.detach().clamp(min=0.0) + 1.0)
     return (weight * (x_over_unit - target / unit)).square().mean()
+
+
+_LOSSES = {"log": log_l2, "unbiased": unbiased_l2}

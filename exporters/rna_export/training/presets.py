@@ -48,6 +48,11 @@ class TrainingConfig(BaseModel):
         description="radiance that the loss calls 1, in log(x / unit + 1). one: the paper's. "
         "usual: the asset's median lit radiance, so that dark materials count"
     )
+    loss: Literal["log", "unbiased"] = Field(
+        "log",
+        description="of radiance whose direct light is not told apart. log: of log(x / unit + 1). "
+        "unbiased: relative, so that noise in the targets does not darken it",
+    )
     blur: float = Field(
         description="footprint in texels that planes are blurred with at first; decays to 1, "
         "no blur, over the first fifth of the run"
