@@ -48,6 +48,6 @@ def test_the_integral_of_a_diffuse_ball_is_its_albedo(albedo: float, passes: boo
     rows = energy.furnace(of_package(asset), scene, 100)
     assert len(rows) == 100
     total = np.array([row["integral"] for row in rows])
-    np.testing.assert_allclose(total, albedo, atol=0.015)
+    np.testing.assert_allclose(total, albedo, atol=0.005)
     rows = [{"asset": "ball", **row, "integral": row["integral"] - 0.01} for row in rows]
     assert energy.judge(rows).passed == passes

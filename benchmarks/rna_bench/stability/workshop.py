@@ -61,7 +61,7 @@ class Workshop:
         self, folder: Path, subject: Subject, steps: int, workers: int, short: bool = False
     ):
         self.subject, self.short = subject, short
-        self.steps = max(80, steps // _SHORT) if short else steps
+        self.steps = max(10, steps // _SHORT) if short else steps
         self._folder, self._workers = folder, workers
 
     def some(self, number: int) -> int:
@@ -103,9 +103,9 @@ class Workshop:
 
     def train(self, name: str, dataset: Dataset, preset: Preset, seed: int = 0) -> Trained:
         """The model after the last step: the best by a few views would hide overfitting."""
-        out = self._folder / "runs" / name
+        out = self._folder / "runs" / dataset.folder.stem / name
         if not (out / "best.ckpt").is_file():
-            train(Run(dataset, preset, "small", out, seed))
+            train(Run(dataset, preset, "small", out, seed, validations=2))
             for checkpoint in out.glob("step=*.ckpt"):
                 checkpoint.unlink()
         return load_checkpoint(out / "last.ckpt")
@@ -132,7 +132,7 @@ class Workshop:
             return self.subject.package
         out = self._folder / f"{self.dataset.manifest.name}.rna"
         if not out.is_file():
-            build_package([self.base], self.dataset, out, None, "", print)
+            build_package([self.base], self.dataset, out, None, "unknown", print)
         return out
 
     @cached_property

@@ -27,7 +27,6 @@ from rna_export.training.presets import Preset
 from rna_export.training.samples import SampleTable, columns
 from rna_sdk.errors import TrainingError
 
-_VALIDATIONS = 10  # a run
 _MEASURED_SECONDS = 5.0  # to find how many steps fit into --minutes
 
 
@@ -42,6 +41,7 @@ class Run:
     seed: int = 0
     minutes: float | None = None  # replaces the preset's steps by as many as fit
     device: str = "cpu"
+    validations: int = 10  # over the run; the best checkpoint is one of as many
 
 
 def train(run: Run) -> Path:
@@ -144,7 +144,7 @@ def _trainer(
         accelerator=run.device if run.device == "cpu" else "gpu",
         devices=1,
         max_steps=steps,
-        val_check_interval=max(1, steps // _VALIDATIONS),
+        val_check_interval=max(1, steps // run.validations),
         check_val_every_n_epoch=None,
         num_sanity_val_steps=0,
         callbacks=[checkpoints, _Bar(refresh_rate=20), Curves()],
@@ -156,10 +156,10 @@ def _trainer(
 
 def _steps(run: Run, table: SampleTable, bounds: torch.Tensor) -> int:
     if run.minutes is None:
-        return _VALIDATIONS * -(-run.preset.training.steps // _VALIDATIONS)
+        return run.validations * -(-run.preset.training.steps // run.validations)
     seconds = 0.2 * _seconds_a_step(run, table, bounds, run.preset.training.blur)
     seconds += 0.8 * _seconds_a_step(run, table, bounds, blur=1.0)
-    return _VALIDATIONS * max(1, int(60.0 * run.minutes / seconds / _VALIDATIONS))
+    return run.validations * max(1, int(60.0 * run.minutes / seconds / run.validations))
 
 
 def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: float) -> float:

@@ -35,7 +35,7 @@ def capture_white(workshop: Workshop) -> Dataset:
 
 def measure(workshop: Workshop) -> list[Row]:
     white = capture_white(workshop)
-    model = workshop.train("white", white, workshop.preset("surface", resolution=128)).model
+    model = workshop.train("small", white, workshop.preset("surface", resolution=128)).model
     count = workshop.some(_POINTS)
     asked = {"white": (of_model(model), scene_of(white.geometry()))}
     if workshop.subject.dataset is not None:
@@ -70,10 +70,9 @@ def integral(
     total, seen = np.zeros((n, 3)), np.zeros(n)
     fields = {name: np.ascontiguousarray(v) for name, v in points.sample_fields().items()}
     fields.pop("uv", None)
-    for u in _stratified(_DIRECTIONS, rng):
-        # The same directions, turned at random about the vertical at each point.
-        turned = np.stack([np.full(n, u[0]), (u[1] + rng.random(n)) % 1.0], axis=1)
-        wi = sphere(turned)
+    turn = rng.random(n)  # the same lattice everywhere, turned about the vertical
+    for height, azimuth in _lattice(_DIRECTIONS):
+        wi = sphere(np.stack([np.full(n, height), (azimuth + turn) % 1.0], axis=1))
         visible = scene.visible(points, wi)
         samples = {**fields, "wo": wo, "wi": wi, "visible": visible}
         total += picked(answers, samples)
@@ -81,10 +80,10 @@ def integral(
     return total * (4.0 * np.pi / _DIRECTIONS), seen / _DIRECTIONS
 
 
-def _stratified(count: int, rng: np.random.Generator) -> np.ndarray:
-    """(count, 2) in [0, 1): a lattice of equal heights and golden azimuths."""
+def _lattice(count: int) -> np.ndarray:
+    """(count, 2) in [0, 1): a Fibonacci lattice of equal heights and golden azimuths."""
     k = np.arange(count)
-    return np.stack([(k + rng.random(count)) / count, (k * 0.6180339887) % 1.0], axis=1)
+    return np.stack([(k + 0.5) / count, (k * (np.sqrt(5.0) - 1.0) / 2.0) % 1.0], axis=1)
 
 
 def judge(rows: list[Row]) -> Verdict:

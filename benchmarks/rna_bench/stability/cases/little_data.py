@@ -36,7 +36,7 @@ def measure(workshop: Workshop) -> list[Row]:
     for series, lights, points in plans:
         chosen = subset(light, order[kept : kept + lights], workshop.some(points))
         row = {"series": series, "lights": lights, "points": len(chosen)}
-        rows.append(row | _trained(workshop, dataset, row, subset, samples, held_out))
+        rows.append(row | _trained(workshop, dataset, row, chosen, samples, held_out))
     return rows
 
 
@@ -51,18 +51,17 @@ def _trained(
     workshop: Workshop,
     dataset: Dataset,
     row: Row,
-    subset: np.ndarray,
+    chosen: np.ndarray,
     samples: Samples,
     held_out: Samples,
 ) -> Row:
-    some = ChosenSamples(dataset, lambda every: rows_of(every, subset))
+    some = ChosenSamples(dataset, lambda every: rows_of(every, chosen))
     name = f"little-{row['lights']}-{row['points']}"
     trained = workshop.train(name, some, workshop.preset(dataset.manifest.kind))
     views = dataset.validation_views()
     scores = score([shade(trained.model, view) for view in views], views)
-    own = _tested(rows_of(samples, subset))
-    losses = {"own": loss_of(trained, own), "held_out": loss_of(trained, held_out)}
-    gap = 10.0 * np.log10(losses["held_out"] / losses["own"])
+    own = loss_of(trained, _tested(rows_of(samples, chosen)))
+    gap = 10.0 * np.log10(loss_of(trained, held_out) / own)
     return {"psnr": scores.psnr_without_noise, "flip": scores.flip, "gap_db": float(gap)}
 
 

@@ -35,7 +35,7 @@ def measure(workshop: Workshop) -> list[Row]:
         )
         for loss in LOSSES:
             preset = with_loss(workshop.preset("surface", resolution=64), loss)
-            model = workshop.train(f"noise-{paths}-{loss}", dataset, preset).model
+            model = workshop.train(loss, dataset, preset).model
             row = row_of([shade(model, view) for view in views], views)
             rows.append({"paths": paths, "loss": loss, **row})
     return rows

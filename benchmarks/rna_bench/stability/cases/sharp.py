@@ -72,7 +72,7 @@ def measure(workshop: Workshop) -> list[Row]:
         for label, change in models.items():
             # A ball of one material needs no fine planes.
             preset = workshop.preset("surface", resolution=64, **change)
-            run = f"{name}-{'ours' if not change else 'paper'}"
+            run = "paper-inputs" if change else "ours"
             answers = of_model(workshop.train(run, dataset, preset).model)
             rows.append(
                 {"material": material.name, "model": label, **_row(answers, truth, material)}

@@ -35,7 +35,7 @@ def measure(workshop: Workshop) -> list[Row]:
             validation_resolution=128,
             validation_samples=32,
         )
-        model = workshop.train(f"thin-{shape}", dataset, workshop.preset(kind)).model
+        model = workshop.train("small", dataset, workshop.preset(kind)).model
         samples, halves = joined_views(dataset.validation_views())
         cells = Cells.of(model.triplane.low, model.triplane.high, model.config.resolution)
         folded = np.isin(cells.numbers(samples["position"]), folded_cells(dataset, cells))

@@ -31,7 +31,7 @@ def measure(workshop: Workshop) -> list[Row]:
             for footprint in FOOTPRINTS:
                 camera = zoomed(shot.eye, shot.target, footprint * texel(asset))
                 scene = _scene(workshop, camera, shot.wi)
-                name = f"zoom-{number}-{footprint:g}"
+                name = f"zoom-{workshop.name}-{number}-{footprint:g}"
                 halves = workshop.kept(
                     name, lambda s=scene, c=camera, wi=shot.wi: _cycles(worker, c, wi)
                 )["halves"]
