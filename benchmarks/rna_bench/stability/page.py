@@ -23,14 +23,14 @@ _STYLE = {
     "grid.alpha": 0.3,
     "lines.markersize": 3.5,
 }
-_ACROSS, _SIZE = 3, (6.0, 2.9)  # charts of the sheet in a row; inches of one
+_ACROSS, _SIZE = 3, (6.6, 3.2)  # charts of the sheet in a row; inches of one
 
 
 def write_page(folder: Path, name: str, settings: dict[str, Any], results: list[Result]) -> None:
     """Write `results.json`, `summary.md`, `index.html`, `sheet.png` and a PNG a case."""
     folder.mkdir(parents=True, exist_ok=True)
     saved = {"asset": name, "settings": settings, "cases": [_as_json(r) for r in results]}
-    (folder / "results.json").write_text(json.dumps(saved, indent=1) + "\n")
+    (folder / "results.json").write_text(json.dumps(saved, separators=(",", ":")) + "\n")
     (folder / "summary.md").write_text(table(results))
     drawn = [result for result in results if not result.skipped]
     with matplotlib.rc_context(_STYLE):

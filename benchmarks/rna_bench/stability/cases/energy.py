@@ -29,7 +29,7 @@ def capture_white(workshop: Workshop) -> Dataset:
         samples=2,
         validation_views=4,
         validation_resolution=96,
-        validation_samples=256,
+        validation_samples=workshop.some(256),
     )
 
 

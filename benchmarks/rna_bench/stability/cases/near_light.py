@@ -37,6 +37,8 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
     distance = values(rows, "distance")
     axes.plot(distance, values(rows, "psnr"), "o-")
     axes.set_xscale("log")
+    axes.set_xticks(distance, [f"{d:g}" for d in distance])
+    axes.minorticks_off()
     axes.invert_xaxis()
     axes.set_xlabel("distance of the light, sizes of the asset")
     axes.set_ylabel("PSNR without noise, dB")

@@ -149,8 +149,8 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
                 values(rows, "pixels", **where), values(rows, "error", **where), "o-", label=model
             )
         axes.axvspan(-_REACH, 0, color="black", alpha=0.08)
-        axes.set_xlabel(f"pixels from the {edge}'s edge; grey: shadow")
-        axes.set_ylabel("RMS error, display units")
+        axes.set_xlabel(f"pixels from the edge, {edge}")
+        axes.set_ylabel("RMS error; grey: in shadow")
     axes.legend()
 
 

@@ -37,11 +37,11 @@ class Material:
 
     @property
     def highlight(self) -> float:
-        """Angle between n and h where the highlight ends: three GGX alphas, half a degree or more.
+        """Angle between n and h where the highlight ends: three GGX alphas, 0.5 to 20 degrees.
 
         Beyond three alphas GGX has a hundredth of its peak.
         """
-        return max(3.0 * self.roughness**2, np.radians(0.5))
+        return float(np.clip(3.0 * self.roughness**2, *np.radians([0.5, 20.0])))
 
 
 def _plain(roughness: float) -> Material:
@@ -104,7 +104,7 @@ def _scan(scene: SurfaceScene, worker: BlenderWorker) -> dict[str, np.ndarray]:
     n = start.normal[0].astype(np.float64)
     side = frame(n[None])[0][0]
     wi = (np.cos(_INCLINATION) * n + np.sin(_INCLINATION) * side).astype(np.float32)
-    half = np.radians(np.concatenate([[0.0], np.geomspace(0.005, 22.0, 160)]))
+    half = np.radians(np.concatenate([[0.0], np.geomspace(0.005, 22.0, 80)]))
     half = np.concatenate([-half[:0:-1], half])  # between n and h
     angle = _INCLINATION + 2.0 * half
     wo = np.cos(angle)[:, None] * n - np.sin(angle)[:, None] * side
@@ -143,9 +143,9 @@ def _row(answers: Answers, truth: dict[str, np.ndarray], material: Material) -> 
         **in_and_out(picked(answers, test), test, material.highlight),
         **lobe_shape(half, lobe, ""),
         **lobe_shape(half, reference, "_cycles"),
-        "half_deg": np.degrees(half).round(5).tolist(),
-        "lobe": lobe.mean(axis=1).astype(float).round(5).tolist(),
-        "lobe_cycles": reference.mean(axis=1).astype(float).round(5).tolist(),
+        "half_deg": np.degrees(half).round(4).tolist(),
+        "lobe": lobe.mean(axis=1).astype(float).round(4).tolist(),
+        "lobe_cycles": reference.mean(axis=1).astype(float).round(4).tolist(),
     }
 
 
@@ -199,12 +199,13 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
     for model, style in (("ours", "-"), ("the paper's inputs", ":")):
         names = values(rows, "material", model=model)
         for column, colour in (("psnr_in", "C3"), ("psnr_out", "C0")):
-            label = f"{'in' if column == 'psnr_in' else 'out of'} the highlight, {model}"
+            label = f"{'in' if column == 'psnr_in' else 'out of'} it, {model}"
             left.plot(names, values(rows, column, model=model), style, color=colour, label=label)
     left.tick_params(axis="x", rotation=60)
     left.axhline(INSIDE, color="grey", linewidth=0.8)
-    left.set_ylabel("PSNR, dB")
-    left.legend()
+    left.set_ylabel("PSNR in and out of the highlight, dB")
+    left.set_ylim(0.0, 55.0)
+    left.legend(loc="upper right", ncols=2, fontsize=6)
     for row in rows:
         if row["material"] in ("roughness-0.3", "roughness-0.1", "roughness-0.02"):
             _draw_lobe(right, row)

@@ -110,9 +110,10 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
             np.arange(len(shapes)) + shift, values(rows, "psnr", where=where), 0.4, label=where
         )
         share = [f"{s:.0%}" for s in values(rows, "share", where=where)]
-        axes.bar_label(bars, share)
+        axes.bar_label(bars, [f"{part} of pixels" for part in share])
+    axes.margins(y=0.12)
     axes.set_xticks(range(len(shapes)), shapes)
-    axes.set_ylabel("PSNR without noise, dB; above: share of pixels")
+    axes.set_ylabel("PSNR without noise, dB")
     axes.legend(loc="lower right")
 
 

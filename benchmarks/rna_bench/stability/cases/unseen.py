@@ -85,7 +85,7 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
     for axes in (left, right):
         axes.axvspan(-90, 0, color="C3", alpha=0.08)
         axes.set_yscale("log")
-        axes.set_xlabel("elevation of the lower of wo and wi, degrees")
+        axes.set_xlabel("elevation of the lower of wo, wi, deg.")
     left.set_ylabel("relative error; red: not trained")
     right.set_ylabel("largest radiance")
     right.legend()
