@@ -91,7 +91,7 @@ def test_a_wide_or_dim_highlight_fails(width: float, peak: float, passes: bool) 
     half = np.radians(np.linspace(-20.0, 20.0, 4001))
     row = {
         "material": "coat",
-        "model": "ours",
+        "inputs": "ours",
         "psnr_in": 30.0,
         **sharp.lobe_shape(half, lobe(half, width, peak), ""),
         **sharp.lobe_shape(half, lobe(half, 1.0, 5.0), "_cycles"),

@@ -12,7 +12,7 @@ _PAPER_INPUTS = {
     "fiber": ("features", "tangent", "h", "wo", "wi"),
 }
 _OUR_INPUTS = {
-    "surface": (*_PAPER_INPUTS["surface"], "half_vector"),
+    "surface": (*_PAPER_INPUTS["surface"], "half_vector", "highlight"),
     "fiber": (*_PAPER_INPUTS["fiber"], "fiber_angles", "fiber_lobes"),
 }
 

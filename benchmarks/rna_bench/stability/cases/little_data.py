@@ -80,10 +80,11 @@ def loss_of(trained: Trained, samples: Samples) -> float:
 
 def judge(rows: list[Row]) -> Verdict:
     few = sorted((r for r in rows if r["series"] == "lights"), key=lambda r: r["lights"])
-    lost = few[-1]["psnr"] - few[-2]["psnr"]
+    most, fewer = few[-1], few[-2] if len(few) > 1 else few[-1]
+    lost = most["psnr"] - fewer["psnr"]
     gap = max(rows, key=lambda r: r["points"])["gap_db"]
     found = (
-        f"{few[-2]['lights']:,} lights cost {lost:.2f} dB against {few[-1]['lights']:,}; "
+        f"{fewer['lights']:,} lights cost {lost:.2f} dB against {most['lights']:,}; "
         f"overfitting gap {gap:.2f} dB with all samples"
     )
     return Verdict(lost <= LOSS_DB and gap <= GAP_DB, found)

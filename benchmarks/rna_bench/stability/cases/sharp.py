@@ -24,6 +24,8 @@ WIDTH, PEAK, INSIDE = 1.25, 1.25, 25.0  # the mark: factors, dB
 _POINT = np.array([0.3, 0.8, 0.52])  # where on the ball the lobe is looked at
 _INCLINATION = np.radians(40.0)  # of wi there
 _TEST_LIGHTS, _TEST_RAYS = 8, 2048
+_STYLES = {"ours": "-", "no highlight": "--", "the paper's": ":"}  # of the chart
+_DRAWN = {"roughness-0.3": "C2", "roughness-0.1": "C1", "roughness-0.02": "C4"}
 _STAYS = {"validation_views": 2, "validation_resolution": 64, "validation_samples": 16}
 
 
@@ -59,7 +61,16 @@ MATERIALS = (
 
 
 def measure(workshop: Workshop) -> list[Row]:
-    models = {"ours": {}, "the paper's inputs": {"inputs": workshop.paper_inputs("surface")}}
+    # A ball of one material needs no fine planes.
+    ours = workshop.preset("surface", resolution=64)
+    known = tuple(block for block in ours.model.inputs if block != "highlight")
+    models = {
+        "ours": ours,
+        "no highlight": workshop.preset("surface", resolution=64, inputs=known),
+        "the paper's": workshop.preset(
+            "surface", resolution=64, inputs=workshop.paper_inputs("surface")
+        ),
+    }
     rows = []
     for material in MATERIALS:
         name = f"ball-{material.name}"
@@ -69,13 +80,11 @@ def measure(workshop: Workshop) -> list[Row]:
         )
         source = Source(ASSETS / "ball.py", material.arguments)
         truth = workshop.kept(name, lambda d=dataset, s=source: _from_cycles(workshop, d, s))
-        for label, change in models.items():
-            # A ball of one material needs no fine planes.
-            preset = workshop.preset("surface", resolution=64, **change)
-            run = "paper-inputs" if change else "ours"
+        for label, preset in models.items():
+            run = label.replace("'", "").replace(" ", "-")
             answers = of_model(workshop.train(run, dataset, preset).model)
             rows.append(
-                {"material": material.name, "model": label, **_row(answers, truth, material)}
+                {"material": material.name, "inputs": label, **_row(answers, truth, material)}
             )
     return rows
 
@@ -180,7 +189,7 @@ def lobe_shape(half: np.ndarray, lobe: np.ndarray, suffix: str) -> dict[str, flo
 
 
 def judge(rows: list[Row]) -> Verdict:
-    ours = [row for row in rows if row["model"] == "ours"]
+    ours = [row for row in rows if row["inputs"] == "ours"]
     bad = [row["material"] for row in ours if not _is_met(row)]
     found = f"{len(ours) - len(bad)} of {len(ours)} materials"
     return Verdict(not bad, found + (f"; not {', '.join(bad)}" if bad else ""))
@@ -196,18 +205,18 @@ def _is_met(row: Row) -> bool:
 
 def draw(figure: FigureBase, rows: list[Row]) -> None:
     left, right = figure.subplots(1, 2)
-    for model, style in (("ours", "-"), ("the paper's inputs", ":")):
-        names = values(rows, "material", model=model)
-        for column, colour in (("psnr_in", "C3"), ("psnr_out", "C0")):
-            label = f"{'in' if column == 'psnr_in' else 'out of'} it, {model}"
-            left.plot(names, values(rows, column, model=model), style, color=colour, label=label)
+    for inputs, style in _STYLES.items():
+        names = values(rows, "material", inputs=inputs)
+        inside = values(rows, "psnr_in", inputs=inputs)
+        left.plot(names, inside, f"o{style}", color="C3", label=f"in the highlight, {inputs}")
+    names = values(rows, "material", inputs="ours")
+    left.plot(names, values(rows, "psnr_out", inputs="ours"), color="C0", label="out of it, ours")
     left.tick_params(axis="x", rotation=60)
     left.axhline(INSIDE, color="grey", linewidth=0.8)
-    left.set_ylabel("PSNR in and out of the highlight, dB")
-    left.set_ylim(0.0, 55.0)
-    left.legend(loc="upper right", ncols=2, fontsize=6)
+    left.set_ylabel("PSNR, dB")
+    left.legend(fontsize=6)
     for row in rows:
-        if row["material"] in ("roughness-0.3", "roughness-0.1", "roughness-0.02"):
+        if row["material"] in _DRAWN:
             _draw_lobe(right, row)
     right.set_xscale("log")
     right.set_yscale("log")
@@ -217,15 +226,13 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
 
 
 def _draw_lobe(axes: Any, row: Row) -> None:
-    half = np.array(row["half_deg"])
+    half, inputs = np.array(row["half_deg"]), row["inputs"]
     side = half > 0.0
-    ours = row["model"] == "ours"
-    if ours:
+    if inputs == "ours":
         axes.plot(half[side], np.array(row["lobe_cycles"])[side], color="lightgrey", linewidth=4)
-    label = row["material"] if ours else None
-    colour = {"roughness-0.3": "C2", "roughness-0.1": "C1", "roughness-0.02": "C4"}[row["material"]]
-    style = "-" if ours else ":"
-    axes.plot(half[side], np.maximum(row["lobe"], 1e-3)[side], style, color=colour, label=label)
+    label = row["material"] if inputs == "ours" else None
+    lobe = np.maximum(row["lobe"], 1e-3)[side]
+    axes.plot(half[side], lobe, _STYLES[inputs], color=_DRAWN[row["material"]], label=label)
 
 
 CASE = Case(
