@@ -14,6 +14,7 @@ SENTENCE = "Measure each way that relightable neural assets are known to fail, w
 EXAMPLE = "rna-bench stability toy.rays/ --source toy.py --out bench/stability"
 WHEN_STOPPED = "finished cases are kept: run the same command to go on"
 
+# As in `suite.CASES`, which takes seconds to import: not for --help.
 CASE_NAMES = (
     "sharp",
     "grazing",

@@ -8,7 +8,7 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import sphere
 from rna_export.capture.run import scene_of
@@ -63,7 +63,11 @@ def furnace(answers: Answers, scene: AssetScene, count: int) -> list[Row]:
 
 
 def integral(
-    answers: Answers, scene: AssetScene, points, wo: np.ndarray, rng: np.random.Generator
+    answers: Answers,
+    scene: AssetScene,
+    points: ShadePoints,
+    wo: np.ndarray,
+    rng: np.random.Generator,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Of T over all wi for each point, (n, 3), and which share of them is visible, (n,)."""
     n = len(wo)

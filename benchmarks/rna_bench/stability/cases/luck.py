@@ -7,6 +7,7 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
 from rna_export.training.checkpoint import Trained
+from rna_export.training.presets import Preset
 from rna_export.training.validation import score, shade
 
 SPREAD = 0.3  # the mark, dB
@@ -24,7 +25,7 @@ def measure(workshop: Workshop) -> list[Row]:
     return rows
 
 
-def _seeded(workshop: Workshop, preset, seed: int) -> Trained:
+def _seeded(workshop: Workshop, preset: Preset, seed: int) -> Trained:
     if seed == 0:
         return workshop.base
     return workshop.train(f"seed-{seed}", workshop.dataset, preset, seed)

@@ -16,7 +16,7 @@ from onnx.reference import ReferenceEvaluator
 from rna_bench.beside_cycles import OurScene
 from rna_bench.stability.answers import Answers, Queries, of_model, picked, queries_of
 from rna_bench.stability.case import Case, Row, Verdict
-from rna_bench.stability.chosen import rows_of
+from rna_bench.stability.chosen import Samples, rows_of
 from rna_bench.stability.errors import joined_views
 from rna_bench.stability.workshop import Workshop
 from rna_bench.stage import Stage
@@ -127,7 +127,7 @@ def _bright_light(workshop: Workshop) -> Row:
     return checked("a light of 1e6", [images[1]], [images[0]])
 
 
-def _few_bits(model: NeuralAsset, samples: dict, halves: np.ndarray) -> list[Row]:
+def _few_bits(model: NeuralAsset, samples: Samples, halves: np.ndarray) -> list[Row]:
     """PSNR lost by planes of float16 and of int8, against the float32 ones of training."""
     full = psnr_without_noise(picked(of_model(model), samples), *halves)
     rows = []
