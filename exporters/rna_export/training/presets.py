@@ -12,7 +12,7 @@ _PAPER_INPUTS = {
     "fiber": ("features", "tangent", "h", "wo", "wi"),
 }
 _OUR_INPUTS = {
-    "surface": (*_PAPER_INPUTS["surface"], "half_vector"),
+    "surface": (*_PAPER_INPUTS["surface"], "half_vector", "highlight"),
     "fiber": (*_PAPER_INPUTS["fiber"], "fiber_angles", "fiber_lobes"),
 }
 
@@ -60,6 +60,11 @@ class TrainingConfig(BaseModel):
     unit: Literal["one", "usual"] = Field(
         description="radiance that the loss calls 1, in log(x / unit + 1). one: the paper's. "
         "usual: the asset's median lit radiance, so that dark materials count"
+    )
+    loss: Literal["log", "unbiased"] = Field(
+        "log",
+        description="of radiance whose direct light is not told apart. log: of log(x / unit + 1). "
+        "unbiased: relative, so that noise in the targets does not darken it",
     )
     blur: float = Field(
         description="footprint in texels that planes are blurred with at first; decays to 1, "

@@ -198,12 +198,13 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
         return None
     saved = torch.load(last, map_location="cpu", weights_only=True)
     begun, preset = saved["hyper_parameters"], run.preset.model_dump(mode="json")
+    begun_preset = Preset.model_validate(begun["preset"]).model_dump(mode="json")
     capture = run.dataset.manifest.model_dump(mode="json", by_alias=True)
     for what, before, now in (
         ("preset", begun["preset_name"], run.preset_name),
         ("seed", begun["seed"], run.seed),
         ("steps", begun["preset"]["training"]["steps"], run.preset.training.steps),
-        ("model or training", begun["preset"], preset),
+        ("model or training", begun_preset, preset),
         ("dataset", begun["capture"], capture),
     ):
         if before != now:
