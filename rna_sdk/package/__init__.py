@@ -20,7 +20,7 @@ from rna_sdk.package.manifest import (
 )
 from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.package import Package
-from rna_sdk.package.planes import Planes
+from rna_sdk.package.planes import Int8Planes, Planes
 from rna_sdk.package.validator import validate
 from rna_sdk.package.writer import TierData, write_package
 
@@ -32,6 +32,7 @@ __all__ = [
     "Cost",
     "Curves",
     "Domain",
+    "Int8Planes",
     "Issue",
     "Manifest",
     "Mesh",

@@ -92,11 +92,17 @@ class Code(Enum):
 
     # features/*.safetensors
     PLANES_HEADER = (Severity.ERROR, "The planes are not a well-formed safetensors file.")
-    PLANES_TENSOR = (Severity.ERROR, "The file does not hold exactly one tensor, `planes`.")
-    PLANES_DTYPE = (Severity.ERROR, "The planes' dtype is not the tier's planePrecision.")
-    PLANES_SHAPE = (Severity.ERROR, "The planes' shape is not [3, R, R, C] of the tier.")
+    PLANES_TENSOR = (
+        Severity.ERROR,
+        "The file has other tensors than the tier's planePrecision asks for.",
+    )
+    PLANES_DTYPE = (Severity.ERROR, "A tensor's dtype is not that of the tier's planePrecision.")
+    PLANES_SHAPE = (
+        Severity.ERROR,
+        "The planes' shape is not [3, R, R, C] of the tier, or the scales' not [3, C].",
+    )
     PLANES_ALIGNMENT = (Severity.ERROR, "The tensor data does not start on a 64-byte boundary.")
-    PLANES_NOT_FINITE = (Severity.ERROR, "The planes hold NaN or infinite values.")
+    PLANES_NOT_FINITE = (Severity.ERROR, "The planes or their scales hold NaN or infinite values.")
 
     # decoders/*.onnx
     DECODER_TOO_LARGE = (Severity.ERROR, "The decoder is larger than allowed.")

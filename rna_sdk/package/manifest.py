@@ -24,6 +24,8 @@ InputName = Annotated[str, Field(json_schema_extra={"enum": list(INPUT_BLOCKS)})
 Measure = Annotated[float, Field(ge=0)]
 Region = Literal["sphere", "hemisphere"]
 Kind = Literal["surface", "fiber"]
+PlanePrecision = Literal["int8", "float16", "float32"]
+DecoderPrecision = Literal["float32", "int8"]
 
 KINDS: tuple[str, ...] = get_args(Kind)
 GEOMETRY_ENTRIES: dict[Kind, str] = {
@@ -123,8 +125,8 @@ class Tier(Record):
     )
     resolution: int = Field(ge=1, le=MAX_RESOLUTION, description="R, texels along a plane's side.")
     channels: int = Field(ge=1, le=MAX_CHANNELS, description="C, features a texel.")
-    plane_precision: Literal["float16", "float32"] = Field(description="dtype of the planes.")
-    decoder_precision: Literal["float32", "int8"] = Field(
+    plane_precision: PlanePrecision = Field(description="dtype of the planes.")
+    decoder_precision: DecoderPrecision = Field(
         description="Arithmetic of the decoder; int8 means quantised by QDQ nodes."
     )
     validation: Validation | None = None

@@ -100,7 +100,7 @@ class Package:
         return geometry
 
     def planes(self, tier: str) -> Planes:
-        """The tier's triplane: (3, R, R, C) float16 or float32, planes XY, YZ, ZX.
+        """The tier's triplane, (3, R, R, C), planes XY, YZ, ZX: an array, or Int8Planes.
 
         Raises:
             QueryError: the package has no tier of this name, or is closed.

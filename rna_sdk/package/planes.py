@@ -1,6 +1,9 @@
-"""The triplane of a tier, as a safetensors file of one tensor: write it, read it."""
+"""The triplane of a tier, as a safetensors file: write it, read it."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +17,34 @@ from rna_sdk.package.tensor_file import (
     tensors_to_bytes,
 )
 
-Planes = NDArray[np.float16] | NDArray[np.float32]
+
+@dataclass(frozen=True, eq=False)
+class Int8Planes:
+    """Planes in a quarter of float32's memory.
+
+    Attributes:
+        texels: (3, R, R, C) int8.
+        scales: (3, C) float32, one a plane and channel; a feature is texel times scale.
+    """
+
+    texels: NDArray[np.int8]
+    scales: NDArray[np.float32]
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """Of the texels."""
+        return self.texels.dtype
+
+    def decoded(self) -> NDArray[np.float32]:
+        """The features, (3, R, R, C) float32."""
+        return self.texels * self.scales[:, None, None, :]
+
+
+Planes = NDArray[np.float16] | NDArray[np.float32] | Int8Planes
 """(3, R, R, C): planes XY, YZ, ZX; row v, column u; channel last."""
 
-TENSOR = "planes"
-DTYPES = ("float16", "float32")
+TENSOR, SCALES = "planes", "scales"
+DTYPES = ("int8", "float16", "float32")
 _CODES = TensorCodes(
     header=Code.PLANES_HEADER,
     tensors=Code.PLANES_TENSOR,
@@ -31,23 +57,33 @@ _ROWS_AT_ONCE = 64
 
 
 def planes_to_bytes(planes: Planes) -> bytes:
-    """The safetensors file of a (3, R, R, C) float16 or float32 array."""
+    """The safetensors file of (3, R, R, C) planes."""
+    if isinstance(planes, Int8Planes):
+        return tensors_to_bytes({SCALES: planes.scales, TENSOR: planes.texels})
     return tensors_to_bytes({TENSOR: planes})
 
 
 def planes_from_bytes(data: memoryview, tier: Tier) -> Planes:
-    """The tier's planes, (3, R, R, C), as a read-only view of the entry `data`.
+    """The tier's planes, (3, R, R, C), as read-only views of the entry `data`.
 
     Raises:
         PackageError: with the first PLANES_* or JSON_* issue found; values are not looked at.
     """
     shape = (3, tier.resolution, tier.resolution, tier.channels)
     forms = {TENSOR: TensorForm(tier.plane_precision, shape)}
+    if tier.plane_precision == "int8":
+        forms = {SCALES: TensorForm("float32", (3, tier.channels)), **forms}
+        tensors = tensors_from_bytes(data, tier.planes, forms, _CODES)
+        return Int8Planes(tensors[TENSOR], tensors[SCALES])
     return tensors_from_bytes(data, tier.planes, forms, _CODES)[TENSOR]
 
 
 def check_finite(planes: Planes, name: str) -> None:
     """Raises PackageError (PLANES_NOT_FINITE), in little memory beside the planes."""
+    if isinstance(planes, Int8Planes):
+        if not np.isfinite(planes.scales).all():
+            refuse(Code.PLANES_NOT_FINITE, f"{name}#/{SCALES}", planes.scales.tolist(), "finite")
+        return
     rows = planes.reshape(-1, *planes.shape[2:])
     for start in range(0, len(rows), _ROWS_AT_ONCE):
         finite = np.isfinite(rows[start : start + _ROWS_AT_ONCE])

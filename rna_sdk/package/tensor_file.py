@@ -22,7 +22,7 @@ from rna_sdk.package.limits import ALIGNMENT, MAX_TENSORS_HEADER_BYTES
 from rna_sdk.package.strict_json import parse_object
 
 _LENGTH = struct.Struct("<Q")
-_DTYPES = {"float16": "F16", "float32": "F32", "uint32": "U32"}
+_DTYPES = {"int8": "I8", "float16": "F16", "float32": "F32", "uint32": "U32"}
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class TensorCodes:
 
 
 def tensors_to_bytes(tensors: Mapping[str, NDArray[Any]]) -> bytes:
-    """The file of these float16, float32 or uint32 arrays. The same arrays give the same bytes."""
+    """The file of these arrays of _DTYPES. The same arrays give the same bytes."""
     header: dict[str, Any] = {}
     parts: list[bytes] = []
     end = 0

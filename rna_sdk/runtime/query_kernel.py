@@ -41,6 +41,8 @@ _ROWS_AHEAD = 16
 """How far ahead of the row being made its texels are fetched: far enough for memory to answer,
 near enough that they are still in the first-level cache."""
 
+_TEXELS = {"int8": types.int8, "float16": types.uint16, "float32": types.float32}
+
 _VECTORS = types.Array(types.float32, 2, "C", readonly=True)
 _SCALARS = types.Array(types.float32, 1, "C", readonly=True)
 _BOX = types.Array(types.float64, 2, "C", readonly=True)
@@ -64,10 +66,12 @@ def block_columns(inputs: tuple[str, ...], channels: int) -> NDArray[np.int64]:
 def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
     """The kernel for an asset of this kind, with planes of this many channels.
 
-    kind: "surface" or "fiber"; precision: of the planes, "float16" or "float32". The kernel's
+    kind: "surface" or "fiber"; precision: of the planes, a planePrecision. The kernel's
     arguments, all C-contiguous and in object space:
 
-        planes      (3 * R * R * channels,) float32, or float16 seen as uint16; R = resolution
+        planes      (3 * R * R * channels,) int8, float32, or float16 seen as uint16;
+                    R = resolution
+        scales      (3 * channels,) float32 of int8 planes, else empty
         resolution  int
         box         (2, 3) float64, lower corner and 1 / extent of the bounds
         columns     int64, of `block_columns`
@@ -76,11 +80,12 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         valid       (n,) bool, written: False where an argument is NaN or infinite or a
                     direction has no length; such a row of `queries` is zero
     """
-    texel = types.uint16 if precision == "float16" else types.float32
+    texel = _TEXELS[precision]
     is_fiber = kind == "fiber"  # a constant when the kernel is compiled, as are the channels
 
     @compiled(
         types.Array(texel, 1, "C", readonly=True),
+        _SCALARS,
         types.intp,
         _BOX,
         _COLUMNS,
@@ -90,6 +95,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
     )
     def fill_queries(
         planes: NDArray[Any],
+        scales: NDArray[np.float32],
         resolution: int,
         box: NDArray[np.float64],
         columns: NDArray[np.int64],
@@ -126,7 +132,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
             if at_features >= 0:
                 offsets, weights = triplane_footprint(p, resolution, channels)
                 at = np.uintp(i * queries.shape[1] + at_features)
-                weighted_texel_sum(planes, channels, offsets, weights, queries, at)  # type: ignore[call-arg]
+                weighted_texel_sum(planes, scales, channels, offsets, weights, queries, at)  # type: ignore[call-arg]
             if at_position >= 0:
                 signed = 2.0 * p[0] - 1.0, 2.0 * p[1] - 1.0, 2.0 * p[2] - 1.0
                 write(queries, i, at_position, signed)

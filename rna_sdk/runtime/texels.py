@@ -72,43 +72,83 @@ def triplane_footprint(p: Vector, resolution: int, channels: int) -> tuple[Any, 
     return offsets, weights
 
 
+_PLANES = 3
+
+
 @intrinsic(prefer_literal=True)
 def weighted_texel_sum(
-    typing_context: Any, planes: Any, channels: Any, offsets: Any, weights: Any, out: Any, at: Any
+    typing_context: Any,
+    planes: Any,
+    scales: Any,
+    channels: Any,
+    offsets: Any,
+    weights: Any,
+    out: Any,
+    at: Any,
 ) -> Any:
     """out.flat[at : at + channels] = sum over k of weights[k] * planes[offsets[k] : + channels].
 
     In LLVM's vector types, since a loop over channels is not vectorised: the compiler cannot
     know that `out` and `planes` are apart. `channels` is a compile-time constant. planes:
-    float32, or uint16 holding float16 bits, which the vector load converts.
+    float32; uint16 holding float16 bits, which the vector load converts; or int8, of which each
+    plane's sum is multiplied by its (channels,) of scales. scales: (3 * channels,) float32, read
+    for int8 alone.
     """
     if not isinstance(channels, types.IntegerLiteral):
         return None
     lanes = channels.literal_value
-    is_half = planes.dtype == types.uint16
+    stored, size = _STORED[planes.dtype]
 
     def generate(context: Any, builder: ir.IRBuilder, signature: Any, arguments: Any) -> Any:
         def data(k: int) -> Any:
             array_type = signature.args[k]
             return context.make_array(array_type)(context, builder, arguments[k]).data
 
-        stored = ir.HalfType() if is_half else ir.FloatType()
         floats = ir.VectorType(ir.FloatType(), lanes)
+        zero = ir.Constant(floats, [0.0] * lanes)
         texels = builder.bitcast(data(0), stored.as_pointer())
-        total = ir.Constant(floats, [0.0] * lanes)
-        for k in range(len(signature.args[2])):
-            start = builder.gep(texels, [builder.extract_value(arguments[2], k)])
-            texel_pointer = builder.bitcast(start, ir.VectorType(stored, lanes).as_pointer())
-            texel = builder.load(texel_pointer, align=2 if is_half else 4)
-            texel = builder.fpext(texel, floats) if is_half else texel
-            weight = _splat(builder, builder.extract_value(arguments[3], k), floats)
-            product = builder.fmul(texel, weight, flags=("contract",))
-            total = builder.fadd(total, product, flags=("contract",))
-        target = builder.gep(data(4), [arguments[5]])
+
+        def vector_at(start: Any, element: ir.Type, align: int) -> Any:
+            vectors = ir.VectorType(element, lanes).as_pointer()
+            return builder.load(builder.bitcast(start, vectors), align=align)
+
+        def sum_of(corners: range, total: Any) -> Any:
+            for k in corners:
+                start = builder.gep(texels, [builder.extract_value(arguments[3], k)])
+                texel = vector_at(start, stored, size)
+                if planes.dtype == types.uint16:
+                    texel = builder.fpext(texel, floats)
+                elif planes.dtype == types.int8:
+                    texel = builder.sitofp(texel, floats)
+                weight = _splat(builder, builder.extract_value(arguments[4], k), floats)
+                product = builder.fmul(texel, weight, flags=("contract",))
+                total = builder.fadd(total, product, flags=("contract",))
+            return total
+
+        corners = len(signature.args[3])
+        if planes.dtype == types.int8:
+            each, total = corners // _PLANES, zero
+            for plane in range(_PLANES):
+                start = builder.gep(data(1), [ir.Constant(ir.IntType(64), plane * lanes)])
+                scale = vector_at(start, ir.FloatType(), 4)
+                part = sum_of(range(plane * each, (plane + 1) * each), zero)
+                part = builder.fmul(part, scale, flags=("contract",))
+                total = builder.fadd(total, part, flags=("contract",))
+        else:
+            total = sum_of(range(corners), zero)
+        target = builder.gep(data(5), [arguments[6]])
         builder.store(total, builder.bitcast(target, floats.as_pointer()), align=4)
         return context.get_dummy_value()
 
-    return types.void(planes, channels, offsets, weights, out, at), generate
+    return types.void(planes, scales, channels, offsets, weights, out, at), generate
+
+
+_STORED = {
+    types.int8: (ir.IntType(8), 1),
+    types.uint16: (ir.HalfType(), 2),
+    types.float32: (ir.FloatType(), 4),
+}
+"""Element type of the flat planes -> what it is to LLVM, and its bytes."""
 
 
 @intrinsic

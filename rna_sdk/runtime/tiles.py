@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package import Bounds, Planes, Tier
+from rna_sdk.package import Bounds, Int8Planes, Planes, Tier
 from rna_sdk.package.manifest import Kind
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.output_kernel import split_transport
@@ -57,9 +58,11 @@ class QueryFiller:
         self._box = np.stack([low, 1 / extent])
         self._columns = block_columns(tier.inputs, tier.channels)
         self._resolution = tier.resolution
-        # float16 stays as it is in the file: half the memory and cache, converted as it is read.
-        stored = np.uint16 if tier.plane_precision == "float16" else np.float32
-        self._planes = planes.view(stored).reshape(-1)
+        # Planes stay as they are in the file, converted as they are read: less memory and cache.
+        texels, scales = _parts(planes)
+        self._texels = texels.view(np.uint16 if texels.dtype == np.float16 else texels.dtype)
+        self._texels = self._texels.reshape(-1)
+        self._scales = scales.reshape(-1)
         self.largest_query = _largest_query(planes)
         self._kernel = query_kernel(kind, tier.channels, tier.plane_precision)
 
@@ -67,12 +70,28 @@ class QueryFiller:
         """Write K columns of `queries`, and `valid` (m,), for the m rows of the batch."""
         sources = (a[rows] for a in (batch.positions, batch.axes, batch.h, batch.wo, batch.wi))
         self._kernel(
-            self._planes, self._resolution, self._box, self._columns, *sources, queries, valid
+            self._texels,
+            self._scales,
+            self._resolution,
+            self._box,
+            self._columns,
+            *sources,
+            queries,
+            valid,
         )
+
+
+def _parts(planes: Planes) -> tuple[NDArray[Any], NDArray[np.float32]]:
+    """The texels, and the scales: none but for int8."""
+    if isinstance(planes, Int8Planes):
+        return planes.texels, planes.scales
+    return planes, np.empty(0, np.float32)
 
 
 def _largest_query(planes: Planes) -> float:
     """A bound for three features summed, and for all the other blocks, which are below 4."""
+    if isinstance(planes, Int8Planes):
+        return max(128.01 * float(np.abs(planes.scales).sum(axis=0).max()), 4.0)
     if planes.dtype == np.float16:  # without the sign bit, the bits of a number grow with it
         largest = (planes.view(np.uint16) & 0x7FFF).max().view(np.float16)
     else:

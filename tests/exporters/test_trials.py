@@ -9,7 +9,7 @@ import pytest
 
 from rna_export.capture.dataset import Dataset
 from rna_export.trials import run as run_module
-from rna_export.trials.packages import PRECISIONS
+from rna_export.trials.packages import USUAL
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import read_record
 from rna_export.trials.run import run_trial
@@ -75,11 +75,11 @@ def test_finished_trial_gets_a_precision_that_is_new(
     folder = tmp_path / "copy"
     shutil.copytree(finished, folder)
     record = read_record(folder, trial(), dataset.manifest.source_sha256)
-    others = {k: v for k, v in record.points.items() if k != PRECISIONS[0]}
+    others = {k: v for k, v in record.points.items() if k != USUAL}
     record.model_copy(update={"points": others}).write(folder)
     monkeypatch.setattr(run_module, "train", None)
     found = run_trial(trial(), dataset, folder, "cpu")
-    assert found.points[PRECISIONS[0]].scores == record.points[PRECISIONS[0]].scores
+    assert found.points[USUAL].scores == record.points[USUAL].scores
     assert found.seconds == record.seconds
 
 

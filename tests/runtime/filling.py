@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package import Bounds, query_width
+from rna_sdk.package import Bounds, Int8Planes, Planes, query_width
 from rna_sdk.runtime.tiles import Batch, QueryFiller
 from tests.package.builders import make_tier
 from tests.runtime.points import FiberPoints, Points
@@ -15,11 +15,12 @@ CORNERS = np.array([BOUNDS.min, BOUNDS.max])
 
 
 def filled(
-    planes: NDArray[np.floating], points: Points | FiberPoints, inputs: tuple[str, ...]
+    planes: Planes, points: Points | FiberPoints, inputs: tuple[str, ...]
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
     """`queries` and `valid` from the kernel, of an asset in BOUNDS."""
-    _, resolution, _, channels = planes.shape
-    precision = str(planes.dtype)
+    texels = planes.texels if isinstance(planes, Int8Planes) else planes
+    _, resolution, _, channels = texels.shape
+    precision = str(texels.dtype)
     tier = make_tier(
         resolution=resolution, channels=channels, plane_precision=precision, inputs=inputs
     )

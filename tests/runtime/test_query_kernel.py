@@ -16,15 +16,16 @@ from tests.runtime.points import Points, random_points
 SURFACE_BLOCKS = tuple(blocks_for("surface"))
 
 
-@pytest.mark.parametrize("precision", ["float16", "float32"])
+@pytest.mark.parametrize("precision", ["int8", "float16", "float32"])
 @pytest.mark.parametrize(("resolution", "channels"), [(16, 8), (1, 4), (2, 1), (7, 5), (32, 33)])
 def test_equals_its_twin(precision: str, resolution: int, channels: int) -> None:
     planes = make_planes(resolution, channels, precision)
     points = random_points(1000, reach=2.5)
     queries, valid = filled(planes, points, INPUTS)
     assert valid.all()
+    features = planes.decoded() if precision == "int8" else planes
     np.testing.assert_allclose(
-        queries, queries_reference(planes, CORNERS, INPUTS, *points), rtol=1e-6, atol=2e-6
+        queries, queries_reference(features, CORNERS, INPUTS, *points), rtol=1e-6, atol=2e-6
     )
 
 

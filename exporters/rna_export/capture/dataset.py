@@ -171,11 +171,16 @@ class Dataset:
     def validation_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
 
-    def training_samples(self) -> dict[str, np.ndarray]:
-        """All finished shards joined, one array a field of `manifest.fields`."""
+    def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
+        """The finished shards joined, one array a field of `manifest.fields`.
+
+        shards: take so many at most, spread over all; None takes all.
+        """
         paths = [p for k in range(self.manifest.shards) if (p := self.train_path(k)).is_file()]
         if not paths:
             raise CaptureError(f"{self.folder}: no finished training shard")
+        if shards is not None:
+            paths = paths[:: -(-len(paths) // shards)]
         return joined([load_file(path) for path in paths], self.manifest.fields)
 
     def validation_views(self) -> list[ValidationView]:

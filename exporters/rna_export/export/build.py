@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
 
@@ -14,7 +14,10 @@ import torch
 
 import rna_sdk
 from rna_export.capture.dataset import Dataset, ValidationView
-from rna_export.export.decoder import check_decoder, export_decoder
+from rna_export.export.decoder import Agreement as DecoderAgreement
+from rna_export.export.decoder import check_decoder, check_int8_decoder, export_decoder
+from rna_export.export.int8_decoder import int8_decoder
+from rna_export.export.precision import Precision, stored_planes
 from rna_export.machine import processor
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import Trained
@@ -32,9 +35,12 @@ from rna_sdk.package import (
     Validation,
     write_package,
 )
+from rna_sdk.package.manifest import DecoderPrecision
 from rna_sdk.runtime import Asset, load
 
 _COST_ROWS = 200_000
+_CALIBRATION_ROWS = 50_000
+_CALIBRATION_SHARDS = 12
 
 
 def build_package(
@@ -44,18 +50,22 @@ def build_package(
     source: str | None,
     license_: str,
     say: Callable[[str], None],
+    precisions: Sequence[Precision] = (Precision(),),
 ) -> Manifest:
-    """Write `out` with one tier a checkpoint, named for its preset; returns its manifest.
+    """Write `out` with a tier for each checkpoint and precision; returns its manifest.
+
+    Tiers are named for the preset and, unless it is the usual one, the precision.
 
     Each tier's error and cost are measured through the runtime, from a package like the one
     written. Raises `ExportError` when the checkpoints do not belong together or to the dataset.
     """
     _check_together(trained, dataset)
     tiers, data = [], {}
+    models = [one for one in trained for _ in precisions]
     for one in trained:
-        tier, tier_data = _tier(one, say)
-        tiers.append(tier)
-        data[tier.name] = tier_data
+        for tier, tier_data in _tiers(one, precisions, dataset, say):
+            tiers.append(tier)
+            data[tier.name] = tier_data
     bounds = trained[0].model.triplane
     domain = dataset.manifest.settings.domain
     manifest = Manifest(
@@ -68,7 +78,7 @@ def build_package(
         provenance=_provenance(trained, dataset, source),
         license=license_,
     )
-    measured = _measure(manifest, trained, dataset, data, say)
+    measured = _measure(manifest, models, dataset, data, say)
     return write_package(out, measured, dataset.geometry(), data)
 
 
@@ -85,34 +95,67 @@ def _check_together(trained: list[Trained], dataset: Dataset) -> None:
             )
 
 
-def _tier(one: Trained, say: Callable[[str], None]) -> tuple[Tier, TierData]:
-    decoder = export_decoder(one.model)
-    agreement = check_decoder(decoder, one.model)
-    say(
-        f"{one.preset_name}: ONNX and PyTorch differ by at most {agreement.max_absolute:.1e} "
-        f"absolute, {agreement.max_relative:.1e} relative"
-    )
-    config = one.preset.model
-    tier = Tier(
-        name=one.preset_name,
-        planes=f"features/{one.preset_name}.safetensors",
-        decoder=f"decoders/{one.preset_name}.onnx",
-        inputs=config.inputs,
-        resolution=config.resolution,
-        channels=config.channels,
-        plane_precision="float16",
-        decoder_precision="float32",
-        agreement=Agreement(**asdict(agreement)),
-    )
-    planes = one.model.triplane.planes.detach().numpy()
-    if np.abs(planes).max() > np.finfo(np.float16).max:
-        raise ExportError(f"{one.preset_name}: the planes hold values that float16 cannot")
-    return tier, TierData(planes=planes.astype(np.float16), decoder=decoder)
+def _tiers(
+    one: Trained,
+    precisions: Sequence[Precision],
+    dataset: Dataset,
+    say: Callable[[str], None],
+) -> Iterator[tuple[Tier, TierData]]:
+    """The checkpoint's tiers; those of one precision share planes or decoder."""
+    config, decoders = one.preset.model, {}
+    for precision in precisions:
+        name = precision.tier_name(one.preset_name)
+        if precision.decoder not in decoders:
+            decoders[precision.decoder] = _decoder(one, precision.decoder, dataset)
+        decoder, agreement = decoders[precision.decoder]
+        say(
+            f"{name}: ONNX and PyTorch differ by at most {agreement.max_absolute:.1e} "
+            f"absolute, {agreement.max_relative:.1e} relative"
+        )
+        decoder_entry = Precision(precision.decoder).tier_name(one.preset_name)
+        planes_entry = Precision(planes=precision.planes).tier_name(one.preset_name)
+        tier = Tier(
+            name=name,
+            planes=f"features/{planes_entry}.safetensors",
+            decoder=f"decoders/{decoder_entry}.onnx",
+            inputs=config.inputs,
+            resolution=config.resolution,
+            channels=config.channels,
+            plane_precision=precision.planes,
+            decoder_precision=precision.decoder,
+            agreement=Agreement(**asdict(agreement)),
+        )
+        planes = one.model.triplane.planes.detach().numpy()
+        yield tier, TierData(stored_planes(planes, precision.planes), decoder)
+
+
+def _decoder(
+    one: Trained, precision: DecoderPrecision, dataset: Dataset
+) -> tuple[bytes, DecoderAgreement]:
+    """The exported decoder, and how far it is from the trained one."""
+    if precision == "float32":
+        exported = export_decoder(one.model)
+        return exported, check_decoder(exported, one.model)
+    queries = _calibration_queries(one, dataset)
+    layers = int8_decoder(one.model, queries)
+    exported = export_decoder(one.model, layers)
+    return exported, check_int8_decoder(exported, one.model, layers, queries)
+
+
+@torch.no_grad()
+def _calibration_queries(one: Trained, dataset: Dataset) -> torch.Tensor:
+    """What the decoder is asked at random samples of the training data, (n, K)."""
+    samples = dataset.training_samples(_CALIBRATION_SHARDS)
+    answers = ("radiance", "direct", "visible")
+    rows = len(samples["visible"])
+    picked = np.random.default_rng(0).permutation(rows)[:_CALIBRATION_ROWS]
+    points = {k: torch.from_numpy(v[picked]) for k, v in samples.items() if k not in answers}
+    return one.model.queries(points)
 
 
 def _measure(
     manifest: Manifest,
-    trained: list[Trained],
+    models: list[Trained],
     dataset: Dataset,
     data: dict[str, TierData],
     say: Callable[[str], None],
@@ -122,7 +165,7 @@ def _measure(
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
         write_package(path, manifest, dataset.geometry(), data)
-        for tier, one in zip(manifest.tiers, trained, strict=True):
+        for tier, one in zip(manifest.tiers, models, strict=True):
             asset = load(path, tier=tier.name)
             validation = _validation(asset, views)
             cost = _cost(asset, one.model.multiply_adds, views)

@@ -6,6 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from rna_export.export.precision import PRECISIONS
 from rna_sdk.console import command_parser, run_command
 
 
@@ -27,6 +28,14 @@ def parser() -> argparse.ArgumentParser:
         "--dataset",
         type=Path,
         help="folder of rna-capture (default: where the first checkpoint was trained)",
+    )
+    p.add_argument(
+        "--precision",
+        nargs="+",
+        choices=list(PRECISIONS),
+        default=["float32"],
+        help="a tier of each checkpoint for each: float32 decoder with float16 planes, or int8 for "
+        "both, whose tier has -int8 in its name (default: float32)",
     )
     p.add_argument("--source", help="name, author and address of the original model")
     p.add_argument(
@@ -51,7 +60,8 @@ def _run(args: argparse.Namespace) -> None:
 
     trained = [load_checkpoint(path) for path in args.checkpoints]
     dataset = Dataset(args.dataset or trained[0].dataset)
-    build_package(trained, dataset, args.out, args.source, args.license, print)
+    precisions = [PRECISIONS[name] for name in dict.fromkeys(args.precision)]
+    build_package(trained, dataset, args.out, args.source, args.license, print, precisions)
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB\nnext: rna-validate {args.out}")
 

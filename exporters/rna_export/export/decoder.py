@@ -5,84 +5,77 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import onnx
 import onnxruntime
 import torch
-from onnx import TensorProto, helper, numpy_helper
+from torch import Tensor
 
+from rna_export.export.graph import Graph
+from rna_export.export.int8_decoder import Int8Decoder
 from rna_export.training.inputs import Points
 from rna_export.training.model import NeuralAsset
 from rna_sdk.errors import ExportError
 
-OPSET = 17
 RELATIVE, ABSOLUTE = 1e-4, 1e-5  # a larger difference refuses the export
+TIES = 0.02  # part of the rows of an int8 decoder that may round another way
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
 
 
 @dataclass(frozen=True)
 class Agreement:
-    """Largest differences between ONNX and PyTorch over the checked queries."""
+    """Largest differences of the ONNX decoder from the trained one over the checked queries."""
 
     max_absolute: float
     max_relative: float  # of values above ABSOLUTE / RELATIVE
 
 
-def export_decoder(model: NeuralAsset) -> bytes:
-    """`queries` (N, K) to `transport` (N, 6), with no more than RNA-1.0's operators."""
-    graph = _Graph()
+def export_decoder(model: NeuralAsset, int8: Int8Decoder | None = None) -> bytes:
+    """`queries` (N, K) to `transport` (N, 6), with no more than RNA-1.0's operators.
+
+    int8: the model's layers in integers, to be written in place of its own.
+    """
+    graph = Graph()
     value = graph.clip("queries", -LARGEST_INPUT, LARGEST_INPUT)
-    for layer in model.decoder:
-        if isinstance(layer, torch.nn.Linear):
-            weight, bias = layer.weight.detach().numpy().T, layer.bias.detach().numpy()
-            value = graph.add("Gemm", [value, graph.constant(weight), graph.constant(bias)])
-        else:
-            value = graph.add("Relu", [value])
+    value = _layers(graph, value, model) if int8 is None else _int8_layers(graph, value, int8)
     y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling / model.unit)))
     x = graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)])
     sums, unit = np.array(model.config.colour_sums), float(model.unit)
     if np.array_equal(sums, np.eye(2)):
         graph.add("Mul", [x, graph.constant(unit)], "transport")
     else:
-        matrix = unit * np.kron(sums.T, np.eye(3))
+        matrix = np.float32(unit * np.kron(sums.T, np.eye(3)))
         graph.add("MatMul", [x, graph.constant(matrix)], "transport")
     return graph.serialize(model.decoder[0].in_features)
 
 
-class _Graph:
-    """An ONNX graph under construction; values and constants get names by number."""
+def _layers(graph: Graph, value: str, model: NeuralAsset) -> str:
+    for layer in model.decoder:
+        if isinstance(layer, torch.nn.Linear):
+            weight, bias = layer.weight.detach().numpy().T, layer.bias.detach().numpy()
+            value = graph.add("Gemm", [value, graph.constant(weight), graph.constant(bias)])
+        else:
+            value = graph.add("Relu", [value])
+    return value
 
-    def __init__(self) -> None:
-        self._nodes: list[onnx.NodeProto] = []
-        self._constants: list[onnx.TensorProto] = []
 
-    def constant(self, value: np.ndarray | float) -> str:
-        name = f"c{len(self._constants)}"
-        self._constants.append(numpy_helper.from_array(np.array(value, np.float32), name))
-        return name
-
-    def add(self, operator: str, inputs: list[str], output: str | None = None) -> str:
-        output = output or f"v{len(self._nodes)}"
-        self._nodes.append(helper.make_node(operator, inputs, [output]))
-        return output
-
-    def clip(self, value: str, low: float, high: float) -> str:
-        return self.add("Clip", [value, self.constant(low), self.constant(high)])
-
-    def serialize(self, columns: int) -> bytes:
-        graph = helper.make_graph(
-            self._nodes,
-            "decoder",
-            [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", columns])],
-            [helper.make_tensor_value_info("transport", TensorProto.FLOAT, ["N", 6])],
-            self._constants,
-        )
-        opsets = [helper.make_opsetid("", OPSET)]
-        model = helper.make_model(
-            graph, opset_imports=opsets, ir_version=8, producer_name="rna-export"
-        )
-        onnx.checker.check_model(model)
-        return model.SerializeToString(deterministic=True)
+def _int8_layers(graph: Graph, value: str, int8: Int8Decoder) -> str:
+    """Gemm between DequantizeLinear and QuantizeLinear, which engines run in integers."""
+    value = graph.add("Mul", [value, graph.constant(int8.gain.numpy())])
+    value = graph.add("Add", [value, graph.constant(int8.offset.numpy())])
+    zero = graph.constant(np.uint8(0))
+    for layer in int8.layers:
+        scale = graph.constant(float(layer.input_scale))
+        # Storing the sums of a layer in uint8, from 0 up, is its ReLU.
+        value = graph.add("QuantizeLinear", [value, scale, zero])
+        inputs = graph.add("DequantizeLinear", [value, scale, zero])
+        weight_scale = layer.weight_scale.numpy()
+        weight = [graph.constant(layer.weight.numpy().T), graph.constant(weight_scale)]
+        bias_scale = np.float32(layer.input_scale) * weight_scale
+        bias = [graph.constant(layer.bias.numpy()), graph.constant(bias_scale)]
+        weight_value = graph.add("DequantizeLinear", weight, axis=1)
+        bias_value = graph.add("DequantizeLinear", bias, axis=0)
+        value = graph.add("Gemm", [inputs, weight_value, bias_value])
+    return value
 
 
 @torch.no_grad()
@@ -91,22 +84,60 @@ def check_decoder(decoder: bytes, model: NeuralAsset, seed: int = 0) -> Agreemen
     queries = torch.cat(
         [random_queries(model, _RANDOM_QUERIES, seed), extreme_queries(model, seed)]
     )
-    session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
-    (found,) = session.run(["transport"], {"queries": queries.numpy()})
-    expected = model.transport(model.decoder(queries).unflatten(1, (-1, 3))).flatten(1).numpy()
-    difference = np.abs(found.astype(np.float64) - expected)
-    large = np.abs(expected) > ABSOLUTE / RELATIVE
-    agreement = Agreement(
-        float(difference.max()),
-        float((difference[large] / np.abs(expected[large])).max(initial=0.0)),
-    )
-    if not np.all(difference <= ABSOLUTE + RELATIVE * np.abs(expected)):
+    found, expected = _run(decoder, queries), _transport(model, model.decoder(queries))
+    agreement = _agreement(found, expected)
+    if not _close(found, expected).all():
         raise ExportError(
             f"the ONNX decoder differs from PyTorch by up to {agreement.max_absolute:.2e} "
             f"absolute, {agreement.max_relative:.2e} relative; expected at most {ABSOLUTE:g} + "
             f"{RELATIVE:g} |x|"
         )
     return agreement
+
+
+@torch.no_grad()
+def check_int8_decoder(
+    decoder: bytes, model: NeuralAsset, int8: Int8Decoder, queries: Tensor, seed: int = 0
+) -> Agreement:
+    """Compare ONNX with the twin in PyTorch; `ExportError` beyond tolerance.
+
+    The twin computes the same integers but for sums that fall next to the middle between two
+    steps, which float32 rounds either way: those rows may differ, and must be few.
+
+    Returns how far ONNX is from the trained decoder on the real `queries`, (n, K).
+    """
+    asked = torch.cat([queries, extreme_queries(model, seed)])
+    found, twin = _run(decoder, asked), _transport(model, int8(asked))
+    differing = 1.0 - float(_close(found, twin).all(axis=1).mean())
+    if differing > TIES:
+        raise ExportError(
+            f"the int8 ONNX decoder differs from its twin in PyTorch in {differing:.1%} of the "
+            f"rows; expected at most {TIES:.1%}"
+        )
+    return _agreement(_run(decoder, queries), _transport(model, model.decoder(queries)))
+
+
+def _run(decoder: bytes, queries: Tensor) -> np.ndarray:
+    session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
+    (transport,) = session.run(["transport"], {"queries": queries.numpy()})
+    return transport.astype(np.float64)
+
+
+def _transport(model: NeuralAsset, y: Tensor) -> np.ndarray:
+    return model.transport(y.unflatten(1, (-1, 3))).flatten(1).numpy()
+
+
+def _close(found: np.ndarray, expected: np.ndarray) -> np.ndarray:
+    return np.abs(found - expected) <= ABSOLUTE + RELATIVE * np.abs(expected)
+
+
+def _agreement(found: np.ndarray, expected: np.ndarray) -> Agreement:
+    difference = np.abs(found - expected)
+    large = np.abs(expected) > ABSOLUTE / RELATIVE
+    return Agreement(
+        float(difference.max()),
+        float((difference[large] / np.abs(expected[large])).max(initial=0.0)),
+    )
 
 
 def random_queries(model: NeuralAsset, n: int, seed: int) -> torch.Tensor:

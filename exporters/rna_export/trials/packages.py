@@ -7,14 +7,21 @@ from pathlib import Path
 
 from rna_export.capture.dataset import Dataset
 from rna_export.export.build import build_package
+from rna_export.export.precision import Precision
 from rna_export.training.checkpoint import Trained
 
-PRECISIONS = ("float32-float16",)
-"""Of decoder and planes; the first loses next to nothing."""
+PRECISIONS = {
+    "float32-float16": Precision(),
+    "int8-float16": Precision("int8", "float16"),
+    "int8-int8": Precision("int8", "int8"),
+}
+"""Name -> decoder and planes; the first loses next to nothing."""
+
+USUAL = "float32-float16"
 
 
 def write_packages(
-    trained: Trained, dataset: Dataset, folder: Path, precisions: Sequence[str] = PRECISIONS
+    trained: Trained, dataset: Dataset, folder: Path, precisions: Sequence[str] = tuple(PRECISIONS)
 ) -> dict[str, Path]:
     """Write `<precision>.rna` into `folder`; returns their paths by precision."""
     paths = {precision: folder / f"{precision}.rna" for precision in precisions}
@@ -27,4 +34,5 @@ def write_precision(
     trained: Trained, dataset: Dataset, path: Path, precision: str, source: str | None, terms: str
 ) -> None:
     """Write a package of one tier at one precision; source and terms as of `rna-export`."""
-    build_package([trained], dataset, path, source, terms, lambda _: None)
+    chosen = [PRECISIONS[precision]]
+    build_package([trained], dataset, path, source, terms, lambda _: None, chosen)

@@ -12,7 +12,7 @@ from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.run import Run, train
 from rna_export.training.samples import SampleTable
 from rna_export.training.validation import shade
-from rna_export.trials.packages import PRECISIONS, write_packages
+from rna_export.trials.packages import PRECISIONS, USUAL, write_packages
 from rna_export.trials.record import Point, Record, read_record
 from rna_export.trials.scores import ModelScores, scores_of, write_strips
 from rna_export.trials.trial import Trial
@@ -42,7 +42,7 @@ def run_trial(
     trained = load_checkpoint(folder / "best.ckpt")
     if trial.packageable:
         points = dict(record.points) if record else {}
-        wanted = missing_precisions(record) if record else PRECISIONS
+        wanted = missing_precisions(record) if record else tuple(PRECISIONS)
         points.update(_measure_packages(trained, dataset, folder, wanted))
     else:
         points = _measure_model(trained, dataset, folder)
@@ -118,8 +118,8 @@ def _measure_model(trained: Trained, dataset: Dataset, folder: Path) -> dict[str
     """Error of a model that no package holds, in PyTorch."""
     views = dataset.validation_views()
     radiance = [shade(trained.model, view) for view in views]
-    write_strips(folder, PRECISIONS[0], radiance, views)
-    return {PRECISIONS[0]: _point(trained, scores_of(radiance, views), None)}
+    write_strips(folder, USUAL, radiance, views)
+    return {USUAL: _point(trained, scores_of(radiance, views), None)}
 
 
 def _point(trained: Trained, scores: ModelScores, size: int | None) -> Point:

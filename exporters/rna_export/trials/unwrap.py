@@ -50,8 +50,8 @@ class UnwrappedDataset(Dataset):
             raise TrainingError(f"{folder}: holds fibers, expected a surface to unwrap")
         self._unwrapped = Unwrapped(self.geometry())
 
-    def training_samples(self) -> dict[str, np.ndarray]:
-        return self._with_uv(super().training_samples())
+    def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
+        return self._with_uv(super().training_samples(shards))
 
     def validation_views(self) -> list[ValidationView]:
         return [replace(v, samples=self._with_uv(v.samples)) for v in super().validation_views()]

@@ -1,0 +1,132 @@
+"""The decoder's layers in 8-bit integers, calibrated on queries of the training data.
+
+Activations are uint8, one scale a layer; weights int8, one scale an output; sums int32. Zero is
+the smallest activation, so that storing one in uint8 is the ReLU, too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from rna_export.training.model import NeuralAsset
+
+_CLIPS = torch.linspace(0.3, 1.0, 36)
+"""Candidates for the end of a layer's range, as parts of its largest activation."""
+
+
+@dataclass(frozen=True)
+class Int8Layer:
+    """What a layer multiplies: sum = weight @ q + bias, in units of input_scale * weight_scale.
+
+    Attributes:
+        weight: (outputs, inputs) int8; no -128, so that all are as good as their negatives.
+        weight_scale: (outputs,) float32.
+        bias: (outputs,) int32.
+        input_scale: what one step of the uint8 inputs q means.
+    """
+
+    weight: Tensor
+    weight_scale: Tensor
+    bias: Tensor
+    input_scale: float
+
+    def __call__(self, q: Tensor) -> Tensor:
+        """Real-valued sums (n, outputs) for inputs q (n, inputs)."""
+        sums = q.double() @ self.weight.double().T + self.bias
+        return sums * (self.input_scale * self.weight_scale.double())
+
+
+@dataclass(frozen=True)
+class Int8Decoder:
+    """The layers of a decoder; calling it is the twin, in PyTorch, of the exported graph.
+
+    Attributes:
+        gain, offset: (K,) float32; column x of the queries enters as uint8 x * gain + offset.
+    """
+
+    gain: Tensor
+    offset: Tensor
+    layers: tuple[Int8Layer, ...]
+
+    def __call__(self, queries: Tensor) -> Tensor:
+        """y as the model's decoder gives it, (n, outputs) float32, for queries (n, K)."""
+        q = (queries * self.gain + self.offset).round().clamp(0, 255)
+        for layer, following in zip(self.layers, self.layers[1:], strict=False):
+            q = (layer(q) / following.input_scale).round().clamp(0, 255)
+        return self.layers[-1](q).float()
+
+
+@torch.no_grad()
+def int8_decoder(model: NeuralAsset, queries: Tensor) -> Int8Decoder:
+    """The model's decoder in integers, with ranges that suit these queries, (n, K)."""
+    linear = [layer for layer in model.decoder if isinstance(layer, torch.nn.Linear)]
+    weights = [layer.weight.detach().clone() for layer in linear]
+    biases = [layer.bias.detach().clone() for layer in linear]
+    _equalize(weights, biases, queries)
+    expected = _sums(weights, biases, queries)
+    low, high = queries.amin(dim=0), queries.amax(dim=0)
+    step = (high - low).clamp(min=1e-6) / 255.0
+    gain, offset = 1.0 / step, -low / step
+    # In steps above `low`, which the bias takes up: q = (x - low) / step.
+    biases[0] = biases[0] + weights[0] @ low
+    weights[0] = weights[0] * step
+    q, scale = (queries * gain + offset).round().clamp(0, 255), 1.0
+    layers = []
+    for weight, bias, exact in zip(weights, biases, expected, strict=True):
+        layers.append(_layer(weight, bias, scale, q, exact))
+        sums = layers[-1](q).float()
+        scale = _scale(torch.relu(sums))
+        q = (sums / scale).round().clamp(0, 255)
+    return Int8Decoder(gain, offset, tuple(layers))
+
+
+def _sums(weights: list[Tensor], biases: list[Tensor], queries: Tensor) -> list[Tensor]:
+    """What each layer gives before its ReLU, (n, outputs)."""
+    values, every = queries, []
+    for weight, bias in zip(weights, biases, strict=True):
+        every.append(values @ weight.T + bias)
+        values = torch.relu(every[-1])
+    return every
+
+
+def _equalize(weights: list[Tensor], biases: list[Tensor], queries: Tensor) -> None:
+    """Scale neurons so that one range fits the activations of a whole layer.
+
+    ReLU lets a positive factor through, so the function stays the same (Nagel et al. 2019,
+    Data-Free Quantization Through Weight Equalization and Bias Correction).
+    """
+    for k, sums in enumerate(_sums(weights, biases, queries)[:-1]):
+        reach = sums.amax(dim=0).clamp(min=0.0)
+        # A neuron that hardly fires on these queries may do so on others.
+        factor = reach.clamp(min=max(0.1 * float(reach.mean()), 1e-6))
+        weights[k] /= factor[:, None]
+        biases[k] /= factor
+        weights[k + 1] *= factor
+
+
+def _scale(values: Tensor) -> float:
+    """The step with which uint8 holds these activations with the least squared error."""
+    sample, largest = values.flatten()[::7], max(float(values.max()), 1e-6)
+    steps = largest * _CLIPS / 255.0
+    errors = [(((sample / s).round().clamp(max=255.0) * s - sample) ** 2).mean() for s in steps]
+    return float(steps[int(torch.stack(errors).argmin())])
+
+
+def _layer(
+    weight: Tensor, bias: Tensor, input_scale: float, q: Tensor, expected: Tensor
+) -> Int8Layer:
+    """The layer for inputs q (n, inputs), in steps of `input_scale`.
+
+    expected: its sums (n, outputs) in the trained decoder. The bias makes their means equal, so
+    that rounding, here and in the layers before, moves no output as a whole.
+    """
+    scale = weight.abs().amax(dim=1).clamp(min=1e-9) / 127.0
+    rounded = (weight / scale[:, None]).round()
+    moved = expected.mean(dim=0) - (q @ rounded.T * (scale * input_scale) + bias).mean(dim=0)
+    limit = np.iinfo(np.int32).max // 2
+    steps = ((bias + moved).double() / (scale.double() * input_scale)).round().clamp(-limit, limit)
+    return Int8Layer(rounded.to(torch.int8), scale, steps.to(torch.int32), input_scale)

@@ -1,0 +1,47 @@
+"""In what numbers a tier is stored and computed: planes and decoder."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_sdk.errors import ExportError
+from rna_sdk.package import Int8Planes, Planes
+from rna_sdk.package.manifest import DecoderPrecision, PlanePrecision
+
+
+@dataclass(frozen=True)
+class Precision:
+    """A tier's decoderPrecision and planePrecision."""
+
+    decoder: DecoderPrecision = "float32"
+    planes: PlanePrecision = "float16"
+
+    def tier_name(self, preset: str) -> str:
+        """The preset's name, marked unless this is the usual precision."""
+        if self == Precision():
+            return preset
+        if self.decoder == self.planes:
+            return f"{preset}-{self.decoder}"
+        return f"{preset}-{self.decoder}-{self.planes}"
+
+
+PRECISIONS = {"float32": Precision(), "int8": Precision("int8", "int8")}
+"""What `rna-export --precision` offers."""
+
+
+def stored_planes(planes: np.ndarray, precision: PlanePrecision) -> Planes:
+    """Float32 planes as a package holds them; `ExportError` when they do not fit."""
+    if precision == "int8":
+        return _int8(planes)
+    if np.abs(planes).max() > np.finfo(precision).max:
+        raise ExportError(f"the planes hold values that {precision} cannot")
+    return planes.astype(precision)
+
+
+def _int8(planes: np.ndarray) -> Int8Planes:
+    """Rounded to steps by which the largest texel of each plane and channel is 127."""
+    scales = np.maximum(np.abs(planes).max(axis=(1, 2)), np.finfo(np.float32).tiny * 127) / 127
+    texels = np.round(planes / scales[:, None, None, :]).astype(np.int8)
+    return Int8Planes(texels, scales.astype(np.float32))
