@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 
 from rna_export.capture.dataset import Dataset
+from rna_export.export.build import build_package
+from rna_export.training.checkpoint import load_checkpoint
 from rna_export.trials import run as run_module
-from rna_export.trials.packages import USUAL
+from rna_export.trials.packages import PRECISIONS, USUAL
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import read_record
 from rna_export.trials.run import run_trial
@@ -37,18 +39,23 @@ def finished(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path
     return folder
 
 
-def test_record_is_what_the_package_says_of_itself(finished: Path, dataset: Dataset) -> None:
+def test_record_is_what_the_exporter_says_of_the_package(
+    finished: Path, dataset: Dataset, tmp_path: Path
+) -> None:
     record = read_record(finished, trial(), dataset.manifest.source_sha256)
     assert record is not None and record.seconds > 0.0
-    for precision, point in record.points.items():
-        path = finished / f"{precision}.rna"
+    trained = load_checkpoint(finished / "best.ckpt")
+    for name, point in record.points.items():
+        path = tmp_path / "exported.rna"
+        build_package([trained], dataset, path, None, "CC0-1.0", print, [PRECISIONS[name]])
         tier = load(path).tier
-        assert point.bytes == path.stat().st_size
         assert point.scores.psnr == pytest.approx(tier.validation.psnr, abs=0.01)
         assert point.scores.flip == pytest.approx(tier.validation.flip, abs=1e-4)
         assert point.multiply_adds == tier.cost.multiply_adds
+        assert point.bytes == (finished / f"{name}.rna").stat().st_size
         assert len(point.scores.views) == 2
-        assert (finished / f"{precision}-flip.png").is_file()
+        assert (finished / f"{name}-flip.png").is_file()
+    assert record.points["int8-int8"].bytes < record.points[USUAL].bytes
 
 
 def test_finished_trial_is_not_trained_again(

@@ -51,13 +51,15 @@ def build_package(
     license_: str,
     say: Callable[[str], None],
     precisions: Sequence[Precision] = (Precision(),),
+    measured: bool = True,
 ) -> Manifest:
     """Write `out` with a tier for each checkpoint and precision; returns its manifest.
 
     Tiers are named for the preset and, unless it is the usual one, the precision.
 
     Each tier's error and cost are measured through the runtime, from a package like the one
-    written. Raises `ExportError` when the checkpoints do not belong together or to the dataset.
+    written, unless that is not wanted: then the manifest has neither. Raises `ExportError` when
+    the checkpoints do not belong together or to the dataset.
     """
     _check_together(trained, dataset)
     tiers, data = [], {}
@@ -78,8 +80,9 @@ def build_package(
         provenance=_provenance(trained, dataset, source),
         license=license_,
     )
-    measured = _measure(manifest, models, dataset, data, say)
-    return write_package(out, measured, dataset.geometry(), data)
+    if measured:
+        manifest = _measure(manifest, models, dataset, data, say)
+    return write_package(out, manifest, dataset.geometry(), data)
 
 
 def _check_together(trained: list[Trained], dataset: Dataset) -> None:

@@ -74,11 +74,12 @@ def goal_of(args: argparse.Namespace) -> Goal:
 
 def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset import Dataset
+    from rna_export.export.build import build_package
     from rna_export.fit.page import write_page
     from rna_export.fit.run import fit
     from rna_export.training.checkpoint import load_checkpoint
     from rna_export.trials.grid import full_grid, short_grid
-    from rna_export.trials.packages import write_precision
+    from rna_export.trials.packages import PRECISIONS
     from rna_export.trials.pool import Crew
 
     if args.steps < 16:
@@ -90,13 +91,14 @@ def _run(args: argparse.Namespace) -> None:
     ours = [trial for trial in models if trial.family == "ours"]
     work = args.work or args.out.with_suffix(".fit")
     found = fit(dataset, ours, goal_of(args), args.steps, crew, work, print)
-    write_precision(
-        load_checkpoint(found.checkpoint),
+    build_package(
+        [load_checkpoint(found.checkpoint)],
         dataset,
         args.out,
-        found.chosen.precision,
         args.source,
         args.license,
+        print,
+        [PRECISIONS[found.chosen.precision]],
     )
     write_page(found, dataset.manifest.name, work / "index.html")
     print(

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import torch
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset import Dataset, write_atomically
 from rna_export.fit.candidate import Candidate
 from rna_export.fit.goal import Goal
 from rna_export.fit.search import search
@@ -17,7 +17,7 @@ from rna_export.training.checkpoint import Trained
 from rna_export.training.model import NeuralAsset
 from rna_export.training.run import padded_bounds
 from rna_export.trials.cost import Costs, measure_costs, validation_queries
-from rna_export.trials.packages import write_packages
+from rna_export.trials.packages import PRECISIONS, write_packages
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
@@ -50,7 +50,7 @@ def fit(
     Trainings stay in `work`, so that a fit that was stopped goes on, and so that another limit
     costs little more. Raises `TrainingError` when no trial meets the goal.
     """
-    candidates, costs = _with_costs(dataset, trials, say)
+    candidates, costs = _with_costs(dataset, trials, work, say)
     records: dict[Path, Record] = {}
     with TrialPool(dataset.folder, crew) as pool:
 
@@ -75,21 +75,30 @@ def fit(
 
 
 def _with_costs(
-    dataset: Dataset, trials: list[Trial], say: Callable[[str], None]
+    dataset: Dataset, trials: list[Trial], work: Path, say: Callable[[str], None]
 ) -> tuple[list[Candidate], Costs]:
     """Every trial at every precision, with the cost of its shape: weights do not change it."""
-    say(f"timing {len(trials)} models with random weights")
+    named = {f"{t.name}/{precision}": (t, precision) for t in trials for precision in PRECISIONS}
+    path = work / "costs.json"
+    costs = Costs.model_validate_json(path.read_bytes()) if path.is_file() else None
+    if costs is None or set(costs.of) != set(named):
+        say(f"timing {len(trials)} models with random weights")
+        costs = _measured(dataset, trials)
+        work.mkdir(parents=True, exist_ok=True)
+        write_atomically(path, (costs.model_dump_json(indent=1) + "\n").encode())
+    candidates = [Candidate(*named[label], cost.ns) for label, cost in costs.of.items()]
+    return sorted(candidates, key=lambda c: c.ns), costs
+
+
+def _measured(dataset: Dataset, trials: list[Trial]) -> Costs:
     with tempfile.TemporaryDirectory(prefix="rna-fit-") as scratch:
-        packages, of = {}, {}
+        packages = {}
         for trial in trials:
             folder = Path(scratch) / trial.name
             folder.mkdir()
             for precision, path in write_packages(_random(trial, dataset), dataset, folder).items():
-                label = f"{trial.name}/{precision}"
-                packages[label], of[label] = path, (trial, precision)
-        costs = measure_costs(packages, validation_queries(dataset))
-    candidates = [Candidate(*of[label], cost.ns) for label, cost in costs.of.items()]
-    return sorted(candidates, key=lambda c: c.ns), costs
+                packages[f"{trial.name}/{precision}"] = path
+        return measure_costs(packages, validation_queries(dataset))
 
 
 def _random(trial: Trial, dataset: Dataset) -> Trained:

@@ -128,6 +128,9 @@ def _begin(dataset: Path, crew: Crew) -> None:
 def _run(trial: Trial, folder: Path) -> Record:
     from rna_export.trials.run import run_trial
 
+    parent = multiprocessing.parent_process()
+    if parent is None or not parent.is_alive():
+        os._exit(1)  # it was killed: whoever runs the command again trains in the same folders
     folder.mkdir(parents=True, exist_ok=True)
     with _log(folder / "log.txt"):
         if _Process.table is None:
