@@ -22,12 +22,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from evaluate import INPUTS, random_decoder
+from evaluate import random_data, random_model, random_tier
 from numba import njit, prange
 from numpy.typing import NDArray
 from rays import Rays, camera_rays, random_rays
 from report import publish, report_parser
 
+from rna_export.export.precision import Precision
 from rna_render import embree_kernels as kernels
 from rna_render.embree import CurveScene
 from rna_render.embree_library import function_address
@@ -37,8 +38,6 @@ from rna_sdk.package import (
     Domain,
     Manifest,
     Provenance,
-    Tier,
-    TierData,
     write_package,
 )
 
@@ -170,16 +169,8 @@ def memory(args: argparse.Namespace) -> dict[str, Any]:
 
 def write_curls(path: Path, curves: Curves) -> None:
     """A package of these curves, random features and a random decoder of width 64."""
-    tier = Tier(
-        name="random",
-        planes="features/random.safetensors",
-        decoder="decoders/random.onnx",
-        inputs=INPUTS["fiber"],
-        resolution=256,
-        channels=8,
-        plane_precision="float16",
-        decoder_precision="float32",
-    )
+    model = random_model("fiber", width=64, resolution=256, channels=8)
+    tier = random_tier("random", model, Precision())
     manifest = Manifest(
         generator="benchmarks/curves.py",
         name="curls",
@@ -190,10 +181,7 @@ def write_curls(path: Path, curves: Curves) -> None:
         provenance=Provenance(source="random numbers", tool="benchmarks/curves.py"),
         license="Apache-2.0",
     )
-    shape = (3, tier.resolution, tier.resolution, tier.channels)
-    planes = np.random.default_rng(0).normal(0, 0.5, shape).astype(np.float16)
-    data = TierData(planes=planes, decoder=random_decoder(tier.query_width, 64))
-    write_package(path, manifest, curves, {tier.name: data})
+    write_package(path, manifest, curves, {tier.name: random_data(model, tier)})
 
 
 def curls(strands: int) -> Curves:

@@ -1,6 +1,7 @@
 """Speed of an asset's `evaluate` against the machine's own float32 matrix product.
 
     python benchmarks/evaluate.py --widths 64 --out evaluate.json
+    python benchmarks/evaluate.py --widths 64 128 256 512 --precisions float32 int8
     python benchmarks/evaluate.py --kind fiber --resolution 256 --widths 64
 
 Prints JSON, one record a decoder width. Matrix products and evaluations alternate in one run,
@@ -20,12 +21,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import torch
 import trimesh
 from numpy.typing import NDArray
-from onnx import TensorProto, helper, numpy_helper
 from report import publish, report_parser
 
 from rna_bench.step_times import step_times
+from rna_export.export.decoder import export_decoder, random_queries
+from rna_export.export.int8_decoder import int8_decoder
+from rna_export.export.precision import PRECISIONS, Precision, stored_planes
+from rna_export.training.model import NeuralAsset
+from rna_export.training.presets import ModelConfig
 from rna_sdk.package import (
     Bounds,
     Curves,
@@ -69,6 +75,9 @@ def arguments() -> argparse.Namespace:
     )
     parser.add_argument("--kind", choices=list(INPUTS), default="surface", help="of the asset")
     parser.add_argument("--widths", type=int, nargs="+", default=[16, 32, 64, 128, 256, 512])
+    parser.add_argument(
+        "--precisions", nargs="+", choices=list(PRECISIONS), default=["float32"], help="of tiers"
+    )
     parser.add_argument("--resolution", type=int, default=512, help="texels along a plane's side")
     parser.add_argument("--channels", type=int, default=8, help="features a texel")
     parser.add_argument("--seconds", type=float, default=0.3, help="about, for one evaluation")
@@ -80,31 +89,32 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "random.rna"
         write_random_package(path, args.kind, width, args.resolution, args.channels)
-        asset = load(path)
+        assets = {name: load(path, tier=name) for name in args.precisions}
+        asset = next(iter(assets.values()))
         n = batch_size(asset, args.seconds)
         batches = {
             "random": arguments_of(asset, random_points(n)),
             "coherent": arguments_of(asset, sphere_scan(n)),
         }
-        gemm, rates = alternate(asset, batches, args.repeats)
+        gemm, rates = alternate(assets, batches, args.repeats)
+        columns = asset.tier.query_width
+        flop = 2 * sum(a * b for a, b in pairwise([columns, *[width] * HIDDEN_LAYERS, 6]))
         with Package.open(path) as package:
-            split = {name: step_times(package, batch) for name, batch in batches.items()}
-    columns = asset.tier.query_width
-    flop = 2 * sum(a * b for a, b in pairwise([columns, *[width] * HIDDEN_LAYERS, 6]))
+            records: dict[str, Any] = {precision: {} for precision in assets}
+            for (precision, name), rate in rates.items():
+                records[precision][name] = {
+                    "evaluate_mqueries_s": round(rate / 1e6, 3),
+                    "evaluate_gflops": round(rate * flop / 1e9, 1),
+                    "share_of_gemm": round(rate * flop / 1e9 / gemm, 3),
+                    "times_first": round(rate / rates[args.precisions[0], name], 2),
+                    "ns_per_query_one_thread": step_times(package, precision, batches[name]),
+                }
     return {
         "width": width,
         "threads": asset.threads,
         "queries": n,
         "gemm_gflops": round(gemm, 1),
-        **{
-            name: {
-                "evaluate_mqueries_s": round(rate / 1e6, 3),
-                "evaluate_gflops": round(rate * flop / 1e9, 1),
-                "share_of_gemm": round(rate * flop / 1e9 / gemm, 3),
-                "ns_per_query_one_thread": split[name],
-            }
-            for name, rate in rates.items()
-        },
+        **records,
     }
 
 
@@ -117,19 +127,23 @@ def batch_size(asset: Asset, seconds: float) -> int:
 
 
 def alternate(
-    asset: Asset, batches: dict[str, Arrays], repeats: int
-) -> tuple[float, dict[str, float]]:
-    """GFLOP/s of the matrix product and queries/s of each batch: medians of alternating runs."""
+    assets: dict[str, Asset], batches: dict[str, Arrays], repeats: int
+) -> tuple[float, dict[tuple[str, str], float]]:
+    """GFLOP/s of the matrix product, and queries/s of each asset and batch, by their names.
+
+    Medians of alternating runs.
+    """
     a, b = np.random.default_rng(0).random((2, GEMM_SIZE, GEMM_SIZE), np.float32)
     size = len(next(iter(batches.values()))[0])
     results = np.zeros((size, 3), np.float32), np.zeros((size, 3), np.float32)
     gemm: list[float] = []
-    rates: dict[str, list[float]] = {name: [] for name in batches}
+    rates: dict[tuple[str, str], list[float]] = {(p, b): [] for p in assets for b in batches}
     for _ in range(repeats + 1):  # the first run warms caches and threads
         gemm.append(2 * GEMM_SIZE**3 / 1e9 / seconds_of(lambda: a @ b))
-        for name, batch in batches.items():
-            taken = seconds_of(lambda batch=batch: asset.evaluate(*batch, out=results))
-            rates[name].append(len(batch[0]) / taken)
+        for precision, name in rates:
+            asset, batch = assets[precision], batches[name]
+            taken = seconds_of(lambda a=asset, batch=batch: a.evaluate(*batch, out=results))
+            rates[precision, name].append(len(batch[0]) / taken)
     return float(np.median(gemm[1:])), {k: float(np.median(v[1:])) for k, v in rates.items()}
 
 
@@ -171,32 +185,58 @@ def unit(vectors: NDArray[np.floating]) -> NDArray[np.float32]:
 
 
 def write_random_package(path: Path, kind: str, width: int, resolution: int, channels: int) -> None:
-    """A package of one tier with random float16 planes and a random decoder."""
-    tier = Tier(
-        name="random",
-        planes="features/random.safetensors",
-        decoder="decoders/random.onnx",
-        inputs=INPUTS[kind],
-        resolution=resolution,
-        channels=channels,
-        plane_precision="float16",
-        decoder_precision="float32",
-    )
+    """A package with random planes and a random decoder, a tier for each of PRECISIONS."""
+    model = random_model(kind, width, resolution, channels)
+    tiers = [random_tier(name, model, precision) for name, precision in PRECISIONS.items()]
     manifest = Manifest(
         generator="benchmarks/evaluate.py",
         name="random",
         kind=kind,
         bounds=Bounds(min=(-1, -1, -1), max=(1, 1, 1)),
         domain=Domain(wo="sphere", wi="sphere"),
-        tiers=(tier,),
+        tiers=tuple(tiers),
         provenance=Provenance(source="random numbers", tool="benchmarks/evaluate.py"),
         license="Apache-2.0",
     )
-    rng = np.random.default_rng(0)
-    planes = rng.normal(0, 0.5, (3, resolution, resolution, channels)).astype(np.float16)
-    data = TierData(planes=planes, decoder=random_decoder(tier.query_width, width))
     geometry = ball() if kind == "surface" else strand()
-    write_package(path, manifest, geometry, {tier.name: data})
+    write_package(path, manifest, geometry, {tier.name: random_data(model, tier) for tier in tiers})
+
+
+def random_model(kind: str, width: int, resolution: int, channels: int) -> NeuralAsset:
+    """An untrained model over the box from -1 to 1, planes of deviation 0.5."""
+    config = ModelConfig(
+        inputs=INPUTS[kind],
+        width=width,
+        hidden_layers=HIDDEN_LAYERS,
+        resolution=resolution,
+        channels=channels,
+    )
+    torch.manual_seed(0)
+    model = NeuralAsset(config, torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])).eval()
+    model.triplane.planes.data.normal_(std=0.5)
+    return model
+
+
+def random_tier(name: str, model: NeuralAsset, precision: Precision) -> Tier:
+    return Tier(
+        name=name,
+        planes=f"features/{name}.safetensors",
+        decoder=f"decoders/{name}.onnx",
+        inputs=model.config.inputs,
+        resolution=model.config.resolution,
+        channels=model.config.channels,
+        plane_precision=precision.planes,
+        decoder_precision=precision.decoder,
+    )
+
+
+@torch.no_grad()
+def random_data(model: NeuralAsset, tier: Tier) -> TierData:
+    planes = stored_planes(model.triplane.planes.detach().numpy(), tier.plane_precision)
+    layers = None
+    if tier.decoder_precision == "int8":
+        layers = int8_decoder(model, random_queries(model, 20_000, seed=0))
+    return TierData(planes=planes, decoder=export_decoder(model, layers))
 
 
 def ball() -> Mesh:
@@ -209,32 +249,6 @@ def ball() -> Mesh:
 def strand() -> Curves:
     points = np.float32([[0, -0.9, 0], [0, 0.9, 0]])
     return Curves(points, np.full(2, 0.01, np.float32), np.array([0, 2], np.uint32))
-
-
-def random_decoder(columns: int, width: int) -> bytes:
-    """The graph that assets have, random: clamp, Gemm and Relu a layer, exp(y) - 1, clamped."""
-    rng = np.random.default_rng(2)
-    constants = {"low": -65504.0, "high": 65504.0, "zero": 0.0, "largest": 11.0, "one": 1.0}
-    tensors = [numpy_helper.from_array(np.float32(v), name) for name, v in constants.items()]
-    nodes = [helper.make_node("Clip", ["queries", "low", "high"], ["x0"])]
-    for k, shape in enumerate(pairwise([columns, *[width] * HIDDEN_LAYERS, 6])):
-        weight = rng.normal(0, (2 / shape[0]) ** 0.5, shape).astype(np.float32)
-        bias = rng.normal(0, 0.1, shape[1]).astype(np.float32)
-        tensors += [
-            numpy_helper.from_array(weight, f"w{k}"),
-            numpy_helper.from_array(bias, f"b{k}"),
-        ]
-        nodes.append(helper.make_node("Gemm", [f"x{k}", f"w{k}", f"b{k}"], [f"y{k}"]))
-        nodes.append(helper.make_node("Relu", [f"y{k}"], [f"x{k + 1}"]))
-    nodes[-1] = helper.make_node("Clip", [f"y{HIDDEN_LAYERS}", "zero", "largest"], ["log"])
-    nodes.append(helper.make_node("Exp", ["log"], ["exp"]))
-    nodes.append(helper.make_node("Sub", ["exp", "one"], ["transport"]))
-    sides = [("queries", columns), ("transport", 6)]
-    values = [helper.make_tensor_value_info(s, TensorProto.FLOAT, ["N", k]) for s, k in sides]
-    graph = helper.make_graph(nodes, "decoder", values[:1], values[1:], tensors)
-    opsets = [helper.make_opsetid("", 17)]
-    model: bytes = helper.make_model(graph, opset_imports=opsets, ir_version=8).SerializeToString()
-    return model
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections import Counter
 from pathlib import Path
 
@@ -15,6 +16,14 @@ REPOSITORY = Path(__file__).parent.parent
 DATA = REPOSITORY.parent / "shared" / "data"
 
 _skipped: Counter[str] = Counter()
+
+
+def pytest_configure() -> None:
+    """Listen to Ctrl-C, and so do the programs that tests start.
+
+    A script's background job, and all it starts, would ignore it.
+    """
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

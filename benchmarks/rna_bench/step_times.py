@@ -17,9 +17,14 @@ STEPS = ("inputs", "decoder", "output")
 """Gather of features and assembly of the decoder's inputs; the decoder; copies to the results."""
 
 
-def step_times(package: Package, batch: tuple[NDArray[np.float32], ...]) -> dict[str, float]:
-    """ns a query on one thread, by step. batch: the arguments of the asset's `evaluate`."""
-    tier = package.manifest.tiers[0]
+def step_times(
+    package: Package, name: str, batch: tuple[NDArray[np.float32], ...]
+) -> dict[str, float]:
+    """ns a query of a tier on one thread, by step.
+
+    batch: the arguments of the asset's `evaluate`.
+    """
+    tier = package.tier(name)
     kind = package.manifest.kind
     filler = QueryFiller(package.planes(tier.name), package.manifest.bounds, tier, kind)
     decoder = Decoder(package.decoder(tier.name), filler.largest_query)

@@ -25,7 +25,7 @@ class TierData:
     """The data of one tier.
 
     Attributes:
-        planes: (3, R, R, C) of the tier's planePrecision: a float16 or float32 array, or Int8Planes.
+        planes: (3, R, R, C) float16 or float32, or Int8Planes, as the manifest's tier says.
         decoder: the serialized ONNX model.
     """
 

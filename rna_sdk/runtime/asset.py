@@ -27,8 +27,9 @@ def load(
 
     tier: name of a tier; None takes the package's first.
     threads: threads of an evaluation; None takes one for each core this process may use.
-    min_psnr: instead of a name: takes the tier with the fewest multiply-adds a query among
-        those whose recorded validation PSNR is at least this many dB.
+    min_psnr: instead of a name: takes the tier with the fewest multiply-adds a query, those of
+        an int8 decoder counted half, among those whose recorded validation PSNR is at least
+        this many dB.
 
     Raises:
         PackageError: the file cannot be read or breaks the format.

@@ -38,16 +38,18 @@ class Decoder:
         options.graph_optimization_level = ort.GraphOptimizationLevel.ORT_ENABLE_ALL
         options.add_session_config_entry("session.intra_op.allow_spinning", "0")
         options.log_severity_level = 3
-        data = prepare_decoder(bytes(model), largest_query)
+        data, self._entry = prepare_decoder(bytes(model), largest_query)
         self._session = ort.InferenceSession(data, options, providers=["CPUExecutionProvider"])
-        shape = self._session.get_inputs()[0].shape
-        self._shape = [size if isinstance(size, int) else -1 for size in shape]
-        self.columns = int(self._shape[-1])
+        source = self._session.get_inputs()[0]
+        self._input = source.name
+        self._shape = [size if isinstance(size, int) else -1 for size in source.shape]
+        self.columns = len(self._entry.gain) if self._entry else int(self._shape[-1])
         fitting = [rows for size, rows in _TILES if len(model) <= size]
         self.tile_rows = fitting[0] if fitting else _LARGE_MODEL_TILE
 
     def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
         """(n, 6) float32: visible and shadowed RGB of `queries`, (n, columns) float32, finite."""
-        inputs = {"queries": queries.reshape(self._shape)}
+        values = self._entry.quantized(queries) if self._entry else queries
+        inputs = {self._input: values.reshape(self._shape)}
         transport: NDArray[np.float32] = self._session.run(["transport"], inputs)[0]
         return transport

@@ -18,6 +18,8 @@ import numpy as np
 
 from rna_sdk.package.protobuf import Message, WireError
 from rna_sdk.runtime import onnx_bytes as pb
+from rna_sdk.runtime.int8_entry import Entry
+from rna_sdk.runtime.int8_graph import fuse_int8_layers
 from rna_sdk.runtime.layer_chain import Layer, find_chain, floats
 
 _QUERIES = "queries"
@@ -30,14 +32,16 @@ _INPUT_STEP = 4
 """The first layer's channels must be a multiple of this, and at least a block."""
 
 
-def prepare_decoder(model: bytes, largest_query: float) -> bytes:
+def prepare_decoder(model: bytes, largest_query: float) -> tuple[bytes, Entry | None]:
     """The decoder to run on this machine: `model` rewritten where that pays, or as it is.
+
+    With an Entry, what it makes of the queries is what the decoder takes.
 
     largest_query: no number in the queries will be further from 0.
     """
     if platform.machine().lower() not in ("x86_64", "amd64"):
-        return model  # onnxruntime has the blocked convolution on x86 only
-    return convolve_layers(model, largest_query)
+        return model, None  # measured, and onnxruntime has the blocked convolution, on x86 only
+    return fuse_int8_layers(convolve_layers(model, largest_query))
 
 
 def convolve_layers(model: bytes, largest_query: float = np.inf) -> bytes:
@@ -79,8 +83,8 @@ def _assemble(model: Message, graph: Message, layers: list[Layer], idle: int | N
     """
     width = len(layers[0].weight)
     columns = max(-(-width // _INPUT_STEP) * _INPUT_STEP, _BLOCK)
-    nodes = [[node] for node in _chunks(graph, 1)]
-    tensors = _chunks(graph, 5)
+    nodes = [[node] for node in pb.chunks(graph, 1)]
+    tensors = pb.chunks(graph, 5)
     for layer in layers:
         source = _PIXELS if layer is layers[0] else layer.input
         result = _RESULT if layer is layers[-1] else layer.output
@@ -99,8 +103,8 @@ def _assemble(model: Message, graph: Message, layers: list[Layer], idle: int | N
     fields = [pb.chunk(1, node) for group in nodes for node in group]
     fields += [pb.chunk(2, b"decoder"), *(pb.chunk(5, tensor) for tensor in tensors)]
     fields += [pb.chunk(11, pb.value(_QUERIES, [1, 1, "n", columns]))]
-    fields += [pb.chunk(12, output) for output in _chunks(graph, 12)]
-    opsets = b"".join(pb.chunk(8, opset) for opset in _chunks(model, 8))
+    fields += [pb.chunk(12, output) for output in pb.chunks(graph, 12)]
+    opsets = b"".join(pb.chunk(8, opset) for opset in pb.chunks(model, 8))
     return pb.integer(1, model.integer(1)) + opsets + pb.chunk(7, b"".join(fields))
 
 
@@ -122,8 +126,3 @@ def _constants(layer: Layer, added_inputs: int) -> list[bytes]:
 def _transpose(source: str, result: str, order: list[int]) -> bytes:
     """onnxruntime folds a transpose of these orders into its blocking of channels."""
     return pb.node("Transpose", [source], result, {"perm": order})
-
-
-def _chunks(message: Message, number: int) -> list[bytes]:
-    """The values of a repeated field of bytes."""
-    return [bytes(v) for v in message.fields.get(number, []) if not isinstance(v, int)]

@@ -7,44 +7,63 @@ https://protobuf.dev/programming-guides/encoding.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
-_FLOAT, _INT64 = 1, 7  # TensorProto.DataType
-_INTS = 7  # AttributeProto.AttributeType
+from rna_sdk.package.protobuf import Message
 
-Attributes = Mapping[str, Sequence[int]]
+_TYPES = {"float32": 1, "uint8": 2, "int8": 3, "int32": 6, "int64": 7}  # TensorProto.DataType
+_INT, _INTS = 2, 7  # AttributeProto.AttributeType
+
+Attributes = Mapping[str, int | Sequence[int]]
 
 
 def node(
-    operator: str, inputs: Iterable[str], output: str, attributes: Attributes | None = None
+    operator: str,
+    inputs: Iterable[str],
+    output: str,
+    attributes: Attributes | None = None,
+    domain: str = "",
 ) -> bytes:
-    """A NodeProto of the default domain with one output; attributes are lists of integers."""
+    """A NodeProto with one output; attributes are integers or lists of them."""
     fields = [chunk(1, name.encode()) for name in inputs]
     fields += [chunk(2, output.encode()), chunk(4, operator.encode())]
     for name, values in (attributes or {}).items():
-        integers = b"".join(integer(8, value) for value in values)
-        fields.append(chunk(5, chunk(1, name.encode()) + integers + integer(20, _INTS)))
-    return b"".join(fields)
+        if isinstance(values, int):
+            numbers = integer(3, values) + integer(20, _INT)
+        else:
+            numbers = b"".join(integer(8, value) for value in values) + integer(20, _INTS)
+        fields.append(chunk(5, chunk(1, name.encode()) + numbers))
+    return b"".join([*fields, chunk(7, domain.encode())] if domain else fields)
 
 
-def tensor(name: str, values: NDArray[np.float32] | NDArray[np.int64]) -> bytes:
-    """A TensorProto that holds `values`, float32 or int64."""
-    data_type = _FLOAT if values.dtype == np.float32 else _INT64
+def tensor(name: str, values: NDArray[Any]) -> bytes:
+    """A TensorProto that holds `values`, of a dtype in _TYPES."""
     dims = b"".join(integer(1, size) for size in values.shape)
     little_endian = values.astype(values.dtype.newbyteorder("<")).tobytes()
-    return dims + integer(2, data_type) + chunk(8, name.encode()) + chunk(9, little_endian)
+    data_type = integer(2, _TYPES[values.dtype.name])
+    return dims + data_type + chunk(8, name.encode()) + chunk(9, little_endian)
 
 
-def value(name: str, dims: Sequence[int | str]) -> bytes:
-    """A ValueInfoProto of a float32 tensor; a dimension is a size or a symbol."""
+def opset(domain: str, version: int) -> bytes:
+    """An OperatorSetIdProto."""
+    return chunk(1, domain.encode()) + integer(2, version)
+
+
+def value(name: str, dims: Sequence[int | str], dtype: str = "float32") -> bytes:
+    """A ValueInfoProto of a tensor; a dimension is a size or a symbol."""
     shape = b"".join(
         chunk(1, integer(1, dim) if isinstance(dim, int) else chunk(2, dim.encode()))
         for dim in dims
     )
-    tensor_type = integer(1, _FLOAT) + chunk(2, shape)
+    tensor_type = integer(1, _TYPES[dtype]) + chunk(2, shape)
     return chunk(1, name.encode()) + chunk(2, chunk(1, tensor_type))
+
+
+def chunks(message: Message, number: int) -> list[bytes]:
+    """The values of a repeated field of bytes."""
+    return [bytes(v) for v in message.fields.get(number, []) if not isinstance(v, int)]
 
 
 def chunk(number: int, data: bytes | memoryview) -> bytes:

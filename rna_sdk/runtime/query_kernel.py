@@ -41,7 +41,11 @@ _ROWS_AHEAD = 16
 """How far ahead of the row being made its texels are fetched: far enough for memory to answer,
 near enough that they are still in the first-level cache."""
 
-_TEXELS = {"int8": types.int8, "float16": types.uint16, "float32": types.float32}
+_TEXELS: dict[str, types.Type] = {
+    "int8": types.int8,
+    "float16": types.uint16,
+    "float32": types.float32,
+}
 
 _VECTORS = types.Array(types.float32, 2, "C", readonly=True)
 _SCALARS = types.Array(types.float32, 1, "C", readonly=True)

@@ -10,13 +10,13 @@ import torch
 
 from rna_export.export.decoder import (
     ABSOLUTE,
-    OPSET,
     RELATIVE,
     check_decoder,
     export_decoder,
     extreme_queries,
     random_queries,
 )
+from rna_export.export.graph import OPSET
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import PRESETS
 from rna_sdk.errors import ExportError

@@ -87,9 +87,6 @@ def make_decoder_model(
     constants: dict[str, NDArray[np.float32]] = {
         "low": np.float32(-65504.0),
         "high": np.float32(65504.0),
-        "one": np.float32(1.0),
-        "zero": np.float32(0.0),
-        "largest": np.float32(11.0),
     }
     nodes = [helper.make_node("Clip", ["queries", "low", "high"], ["x0"])]
     for i, (rows, cols) in enumerate(pairwise(sizes)):
@@ -99,8 +96,53 @@ def make_decoder_model(
         nodes.append(helper.make_node("Gemm", [f"x{i}", f"w{i}", f"b{i}"], [f"y{i}"]))
         if not last:
             nodes.append(helper.make_node("Relu", [f"y{i}"], [f"x{i + 1}"]))
-    nodes += [
-        helper.make_node("Clip", [f"y{len(sizes) - 2}", "zero", "largest"], ["logs"]),
+    return _decoder(nodes, constants, f"y{len(sizes) - 2}", columns, **overrides)
+
+
+def make_int8_decoder_model(
+    columns: int = 18, width: int = 8, layers: int = 1, seed: int = 2, **overrides: Any
+) -> onnx.ModelProto:
+    """The like of `make_decoder_model` in int8; the queries have another zero point than 0."""
+    rng = np.random.default_rng(seed)
+    sizes = [columns, *[width] * layers, overrides.get("outputs", 6)]
+    step = np.float32(1 / 30)
+    constants: dict[str, NDArray[Any]] = {"step": step, "z0": np.uint8(100)}
+    constants |= {"low": np.float32(-65504.0), "high": np.float32(65504.0)}
+    nodes = [helper.make_node("Clip", ["queries", "low", "high"], ["y"])]
+    value = "y"
+    for i, (rows, cols) in enumerate(pairwise(sizes)):
+        scale = (rng.uniform(0.5, 1.5, cols) * (2 / rows) ** 0.5 / 73).astype(np.float32)
+        bias = rng.normal(1 if i == layers else 0, 0.2, cols) / (step * scale)
+        constants |= {f"z{i + 1}": np.uint8(0), f"s{i}": scale, f"t{i}": step * scale}
+        constants[f"w{i}"] = rng.integers(-127, 128, (rows, cols)).astype(np.int8)
+        constants[f"b{i}"] = np.round(bias).astype(np.int32)
+        for operator, inputs, output, axis in (
+            ("QuantizeLinear", [value, "step", f"z{i}"], f"q{i}", None),
+            ("DequantizeLinear", [f"q{i}", "step", f"z{i}"], f"x{i}", None),
+            ("DequantizeLinear", [f"w{i}", f"s{i}"], f"v{i}", 1),
+            ("DequantizeLinear", [f"b{i}", f"t{i}"], f"c{i}", 0),
+            ("Gemm", [f"x{i}", f"v{i}", f"c{i}"], f"y{i}", None),
+        ):
+            attributes = {} if axis is None else {"axis": axis}
+            nodes.append(helper.make_node(operator, inputs, [output], **attributes))
+        value = f"y{i}"
+    return _decoder(nodes, constants, value, columns, **overrides)
+
+
+def _decoder(
+    nodes: list[onnx.NodeProto],
+    constants: dict[str, NDArray[Any]],
+    value: str,
+    columns: int,
+    **overrides: Any,
+) -> onnx.ModelProto:
+    """The model of these nodes and exp(value) - 1."""
+    outputs = overrides.get("outputs", 6)
+    ends = {"one": 1.0, "zero": 0.0, "largest": 11.0}
+    constants = constants | {name: np.float32(number) for name, number in ends.items()}
+    nodes = [
+        *nodes,
+        helper.make_node("Clip", [value, "zero", "largest"], ["logs"]),
         helper.make_node("Exp", ["logs"], ["exps"]),
         helper.make_node("Sub", ["exps", "one"], ["transport"]),
     ]
@@ -109,7 +151,7 @@ def make_decoder_model(
         "decoder",
         [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", columns])],
         [helper.make_tensor_value_info("transport", TensorProto.FLOAT, ["N", outputs])],
-        [numpy_helper.from_array(value, name) for name, value in constants.items()],
+        [numpy_helper.from_array(np.asarray(value), name) for name, value in constants.items()],
     )
     opsets = [helper.make_opsetid("", overrides.get("opset", 18))]
     return helper.make_model(
@@ -149,9 +191,11 @@ def make_manifest(*tiers: Tier, **changes: Any) -> Manifest:
 def make_tier_data(tier: Tier, width: int = 8, layers: int = 1, seed: int = 1) -> TierData:
     """Random planes and a random decoder that fit the tier."""
     columns = query_width(tier.inputs, tier.channels)
+    is_int8 = tier.decoder_precision == "int8"
+    make = make_int8_decoder_model if is_int8 else make_decoder_model
     return TierData(
         planes=make_planes(tier.resolution, tier.channels, tier.plane_precision, seed),
-        decoder=make_decoder_model(columns, width, layers, seed).SerializeToString(),
+        decoder=make(columns, width, layers, seed).SerializeToString(),
     )
 
 
@@ -189,6 +233,7 @@ __all__ = [
     "MANIFEST_NAME",
     "make_curves",
     "make_decoder_model",
+    "make_int8_decoder_model",
     "make_manifest",
     "make_mesh",
     "make_planes",

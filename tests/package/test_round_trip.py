@@ -61,6 +61,16 @@ def test_arrays_and_manifest_come_back(tmp_path: Path) -> None:
             assert bytes(package.decoder(name)) == tier_data.decoder
 
 
+def test_int8_planes_come_back(tmp_path: Path) -> None:
+    path = make_tiny_package(tmp_path / "int8.rna", make_tier(plane_precision="int8"))
+    planes, written = Package.open(path).planes("small"), make_planes(precision="int8")
+    assert (planes.texels.dtype, planes.scales.dtype) == (np.int8, np.float32)
+    np.testing.assert_array_equal(planes.texels, written.texels)
+    np.testing.assert_array_equal(planes.scales, written.scales)
+    expected = written.texels[1, 2, 3, 0] * written.scales[1, 0]
+    assert planes.decoded()[1, 2, 3, 0] == expected != 0
+
+
 def test_mesh_without_uvs(tmp_path: Path) -> None:
     tier = make_tier()
     mesh = make_mesh(uvs=False)
@@ -143,6 +153,7 @@ def test_tier_lookup_names_the_tiers(tiny: Path) -> None:
         ({"planes": make_planes(resolution=4)}, "PLANES_SHAPE"),
         ({"planes": make_planes(precision="float32")}, "PLANES_DTYPE"),
         ({"planes": make_planes(precision="float64")}, "PLANES_DTYPE"),
+        ({"planes": make_planes(precision="int8")}, "PLANES_TENSOR"),
         ({"decoder": make_decoder_model(columns=4).SerializeToString()}, "DECODER_INPUT"),
     ],
 )

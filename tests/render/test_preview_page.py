@@ -39,9 +39,7 @@ def rna_run(scene_path: Path) -> Iterator[tuple[subprocess.Popen, str]]:
     """rna-run --preview, and the address that it prints."""
     arguments = [sys.executable, "-m", "rna_render.cli", scene_path, "--preview"]
     pipe = subprocess.PIPE
-    with subprocess.Popen(
-        arguments, stdout=pipe, stderr=pipe, text=True, preexec_fn=_listen_to_ctrl_c
-    ) as started:
+    with subprocess.Popen(arguments, stdout=pipe, stderr=pipe, text=True) as started:
         try:
             line = started.stdout.readline()
             found = re.fullmatch(rf"preview of {scene_path} at (http://127\.0\.0\.1:\d+/)\n", line)
@@ -52,11 +50,6 @@ def rna_run(scene_path: Path) -> Iterator[tuple[subprocess.Popen, str]]:
             yield started, found[1]
         finally:
             started.kill()
-
-
-def _listen_to_ctrl_c() -> None:
-    """As a terminal's programs do; a script's background job, and all it starts, ignores it."""
-    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="module")

@@ -35,10 +35,18 @@ def asset_path(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
     return write
 
 
-@pytest.fixture(scope="session", params=["surface", "fiber"])
+@pytest.fixture(scope="session", params=["surface", "fiber", "int8"])
 def asset(asset_path: Callable[..., Path], request: pytest.FixtureRequest) -> Asset:
-    """An asset, of either kind, whose decoder the runtime rewrites; on two threads."""
-    return load(asset_path(resolution=16, channels=8, kind=request.param), threads=2)
+    """An asset whose decoder the runtime rewrites: either kind, or a surface in int8.
+
+    On two threads.
+    """
+    fields: dict[str, object] = {"resolution": 16, "channels": 8}
+    if request.param == "int8":
+        fields |= {"plane_precision": "int8", "decoder_precision": "int8"}
+    else:
+        fields["kind"] = request.param
+    return load(asset_path(**fields), threads=2)
 
 
 @pytest.fixture(scope="session")

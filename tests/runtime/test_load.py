@@ -7,19 +7,39 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from rna_sdk.errors import PackageError, QueryError
-from rna_sdk.package import Package
+from rna_sdk.package import Cost, Package, Tier, Validation
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
-from tests.package.builders import FIBER_INPUTS, make_curves, make_mesh
+from rna_sdk.runtime.tiers import choose_tier
+from tests.package.builders import FIBER_INPUTS, make_curves, make_mesh, make_tier
 from tests.runtime.points import random_points
 
 
 def test_the_first_tier_is_the_default(tiers_path: Path) -> None:
     assert load(tiers_path).tier.name == "hq"
+
+
+@pytest.mark.parametrize(("min_psnr", "name"), [(35, "fast"), (39.9, "plain")])
+def test_multiply_adds_of_int8_count_half(min_psnr: float, name: str) -> None:
+    def tier(name: str, psnr: float, multiply_adds: int, precision: str) -> Tier:
+        return make_tier(
+            name,
+            decoder_precision=precision,
+            validation=Validation(psnr=psnr, flip=0, relative_mse=0, images=1, definition="-"),
+            cost=Cost(multiply_adds=multiply_adds, ns_per_query=1, threads=1, machine="-"),
+        )
+
+    package = SimpleNamespace(
+        manifest=SimpleNamespace(
+            tiers=(tier("plain", 40, 600, "float32"), tier("fast", 39, 1000, "int8"))
+        )
+    )
+    assert choose_tier(package, None, min_psnr).name == name
 
 
 def test_a_tier_is_taken_by_name(tiers_path: Path) -> None:
@@ -88,7 +108,7 @@ def test_the_kind_of_the_package_decides_what_is_loaded(asset_path: Callable[...
     np.testing.assert_array_equal(fiber.curves.offsets, curves.offsets)
 
 
-@pytest.mark.parametrize("precision", ["float16", "float32"])
+@pytest.mark.parametrize("precision", ["int8", "float16", "float32"])
 def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str) -> None:
     """The kernel reads the mapped bytes: what it works on is a view, not a copy."""
     package = Package.open(asset_path(plane_precision=precision))
@@ -96,8 +116,9 @@ def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str
     planes = package.planes
 
     def remembered(tier: str) -> np.ndarray:
-        views.append(planes(tier))
-        return views[-1]
+        found = planes(tier)
+        views.append(found.texels if precision == "int8" else found)
+        return found
 
     package.planes = remembered  # type: ignore[assignment, method-assign]
     asset = SurfaceAsset(package, package.manifest.tiers[0], threads=1)

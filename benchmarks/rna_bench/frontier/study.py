@@ -102,7 +102,7 @@ class Study:
         steps = {}
         for label, path in packages.items():
             with Package.open(path) as package:
-                steps[label] = step_times(package, tuple(queries))
+                steps[label] = step_times(package, package.manifest.tiers[0].name, tuple(queries))
         timings = Timings(costs=costs, step_ns=steps)
         write_atomically(self.out / "costs.json", timings.model_dump_json(indent=1).encode())
 

@@ -112,15 +112,13 @@ def _tiers(
             decoders[precision.decoder] = _decoder(one, precision.decoder, dataset)
         decoder, agreement = decoders[precision.decoder]
         say(
-            f"{name}: ONNX and PyTorch differ by at most {agreement.max_absolute:.1e} "
-            f"absolute, {agreement.max_relative:.1e} relative"
+            f"{name}: the {precision.decoder} ONNX decoder and PyTorch differ by at most "
+            f"{agreement.max_absolute:.1e} absolute, {agreement.max_relative:.1e} relative"
         )
-        decoder_entry = Precision(precision.decoder).tier_name(one.preset_name)
-        planes_entry = Precision(planes=precision.planes).tier_name(one.preset_name)
         tier = Tier(
             name=name,
-            planes=f"features/{planes_entry}.safetensors",
-            decoder=f"decoders/{decoder_entry}.onnx",
+            planes=precision.planes_entry(one.preset_name),
+            decoder=precision.decoder_entry(one.preset_name),
             inputs=config.inputs,
             resolution=config.resolution,
             channels=config.channels,

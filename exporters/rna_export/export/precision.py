@@ -26,6 +26,18 @@ class Precision:
             return f"{preset}-{self.decoder}"
         return f"{preset}-{self.decoder}-{self.planes}"
 
+    def planes_entry(self, preset: str) -> str:
+        """The package's entry with the planes, which tiers of the same planes share."""
+        return f"features/{preset}{_mark(self.planes, 'float16')}.safetensors"
+
+    def decoder_entry(self, preset: str) -> str:
+        """The package's entry with the decoder, shared likewise."""
+        return f"decoders/{preset}{_mark(self.decoder, 'float32')}.onnx"
+
+
+def _mark(precision: str, usual: str) -> str:
+    return "" if precision == usual else f"-{precision}"
+
 
 PRECISIONS = {"float32": Precision(), "int8": Precision("int8", "int8")}
 """What `rna-export --precision` offers."""

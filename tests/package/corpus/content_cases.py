@@ -14,6 +14,7 @@ from onnx import TensorProto, helper, numpy_helper
 
 from rna_sdk.package.glb_writer import CHUNK, HEADER, mesh_to_glb, pack_glb
 from rna_sdk.package.planes import planes_to_bytes
+from rna_sdk.package.tensor_file import tensors_to_bytes
 from tests.package.builders import make_decoder_model, make_mesh, make_planes
 from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_entry
 
@@ -195,6 +196,47 @@ def planes_and_another_tensor(entries: Entries) -> bytes:
 @case("PLANES_DTYPE")
 def planes_of_another_dtype(entries: Entries) -> bytes:
     return with_entry(entries, PLANES, planes_to_bytes(make_planes(precision="float32")))
+
+
+def with_int8_planes(entries: Entries, data: bytes) -> bytes:
+    def edit(manifest: dict[str, Any]) -> None:
+        manifest["tiers"][0]["planePrecision"] = "int8"
+
+    return with_entry(entries, PLANES, data, edit)
+
+
+@case("PLANES_TENSOR")
+def int8_planes_without_scales(entries: Entries) -> bytes:
+    return with_int8_planes(
+        entries, tensors_to_bytes({"planes": make_planes(precision="int8").texels})
+    )
+
+
+@case("PLANES_HEADER")
+def int8_planes_before_their_scales(entries: Entries) -> bytes:
+    planes = make_planes(precision="int8")
+    tensors = {"planes": planes.texels, "scales": planes.scales}
+    return with_int8_planes(entries, tensors_to_bytes(tensors))
+
+
+@case("PLANES_DTYPE")
+def int8_planes_that_are_uint32(entries: Entries) -> bytes:
+    planes = make_planes(precision="int8")
+    tensors = {"scales": planes.scales, "planes": planes.texels.astype(np.uint32)}
+    return with_int8_planes(entries, tensors_to_bytes(tensors))
+
+
+@case("PLANES_SHAPE")
+def int8_planes_with_a_scale_a_channel(entries: Entries) -> bytes:
+    planes = make_planes(precision="int8")
+    return with_int8_planes(entries, planes_to_bytes(replace(planes, scales=planes.scales[:1])))
+
+
+@case("PLANES_NOT_FINITE")
+def int8_planes_with_an_infinite_scale(entries: Entries) -> bytes:
+    planes = make_planes(precision="int8")
+    planes.scales[2, 3] = np.inf
+    return with_int8_planes(entries, planes_to_bytes(planes))
 
 
 @case("PLANES_SHAPE")

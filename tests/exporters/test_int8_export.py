@@ -1,0 +1,180 @@
+"""int8 tiers: the decoder is its twin's, near the trained one; planes and names are right."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import onnx
+import pytest
+import torch
+
+from rna_export.capture.dataset import Dataset
+from rna_export.export.build import build_package
+from rna_export.export.cli import main
+from rna_export.export.decoder import check_int8_decoder, export_decoder, random_queries
+from rna_export.export.int8_decoder import int8_decoder
+from rna_export.export.precision import Precision, stored_planes
+from rna_export.training import run as run_module
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.presets import PRESETS
+from rna_export.training.run import Run, train
+from rna_sdk.errors import ExportError
+from rna_sdk.package import Int8Planes, Package, validate
+from rna_sdk.runtime import load
+from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime.int8_graph import fuse_int8_layers
+from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.test_decoder_export import make_model, run
+
+
+@pytest.mark.parametrize(
+    ("kind", "preset"), [(kind, preset) for kind in PRESETS for preset in PRESETS[kind]]
+)
+@torch.no_grad()
+def test_onnx_is_the_twin_and_near_the_trained(kind: str, preset: str) -> None:
+    model = make_model(preset, kind)
+    queries = random_queries(model, 5000, 7)
+    layers = int8_decoder(model, queries)
+    decoder = export_decoder(model, layers)
+    agreement = check_int8_decoder(decoder, model, layers, random_queries(model, 2000, 8))
+    assert 0.0 < agreement.max_absolute < 12.5
+    y, exact = layers(queries), model.decoder(queries)
+    assert float((y - exact).square().mean()) < 1e-3 * float(exact.square().mean())
+
+
+@pytest.mark.parametrize("preset", ["small", "paper-small"])
+@torch.no_grad()
+def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
+    model = make_model(preset)
+    queries = random_queries(model, 5000, 7)
+    decoder = export_decoder(model, int8_decoder(model, queries))
+    runtime = Decoder(decoder)
+    for asked in (queries, 1e30 * queries, -queries):
+        found, expected = runtime.run(asked.numpy()), run(decoder, asked)
+        close = np.isclose(found, expected, rtol=1e-4, atol=1e-5).all(axis=1)
+        assert close.mean() > 0.98
+    # Those four nodes and the layers are not in what onnxruntime runs.
+    fused, entry = fuse_int8_layers(decoder)
+    assert entry is not None and len(entry.gain) == queries.shape[1]
+    operators = {node.op_type for node in onnx.load_from_string(fused).graph.node}
+    assert not {"QuantizeLinear", "DequantizeLinear", "Gemm", "Add"} & operators
+
+
+@torch.no_grad()
+def test_queries_that_another_node_reads_in_uint8_are_made_in_the_graph() -> None:
+    model = make_model()
+    queries = random_queries(model, 500, 7)
+    decoder = onnx.load_from_string(export_decoder(model, int8_decoder(model, queries)))
+    first = next(node for node in decoder.graph.node if node.op_type == "QuantizeLinear")
+    reader = onnx.helper.make_node("DequantizeLinear", [*first.output, *first.input[1:]], ["seen"])
+    decoder.graph.node.append(reader)
+    changed = decoder.SerializeToString()
+    assert fuse_int8_layers(changed)[1] is None
+    expected = run(changed, queries)
+    found = Decoder(changed).run(queries.numpy())
+    assert np.isclose(found, expected, rtol=1e-4, atol=1e-5).all(axis=1).mean() > 0.98
+
+
+@pytest.mark.parametrize("columns", [22, 17, 24])
+@torch.no_grad()
+def test_a_row_does_not_depend_on_the_number_of_rows(columns: int) -> None:
+    layers = (torch.nn.Linear(columns, 16), torch.nn.ReLU(), torch.nn.Linear(16, 6))
+    model = make_model()
+    model.decoder = torch.nn.Sequential(*layers)
+    queries = torch.randn(2000, columns)
+    runtime = Decoder(export_decoder(model, int8_decoder(model, queries)))
+    expected = runtime.run(queries.numpy())
+    assert runtime.columns == columns and expected.std() > 0.01
+    for rows in (1, 3, 16, 100):
+        np.testing.assert_array_equal(
+            runtime.run(queries[7 : 7 + rows].numpy()), expected[7:][:rows]
+        )
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda layer: replace(layer, weight=layer.weight.flip(0)),
+        lambda layer: replace(layer, bias=layer.bias + 400),
+        lambda layer: replace(layer, input_scale=1.02 * layer.input_scale),
+    ],
+    ids=["weight", "bias", "scale"],
+)
+def test_another_decoder_is_refused(change) -> None:
+    model = make_model()
+    queries = random_queries(model, 5000, 7)
+    layers = int8_decoder(model, queries)
+    decoder = export_decoder(model, layers)
+    others = replace(layers, layers=(*layers.layers[:-1], change(layers.layers[-1])))
+    with pytest.raises(ExportError, match="differs from its twin"):
+        check_int8_decoder(decoder, model, others, queries)
+
+
+def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:
+    model = make_model()
+    decoder = export_decoder(model, int8_decoder(model, random_queries(model, 5000, 7)))
+    values = torch.tensor([0.0, -0.0, 1e30, -1e30, 3e38, -3e38, 1e-45, 65504.0])
+    found = run(decoder, values[torch.randint(8, (500, model.decoder[0].in_features))])
+    assert np.isfinite(found).all() and found.min() >= 0.0 and found.max() <= 12.6
+
+
+def test_a_neuron_that_never_fires_and_an_input_that_never_varies_do_no_harm() -> None:
+    model = make_model()
+    model.decoder[0].bias.data[3] = -1e4
+    queries = random_queries(model, 5000, 7)
+    queries[:, 2] = 0.25
+    with torch.no_grad():
+        y, exact = int8_decoder(model, queries)(queries), model.decoder(queries)
+    assert float((y - exact).square().mean()) < 1e-3 * float(exact.square().mean())
+
+
+def test_int8_planes_are_within_half_a_step() -> None:
+    planes = np.random.default_rng(0).normal(size=(3, 8, 8, 4)).astype(np.float32)
+    planes[1, :, :, 2] = 0.0
+    planes[2] *= 100.0
+    stored = stored_planes(planes, "int8")
+    assert isinstance(stored, Int8Planes)
+    assert np.abs(stored.texels).max(axis=(1, 2)).tolist()[0] == [127] * 4
+    assert np.all(np.abs(stored.decoded() - planes) <= 0.501 * stored.scales[:, None, None, :])
+    assert not stored.decoded()[1, :, :, 2].any()
+
+
+def test_names_of_tiers() -> None:
+    pairs = [("float32", "float16"), ("int8", "int8"), ("int8", "float16"), ("float32", "float32")]
+    names = [Precision(*pair).tier_name("hq") for pair in pairs]
+    assert names == ["hq", "hq-int8", "hq-int8-float16", "hq-float32"]
+
+
+@pytest.fixture(scope="module")
+def checkpoint(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("int8")
+    dataset = make_dataset(folder / "ball.rays")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(run_module, "draw_curves", lambda _: None)
+        return train(Run(dataset, tiny(steps=200), "small", folder / "small"))
+
+
+def test_the_command_writes_a_tier_a_precision(checkpoint: Path, tmp_path: Path) -> None:
+    path = tmp_path / "ball.rna"
+    assert main([str(checkpoint), "--precision", "float32", "int8", "--out", str(path)]) == 0
+    assert validate(path) == []
+    with Package.open(path) as package:
+        plain, int8 = package.manifest.tiers
+    assert (plain.name, int8.name) == ("small", "small-int8")
+    assert (int8.decoder_precision, int8.plane_precision) == ("int8", "int8")
+    assert int8.cost.multiply_adds == plain.cost.multiply_adds
+    assert int8.validation.psnr > plain.validation.psnr - 0.5
+    assert load(path, min_psnr=int8.validation.psnr - 0.01).tier.name == "small-int8"
+
+
+def test_tiers_of_any_pair_share_their_entries(checkpoint: Path, tmp_path: Path) -> None:
+    pairs = [Precision(d, p) for d in ("float32", "int8") for p in ("float16", "int8")]
+    trained = load_checkpoint(checkpoint)
+    path = tmp_path / "every.rna"
+    build_package([trained], Dataset(trained.dataset), path, None, "CC0-1.0", lambda _: None, pairs)
+    with Package.open(path) as package:
+        manifest = package.manifest
+    assert len(manifest.tiers) == 4
+    assert len(manifest.entries) == 1 + 2 + 2
