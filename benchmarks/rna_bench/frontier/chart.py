@@ -11,6 +11,7 @@ from rna_bench.frontier.points import COSTS, front
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.ticker import EngFormatter
 
 COLOURS = {"ours": "#2f6fb3", "paper": "#d9822b", "ablation": "#8a8f98", "cycles": "#b0407a"}
 LABELS = {
@@ -26,12 +27,16 @@ def draw(report: dict[str, Any], path: Path) -> None:
     """Write a PNG of a report of `study`."""
     figure, axes = plt.subplots(1, 2, figsize=(12, 5), layout="constrained", sharey=True)
     for axis, cost in zip(axes, ("ns", "bytes"), strict=True):
-        _draw_points(axis, report["points"], cost)
         axis.set(xscale="log", xlabel=COSTS[cost])
+        axis.xaxis.set_major_formatter(EngFormatter())
+        if cost == "bytes":  # less than a decade or two
+            axis.xaxis.set_minor_formatter(EngFormatter())
+            axis.tick_params(axis="x", which="minor", labelsize=8)
         axis.grid(alpha=0.25)
+        _draw_points(axis, report["points"], cost)
     _draw_cycles(axes[0], report["cycles"])
     axes[0].set_ylabel("PSNR, dB (irradiance pi, clamped to [0, 1])")
-    axes[0].legend(loc="lower right", framealpha=0.9)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=8)
     steps = report["points"][0]["steps"]
     figure.suptitle(f"{report['dataset']['name']}: {steps:,} steps of training for each model")
     figure.savefig(path, dpi=120)
@@ -63,7 +68,9 @@ def _draw_points(axis: Any, points: list[dict[str, Any]], cost: str) -> None:
     for point in shown:
         if point["name"] in ("paper-small", "paper-hq") and point["precision"].startswith("float"):
             at = point[cost], point["psnr"]
-            axis.annotate(point["name"], at, (5, 4), textcoords="offset points", fontsize=8)
+            axis.annotate(
+                point["name"], at, (0, 6), textcoords="offset points", fontsize=8, ha="center"
+            )
 
 
 def _draw_cycles(axis: Any, curve: dict[str, Any] | None) -> None:

@@ -19,7 +19,7 @@ from rna_bench.frontier.findings import sentences
 from rna_bench.frontier.paper_tables import paper_tables
 from rna_bench.frontier.points import COSTS, ERRORS, label_of
 from rna_export.capture.dataset import ValidationView
-from rna_export.metrics import to_png
+from rna_export.metrics import display, to_png
 
 if TYPE_CHECKING:
     from rna_bench.frontier.study import Study
@@ -57,8 +57,9 @@ def write_page(report: dict[str, Any], study: Study) -> None:
 
 
 def _chosen(views: list[ValidationView], count: int) -> list[int]:
-    """The views that the asset fills most, in their own order."""
-    return sorted(sorted(range(len(views)), key=lambda k: -len(views[k].pixel))[:count])
+    """The views with the most light in them, the best first."""
+    light = [float(display(view.samples["radiance"]).sum()) for view in views]
+    return sorted(range(len(views)), key=lambda k: -light[k])[:count]
 
 
 def _pictures(
