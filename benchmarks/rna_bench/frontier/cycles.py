@@ -17,7 +17,7 @@ from rna_export.capture.dataset import Dataset, ValidationView
 from rna_export.capture.run import default_workers, scene_of
 from rna_export.capture.tasks import ValidationHalf
 from rna_export.capture.worker import BlenderWorker, Source
-from rna_export.trials.scores import ModelScores, scores_of, write_strips
+from rna_export.trials.scores import ModelScores, judge, write_strips
 
 _NOISE = 7  # names noise that neither half of the references has
 
@@ -68,8 +68,8 @@ def render_curve(dataset: Dataset, source: Path, seconds: float, folder: Path) -
     ns_a_path = 1e9 * slope / points
     result = []
     for samples, radiance in rendered.items():
-        write_strips(folder, f"cycles-{samples}", radiance, views)
-        scores = scores_of(radiance, views)
+        scores, flips = judge(radiance, views)
+        write_strips(folder / f"cycles-{samples}", radiance, views, flips)
         result.append(CyclesPoint(samples=samples, ns=samples * ns_a_path, scores=scores))
     return CyclesCurve(threads=default_workers(), ns_a_path=ns_a_path, points=tuple(result))
 

@@ -5,16 +5,17 @@ from __future__ import annotations
 import time
 from pathlib import Path
 
+import numpy as np
 import torch
 
-from rna_export.capture.dataset import Dataset, write_atomically
+from rna_export.capture.dataset import Dataset, ValidationView, write_atomically
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.run import Run, train
 from rna_export.training.samples import SampleTable
 from rna_export.training.validation import shade
 from rna_export.trials.packages import PRECISIONS, USUAL, write_packages
 from rna_export.trials.record import Point, Record, read_record
-from rna_export.trials.scores import ModelScores, scores_of, write_strips
+from rna_export.trials.scores import judge, write_strips
 from rna_export.trials.trial import Trial
 from rna_export.trials.unwrap import UnwrappedDataset
 from rna_sdk.runtime import load
@@ -109,8 +110,8 @@ def _measure_packages(
     for precision, path in write_packages(trained, dataset, folder, precisions).items():
         asset = load(path, threads=1)
         radiance = [view.pick(*asset.evaluate(*view.queries.values())) for view in views]
-        write_strips(folder, precision, radiance, views)
-        points[precision] = _point(trained, scores_of(radiance, views), path.stat().st_size)
+        size = path.stat().st_size
+        points[precision] = _point(trained, radiance, views, folder / precision, size)
     return points
 
 
@@ -118,9 +119,16 @@ def _measure_model(trained: Trained, dataset: Dataset, folder: Path) -> dict[str
     """Error of a model that no package holds, in PyTorch."""
     views = dataset.validation_views()
     radiance = [shade(trained.model, view) for view in views]
-    write_strips(folder, USUAL, radiance, views)
-    return {USUAL: _point(trained, scores_of(radiance, views), None)}
+    return {USUAL: _point(trained, radiance, views, folder / USUAL, None)}
 
 
-def _point(trained: Trained, scores: ModelScores, size: int | None) -> Point:
+def _point(
+    trained: Trained,
+    radiance: list[np.ndarray],
+    views: list[ValidationView],
+    pictures: Path,
+    size: int | None,
+) -> Point:
+    scores, flips = judge(radiance, views)
+    write_strips(pictures, radiance, views, flips)
     return Point(bytes=size, multiply_adds=trained.model.multiply_adds, scores=scores)

@@ -9,8 +9,14 @@ from PIL import Image
 from pydantic import BaseModel, ConfigDict
 
 from rna_export.capture.dataset import ValidationView
-from rna_export.metrics import flip, psnr, relative_error_p99, to_png
-from rna_export.training.validation import score
+from rna_export.metrics import (
+    flip,
+    psnr,
+    psnr_without_noise,
+    relative_error_p99,
+    relative_mse,
+    to_png,
+)
 
 
 class ViewScores(BaseModel):
@@ -36,37 +42,33 @@ class ModelScores(BaseModel):
     views: tuple[ViewScores, ...]
 
 
-def scores_of(radiance: list[np.ndarray], views: list[ValidationView]) -> ModelScores:
-    """Scores of shaded rows, (n, 3) a view, against the captured ones."""
-    means, each = score(radiance, views), []
-    for shaded, view in zip(radiance, views, strict=True):
-        seen = view.samples["radiance"]
-        each.append(
-            ViewScores(
-                psnr=psnr(shaded, seen),
-                flip=flip(view.image(shaded), view.image(seen))[0],
-                p99=relative_error_p99(shaded, seen),
-            )
-        )
-    return ModelScores(
-        psnr=means.psnr,
-        psnr_without_noise=means.psnr_without_noise,
-        flip=means.flip,
-        p99=float(np.mean([one.p99 for one in each])),
-        relative_mse=means.relative_mse,
+def judge(
+    radiance: list[np.ndarray], views: list[ValidationView]
+) -> tuple[ModelScores, list[np.ndarray]]:
+    """Scores of shaded rows, (n, 3) a view, against the captured ones; FLIP maps (h, w)."""
+    pairs = [(r, v.samples["radiance"], v) for r, v in zip(radiance, views, strict=True)]
+    flips = [flip(view.image(r), view.image(t)) for r, t, view in pairs]
+    each = [
+        ViewScores(psnr=psnr(r, t), flip=mean, p99=relative_error_p99(r, t))
+        for (r, t, _), (mean, _) in zip(pairs, flips, strict=True)
+    ]
+    clean = [psnr_without_noise(r, *view.halves) for r, _, view in pairs]
+    scores = ModelScores(
+        psnr=float(np.mean([view.psnr for view in each])),
+        psnr_without_noise=float(np.mean(clean)),
+        flip=float(np.mean([view.flip for view in each])),
+        p99=float(np.mean([view.p99 for view in each])),
+        relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
         views=tuple(each),
     )
+    return scores, [errors for _, errors in flips]
 
 
 def write_strips(
-    folder: Path, name: str, radiance: list[np.ndarray], views: list[ValidationView]
+    stem: Path, radiance: list[np.ndarray], views: list[ValidationView], flips: list[np.ndarray]
 ) -> None:
-    """`<name>-render.png` and `<name>-flip.png` (grey): all views in a row."""
-    pairs = [
-        (v.image(r), v.image(v.samples["radiance"])) for r, v in zip(radiance, views, strict=True)
-    ]
-    renders = np.concatenate([to_png(image) for image, _ in pairs], axis=1)
-    errors = np.concatenate([flip(*pair)[1] for pair in pairs], axis=1)
-    Image.fromarray(renders).save(folder / f"{name}-render.png")
-    grey = np.clip(255.0 * errors + 0.5, 0, 255).astype(np.uint8)
-    Image.fromarray(grey).save(folder / f"{name}-flip.png")
+    """`<stem>-render.png` and `<stem>-flip.png` (grey): all views in a row."""
+    renders = [to_png(view.image(rows)) for rows, view in zip(radiance, views, strict=True)]
+    errors = np.clip(255.0 * np.concatenate(flips, axis=1) + 0.5, 0, 255).astype(np.uint8)
+    Image.fromarray(np.concatenate(renders, axis=1)).save(f"{stem}-render.png")
+    Image.fromarray(errors).save(f"{stem}-flip.png")
