@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from rna_export.trials.unwrap import Unwrapped, UnwrappedDataset
+from rna_export.trials.grid import short_grid
+from rna_export.trials.unwrap import Unwrapped, UnwrappedDataset, check_unwrapping
+from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset
 from tests.render.assets import sphere
 
@@ -37,3 +40,14 @@ def test_dataset_has_uv_in_samples_and_views(tmp_path: Path) -> None:
     # The ball of the samples is round, its mesh is not: away from silhouettes, points find it.
     assert (samples["uv"] > 0.0).all(axis=1).mean() > 0.9
     assert "uv" in dataset.validation_views()[0].queries
+
+
+def test_missing_library_is_told_before_anything_is_trained(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    trials = short_grid("surface")
+    check_unwrapping(trials)
+    monkeypatch.setitem(sys.modules, "xatlas", None)
+    check_unwrapping([trial for trial in trials if trial.packageable])
+    with pytest.raises(TrainingError, match="pip install xatlas"):
+        check_unwrapping(trials)

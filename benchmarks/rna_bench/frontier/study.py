@@ -25,6 +25,7 @@ from rna_export.trials.pool import Crew, TrialPool, largest_first
 from rna_export.trials.record import Record, read_record
 from rna_export.trials.run import missing_precisions
 from rna_export.trials.trial import Trial
+from rna_export.trials.unwrap import check_unwrapping
 from rna_sdk.errors import TrainingError
 from rna_sdk.package import Package
 
@@ -68,6 +69,7 @@ class Study:
         todo = [t for t in largest_first(self.chosen) if t.name not in done]
         if not todo:
             return
+        check_unwrapping(todo)
         with (
             tqdm(total=len(self.chosen), initial=len(self.chosen) - len(todo), unit="model") as bar,
             TrialPool(self.dataset.folder, self.crew) as pool,

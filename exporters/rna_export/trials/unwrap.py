@@ -4,15 +4,33 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 
 from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.trials.trial import Trial
 from rna_render.embree import TriangleScene
 from rna_sdk.errors import TrainingError
 from rna_sdk.package import Mesh
 
 _STEP = 1e-3  # of the asset's size, away from the point towards its viewer
+
+
+def check_unwrapping(trials: list[Trial]) -> None:
+    """Raise `TrainingError` if one of the trials is to be unwrapped, and nothing here can."""
+    if not all(trial.packageable for trial in trials):
+        _xatlas()
+
+
+def _xatlas() -> ModuleType:
+    try:
+        import xatlas
+    except ImportError:
+        raise TrainingError(
+            "models with a uv texture need xatlas to unwrap the mesh: pip install xatlas"
+        ) from None
+    return xatlas
 
 
 class Unwrapped:
@@ -22,13 +40,7 @@ class Unwrapped:
     """
 
     def __init__(self, mesh: Mesh):
-        try:
-            import xatlas
-        except ImportError:
-            raise TrainingError(
-                "uv textures need xatlas to unwrap the mesh: pip install xatlas"
-            ) from None
-        _, triangles, uv = xatlas.parametrize(mesh.positions, mesh.triangles)
+        _, triangles, uv = _xatlas().parametrize(mesh.positions, mesh.triangles)
         self._corners = uv[triangles].astype(np.float32)  # (triangles, 3, 2)
         self._scene = TriangleScene([(mesh.positions, mesh.triangles)])
         self._step = np.float32(_STEP * np.ptp(mesh.positions, axis=0).max())
