@@ -17,6 +17,7 @@ from rna_export.capture.dataset import Dataset
 from rna_export.training.samples import SampleTable
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
+from rna_sdk.console import INTERRUPTED
 from rna_sdk.errors import TrainingError
 
 
@@ -132,11 +133,14 @@ def _run(trial: Trial, folder: Path) -> Record:
     if parent is None or not parent.is_alive():
         os._exit(1)  # it was killed: whoever runs the command again trains in the same folders
     folder.mkdir(parents=True, exist_ok=True)
-    with _log(folder / "log.txt"):
-        if _Process.table is None:
-            samples = _Process.dataset.training_samples()
-            _Process.table = SampleTable(samples, device=_Process.device)
-        return run_trial(trial, _Process.dataset, folder, _Process.device, _Process.table)
+    try:
+        with _log(folder / "log.txt"):
+            if _Process.table is None:
+                samples = _Process.dataset.training_samples()
+                _Process.table = SampleTable(samples, device=_Process.device)
+            return run_trial(trial, _Process.dataset, folder, _Process.device, _Process.table)
+    except KeyboardInterrupt:
+        os._exit(INTERRUPTED)  # a pool's process would go on with the next trial
 
 
 @contextmanager
