@@ -92,15 +92,9 @@ class Code(Enum):
 
     # features/*.safetensors
     PLANES_HEADER = (Severity.ERROR, "The planes are not a well-formed safetensors file.")
-    PLANES_TENSOR = (
-        Severity.ERROR,
-        "The file has other tensors than it must.",
-    )
+    PLANES_TENSOR = (Severity.ERROR, "The file has other tensors than it must.")
     PLANES_DTYPE = (Severity.ERROR, "A tensor's dtype is not that of the tier's planePrecision.")
-    PLANES_SHAPE = (
-        Severity.ERROR,
-        "The tensors' shapes are not those of the tier.",
-    )
+    PLANES_SHAPE = (Severity.ERROR, "The tensors' shapes are not those of the tier.")
     PLANES_ALIGNMENT = (Severity.ERROR, "The tensor data does not start on a 64-byte boundary.")
     PLANES_NOT_FINITE = (Severity.ERROR, "The planes or their scales hold NaN or infinite values.")
 

@@ -6,15 +6,31 @@ object space (right-handed, +Y up), metres, linear.
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
 from typing import Annotated, Any, Literal, get_args
 
-from pydantic import BaseModel, ConfigDict, Field, JsonValue, field_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    JsonValue,
+    Tag,
+    field_validator,
+)
 from pydantic.alias_generators import to_camel
 from pydantic_core import PydanticCustomError
 
 from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
 from rna_sdk.package.container import MANIFEST_NAME, NAME_PATTERN
-from rna_sdk.package.limits import MAX_CHANNELS, MAX_NAME_BYTES, MAX_RESOLUTION, MAX_TIERS
+from rna_sdk.package.limits import (
+    MAX_CHANNELS,
+    MAX_CONES,
+    MAX_NAME_BYTES,
+    MAX_RESOLUTION,
+    MAX_TIERS,
+)
 
 Vector = tuple[float, float, float]
 EntryPath = Annotated[str, Field(pattern=f"^{NAME_PATTERN}$", max_length=MAX_NAME_BYTES)]
@@ -22,10 +38,11 @@ Version = Annotated[str, Field(pattern=r"^[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})$"
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=64)]
 InputName = Annotated[str, Field(json_schema_extra={"enum": list(INPUT_BLOCKS)})]
 Measure = Annotated[float, Field(ge=0)]
-Region = Literal["sphere", "hemisphere"]
 Kind = Literal["surface", "fiber"]
 PlanePrecision = Literal["int8", "float16", "float32"]
 DecoderPrecision = Literal["float32", "int8"]
+
+_UNIT_TOLERANCE = 1e-3
 
 KINDS: tuple[str, ...] = get_args(Kind)
 GEOMETRY_ENTRIES: dict[Kind, str] = {
@@ -75,8 +92,30 @@ class Bounds(Record):
         return value
 
 
+class Cone(Record):
+    """Directions near an axis."""
+
+    axis: Vector = Field(description="Its middle, a unit vector.")
+    half_angle: float = Field(ge=0, le=math.pi, description="From the axis to its edge, radians.")
+
+    @field_validator("axis")
+    @classmethod
+    def _is_unit(cls, value: Vector) -> Vector:
+        if abs(math.hypot(*value) - 1.0) > _UNIT_TOLERANCE:
+            raise PydanticCustomError("FIELD_VALUE", "a unit vector")
+        return value
+
+
+Cones = Annotated[tuple[Cone, ...], Field(min_length=1, max_length=MAX_CONES)]
+Region = Annotated[
+    Annotated[Literal["sphere", "hemisphere"], Tag("[name]")] | Annotated[Cones, Tag("[cones]")],
+    Discriminator(lambda value: "[cones]" if isinstance(value, list | tuple) else "[name]"),
+]
+"""All directions, their +Y half, or those in any of some cones."""
+
+
 class Domain(Record):
-    """Where directions were trained. A hemisphere is its +Y half."""
+    """Where directions were trained, object space."""
 
     wo: Region = Field(description="View directions, from the surface to the eye.")
     wi: Region = Field(description="Light directions, from the surface to the light.")
@@ -88,6 +127,13 @@ class Units(Record):
     length: Literal["metre"] = "metre"
 
 
+class FlipAtHeight(Record):
+    """Error of an asset that is seen small."""
+
+    height: int = Field(ge=1, description="Height of the validation images, pixels.")
+    flip: Measure = Field(description="Mean FLIP at that height.")
+
+
 class Validation(Record):
     """Error against reference images the training never saw."""
 
@@ -96,6 +142,18 @@ class Validation(Record):
     relative_mse: Measure = Field(description="Mean relative squared error.")
     images: int = Field(ge=1, description="Number of images compared.")
     definition: str = Field(description="What exactly was compared, for a person.")
+    flip_at_height: tuple[FlipAtHeight, ...] = Field(
+        default=(),
+        description="`flip` of the images reduced to other heights, which the bounds fill; "
+        "from the largest.",
+    )
+
+    @field_validator("flip_at_height")
+    @classmethod
+    def _descends(cls, value: tuple[FlipAtHeight, ...]) -> tuple[FlipAtHeight, ...]:
+        if any(a.height <= b.height for a, b in pairwise(value)):
+            raise PydanticCustomError("FIELD_VALUE", "each height below the one before")
+        return value
 
 
 class Cost(Record):

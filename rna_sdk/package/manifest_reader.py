@@ -91,7 +91,8 @@ def _schema_issue(detail: ErrorDetails) -> Issue:
     code = _SCHEMA_CODES.get(kind, Code.FIELD_VALUE)
     if kind in Code.__members__:
         code = Code[kind]
-    where = pointer(*(part for part in detail["loc"] if part != "[key]"))
+    # Pydantic's own parts, and the tags of unions, stand in brackets.
+    where = pointer(*(part for part in detail["loc"] if not str(part).startswith("[")))
     found = "nothing" if code is Code.FIELD_MISSING else repr(detail["input"])
     return Issue.of(code, where, found, detail["msg"])
 

@@ -12,7 +12,9 @@ and of fibers
 
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.runtime.asset import Asset, FiberAsset, SurfaceAsset, load
+from rna_sdk.runtime.domain import in_region
 from rna_sdk.runtime.offset_across import offset_across
+from rna_sdk.runtime.tiers import choose_tier, expected_error
 from rna_sdk.runtime.transforms import Transform
 
 __all__ = [
@@ -22,6 +24,9 @@ __all__ = [
     "QueryError",
     "SurfaceAsset",
     "Transform",
+    "choose_tier",
+    "expected_error",
+    "in_region",
     "load",
     "offset_across",
 ]

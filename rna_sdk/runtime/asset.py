@@ -20,6 +20,8 @@ def load(
     threads: int | None = None,
     *,
     min_psnr: float | None = None,
+    max_error: float | None = None,
+    pixels: float | None = None,
 ) -> SurfaceAsset | FiberAsset:
     """Open the package at `path` for evaluation. Its planes stay in the file, mapped to memory.
 
@@ -30,6 +32,9 @@ def load(
     min_psnr: instead of a name: takes the tier with the fewest multiply-adds a query, those of
         an int8 decoder counted half, among those whose recorded validation PSNR is at least
         this many dB.
+    max_error: likewise, whose recorded mean FLIP is at most this.
+    pixels: with max_error, how high the asset is in the image: the sphere about its bounds. A
+        small asset is content with a cheaper tier. None: as high as the validation images.
 
     Raises:
         PackageError: the file cannot be read or breaks the format.
@@ -38,7 +43,7 @@ def load(
     count = thread_count(threads)
     with Package.open(path) as package:
         kind = SurfaceAsset if package.manifest.kind == "surface" else FiberAsset
-        return kind(package, choose_tier(package, tier, min_psnr), count)
+        return kind(package, choose_tier(package, tier, min_psnr, max_error, pixels), count)
 
 
 class Asset:
@@ -49,6 +54,7 @@ class Asset:
     Attributes:
         kind: "surface" or "fiber".
         tier: the tier's record in the manifest (`tier.name`, `tier.validation`, ...).
+        domain: the directions it was trained for; see `in_region`.
         threads: threads of an evaluation.
         bounds: (2, 3) float32, read-only: lower and upper corner of the box that the features
             span, object space, metres.
@@ -59,6 +65,7 @@ class Asset:
         box = package.manifest.bounds
         self.kind: Kind = package.manifest.kind
         self.tier = tier
+        self.domain = package.manifest.domain
         self.threads = threads
         self.bounds = np.array([box.min, box.max], np.float32)
         self.bounds.flags.writeable = False

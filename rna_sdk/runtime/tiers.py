@@ -3,40 +3,90 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+
+import numpy as np
 
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, Tier
 
 
-def choose_tier(package: Package, name: str | None, min_psnr: float | None) -> Tier:
-    """The tier of this name; or the cheapest that reaches min_psnr; or the first.
+def choose_tier(
+    package: Package,
+    name: str | None = None,
+    min_psnr: float | None = None,
+    max_error: float | None = None,
+    pixels: float | None = None,
+) -> Tier:
+    """The tier of this name; or the cheapest within a limit; or the first.
 
-    min_psnr: dB. Cheapest is fewest multiply-adds a query, which no machine or load changes,
-    those of an int8 decoder counted half; among equals the package's order decides. A tier
-    without a recorded validation reaches no limit, and one without a recorded cost counts as
-    dearest.
+    min_psnr: dB. max_error: largest mean FLIP, as `expected_error` has it for `pixels`. Cheapest
+    is fewest multiply-adds a query, which no machine or load changes, those of an int8 decoder
+    counted half; among equals the package's order decides. A tier without a recorded validation
+    reaches no limit, and one without a recorded cost counts as dearest.
 
     Raises:
-        QueryError: both choices are given, or no tier is as asked.
+        QueryError: more than one choice is given, no tier is as asked, or a limit is no number.
     """
-    if name is not None and min_psnr is not None:
-        raise QueryError("tier and min_psnr: give one of them, not both")
+    if sum(choice is not None for choice in (name, min_psnr, max_error)) > 1:
+        raise QueryError("tier, min_psnr and max_error: give one of them, not both")
+    if pixels is not None and max_error is None:
+        raise QueryError("pixels: found without max_error")
     if name is not None:
         return package.tier(name)
     tiers = package.manifest.tiers
-    return tiers[0] if min_psnr is None else _cheapest(tiers, min_psnr)
+    if min_psnr is not None:
+        limit = _number("min_psnr", min_psnr, "dB")
+        asked = f"min_psnr: found no tier of {limit:g} dB"
+        return _cheapest(tiers, lambda tier: _psnr(tier) >= limit, asked, _psnr, " dB")
+    if max_error is not None:
+        limit = _number("max_error", max_error, "mean FLIP")
+        height = math.inf if pixels is None else _height(pixels)
+        at = f" at {height:.0f} pixels" if height < math.inf else ""
+        asked = f"max_error: found no tier within {limit:g}{at}"
+
+        def error(tier: Tier) -> float:
+            return expected_error(tier, height)
+
+        return _cheapest(tiers, lambda tier: error(tier) <= limit, asked, error)
+    return tiers[0]
 
 
-def _cheapest(tiers: tuple[Tier, ...], min_psnr: float) -> Tier:
-    if not isinstance(min_psnr, int | float):
-        raise QueryError(f"min_psnr: expected a number of dB, found {min_psnr!r}")
-    good = [tier for tier in tiers if _psnr(tier) >= min_psnr]
+def expected_error(tier: Tier, pixels: float | None = None) -> float:
+    """Mean FLIP of the tier where its asset is `pixels` high in the image; inf if not recorded.
+
+    pixels: the height of the sphere about the package's bounds; None, or more than the validation
+    images have, stands for their full height. Between recorded heights the error is linear in the
+    logarithm of the height; below the smallest it stays.
+
+    Raises:
+        QueryError: `pixels` is no number of at least 0.
+    """
+    validation = tier.validation
+    height = math.inf if pixels is None else _height(pixels)
+    if validation is None:
+        return math.inf
+    table = validation.flip_at_height[::-1]
+    if not table:
+        return validation.flip
+    heights = [math.log(at.height) for at in table]
+    return float(np.interp(math.log(max(height, 1.0)), heights, [at.flip for at in table]))
+
+
+def _cheapest(
+    tiers: tuple[Tier, ...],
+    is_good: Callable[[Tier], bool],
+    asked: str,
+    measure: Callable[[Tier], float],
+    unit: str = "",
+) -> Tier:
+    good = [tier for tier in tiers if is_good(tier)]
     if not good:
         recorded = ", ".join(
-            f"{tier.name} {tier.validation.psnr:g} dB" if tier.validation else f"{tier.name} none"
+            f"{tier.name} {measure(tier):.3g}{unit}" if tier.validation else f"{tier.name} none"
             for tier in tiers
         )
-        raise QueryError(f"min_psnr: found no tier of {min_psnr:g} dB; recorded are: {recorded}")
+        raise QueryError(f"{asked}; recorded are: {recorded}")
     return min(good, key=_work)
 
 
@@ -49,6 +99,18 @@ def _work(tier: Tier) -> float:
     if tier.cost is None:
         return math.inf
     return tier.cost.multiply_adds * (0.5 if tier.decoder_precision == "int8" else 1.0)
+
+
+def _number(name: str, value: object, unit: str) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise QueryError(f"{name}: expected a number of {unit}, found {value!r}")
+    return value
+
+
+def _height(pixels: float) -> float:
+    if not _number("pixels", pixels, "pixels") >= 0.0:
+        raise QueryError(f"pixels: expected 0 or more, found {pixels!r}")
+    return pixels
 
 
 def _psnr(tier: Tier) -> float:

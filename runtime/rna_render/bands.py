@@ -37,8 +37,9 @@ def rendered_bands(
 ) -> Iterator[tuple[Layers, bool]]:
     """The bands of each sample in turn, and whether each is the last one of its sample.
 
-    count: pixels of the image. As many bands are under way as numba has threads for the caller; a
-    caller that stops early waits for those, and the rest is not begun.
+    count: pixels of the image. As many bands are under way as numba has threads for the caller, and
+    one more waits, so that no thread idles while the caller takes what is finished; a caller that
+    stops early waits for those under way, and the rest is not begun.
     """
     threads = numba.get_num_threads()
     bands = _bands(count, threads)
@@ -48,7 +49,7 @@ def rendered_bands(
     under_way: deque[tuple[Future[Layers], bool]] = deque()
     try:
         while True:
-            for band, sampler, last in islice(work, threads - len(under_way)):
+            for band, sampler, last in islice(work, threads + 1 - len(under_way)):
                 under_way.append((workers.submit(renderer.render, band, sampler), last))
             if not under_way:
                 return

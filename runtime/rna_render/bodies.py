@@ -14,7 +14,7 @@ import numpy as np
 from rna_render import fiber, surface
 from rna_render.embree import CurveScene, TriangleScene
 from rna_render.lights.base import PlacedLight
-from rna_render.materials import MeshObject, Scattering
+from rna_render.materials import MeshObject
 from rna_render.neural_sampling import LobeMixture
 from rna_render.points import Body, Points, Role
 from rna_render.tracing import ClosestHits
@@ -85,10 +85,17 @@ class _NeuralPoints(Points):
         return np.where(seen[:, None], *self._evaluate(row, wi)), seen
 
     def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
-        return self._lobes.sample(self.n[row], self.tangents[row], self._wo[row], u)
+        return self._lobes.sample(
+            self.n.take(row, axis=0), self.tangents.take(row, axis=0), self._wo.take(row, axis=0), u
+        )
 
     def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        return self._lobes.pdf(self.n[row], self.tangents[row], self._wo[row], wi)
+        return self._lobes.pdf(
+            self.n.take(row, axis=0),
+            self.tangents.take(row, axis=0),
+            self._wo.take(row, axis=0),
+            wi,
+        )
 
     @abstractmethod
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray: ...
@@ -126,10 +133,14 @@ class _SurfacePoints(_NeuralPoints):
         self.tangents = np.zeros_like(self.n)
 
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
-        return surface.visible(self._body.scene, self.x[row], self._ng[row], wi, distance)
+        return surface.visible(
+            self._body.scene, self.x.take(row, axis=0), self._ng.take(row, axis=0), wi, distance
+        )
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return self._body.asset.evaluate(self.x[row], self.n[row], self._wo[row], wi)
+        return self._body.asset.evaluate(
+            self.x.take(row, axis=0), self.n.take(row, axis=0), self._wo.take(row, axis=0), wi
+        )
 
 
 class FiberBody:
@@ -161,11 +172,13 @@ class _FiberPoints(_NeuralPoints):
         self._h = offset_across(n, self.tangents, wo)
 
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
-        return fiber.visible(self._body.scene, self.x[row], self._segment[row], wi, distance)
+        return fiber.visible(
+            self._body.scene, self.x.take(row, axis=0), self._segment[row], wi, distance
+        )
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        at = self.x[row], self.tangents[row], self._h[row]
-        return self._body.asset.evaluate(*at, self._wo[row], wi)
+        at = self.x.take(row, axis=0), self.tangents.take(row, axis=0), self._h[row]
+        return self._body.asset.evaluate(*at, self._wo.take(row, axis=0), wi)
 
 
 class ObjectBody:
@@ -189,25 +202,20 @@ class _ObjectPoints(Points):
         where = hits.primitive[ray], hits.u[ray], hits.v[ray]
         self.x = surface.interpolate_positions(mesh.positions, mesh.triangles, *where)
         self.n = surface.interpolate_normals(mesh.normals, mesh.triangles, *where)
-        self._ng, self._wo = hits.ng[ray], wo
+        self._directions = self.n, hits.ng.take(ray, axis=0), wo
         self._scattering = mesh.scattering(*where)
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        scattering, *directions = self._at(row)
-        return scattering.evaluate(*directions, wi), np.ones(len(row), bool)
+        radiance = self._scattering.evaluate(*self._directions, wi, row)
+        return radiance, np.ones(len(row), bool)
 
     def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
-        scattering, *directions = self._at(row)
-        return scattering.sample(*directions, u)
+        return self._scattering.sample(*self._directions, u, row)
 
     def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        scattering, *directions = self._at(row)
-        return scattering.pdf(*directions, wi)
-
-    def _at(self, row: np.ndarray) -> tuple[Scattering, np.ndarray, np.ndarray, np.ndarray]:
-        return self._scattering.take(row), self.n[row], self._ng[row], self._wo[row]
+        return self._scattering.pdf(*self._directions, wi, row)
 
 
 class LightBody:

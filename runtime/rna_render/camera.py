@@ -18,13 +18,14 @@ class Camera:
 
     def __init__(self, model: CameraModel, resolution: tuple[int, int]) -> None:
         self.width, self.height = resolution
+        self._half_height = np.tan(np.radians(model.vertical_fov_deg) / 2.0)
         self.position = np.asarray(model.position, np.float32)
         forward = _unit(np.subtract(model.look_at, model.position))
         right = _unit(np.cross(forward, model.up))
         up = np.cross(right, forward)
         self.to_world = np.eye(4)
         self.to_world[:3] = np.stack([right, up, -forward, model.position], axis=1)
-        half_height = np.tan(np.radians(model.vertical_fov_deg) / 2.0)
+        half_height = self._half_height
         half_width = half_height * self.width / self.height
         # Direction through the image's top left corner, and the steps of a pixel.
         self._corner = forward - half_width * right + half_height * up
@@ -40,6 +41,22 @@ class Camera:
         result = np.empty((len(pixels), 3), np.float32)
         _directions(pixels, u, self.width, self._corner, self._step_x, self._step_y, result)
         return result
+
+    def heights(self, centres: np.ndarray, radii: np.ndarray) -> np.ndarray:
+        """How high spheres are in the image, (n,) pixels: 0 outside it, inf around the camera.
+
+        centres: (n, 3), world space. radii: (n,).
+        """
+        to_camera = self.to_world[:3, :3].T
+        x, y, z = to_camera @ (centres - self.to_world[:3, 3]).T
+        half = np.array([self._half_height * self.width / self.height, self._half_height])
+        # Distance beyond the nearer of two opposite edges of the image, in world units.
+        beyond = (np.abs([x, y]) + z * half[:, None]) / np.sqrt(1.0 + half**2)[:, None]
+        seen = (beyond.max(axis=0) < radii) & (-z > -radii)
+        around = -z <= radii
+        away = np.where(around, radii + 1.0, -z)
+        pixels = self.height * radii / np.sqrt(away**2 - radii**2) / self._half_height
+        return np.where(seen, np.where(around, np.inf, pixels), 0.0)
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:

@@ -200,11 +200,12 @@ def _use_threads(count: int | None) -> int:
 
 def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
     from rna_render.render import load_world
-    from rna_render.terminal import Interrupt, render_with_bar
+    from rna_render.terminal import Interrupt, render_with_bar, tell_tiers
 
     scene = scene_file.scene
     output.check()
     world = load_world(scene_file)
+    tell_tiers(scene_file, world)
     with Interrupt() as interrupt:
         film = render_with_bar(
             scene_file,
@@ -215,7 +216,7 @@ def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
     if not film.samples:
         print("stopped before the first sample was finished; nothing was written", file=sys.stderr)
         return INTERRUPTED
-    stopped = film.samples < scene.samples
+    stopped = interrupt.requested() and film.samples < scene.samples
     if stopped:
         print(
             f"stopped: the image is the mean of {film.samples} of {scene.samples} samples",

@@ -1,7 +1,7 @@
 """One sample of a band of pixels, as a wavefront: every step handles all paths of the band.
 
 At each point where a path scatters, light is found in two ways: by samples of lights, and by the
-ray that continues the path. Where the camera sees a point and lights are few, each of them has
+ray that continues the path. At the first points of a path, if lights are few, each of them has
 samples; else there is one, of a light chosen by its power. Where both ways can find the same
 light, they share it by the power heuristic of Veach (Robust Monte Carlo Methods for Light Transport
 Simulation, 1997, section 9.2). The radiance towards the viewer is the integral of L T over all
@@ -18,6 +18,7 @@ from threading import Lock
 from typing import Literal
 
 import numpy as np
+from numba import njit
 
 from rna_render.camera import Camera
 from rna_render.film import Layers
@@ -99,16 +100,18 @@ class Integrator:
         for depth in range(1, self._max_depth + 1):
             if not len(vertices):
                 break
-            path, beta = rays.path[vertices.ray], rays.beta[vertices.ray]
+            path, beta = rays.path[vertices.ray], rays.beta.take(vertices.ray, axis=0)
             numbers = PathNumbers(sampler, pixels[path], depth)
             choices, probability = self._sampling.choose(numbers)
             for choice in choices if self._strategy != "rays" else ():
                 found = self._sample_lights(vertices, choice, probability)
-                radiance = self._clamped(beta[found.row] * found.radiance, depth)
+                radiance = beta.take(found.row, axis=0) * found.radiance
+                radiance = self._clamped(radiance, depth)
                 self._add(band, path[found.row], found.light, radiance)
                 if depth == 1:
-                    band.light_samples[path[found.tried], 0] += 1.0
-                    band.light_samples[path[found.row], 1] += found.seen
+                    band.light_samples[path, 0] += np.bincount(found.tried, minlength=len(path))
+                    arrived = np.bincount(found.row, found.seen, len(path))
+                    band.light_samples[path, 1] += arrived
             last = depth == self._max_depth or not self._world.scatters
             if last and not self._rays_meet_lights:
                 break
@@ -158,7 +161,7 @@ class Integrator:
             light = self._lights[k]
             if from_camera and not light.visible_to_camera:
                 continue
-            radiance, pdf = light.escaped(rays.direction[escaped])
+            radiance, pdf = light.escaped(rays.direction.take(escaped, axis=0))
             self._add_met(band, rays, depth, escaped, k, radiance, pdf)
             if from_camera:
                 band.beauty[rays.path[escaped], 3] = 1.0
@@ -184,7 +187,7 @@ class Integrator:
         radiance: np.ndarray,
         pdf: np.ndarray,
     ) -> None:
-        weight = rays.beta[row]
+        weight = rays.beta.take(row, axis=0)
         if rays.pdf is not None and self._strategy == "both":
             weight = weight * _share(rays.pdf[row], rays.probability[light] * pdf)
         added = self._clamped(weight * radiance, depth)
@@ -198,35 +201,40 @@ class Integrator:
         return radiance * np.minimum(self._clamp / largest, np.float32(1.0))
 
     def _add(self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray) -> None:
-        """Add radiance from lights; a path is there once at most."""
-        band.beauty[path, :3] += radiance
+        """Add radiance from lights to paths."""
+        _add_rows(band.beauty, path, radiance)
         for k, group in enumerate(self._group):
             if group is not None:
                 of_light = light == k
-                band.groups[path[of_light], group] += radiance[of_light]
+                _add_rows(band.groups[:, group], path[of_light], radiance[of_light])
 
     def _sample_lights(
         self, vertices: Vertices, choice: LightChoice, probability: np.ndarray
     ) -> _Found:
-        """Light from one light a vertex, and which of it arrives."""
-        world, light = self._world, choice.light
-        samples = self._sampling.sample(choice, vertices.x_world)
-        row = np.flatnonzero((samples.pdf > 0.0) & samples.radiance.any(axis=1))
-        tried = row
-        row = row[~self._sampling.blocked(vertices, row, samples, vertices.own[row])]
-        wi = world.to_object_directions(vertices.instance[row], samples.wi_world[row])
-        local_distance = samples.distance[row] / world.scale[vertices.instance[row]]
+        """Light from samples of lights, and which of them arrive."""
+        world = self._world
+        samples = self._sampling.sample(choice, vertices.x_world.take(choice.row, axis=0))
+        tried = np.flatnonzero((samples.pdf > 0.0) & samples.radiance.any(axis=1))
+        row = choice.row[tried]
+        wi, distance = samples.wi_world.take(tried, axis=0), samples.distance[tried]
+        blocked = self._sampling.blocked(vertices, row, wi, distance, vertices.own[row])
+        free = np.flatnonzero(~blocked)
+        found, row = tried[free], row[free]
+        instance = vertices.instance[row]
+        wi = world.to_object_directions(instance, wi.take(free, axis=0))
+        local_distance = distance[free] / world.scale[instance]
         radiance, seen = np.zeros((len(row), 3), np.float32), np.zeros(len(row), bool)
         own_pdf = np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
             radiance[part], seen[part] = points.transport(place, wi[part], local_distance[part])
             if self._rays_meet_lights:
                 own_pdf[part] = points.pdf(place, wi[part])
-        pdf = samples.pdf[row] * probability[light[row]]
-        delta = self._sampling.delta(light[row])
-        share = np.where(delta, 1.0, _share(pdf, own_pdf)[:, 0])
-        weight = samples.radiance[row] * (share / pdf)[:, None].astype(np.float32)
-        return _Found(tried, row, light[row], weight * radiance, seen)
+        light = choice.light[found]
+        pdf = samples.pdf[found] * probability[light]
+        share = np.where(self._sampling.delta(light), 1.0, _share(pdf, own_pdf)[:, 0])
+        weight = (share / pdf)[:, None].astype(np.float32)
+        radiance *= samples.radiance.take(found, axis=0) * weight
+        return _Found(choice.row[tried], row, light, radiance, seen)
 
     def _scatter(
         self,
@@ -246,18 +254,22 @@ class Integrator:
         u = np.column_stack([numbers.square(DIRECTION), numbers.square(CHOICES)[:, 1]])
         wi, pdf = np.zeros((len(row), 3), np.float32), np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
-            wi[part] = points.sample(place, u[row[part]])
+            wi[part] = points.sample(place, u.take(row[part], axis=0))
             pdf[part] = points.pdf(place, wi[part])
         instance = vertices.instance[row]
         direction = world.to_world_directions(instance, wi)
         origin = world.origins(vertices, row, direction)
         hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
-        for part, place, points in vertices.local_rows(row):
-            transport[part], _ = points.transport(place, wi[part], distance[part])
+        # A ray into a black sky brings nothing, whatever the decoder says.
+        met = np.flatnonzero((hits.owner >= 0) | bool(self._infinite))
+        for part, place, points in vertices.local_rows(row[met]):
+            at = met[part]
+            transport[at], _ = points.transport(place, wi[at], distance[at])
         scale = np.divide(1.0, pdf, out=np.zeros_like(pdf), where=pdf > 0.0)
-        throughput = beta[row] * transport * scale[:, None]
-        return _Rays(path[row], origin, direction, hits, throughput, pdf, probability)
+        transport *= beta.take(row, axis=0)
+        transport *= scale[:, None]
+        return _Rays(path[row], origin, direction, hits, transport, pdf, probability)
 
     def _catch_shadows(
         self, band: Layers, rays: _Rays, pixels: np.ndarray, sampler: Sampler
@@ -284,8 +296,9 @@ class _Found:
     """Light that was found by sampling lights.
 
     tried: vertices for which there was light to be found. row: (k,) vertices that nothing else
-    keeps it from. light: (k,) which one it was. radiance: (k, 3) float32, towards the viewer.
-    seen: (k,) bool, whether the body itself leaves the light in sight.
+    keeps it from; both may name a vertex more than once. light: (k,) which one it was. radiance:
+    (k, 3) float32, towards the viewer. seen: (k,) bool, whether the body itself leaves the light
+    in sight.
     """
 
     tried: np.ndarray
@@ -299,3 +312,11 @@ def _share(pdf: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Power heuristic: the part of the estimate that belongs to the first way, (n, 1) float32."""
     ratio = np.divide(other, pdf, out=np.full(len(pdf), np.inf), where=pdf > 0.0)
     return (1.0 / (1.0 + np.square(ratio))).astype(np.float32)[:, None]
+
+
+@njit(cache=True, nogil=True)
+def _add_rows(target, row, values):
+    """target[row, :3] += values, where a row may be there more than once."""
+    for i in range(len(row)):
+        for channel in range(3):
+            target[row[i], channel] += values[i, channel]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numba import njit, prange
 
 from rna_render.lights import Light, LightSamples, LightSelection
 from rna_render.path_numbers import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, PathNumbers
@@ -14,16 +15,19 @@ from rna_render.world import Vertices, World
 # A shadow ray ends this part of its length before the light, which is a surface itself.
 SHORTER = np.float32(1.0 - 2.0**-13)
 
-# Samples that each light has where all lights have some, if it has more than one direction. The
-# camera ray and the path that follows are the same for all of them: under an environment image the
-# same time brings half the variance of one sample, under lamps as much.
-SAMPLES_A_LIGHT = 2
+
+# Few lights all have samples at so many points of a path, fewer at each next one.
+FULLY_LIT = 2
 
 
 @dataclass(frozen=True, slots=True)
 class LightChoice:
-    """One light for each of n points, (n,) its number, and (n, 2) in [0, 1) for its sample."""
+    """Samples of lights to take at points.
 
+    row: (n,) which point each is for, ascending. light: (n,) of which light. u: (n, 2) in [0, 1).
+    """
+
+    row: np.ndarray
     light: np.ndarray
     u: np.ndarray
 
@@ -31,7 +35,7 @@ class LightChoice:
 class LightSampling:
     """Samples of the lights of a world, and shadow rays to them.
 
-    At points that the camera sees, few lights all have samples; else one light is chosen, by its
+    At the first points of a path, few lights all have samples; else one light is chosen, by its
     power, and has one.
     """
 
@@ -40,29 +44,33 @@ class LightSampling:
         self._lights = lights
         self._selection = LightSelection(lights, world.radius)
         self._delta = np.array([light.delta for light in lights], bool)
+        self._times = np.array([light.samples for light in lights], np.int64)
 
     def choose(self, numbers: PathNumbers) -> tuple[list[LightChoice], np.ndarray]:
-        """Lights that get a sample at each of n points, and how many each light gets on average.
+        """The samples of lights at each of n points, and how many each light gets on average.
 
-        Returns any number of choices of one light a point, and (k,) float64.
+        Returns any number of choices, and (k,) float64.
         """
-        count = len(numbers.pixels)
+        row = np.arange(len(numbers.pixels))
         if not self._lights:
             return [], np.zeros(0)
-        if numbers.depth == 1 and len(self._lights) <= LIGHTS_AT_A_VERTEX:
-            times = np.where(self._delta, 1, SAMPLES_A_LIGHT)
+        if numbers.depth <= FULLY_LIT and len(self._lights) <= LIGHTS_AT_A_VERTEX:
+            times = np.maximum(self._times // numbers.depth, 1)
             every = [
-                LightChoice(np.full(count, light), numbers.square(LIGHT + light, part, parts))
+                LightChoice(
+                    np.repeat(row, parts),
+                    np.full(len(row) * parts, light),
+                    numbers.square(LIGHT + light, parts),
+                )
                 for light, parts in enumerate(times.tolist())
-                for part in range(parts)
             ]
             return every, times.astype(np.float64)
         chosen = self._selection.choose(numbers.square(CHOICES)[:, 0])
-        return [LightChoice(chosen, numbers.square(LIGHT))], self._selection.probability
+        return [LightChoice(row, chosen, numbers.square(LIGHT))], self._selection.probability
 
     def sample(self, choice: LightChoice, x_world: np.ndarray) -> LightSamples:
-        """A sample of each point's light; x_world: (n, 3) float32."""
-        chosen = np.unique(choice.light)
+        """The samples at points x, (n, 3) float32, one for each row of the choice."""
+        chosen = np.flatnonzero(np.bincount(choice.light))
         if len(chosen) == 1:
             return self._lights[int(chosen[0])].sample(x_world, choice.u)
         n = len(x_world)
@@ -84,20 +92,42 @@ class LightSampling:
         return self._delta[light]
 
     def blocked(
-        self, vertices: Vertices, row: np.ndarray, samples: LightSamples, own: np.ndarray | None
+        self,
+        vertices: Vertices,
+        row: np.ndarray,
+        wi_world: np.ndarray,
+        distance: np.ndarray,
+        own: np.ndarray | None,
     ) -> np.ndarray:
-        """Whether something stands between the given rows and their samples: (k,) bool.
+        """Whether something stands between the given rows and lights along wi: (k,) bool.
 
-        own: (k,) int32, the instances that the shadow rays pass through, if any.
+        wi_world, distance: (k, 3) and (k,) float32, as in LightSamples. own: (k,) int32, the
+        instances that the shadow rays pass through, if any.
         """
-        wi_world, distance = samples.wi_world[row], samples.distance[row]
         origin = self._world.origins(vertices, row, wi_world)
-        # The step off the surface may be longer than SHORTER leaves before the light, so rays go
-        # to the point of the light from where they start, not from the vertex.
-        near = np.flatnonzero(np.isfinite(distance))
-        step = origin[near] - vertices.x_world[row[near]]
-        aim = wi_world[near] * distance[near, None] - step
-        length = np.linalg.norm(aim, axis=1)
-        wi_world[near] = aim / np.maximum(length, np.float32(1e-30))[:, None]
-        distance[near] = length
-        return self._world.scene.occluded(origin, wi_world, distance * SHORTER, own)
+        direction, length = np.empty_like(wi_world), np.empty_like(distance)
+        _aim(vertices.x_world, row, wi_world, distance, origin, direction, length)
+        return self._world.scene.occluded(origin, direction, length, own)
+
+
+@njit(cache=True, parallel=True, nogil=True)
+def _aim(x_world, row, wi_world, distance, origin, direction, length):
+    """Directions and lengths of rays that go from their origins to just before the lights.
+
+    The step off the surface may be longer than SHORTER leaves before a light, so rays go to the
+    point of the light from where they start, not from the vertex.
+    """
+    for i in prange(len(row)):
+        squared = np.float32(0.0)
+        for axis in range(3):
+            direction[i, axis] = wi_world[i, axis]
+            if np.isfinite(distance[i]):
+                step = origin[i, axis] - x_world[row[i], axis]
+                direction[i, axis] = wi_world[i, axis] * distance[i] - step
+            squared += direction[i, axis] * direction[i, axis]
+        length[i] = distance[i]
+        if np.isfinite(distance[i]):
+            length[i] = np.sqrt(squared)
+            for axis in range(3):
+                direction[i, axis] /= max(length[i], np.float32(1e-30))
+        length[i] *= SHORTER

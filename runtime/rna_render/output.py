@@ -44,7 +44,7 @@ class Output:
         return all(
             path.is_file()
             and path.stat().st_mtime >= since
-            and read_attributes(path) == self._attributes(scene, scene.samples)
+            and self._is_of(scene, read_attributes(path))
             for path in self.paths()
         )
 
@@ -60,7 +60,13 @@ class Output:
         if self.png is not None:
             write_png(self.png, rgb, scene.exposure, scene.view, attributes)
 
-    def _attributes(self, scene: Scene, samples: int) -> dict[str, str]:
+    def _is_of(self, scene: Scene, found: dict[str, str]) -> bool:
+        """Whether attributes are those of the finished image; a time limit may end it early."""
+        limited = scene.quality is not None and scene.quality.seconds is not None
+        samples = found.get("rnaSamples") if limited else scene.samples
+        return found == self._attributes(scene, samples)
+
+    def _attributes(self, scene: Scene, samples: object) -> dict[str, str]:
         attributes = {"rnaScene": scene.model_dump_json(), "rnaSamples": str(samples)}
         if self.denoiser is not None:
             attributes["rnaDenoised"] = self.denoiser.name

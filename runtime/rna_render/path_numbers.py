@@ -29,12 +29,7 @@ class PathNumbers:
     pixels: np.ndarray
     depth: int
 
-    def square(self, dimension: int, part: int = 0, parts: int = 1) -> np.ndarray:
-        """(n, 2) float64 in [0, 1), for one of the dimensions above.
-
-        part: which of the `parts` points that each sample of this dimension has; they are spread
-        as well as if they were samples of their own.
-        """
+    def square(self, dimension: int, parts: int = 1) -> np.ndarray:
+        """(n * parts, 2) float64 in [0, 1), for one of the dimensions above, as Sampler.square."""
         number = (self.depth - 1) * DIMENSIONS_A_VERTEX + dimension
-        sampler = Sampler(self.sampler.seed, self.sampler.sample * parts + part)
-        return sampler.square(self.pixels, number)
+        return self.sampler.square(self.pixels, number, parts)

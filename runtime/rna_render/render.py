@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import closing
 from pathlib import Path
 
@@ -11,6 +13,7 @@ import numpy as np
 from rna_render.bands import rendered_bands
 from rna_render.bodies import Asset
 from rna_render.camera import Camera
+from rna_render.domain_watch import watched
 from rna_render.film import Film, Layers
 from rna_render.integrator import Integrator
 from rna_render.lights import Light, MeshLight, PlacedLight, make_light
@@ -19,21 +22,56 @@ from rna_render.materials import MeshObject, ground, read_mesh_object
 from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
 from rna_render.scene_model import Scene
+from rna_render.tier_choice import TierChoice, Tiers
+from rna_render.time_limit import ENOUGH_SAMPLES, in_time, seconds_a_sample
 from rna_render.transforms import world_from_object
 from rna_render.world import Placement, World
 from rna_sdk.errors import QueryError, SceneError
 
 
-def load_world(scene_file: SceneFile) -> World:
+class QualityWarning(UserWarning):
+    """A scene asks for more accuracy than its packages have."""
+
+
+def load_world(scene_file: SceneFile, views: Sequence[Scene] = ()) -> World:
     """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
 
     Each pair of package and tier is loaded once, and so is each pair of object file and
-    material. Raises SceneError where the file names something that is not there or cannot be used,
-    PackageError for a broken package.
+    material. Tiers are those that `quality` asks for.
+
+    views: the images to come, where their cameras differ from the scene's. Raises SceneError where
+    the file names something that is not there or cannot be used, PackageError for a broken package.
+    Warns with QualityWarning where no tier is accurate enough.
     """
+    quality = scene_file.scene.quality
+    if quality is None:
+        return _world(scene_file, tuple(asset.tier for asset in scene_file.scene.assets))
+    choice = TierChoice(scene_file, views or (scene_file.scene,))
+    if quality.max_error is not None:
+        for line in choice.unmet(quality.max_error):
+            warnings.warn(line, QualityWarning, stacklevel=2)
+    max_error = quality.max_error or 0.0
+    if quality.seconds is None:
+        return _world(scene_file, choice.within(max_error))
+    return _world_in_time(scene_file, choice.coarser(max_error), quality.seconds)
+
+
+def _world_in_time(scene_file: SceneFile, choices: Iterable[Tiers], seconds: float) -> World:
+    """With the first of the choices that leaves time for enough samples, or the last."""
+    scene = scene_file.scene
+    enough = min(ENOUGH_SAMPLES, scene.samples)
+    for tiers in choices:
+        world = _world(scene_file, tiers)
+        integrator = make_integrator(scene, world, resolve=scene_file.resolve)
+        if enough * seconds_a_sample(integrator, math.prod(scene.resolution)) <= seconds:
+            break
+    return world
+
+
+def _world(scene_file: SceneFile, tiers: Tiers) -> World:
     return World(
         [
-            *_placed_assets(scene_file),
+            *_placed_assets(scene_file, tiers),
             *_placed_objects(scene_file),
             *_placed_ground(scene_file),
             *_placed_lights(scene_file),
@@ -64,13 +102,15 @@ def render(
     stop: Callable[[], bool] = lambda: False,
     progress: Callable[[int], None] = lambda pixels: None,
 ) -> Film:
-    """Render `scene.samples` samples of every pixel, or fewer if `stop` says so.
+    """Render `scene.samples` samples of every pixel, or fewer if `stop` or `quality` says so.
 
     stop: asked after every band; the sample under way is then dropped. progress: told after every
     band how many pixels it had.
     """
     film = Film(scene.resolution, integrator.groups)
-    samplers = (Sampler(scene.seed, number) for number in range(scene.samples))
+    samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
+    if scene.quality is not None and scene.quality.seconds is not None:
+        samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)
     sample: list[Layers] = []
     with closing(rendered_bands(integrator, film.width * film.height, samplers)) as bands:
         for band, last in bands:
@@ -84,21 +124,19 @@ def render(
     return film
 
 
-def _placed_assets(scene_file: SceneFile) -> list[Placement]:
+def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
     from rna_sdk.runtime import load
 
     loaded: dict[tuple[Path, str | None], Asset] = {}
     placements = []
-    for index, model in enumerate(scene_file.scene.assets):
-        path = scene_file.resolve(model.path)
-        if not path.is_file():
-            raise scene_file.error(("assets", index, "path"), f"no such file: {path}")
-        if (path, model.tier) not in loaded:
+    for index, (model, tier) in enumerate(zip(scene_file.scene.assets, tiers, strict=True)):
+        path = scene_file.asset_path(index)
+        if (path, tier) not in loaded:
             try:
-                loaded[path, model.tier] = load(path, tier=model.tier, threads=1)
+                loaded[path, tier] = watched(load(path, tier=tier, threads=1), path.name)
             except QueryError as error:
                 raise scene_file.error(("assets", index, "tier"), str(error)) from error
-        placements.append(Placement(loaded[path, model.tier], world_from_object(model.transform)))
+        placements.append(Placement(loaded[path, tier], world_from_object(model.transform)))
     return placements
 
 

@@ -39,6 +39,13 @@ class SceneFile:
         """`path`, which the file gives relative to itself."""
         return (self.path.parent / path).resolve()
 
+    def asset_path(self, index: int) -> Path:
+        """The package of one of the scene's assets. Raises SceneError if there is no such file."""
+        path = self.resolve(self.scene.assets[index].path)
+        if not path.is_file():
+            raise self.error(("assets", index, "path"), f"no such file: {path}")
+        return path
+
     def with_changes(self, tier: str | None = None, **changes: Any) -> SceneFile:
         """The same with other values for top-level keys, and `tier` for every asset."""
         assets = self.scene.assets

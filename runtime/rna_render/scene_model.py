@@ -83,6 +83,27 @@ class TurnModel(Model):
     )
 
 
+class QualityModel(Model):
+    """What the image has to be, for which the renderer picks each asset's tier."""
+
+    max_error: Positive | None = Field(
+        default=None,
+        description="Largest error of an asset, as mean FLIP at its size in the image; each asset "
+        "gets the cheapest tier that meets it.",
+    )
+    seconds: Positive | None = Field(
+        default=None,
+        description="Longest time to render an image, once its assets are loaded. `samples` is "
+        "then the most; cheaper tiers are taken where fewer than 16 would fit.",
+    )
+
+    @model_validator(mode="after")
+    def _has_limit(self) -> QualityModel:
+        if self.max_error is None and self.seconds is None:
+            raise ValueError("nothing is asked for: give max_error or seconds, or both")
+        return self
+
+
 class AnimationModel(Model):
     """A sequence of images of the same things."""
 
@@ -113,6 +134,9 @@ class Scene(Model):
         default=(640, 480), description="Width and height of the image, pixels."
     )
     samples: int = Field(default=64, ge=1, le=MAX_SAMPLES, description="Samples a pixel.")
+    quality: QualityModel | None = Field(
+        default=None, description="An error or a time to keep; see below."
+    )
     max_depth: int = Field(
         default=8,
         ge=1,

@@ -14,7 +14,7 @@ from rna_render.animation import frame_scene
 from rna_render.output import Output
 from rna_render.render import load_world
 from rna_render.scene_file import SceneFile
-from rna_render.terminal import Interrupt, render_with_bar
+from rna_render.terminal import Interrupt, render_with_bar, tell_tiers
 from rna_sdk.console import INTERRUPTED
 
 
@@ -54,14 +54,16 @@ def render_sequence(
             files.check()
             start = time.perf_counter()
             if world is None:
-                world = load_world(scene_file)
+                views = [frame_scene(scene_file.scene, n) for n in numbers]
+                world = load_world(scene_file, views)
+                tell_tiers(scene_file, world)
                 start = time.perf_counter()
                 print(f"assets loaded after {start - started:.2f} s", file=sys.stderr)
             what = f"frame {number} ({place} of {len(numbers)})"
             film = render_with_bar(
                 replace(scene_file, scene=scene), world, interrupt.requested, what
             )
-            if film.samples < scene.samples:
+            if interrupt.requested() and film.samples < scene.samples:
                 return _stopped(number)
             files.write(scene, film)
             seconds.append(time.perf_counter() - start)

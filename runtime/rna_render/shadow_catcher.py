@@ -17,11 +17,13 @@ def caught_light(
     Irradiance, mean of RGB, on the side that rays along d hit: no sky shines up through a floor.
     d_world: (n, 3) float32, of the rays that hit the vertices.
     """
-    result = np.zeros((len(vertices), 2), np.float32)
+    result = np.zeros((len(vertices), 2))
     choices, probability = lighting.choose(numbers)
     for choice in choices:
-        result += _one_light(lighting, vertices, d_world, choice, probability)
-    return result
+        light = _one_light(lighting, vertices, d_world, choice, probability)
+        for column in range(2):
+            result[:, column] += np.bincount(choice.row, light[:, column], len(vertices))
+    return result.astype(np.float32)
 
 
 def _one_light(
@@ -31,11 +33,12 @@ def _one_light(
     choice: LightChoice,
     probability: np.ndarray,
 ) -> np.ndarray:
-    samples = lighting.sample(choice, vertices.x_world)
-    blocked = lighting.blocked(vertices, np.arange(len(vertices)), samples, None)
-    cosine = np.abs(np.sum(vertices.n_world * samples.wi_world, axis=1))
-    side = np.sum(vertices.ng_world * d_world, axis=1)
-    side *= np.sum(vertices.ng_world * samples.wi_world, axis=1)
+    row = choice.row
+    samples = lighting.sample(choice, vertices.x_world[row])
+    blocked = lighting.blocked(vertices, row, samples.wi_world, samples.distance, None)
+    cosine = np.abs(np.sum(vertices.n_world[row] * samples.wi_world, axis=1))
+    side = np.sum(vertices.ng_world * d_world, axis=1)[row]
+    side *= np.sum(vertices.ng_world[row] * samples.wi_world, axis=1)
     cosine = np.where(side < 0.0, cosine, np.float32(0.0))
     pdf = samples.pdf * probability[choice.light]
     weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)

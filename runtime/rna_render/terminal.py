@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import signal
 import sys
+from collections import Counter
 from collections.abc import Callable
 
 from tqdm import tqdm
 
+from rna_render.domain_watch import warn_of_extrapolation
 from rna_render.film import Film
 from rna_render.render import make_integrator, render
 from rna_render.scene_file import SceneFile
@@ -37,6 +39,15 @@ class Interrupt:
         print("\nstopping after this band of pixels; Ctrl-C again ends at once", file=sys.stderr)
 
 
+def tell_tiers(scene_file: SceneFile, world: World) -> None:
+    """Print which tiers the scene's `quality` led to, if it has one."""
+    count = len(scene_file.scene.assets)
+    if scene_file.scene.quality is not None and count:
+        names = Counter(asset.tier.name for asset in world.things[:count])
+        told = ", ".join(f"{number} {name}" for name, number in names.most_common())
+        print(f"tiers of {count} assets: {told}", file=sys.stderr)
+
+
 def render_with_bar(
     scene_file: SceneFile,
     world: World,
@@ -58,4 +69,8 @@ def render_with_bar(
 
     with bar:
         integrator = make_integrator(scene, world, report_start, scene_file.resolve)
-        return render(scene, integrator, stop=stop, progress=bar.update)
+        film = render(scene, integrator, stop=stop, progress=bar.update)
+    warn_of_extrapolation(world.things)
+    if film.samples < scene.samples and not stop():
+        print(f"{what}: time for {film.samples} of {scene.samples} samples", file=sys.stderr)
+    return film

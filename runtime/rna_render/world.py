@@ -74,6 +74,7 @@ class World:
     with two instances. Raises QueryError for a transform that is not a similarity.
 
     Attributes:
+        things: those of `placements`.
         scene: all instances, in Embree.
         number: (k,) int32, for each instance its place in `placements`, counted from 1.
         scale: (k,) float32, world units an object unit.
@@ -89,6 +90,7 @@ class World:
             groups.setdefault(id(placement.thing), []).append(index)
         order = [index for group in groups.values() for index in group]
         ordered = [placements[index] for index in order]
+        self.things = [placement.thing for placement in placements]
         self._bodies = [make_body(placements[group[0]].thing) for group in groups.values()]
         # Body b has the instances from first[b] up to first[b + 1].
         self._first = np.cumsum([0] + [len(group) for group in groups.values()])
@@ -126,7 +128,7 @@ class World:
         ray = ray[self._has_role[role][hits.owner[ray]]]
         ray = ray[np.argsort(hits.owner[ray], kind="stable")]
         instance = hits.owner[ray]
-        wo = self.to_object_directions(instance, -d_world[ray])
+        wo = self.to_object_directions(instance, -d_world.take(ray, axis=0))
         x, n = (np.empty((len(ray), 3), np.float32) for _ in range(2))
         bodies = []
         cuts = np.searchsorted(instance, self._first)
@@ -142,7 +144,7 @@ class World:
             bodies,
             self._to_world_points(instance, x),
             self.to_world_directions(instance, n),
-            self.to_world_directions(instance, hits.ng[ray]),
+            self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
             np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
         )
 
@@ -152,8 +154,9 @@ class World:
         On bodies that they must not hit at once, a step off the surface towards wi; see
         surface.offset_origins for how long it is.
         """
-        result = vertices.x_world[row]
-        _step_off(result, vertices.ng_world[row], wi_world, self._step[vertices.instance[row]])
+        result = np.empty_like(wi_world)
+        at = vertices.x_world, vertices.ng_world, vertices.instance
+        _step_off(*at, self._step, row, wi_world, result)
         return result
 
     def to_world_directions(self, instance: np.ndarray, directions: np.ndarray) -> np.ndarray:
@@ -212,11 +215,13 @@ def _transform(linear, shift, instance, vectors, result):
 
 
 @njit(cache=True, parallel=True, nogil=True)
-def _step_off(points, normals, directions, step):
-    for i in prange(len(points)):
+def _step_off(points, normals, instance, step, row, directions, result):
+    for i in prange(len(row)):
+        at = row[i]
         toward = np.float64(0.0)
         for axis in range(3):
-            toward += np.float64(normals[i, axis]) * directions[i, axis]
-        signed = -step[i] if toward < 0.0 else step[i]
+            toward += np.float64(normals[at, axis]) * directions[i, axis]
+        length = step[instance[at]]
+        signed = -length if toward < 0.0 else length
         for axis in range(3):
-            points[i, axis] += signed * normals[i, axis]
+            result[i, axis] = points[at, axis] + signed * normals[at, axis]

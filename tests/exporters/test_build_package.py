@@ -11,7 +11,7 @@ import torch
 
 from rna_export.capture.dataset import Dataset
 from rna_export.export.cli import main
-from rna_export.metrics import psnr
+from rna_export.metrics import flip, psnr
 from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.run import Run, train
@@ -93,6 +93,24 @@ def test_the_recorded_error_is_what_a_host_gets(exported: Exported, tier: str) -
     assert record.validation.flip == pytest.approx(score(radiance, views).flip, abs=1e-6)
     assert record.validation.images == 2
     assert "irradiance pi" in record.validation.definition
+
+
+@pytest.mark.parametrize("tier", ["small", "paper-small"])
+def test_the_error_of_small_images_is_recorded(exported: Exported, tier: str) -> None:
+    radiance = evaluate(exported.package, tier, exported.dataset)
+    views = exported.dataset.validation_views()
+    with Package.open(exported.package) as package:
+        record = package.tier(tier).validation
+    whole, half = record.flip_at_height
+    assert (whole.height, half.height) == (24, 12)
+    assert whole.flip == record.flip
+    # Every second row and column of a picture that is twice as large, block by block.
+    pairs = [
+        (v.image(r), v.image(v.samples["radiance"])) for r, v in zip(radiance, views, strict=True)
+    ]
+    corners = [(0, 0), (0, 1), (1, 0), (1, 1)]
+    reduced = [[sum(image[y::2, x::2] / 4 for y, x in corners) for image in p] for p in pairs]
+    assert half.flip == pytest.approx(np.mean([flip(*p)[0] for p in reduced]), abs=1e-6)
 
 
 def test_cost_and_agreement_are_recorded(exported: Exported) -> None:

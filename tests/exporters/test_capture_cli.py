@@ -110,6 +110,7 @@ def test_a_number_that_makes_no_sense(
         ["a.blend", "--out", "x", "--lights", "9", "--minutes", "1"],
         ["a.blend", "--out", "x", "--samples", "many"],
         ["a.blend", "--out", "x", "--domain", "disk"],
+        ["a.blend", "--out", "x", "--domain", "sphere", "--for", "scene.yaml"],
     ],
 )
 def test_wrong_usage_exits_with_2(arguments: list[str], capsys) -> None:
@@ -140,6 +141,33 @@ def test_other_settings_are_refused_on_resume(
 ) -> None:
     error = refusal(capsys, source, "--out", begun, option, value)
     assert option.strip("-") in error and str(value) in error
+
+
+SCENE = """\
+assets: [{path: asset.rna}]
+camera: {position: [0, 0, 10], look_at: [0, 0, 0]}
+lights: [{type: directional, direction: [1, 0, 0], irradiance: [1, 1, 1]}]
+"""
+
+
+def test_another_scene_is_refused_on_resume(
+    source: Path, begun: Path, some_python: None, capsys
+) -> None:
+    scene = source.parent / "scene.yaml"
+    scene.write_text(SCENE)
+    error = refusal(capsys, source, "--out", begun, "--for", scene)
+    assert f"begun for other views or lights than {scene}'s" in error
+
+
+def test_a_scene_that_is_not_one_is_refused(
+    source: Path, tmp_path: Path, some_python: None, capsys
+) -> None:
+    scene = tmp_path / "scene.yaml"
+    scene.write_text("assets: 7")
+    assert "scene.yaml:1: assets" in refusal(
+        capsys, source, "--out", tmp_path / "x.rays", "--for", scene
+    )
+    assert not (tmp_path / "x.rays").exists()
 
 
 def test_another_source_is_refused_on_resume(

@@ -89,11 +89,16 @@ def test_the_original_stands_where_the_scene_puts_the_asset(
         "add([(x, y, z) for x in (-0.2, 0.3) for y in (-0.1, 0.4) for z in (0.0, 0.8)], SIDES,"
         "diffuse((0.8, 0.2, 0.1)))"
     )
-    transform = {"translation": (-0.5, 0.1, 0.4), "rotation_deg": (10.0, 30.0, 0.0)}
-    objects = [{"path": "box.obj", "transform": transform, "material": RED}]
-    ours = _scene(LIGHTS["sun"], objects=objects)
-    theirs = _scene(LIGHTS["sun"], assets=[{"path": "box.rna", "transform": transform}])
-    _assert_alike("placed", *_both(worker, ours, theirs, tmp_path))
+    transforms = [
+        {"translation": (-0.5, 0.1, 0.4), "rotation_deg": (10.0, 30.0, 0.0)},
+        {"translation": (0.4, 0.05, -0.2), "rotation_deg": (-5.0, 70.0, 0.0)},
+    ]
+    for count in (1, 2):
+        objects = [{"path": "box.obj", "transform": t, "material": RED} for t in transforms[:count]]
+        assets = [{"path": "box.rna", "transform": t} for t in transforms[:count]]
+        ours = _scene(LIGHTS["sun"], objects=objects)
+        theirs = _scene(LIGHTS["sun"], assets=assets)
+        _assert_alike(f"{count} placed", *_both(worker, ours, theirs, tmp_path))
     # Without the asset, nothing stands there, not even a shadow.
     empty = _scene(LIGHTS["sun"])
     _assert_alike("empty", *_both(worker, empty, empty, tmp_path))
@@ -115,7 +120,7 @@ BULB = {"type": "sphere", "position": (0, 1, 0), "radius": 1, "radiance": (1, 1,
 @pytest.mark.parametrize(
     ("wrong", "says"),
     [
-        ({"assets": [{"path": "a.rna"}] * 2}, "2 assets"),
+        ({"assets": [{"path": "a.rna"}, {"path": "b.rna"}]}, "2 packages"),
         ({"assets": [{"path": "a.rna", "transform": {"scale": 2.0}}]}, "scaled by 2"),
         ({"ground": {"material": {"type": "conductor"}}}, "diffuse"),
         ({"ground": {"material": {"type": "diffuse", "emission": (1, 0, 0)}}}, "shine"),

@@ -15,14 +15,17 @@ from onnx import TensorProto, helper, numpy_helper
 
 from rna_sdk.package import (
     Bounds,
+    Cost,
     Curves,
     Domain,
+    FlipAtHeight,
     Int8Planes,
     Manifest,
     Mesh,
     Provenance,
     Tier,
     TierData,
+    Validation,
     query_width,
     write_package,
 )
@@ -188,6 +191,24 @@ def make_manifest(*tiers: Tier, **changes: Any) -> Manifest:
     return Manifest(**{**fields, **changes})
 
 
+def make_measured_tier(
+    name: str, flip: float | None, multiply_adds: int | None, *at_heights: tuple[int, float]
+) -> Tier:
+    """A tier with a recorded error, and with errors at heights; or without a record."""
+    validation = flip is not None and Validation(
+        psnr=30.0,
+        flip=flip,
+        relative_mse=0.1,
+        images=1,
+        definition="made up",
+        flip_at_height=tuple(FlipAtHeight(height=h, flip=e) for h, e in at_heights),
+    )
+    cost = multiply_adds is not None and Cost(
+        multiply_adds=multiply_adds, ns_per_query=1.0, threads=1, machine="made up"
+    )
+    return make_tier(name, validation=validation or None, cost=cost or None)
+
+
 def make_tier_data(tier: Tier, width: int = 8, layers: int = 1, seed: int = 1) -> TierData:
     """Random planes and a random decoder that fit the tier."""
     columns = query_width(tier.inputs, tier.channels)
@@ -235,6 +256,7 @@ __all__ = [
     "make_decoder_model",
     "make_int8_decoder_model",
     "make_manifest",
+    "make_measured_tier",
     "make_mesh",
     "make_planes",
     "make_tier",

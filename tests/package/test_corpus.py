@@ -59,6 +59,7 @@ def test_all_issues_of_a_manifest_come_at_once(entries: Entries, tmp_path: Path)
         manifest.pop("license")
         manifest["tiers"][0]["channels"] = -1
         manifest["bounds"]["max"][0] = -7
+        manifest["domain"]["wi"] = [{"axis": [0, 1, 0], "halfAngle": -1}]
 
     path.write_bytes(manifest_cases.with_manifest(entries, edit))
     found = {(issue.code, issue.pointer_or_offset) for issue in validate(path)}
@@ -66,6 +67,7 @@ def test_all_issues_of_a_manifest_come_at_once(entries: Entries, tmp_path: Path)
         ("FIELD_MISSING", "/license"),
         ("FIELD_VALUE", "/tiers/0/channels"),
         ("BOUNDS_EMPTY", "/bounds/max"),
+        ("FIELD_VALUE", "/domain/wi/0/halfAngle"),
     }
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from onnx import TensorProto, helper, numpy_helper
 
-from rna_sdk.package import Curves, Mesh, TierData, write_package
+from rna_sdk.package import Curves, Mesh, Tier, TierData, write_package
 from tests.package.builders import FIBER_INPUTS, make_manifest, make_planes, make_tier
 
 ALBEDO = (0.8, 0.5, 0.2)
@@ -19,14 +20,19 @@ FIBER_COLUMNS = 23  # features 4, tangent 3, h 1, wo 3, wi 3, fiber_angles 6, fi
 H_COLUMN = 7
 
 
-def write_lambert_package(path: Path, mesh: Mesh, tiers: tuple[str, ...] = ("small",)) -> Path:
-    """An asset with `visible` = ALBEDO / pi * max(n.wi, 0) and `shadowed` = SHADOWED."""
-    records = [make_tier(name) for name in tiers]
+def write_lambert_package(
+    path: Path, mesh: Mesh, tiers: tuple[str | Tier, ...] = ("small",), **changes: Any
+) -> Path:
+    """An asset with `visible` = ALBEDO / pi * max(n.wi, 0) and `shadowed` = SHADOWED.
+
+    tiers: names, or records. changes: of the manifest.
+    """
+    records = [make_tier(tier) if isinstance(tier, str) else tier for tier in tiers]
     weights = np.zeros((COLUMNS, 6), np.float32)
     weights[COSINE_COLUMN, :3] = np.divide(ALBEDO, np.pi)
     decoder = _linear_decoder(weights, np.zeros(3))
     data = {tier.name: TierData(planes=make_planes(), decoder=decoder) for tier in records}
-    write_package(path, make_manifest(*records), mesh, data)
+    write_package(path, make_manifest(*records, **changes), mesh, data)
     return path
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from rna_render.camera import Camera
 from rna_render.scene_model import CameraModel
@@ -37,3 +38,18 @@ def test_the_angle_is_from_the_top_edge_to_the_bottom_edge():
 def test_up_may_be_any_vector_off_the_line_of_sight():
     tilted = MODEL.model_copy(update={"up": (1.0, 0.0, 7.0)})
     assert direction(Camera(tilted, (1, 4)), 0, 0)[0] > 0
+
+
+def test_height_of_a_ball_is_that_of_its_outline():
+    """At two radii from its middle a ball is seen within 30 degrees of it."""
+    camera = Camera(MODEL, (300, 200))
+    heights = camera.heights(np.array([(0.0, 0.0, 3.0), (0.0, 0.0, -995.0)]), np.array([1.0, 1.0]))
+    np.testing.assert_allclose(heights, [200 * np.tan(np.radians(30)), 0.2], rtol=1e-3)
+
+
+def test_a_ball_that_the_image_does_not_show_has_no_height():
+    camera = Camera(MODEL, (200, 200))
+    # Behind, left of it, above it, across its edge, around the camera.
+    centres = np.array([(0, 0, 9), (-8, 0, 0), (0, 7, 0), (-5.5, 0, 0), (0, 0, 5.5)], float)
+    shown = camera.heights(centres, np.ones(5))
+    assert shown.tolist() == [0, 0, 0, pytest.approx(200 / np.sqrt(24)), np.inf]

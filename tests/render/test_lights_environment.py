@@ -10,6 +10,7 @@ import pytest
 from rna_render.images import write_exr
 from rna_render.lights.environment_file import read_environment
 from rna_render.lights.equirectangular import EquirectangularImage
+from rna_render.lights.intervals import find_interval, interval_near
 from tests.render.chi_squared import assert_directions_follow
 from tests.render.lights import light
 
@@ -109,8 +110,18 @@ def test_directions_follow_the_density(name, turn):
     image = EquirectangularImage(IMAGES[name], turn)
     d, radiance, pdf = image.sample(squares(200_000))
     assert_directions_follow(d, lambda d: image.lookup(d)[1], (0, 1, 0), np.pi, 0.01)
-    np.testing.assert_array_equal(image.lookup(d)[0], radiance)
-    np.testing.assert_array_equal(image.lookup(d)[1], pdf)
+    # A sample knows its place in the image; a lookup has it from a direction rounded to float32.
+    looked_up = image.lookup(d)
+    np.testing.assert_allclose(looked_up[0], radiance, rtol=1e-3, atol=1e-5 * radiance.max())
+    np.testing.assert_allclose(looked_up[1], pdf, rtol=1e-3, atol=1e-5 * pdf.max())
+
+
+def test_intervals_are_found_from_wherever_the_search_starts():
+    cumulative = np.array([0.0, 0.0, 1.0, 1.0, 1.0, 4.0, 4.5, 4.5])
+    for value, interval in ((0.0, 1), (0.99, 1), (1.0, 4), (3.9, 4), (4.0, 5), (4.4, 5)):
+        assert find_interval(cumulative, value) == interval
+        for near in range(7):
+            assert interval_near(cumulative, near, value) == interval
 
 
 @pytest.mark.parametrize("name", IMAGES)

@@ -34,6 +34,7 @@ from rna_render.scene_model import (
     CameraModel,
     GroundModel,
     ObjectModel,
+    QualityModel,
     Scene,
     TurnModel,
 )
@@ -57,6 +58,7 @@ MODELS = [
     DiskModel,
     SphereModel,
     EnvironmentModel,
+    QualityModel,
     AnimationModel,
     TurnModel,
 ]

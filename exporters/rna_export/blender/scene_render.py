@@ -28,6 +28,9 @@ class _State:
             if item.parent is None:
                 # Without an inverse the handle's matrix goes before the object's own.
                 item.parent = self.handle
+        self.instanced = bpy.data.collections.new("rna instanced")
+        for item in self.asset:
+            self.instanced.objects.link(item)
         self.collection = bpy.data.collections.new("rna scene")
         scene.collection.children.link(self.collection)
         self.bounces = {name: getattr(scene.cycles, name) for name in _BOUNCES}
@@ -50,7 +53,7 @@ def render_scene(request):
 def _build(state, described):
     state.shown = None
     _clear(state.collection)
-    _show_asset(state, described["asset"])
+    _show_assets(state, described["assets"])
     for mesh in described["meshes"]:
         _add_mesh(state.collection, mesh)
     environments = [light for light in described["lights"] if light["type"] == "environment"]
@@ -68,15 +71,26 @@ def _clear(collection):
     for item in list(collection.objects):
         data = item.data
         bpy.data.objects.remove(item, do_unlink=True)
+        if data is None:  # an instance
+            continue
         (bpy.data.meshes if isinstance(data, bpy.types.Mesh) else bpy.data.lights).remove(data)
 
 
-def _show_asset(state, matrix):
-    """Place the asset by a 4 x 4 matrix, or hide it if there is none."""
+def _show_assets(state, matrices):
+    """Place instances of the asset by 4 x 4 matrices; hide it if there are none."""
     for item, hidden in zip(state.asset, state.hidden, strict=True):
-        item.hide_render = hidden or matrix is None
-    if matrix is not None:
-        state.handle.matrix_world = mathutils.Matrix(matrix)
+        item.hide_render = hidden or not matrices
+    if not matrices:
+        return
+    first, *others = (mathutils.Matrix(matrix) for matrix in matrices)
+    state.handle.matrix_world = first
+    for matrix in others:
+        instance = bpy.data.objects.new("rna instance", None)
+        instance.instance_type = "COLLECTION"
+        instance.instance_collection = state.instanced
+        # The collection is where the handle has put it.
+        instance.matrix_world = matrix @ first.inverted()
+        state.collection.objects.link(instance)
 
 
 def _add_mesh(collection, described):

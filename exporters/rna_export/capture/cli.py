@@ -13,9 +13,11 @@ from pydantic import ValidationError
 
 from rna_export.capture import blender_env
 from rna_export.capture.dataset import CaptureSettings, Dataset
-from rna_export.capture.run import Crew, begin, default_workers, finish
+from rna_export.capture.run import Crew, begin, default_workers, finish, scene_of
+from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.worker import Source
 from rna_export.memory import keep_freed_memory
+from rna_render.scene_file import SceneFile, read_scene
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
 
@@ -49,6 +51,14 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--setup-blender", action="store_true", help="install Blender's module, then end"
     )
+    p.add_argument(
+        "--for",
+        dest="for_scene",
+        type=Path,
+        metavar="SCENE",
+        help="scene file; only the directions from which it shows and lights the asset are "
+        "captured (default: --domain)",
+    )
     p.add_argument("--minutes", type=float, help="time budget; sets the number of lights")
     of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
@@ -81,6 +91,8 @@ def main(argv: list[str] | None = None) -> int:
         options.error("a source and --out are needed (or --setup-blender)")
     if args.minutes is not None and args.lights is not None:
         options.error("--minutes sets the number of lights: give one of the two")
+    if args.for_scene is not None and args.domain is not None:
+        options.error("--for finds the domain: give it or --domain")
     _check_numbers(args, options)
     return run_command(lambda: _run(args, arguments), args.debug, _GO_ON)
 
@@ -110,6 +122,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     _check_source(args.source)
     keep_freed_memory()
     asked = _asked(args)
+    for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     python = blender_env.find_python()
     scratch = args.out / "scratch"  # ray images; those of a killed capture go here
     shutil.rmtree(scratch, ignore_errors=True)
@@ -118,12 +131,13 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     try:
         if begun:
             dataset = _continue(args.out, args.source, arguments, asked)
+            _check_scene(dataset, for_scene)
             clamps = dataset.manifest.settings
         else:
             clamps = CaptureSettings(**asked)
         source = Source(args.source, arguments, clamps.clamp_direct, clamps.clamp_indirect)
         if not begun:
-            dataset = begin(source, asked, args.out, crew, args.minutes, print)
+            dataset = begin(source, asked, args.out, crew, args.minutes, print, for_scene)
         finish(dataset, source, crew)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
@@ -154,6 +168,18 @@ def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) 
             raise CaptureError(f"{out} was begun with {field} {begun}, found {value}")
     print(f"continuing {out}")
     return dataset
+
+
+def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
+    """Refuse to go on for a scene that asks for other directions."""
+    manifest = dataset.manifest
+    if for_scene is None:
+        return
+    domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset.geometry()))
+    if domain != manifest.scene_domain:
+        raise CaptureError(
+            f"{dataset.folder} was begun for other views or lights than {for_scene.path}'s"
+        )
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ from safetensors.numpy import load_file, save
 
 from rna_export.capture.worker import CLAMP_DIRECT, CLAMP_INDIRECT
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Domain, Mesh
 
 SAMPLE_FIELDS: dict[str, dict[str, int]] = {
     "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
@@ -95,6 +95,13 @@ class CaptureManifest(_Model):
     cutouts: bool  # the asset has see-through parts: a hit with alpha below 1 is a sample, too
     bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
     notes: tuple[str, ...] = ()
+    scene_domain: Domain | None = None  # of --for; in the place of settings.domain
+
+    @property
+    def domain(self) -> Domain:
+        """Directions of all samples."""
+        everywhere = self.settings.domain
+        return self.scene_domain or Domain(wo=everywhere, wi=everywhere)
 
     @property
     def fields(self) -> dict[str, int]:

@@ -4,16 +4,37 @@ from __future__ import annotations
 
 import numpy as np
 
+from rna_sdk.package.manifest import Region
+
 # R2, the two-dimensional golden ratio: M. Roberts, "The Unreasonable Effectiveness of
 # Quasirandom Sequences", 2018.
 _R2 = 1.0 / np.array([1.32471795724474602596, 1.32471795724474602596**2])
 
 
-def light_direction(index: int, seed: int, domain: str) -> np.ndarray:
-    """The `index`-th light direction, (3,) float32: evenly spread over `domain` at any count."""
+def light_direction(index: int, seed: int, region: Region) -> np.ndarray:
+    """The `index`-th light direction, (3,) float32: evenly spread over the region at any count."""
     shift = np.random.default_rng([seed, 7]).random(2)
     u = (shift + (index + 1) * _R2) % 1.0
-    return sphere(u[None], domain)[0]
+    return directions_in(region, u[None])[0]
+
+
+def directions_in(region: Region, u: np.ndarray) -> np.ndarray:
+    """Directions (n, 3) float32 in a region of a domain, from u (n, 2) in [0, 1).
+
+    Uniform in "sphere", "hemisphere" and one cone. Of several cones, half of the directions go to
+    each cone alike and half in proportion to its size: no small light is starved by a large one.
+    """
+    if isinstance(region, str):
+        return sphere(u, region)
+    height = 1.0 - np.cos([cone.half_angle for cone in region])  # of the cap; its area over 2 pi
+    share = np.full(len(region), 1.0 / len(region))
+    if height.sum() > 0.0:
+        share = 0.5 * share + 0.5 * height / height.sum()
+    ends = np.cumsum(share)
+    chosen = np.minimum(np.searchsorted(ends, u[:, 0], side="right"), len(region) - 1)
+    within = np.clip((u[:, 0] - (ends - share)[chosen]) / share[chosen], 0.0, 1.0)
+    axes = np.array([cone.axis for cone in region])[chosen]
+    return around(axes, 1.0 - within * height[chosen], 2.0 * np.pi * u[:, 1])
 
 
 def sphere(u: np.ndarray, domain: str = "sphere") -> np.ndarray:

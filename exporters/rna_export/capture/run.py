@@ -21,13 +21,18 @@ from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
 from rna_export.capture.directions import light_direction
 from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
+from rna_render.scene_file import SceneFile
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Domain, Mesh
+from rna_sdk.package.manifest import Region
+from rna_sdk.runtime import in_region
 
+_COUNTED = 4096
 _TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
 
 
@@ -76,18 +81,21 @@ def begin(
     crew: Crew,
     minutes: float | None,
     say: Callable[[str], None],
+    for_scene: SceneFile | None = None,
 ) -> Dataset:
     """Open the source once: export the geometry, measure the speed, fix and write the plan.
 
     `asked`: settings, by name, that are not to be the usual ones of the asset's kind. `minutes`
-    replaces the number of lights by as many as fit.
+    replaces the number of lights by as many as fit. `for_scene` limits views and lights to its own.
     """
     with crew.worker(source, "probe") as worker:
         fibers = worker.kind == "fiber"
         geometry = worker.export_curves() if fibers else weld(worker.export_corners())
         scene = scene_of(geometry)
         settings = CaptureSettings.usual(worker.kind, **asked)
-        rate = _paths_a_second(scene, settings, worker) * crew.workers
+        limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
+        domain = limited or Domain(wo=settings.domain, wi=settings.domain)
+        rate = _paths_a_second(scene, settings, domain, worker) * crew.workers
         opened = worker.opened
     if minutes is not None:
         settings = settings.model_copy(update={"lights": _lights_in(minutes, rate, settings)})
@@ -104,6 +112,7 @@ def begin(
         cutouts=opened["cutouts"],
         bounds=(tuple(low.tolist()), tuple(high.tolist())),
         notes=tuple(opened["notes"]),
+        scene_domain=limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
@@ -175,14 +184,16 @@ def _work(dataset, source, scene, crew, name, todo, bar, stop, failures) -> None
         stop.set()
 
 
-def _paths_a_second(scene: AssetScene, settings: CaptureSettings, worker: BlenderWorker) -> float:
+def _paths_a_second(
+    scene: AssetScene, settings: CaptureSettings, domain: Domain, worker: BlenderWorker
+) -> float:
     """The mean of three renders as the capture will do them, after one that only warms up."""
     seconds = []
     for k in range(4):
         start = time.perf_counter()
-        wi = light_direction(k, settings.seed, settings.domain)
+        wi = light_direction(k, settings.seed, domain.wi)
         rng = np.random.default_rng(k)
-        rays = sample_view_rays(scene, wi, settings.rays, settings.domain, rng)
+        rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
         worker.render_rays(rays.origins, rays.directions, wi, settings.samples, k)
         seconds.append(time.perf_counter() - start)
     return settings.rays * settings.samples / float(np.mean(seconds[1:]))
@@ -206,6 +217,7 @@ def _plan(dataset: Dataset, geometry: Mesh | Curves, rate: float) -> str:
     samples = settings.lights * settings.rays
     return (
         f"{dataset.manifest.name}: {_size(geometry)}\n"
+        f"{_domain_line(dataset.manifest)}"
         f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
         f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
         f"validation: {settings.validation_views} images of {settings.validation_resolution}"
@@ -213,6 +225,20 @@ def _plan(dataset: Dataset, geometry: Mesh | Curves, rate: float) -> str:
         f"about {paths / rate / 60.0:.1f} minutes at {rate / 1e6:.2f} M paths/s, "
         f"{samples * 4 * sum(dataset.manifest.fields.values()) / 1e6:,.0f} MB"
     )
+
+
+def _domain_line(manifest: CaptureManifest) -> str:
+    """What --for made of the scene; nothing without it."""
+    if manifest.scene_domain is None:
+        return ""
+    domain = manifest.scene_domain
+    return f"of all directions: {_share(domain.wo)} of views, {_share(domain.wi)} of lights\n"
+
+
+def _share(region: Region) -> str:
+    """Of the sphere, counted on evenly spread directions."""
+    spread = np.array([light_direction(k, 0, "sphere") for k in range(_COUNTED)])
+    return f"{in_region(region, spread).mean():.1%}"
 
 
 def _size(geometry: Mesh | Curves) -> str:

@@ -9,12 +9,13 @@ import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import CaptureSettings, Dataset, joined, write_arrays
-from rna_export.capture.directions import light_direction, sphere
+from rna_export.capture.directions import directions_in, light_direction
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_render.camera import Camera
 from rna_render.scene_model import CameraModel
 from rna_sdk.errors import CaptureError
+from rna_sdk.package.manifest import Region
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
@@ -46,9 +47,10 @@ class TrainingShard:
         self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker, light: int
     ) -> dict[str, np.ndarray]:
         settings = dataset.manifest.settings
-        wi = light_direction(light, settings.seed, settings.domain)
+        domain = dataset.manifest.domain
+        wi = light_direction(light, settings.seed, domain.wi)
         rng = np.random.default_rng([settings.seed, 1, light])
-        rays = sample_view_rays(scene, wi, settings.rays, settings.domain, rng)
+        rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
         seed = int(rng.integers(2**31))
         return _capture(dataset, scene, worker, rays, wi, settings.samples, seed)
 
@@ -71,8 +73,9 @@ class ValidationHalf:
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings = dataset.manifest.settings
         rng = np.random.default_rng([settings.seed, 2, self.view])
-        wi = sphere(rng.random((1, 2)), settings.domain)[0]
-        rays, hit = _validation_rays(scene, settings, self.view, rng)
+        domain = dataset.manifest.domain
+        wi = directions_in(domain.wi, rng.random((1, 2)))[0]
+        rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
         samples = settings.validation_samples // 2
         noise = np.random.default_rng([settings.seed, 3, self.view, self.half])
         seed = int(noise.integers(2**31))
@@ -122,11 +125,11 @@ def _capture(
 
 
 def _validation_rays(
-    scene: AssetScene, settings: CaptureSettings, view: int, rng: np.random.Generator
+    scene: AssetScene, settings: CaptureSettings, wo: Region, view: int, rng: np.random.Generator
 ) -> tuple[ViewRays, np.ndarray]:
     """A view's rays and which of them hit; drawn again while, as through a ring, hardly any do."""
     for _ in range(50):
-        rays = _validation_camera(scene, settings, view, rng)
+        rays = _validation_camera(scene, settings, wo, view, rng)
         hit = np.flatnonzero(scene.hit_mask(rays.origins, rays.directions))
         if len(hit) > 0.01 * len(rays):
             return rays, hit
@@ -134,17 +137,32 @@ def _validation_rays(
 
 
 def _validation_camera(
-    scene: AssetScene, settings: CaptureSettings, view: int, rng: np.random.Generator
+    scene: AssetScene, settings: CaptureSettings, wo: Region, view: int, rng: np.random.Generator
 ) -> ViewRays:
     """Rays through the pixel centres of a pinhole camera; every fourth view is a close-up."""
-    wo = sphere(rng.random((1, 2)), settings.domain)[0].astype(np.float64)
+    region, fov = _camera_region(wo)
+    axis = directions_in(region, rng.random((1, 2)))[0].astype(np.float64)
     zoom = 0.35 if view % 4 == 3 else 1.0
     model = CameraModel(
-        position=tuple(scene.centre + wo * scene.radius / np.sin(_VALIDATION_FOV / 2)),
+        position=tuple(scene.centre + axis * scene.radius / np.sin(fov / 2)),
         look_at=tuple(scene.centre.astype(np.float64)),
-        vertical_fov_deg=np.degrees(2.0 * np.arctan(zoom * np.tan(_VALIDATION_FOV / 2))),
+        vertical_fov_deg=np.degrees(2.0 * np.arctan(zoom * np.tan(fov / 2))),
     )
     n = settings.validation_resolution
     camera = Camera(model, (n, n))
     d = camera.directions(np.arange(n * n, dtype=np.uint32), np.full((n * n, 2), 0.5))
     return ViewRays(np.tile(camera.position, (n * n, 1)), d)
+
+
+def _camera_region(wo: Region) -> tuple[Region, float]:
+    """Where the axes of validation cameras lie, and their angle of view.
+
+    Of cones, so that what the images see of the asset is seen from inside: half of a cone's angle
+    is the axis's, the other half the image's.
+    """
+    if isinstance(wo, str):
+        return wo, _VALIDATION_FOV
+    narrowest = min(cone.half_angle for cone in wo)
+    fov = min(_VALIDATION_FOV, narrowest)
+    inner = (c.model_copy(update={"half_angle": c.half_angle - fov / 2.0}) for c in wo)
+    return tuple(inner), fov

@@ -14,7 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.directions import around, frame, sphere
+from rna_export.capture.directions import directions_in, frame
+from rna_sdk.package.manifest import Region
+from rna_sdk.runtime import in_region
 
 CLOSE, HIGHLIGHT = 0.25, 0.25  # shares of the rays; the rest are outside ones
 
@@ -32,15 +34,15 @@ class ViewRays:
 
 
 def sample_view_rays(
-    scene: AssetScene, wi: np.ndarray, n: int, domain: str, rng: np.random.Generator
+    scene: AssetScene, wi: np.ndarray, n: int, wo: Region, rng: np.random.Generator
 ) -> ViewRays:
-    """n rays towards the asset, lit from wi (3,); views stay in `domain` ("hemisphere": +Y)."""
+    """n rays towards the asset, lit from wi (3,), whose views are in the region `wo`."""
     highlight = _repeat(
-        lambda k: _highlight(scene, wi, k, rng), scene, round(n * HIGHLIGHT), domain, tries=8
+        lambda k: _highlight(scene, wi, k, wo, rng), scene, round(n * HIGHLIGHT), wo, tries=8
     )
-    close = _repeat(lambda k: _close(scene, k, rng), scene, round(n * CLOSE), domain, tries=16)
+    close = _repeat(lambda k: _close(scene, k, wo, rng), scene, round(n * CLOSE), wo, tries=32)
     rest = n - len(highlight) - len(close)
-    outside = _repeat(lambda k: _outside(scene, k, domain, rng), scene, rest, domain, tries=200)
+    outside = _repeat(lambda k: _outside(scene, k, wo, rng), scene, rest, wo, tries=200)
     parts = (outside, close, highlight)
     mixed = ViewRays(
         np.concatenate([p.origins for p in parts]), np.concatenate([p.directions for p in parts])
@@ -48,16 +50,15 @@ def sample_view_rays(
     return mixed[rng.permutation(len(mixed))]
 
 
-def _repeat(draw, scene: AssetScene, n: int, domain: str, tries: int) -> ViewRays:
-    """Up to n of the drawn rays that hit the asset and look from inside the domain."""
+def _repeat(draw, scene: AssetScene, n: int, wo: Region, tries: int) -> ViewRays:
+    """Up to n of the drawn rays that hit the asset and look from in the region."""
     origins, directions, found = [], [], 0
     for _ in range(tries):
         if found >= n:
             break
         rays = draw(max(2 * (n - found), 256))
         keep = scene.hit_mask(rays.origins, rays.directions)
-        if domain == "hemisphere":
-            keep &= rays.directions[:, 1] <= 0.0
+        keep &= in_region(wo, -rays.directions)
         origins.append(rays.origins[keep])
         directions.append(rays.directions[keep])
         found += int(keep.sum())
@@ -65,8 +66,8 @@ def _repeat(draw, scene: AssetScene, n: int, domain: str, tries: int) -> ViewRay
     return ViewRays(np.concatenate([empty, *origins])[:n], np.concatenate([empty, *directions])[:n])
 
 
-def _outside(scene: AssetScene, n: int, domain: str, rng: np.random.Generator) -> ViewRays:
-    wo = sphere(rng.random((n, 2)), domain)
+def _outside(scene: AssetScene, n: int, region: Region, rng: np.random.Generator) -> ViewRays:
+    wo = directions_in(region, rng.random((n, 2)))
     s, t = frame(wo)
     r, phi = scene.radius * np.sqrt(rng.random(n)), 2.0 * np.pi * rng.random(n)
     disk = (r * np.cos(phi))[:, None] * s + (r * np.sin(phi))[:, None] * t
@@ -74,9 +75,12 @@ def _outside(scene: AssetScene, n: int, domain: str, rng: np.random.Generator) -
     return ViewRays(origins.astype(np.float32), -wo)
 
 
-def _close(scene: AssetScene, n: int, rng: np.random.Generator) -> ViewRays:
+def _close(scene: AssetScene, n: int, region: Region, rng: np.random.Generator) -> ViewRays:
     points, normals = scene.sample_points(n, rng)
-    wo = around(normals, np.sqrt(rng.random(n)), 2.0 * np.pi * rng.random(n))
+    wo = directions_in(region, rng.random((n, 2)))
+    facing = rng.random(n) < np.sum(wo * normals, axis=1)  # as a diffuse surface sends light
+    points, normals, wo = points[facing], normals[facing], wo[facing]
+    n = len(points)
     free = scene.free_distance(points, normals, wo)
     open_enough = free > 0.01 * scene.radius  # skips what lies inside solids
     distance = rng.random(n).astype(np.float32) * np.minimum(free, 2.0 * scene.radius)
@@ -85,8 +89,10 @@ def _close(scene: AssetScene, n: int, rng: np.random.Generator) -> ViewRays:
     return ViewRays(origins, -wo)[open_enough]
 
 
-def _highlight(scene: AssetScene, wi: np.ndarray, n: int, rng: np.random.Generator) -> ViewRays:
-    seen = _outside(scene, 2 * n, "sphere", rng)
+def _highlight(
+    scene: AssetScene, wi: np.ndarray, n: int, region: Region, rng: np.random.Generator
+) -> ViewRays:
+    seen = _outside(scene, 2 * n, region, rng)
     hits = scene.shade_points(seen.origins, seen.directions)
     rows, wo = scene.highlight_views(hits, wi, rng)
     above = np.sum(wo * hits.geometric_normal[rows], axis=1) > 0.02

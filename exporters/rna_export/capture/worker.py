@@ -267,14 +267,16 @@ def _scene_to_blender(scene: dict[str, Any]) -> dict[str, Any]:
         for x in (light.items() for light in scene["lights"])
     ]
     meshes = [{**mesh, "positions": turned(mesh["positions"])} for mesh in scene["meshes"]]
-    asset = scene["asset"]
-    if asset is not None:
-        matrix = np.asarray(asset, np.float64)
-        # Both spaces turn: the rows, where the matrix leads to, and the columns, where from.
-        matrix[:3, :3] = to_blender(to_blender(matrix[:3, :3].T).T)
-        matrix[:3, 3] = to_blender(matrix[:3, 3])
-        asset = matrix.tolist()
-    return {**scene, "lights": lights, "meshes": meshes, "asset": asset}
+    assets = [_matrix_to_blender(matrix) for matrix in scene["assets"]]
+    return {**scene, "lights": lights, "meshes": meshes, "assets": assets}
+
+
+def _matrix_to_blender(matrix: list[list[float]]) -> list[list[float]]:
+    """Both spaces turn: the rows, where the 4 x 4 matrix leads to, and the columns, where from."""
+    turned = np.asarray(matrix, np.float64)
+    turned[:3, :3] = to_blender(to_blender(turned[:3, :3].T).T)
+    turned[:3, 3] = to_blender(turned[:3, 3])
+    return turned.tolist()
 
 
 def _write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> None:

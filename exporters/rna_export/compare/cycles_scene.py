@@ -2,7 +2,7 @@
 
 The description is JSON in the renderer's own space, +Y up:
 
-- `asset`: 4 x 4 matrix of the original, or null where the scene has no asset;
+- `assets`: 4 x 4 matrices, one for each instance of the original;
 - `meshes`: `positions`, `triangles` and the Lambertian `color` of each object, the ground too;
 - `lights`: what the scene file says of them, with the paths of images resolved;
 - `bounces`: how often light may scatter, or null for what the source itself sets.
@@ -29,26 +29,25 @@ def cycles_scene(
     """The description that `BlenderWorker.render_scene` takes.
 
     resolve: finds files that the scene names. Raises SceneError for what has no twin in Blender:
-    more assets than one, a scaled one (Cycles does not scale the depth of subsurface scattering),
-    objects and grounds that are not of one diffuse colour, spheres that shine.
+    assets of several packages, a scaled one (Cycles does not scale the depth of subsurface
+    scattering), objects and grounds that are not of one diffuse colour, spheres that shine.
     """
     return {
-        "asset": _asset(scene),
+        "assets": _assets(scene),
         "meshes": [*_objects(scene, resolve), *_ground(scene, resolve)],
         "lights": [_light(model.model_dump(mode="json"), resolve) for model in scene.lights],
         "bounces": bounces,
     }
 
 
-def _asset(scene: Scene) -> list[list[float]] | None:
-    if not scene.assets:
-        return None
-    if len(scene.assets) > 1:
-        raise SceneError(f"found {len(scene.assets)} assets; Cycles gets one original at most")
-    transform = scene.assets[0].transform
-    if transform.scale != 1.0:
-        raise SceneError(f"the asset is scaled by {transform.scale:g}; Cycles gets it as it is")
-    return world_from_object(transform).tolist()
+def _assets(scene: Scene) -> list[list[list[float]]]:
+    packages = {asset.path for asset in scene.assets}
+    if len(packages) > 1:
+        raise SceneError(f"found {len(packages)} packages; Cycles gets one original at most")
+    for transform in (asset.transform for asset in scene.assets):
+        if transform.scale != 1.0:
+            raise SceneError(f"an asset is scaled by {transform.scale:g}; Cycles gets it as it is")
+    return [world_from_object(asset.transform).tolist() for asset in scene.assets]
 
 
 def _objects(scene: Scene, resolve: Callable[[Path], Path]) -> list[dict[str, Any]]:

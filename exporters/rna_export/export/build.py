@@ -19,6 +19,7 @@ from rna_export.export.decoder import check_decoder, check_int8_decoder, export_
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.machine import processor
+from rna_export.export.small_images import flip_at_heights
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import score
@@ -27,7 +28,6 @@ from rna_sdk.package import (
     Agreement,
     Bounds,
     Cost,
-    Domain,
     Manifest,
     Provenance,
     Tier,
@@ -69,13 +69,12 @@ def build_package(
             tiers.append(tier)
             data[tier.name] = tier_data
     bounds = trained[0].model.triplane
-    domain = dataset.manifest.settings.domain
     manifest = Manifest(
         generator=f"rna-export {rna_sdk.__version__}",
         name=dataset.manifest.name,
         kind=dataset.manifest.kind,
         bounds=Bounds(min=tuple(bounds.low.tolist()), max=tuple(bounds.high.tolist())),
-        domain=Domain(wo=domain, wi=domain),
+        domain=dataset.manifest.domain,
         tiers=tuple(tiers),
         provenance=_provenance(trained, dataset, source),
         license=license_,
@@ -180,13 +179,15 @@ def _measure(
 
 
 def _validation(asset: Asset, views: list[ValidationView]) -> Validation:
-    scores = score([view.pick(*asset.evaluate(*_inputs(view))) for view in views], views)
+    radiance = [view.pick(*asset.evaluate(*_inputs(view))) for view in views]
+    scores = score(radiance, views)
     return Validation(
         psnr=scores.psnr,
         flip=scores.flip,
         relative_mse=scores.relative_mse,
         images=scores.images,
         definition=f"psnr: {PSNR_DEFINITION}; flip: {FLIP_DEFINITION}",
+        flip_at_height=flip_at_heights(radiance, views),
     )
 
 

@@ -102,14 +102,26 @@ def _paper(kind: str, width: int) -> Preset:
     )
 
 
-def _ours(kind: str, width: int, steps: int, learning_rate: float) -> Preset:
-    # Fine planes learn the noise of hair's scattered light (docs/decisions.md).
-    planes = {"surface": (256, 8), "fiber": (32, 16)}
+# Fine planes learn the noise of hair's scattered light (docs/decisions.md).
+_PLANES = {"surface": (256, 8), "fiber": (32, 16)}
+# For assets that are small in the image.
+_TINY_PLANES = {"surface": (128, 8), "fiber": (16, 16)}
+
+
+def _ours(
+    kind: str,
+    width: int,
+    steps: int,
+    learning_rate: float,
+    hidden_layers: int = 4,
+    planes: dict[str, tuple[int, int]] = _PLANES,
+) -> Preset:
     resolution, channels = planes[kind]
     return Preset(
         model=ModelConfig(
             inputs=_OUR_INPUTS[kind],
             width=width,
+            hidden_layers=hidden_layers,
             resolution=resolution,
             channels=channels,
             separates_direct=kind == "fiber",
@@ -128,6 +140,7 @@ def _ours(kind: str, width: int, steps: int, learning_rate: float) -> Preset:
 
 PRESETS = {
     kind: {
+        "tiny": _ours(kind, 32, 40_000, 4e-3, hidden_layers=2, planes=_TINY_PLANES),
         "small": _ours(kind, 64, 40_000, 4e-3),
         "hq": _ours(kind, 256, 40_000, 2e-3),
         "paper-small": _paper(kind, 64),

@@ -44,6 +44,8 @@ class EnvironmentImageLight(InfiniteLight):
     """
 
     delta = False
+    # Squared error times time, of a toy on a ground: 0.75 of that with 2 samples, and 0.87 with 8.
+    samples = 4
 
     def __init__(self, model: EnvironmentModel, image: EquirectangularImage) -> None:
         self.group = model.group

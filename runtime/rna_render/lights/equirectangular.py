@@ -21,7 +21,11 @@ import numpy as np
 from numba import njit, prange
 
 from rna_render.lights.directions import LUMINANCE
-from rna_render.lights.mesh import find_interval
+from rna_render.lights.intervals import fill_guide, guide_entry, interval_near, place_within
+
+# Samples in one unit of parallel work, which goes through them once for each table: while one
+# sample waits for memory, the next ones already ask for theirs.
+CHUNK = 256
 
 
 class EquirectangularImage:
@@ -29,7 +33,7 @@ class EquirectangularImage:
 
     texels: (h, w, 3) float32, radiance, finite and not negative; row 0 at +y. angle: radians that
     the image is turned about +y, counter-clockwise seen from above. It keeps texels as they are,
-    and 8 bytes a texel for the choice of directions.
+    and 12 bytes a texel for the choice of directions.
 
     total: integral of the luminance over the sphere, W / m^2, with the mean of each cell.
     """
@@ -44,6 +48,10 @@ class EquirectangularImage:
         self._columns = np.empty((h + 1, w + 1))
         _accumulate(self._texels, self._heights, self._columns)
         self._rows = np.concatenate([[0.0], np.cumsum(self._columns[:, -1])])
+        self._column_guide = np.empty((h + 1, w), np.int32)
+        fill_guide(self._columns, self._column_guide)
+        self._row_guide = np.empty((1, h + 1), np.int32)
+        fill_guide(self._rows[None], self._row_guide)
         self.total = float(self._rows[-1]) * 2.0 * np.pi / w
 
     def turned(self, angle: float) -> EquirectangularImage:
@@ -57,33 +65,34 @@ class EquirectangularImage:
 
         u: (n, 2) in [0, 1). In a black image the pdf is 0.
         """
-        d_world = np.empty((len(u), 3), np.float32)
-        tables = self._heights, self._rows, self._columns
-        _sample_image(self._texels, self._turn, *tables, u, d_world)
-        return d_world, *self.lookup(d_world)
+        out = _empty_vectors(len(u)), _empty_vectors(len(u)), np.empty(len(u), np.float32)
+        rows, columns = (self._rows, self._row_guide[0]), (self._columns, self._column_guide)
+        _sample_image(self._texels, self._turn, self._heights, *rows, *columns, u, *out)
+        return out
 
     def lookup(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Radiance from directions, (n, 3) float32, and the density with which `sample` finds them.
 
         d_world: (n, 3) float32. Returns (n, 3) and (n,), float32.
         """
-        radiance = np.empty((len(d_world), 3), np.float32)
-        pdf = np.empty(len(d_world), np.float32)
-        total = self._rows[-1]
-        _lookup_image(self._texels, self._turn, self._heights, total, d_world, radiance, pdf)
-        return radiance, pdf
+        out = _empty_vectors(len(d_world)), np.empty(len(d_world), np.float32)
+        _lookup_image(self._texels, self._turn, self._heights, self._rows[-1], d_world, *out)
+        return out
+
+
+def _empty_vectors(n: int) -> np.ndarray:
+    return np.empty((n, 3), np.float32)
 
 
 @njit(cache=True)
-def _luminance(texels, row, column):
-    texel = texels[row, column]
+def _luminance(texel):
     return LUMINANCE[0] * texel[0] + LUMINANCE[1] * texel[1] + LUMINANCE[2] * texel[2]
 
 
 @njit(cache=True)
 def _corners(row, column, h, w):
     """Rows and columns of the four texels about a cell."""
-    return max(row - 1, 0), min(row, h - 1), column, (column + 1) % w
+    return max(row - 1, 0), min(row, h - 1), column, column + 1 if column < w - 1 else 0
 
 
 @njit(cache=True, parallel=True, nogil=True)
@@ -95,10 +104,27 @@ def _accumulate(texels, heights, columns):
         columns[row, 0] = 0.0
         for column in range(w):
             r0, r1, c0, c1 = _corners(row, column, h, w)
-            sum4 = _luminance(texels, r0, c0) + _luminance(texels, r0, c1)
-            sum4 += _luminance(texels, r1, c0) + _luminance(texels, r1, c1)
+            sum4 = _luminance(texels[r0, c0]) + _luminance(texels[r0, c1])
+            sum4 += _luminance(texels[r1, c0]) + _luminance(texels[r1, c1])
             total += sum4 / 4.0 * heights[row]
             columns[row, column + 1] = total
+
+
+@njit(cache=True)
+def _choose_cells(rows, row_guide, columns, column_guide, u, row, column, places):
+    """Row and column of a cell for each u, and a place in the unit square that it leaves."""
+    count, w = len(row_guide), column_guide.shape[1]
+    for i in range(len(u)):
+        value = u[i, 1] * rows[count]
+        row[i] = interval_near(rows, row_guide[guide_entry(u[i, 1], count)], value)
+        places[i, 1] = place_within(rows, row[i], value)
+    for i in range(len(u)):
+        column[i] = column_guide[row[i], guide_entry(u[i, 0], w)]
+    for i in range(len(u)):
+        cumulative = columns[row[i]]
+        value = u[i, 0] * cumulative[w]
+        column[i] = interval_near(cumulative, column[i], value)
+        places[i, 0] = place_within(cumulative, column[i], value)
 
 
 @njit(cache=True)
@@ -109,22 +135,27 @@ def _sample_linear(a, b, u):
 
 
 @njit(cache=True)
-def _sample_place(texels, heights, rows, columns, u1, u2):
-    """Image coordinates (s, t) for a point of the unit square."""
-    h, w, _ = texels.shape
-    row, u2 = find_interval(rows, u2)
-    column, u1 = find_interval(columns[row], u1)
-    r0, r1, c0, c1 = _corners(row, column, h, w)
-    l00, l01 = _luminance(texels, r0, c0), _luminance(texels, r0, c1)
-    l10, l11 = _luminance(texels, r1, c0), _luminance(texels, r1, c1)
-    y = _sample_linear(l00 + l01, l10 + l11, u2)
-    x = _sample_linear(l00 + y * (l10 - l00), l01 + y * (l11 - l01), u1)
-    s, t = (column + 0.5 + x) / w, (row - 0.5 + y) / h
+def _gather(texels, row, column, corners):
+    """Write the four texels about a cell, (4, 3)."""
+    r0, r1, c0, c1 = _corners(row, column, texels.shape[0], texels.shape[1])
+    for channel in range(3):
+        corners[0, channel], corners[1, channel] = texels[r0, c0, channel], texels[r0, c1, channel]
+        corners[2, channel], corners[3, channel] = texels[r1, c0, channel], texels[r1, c1, channel]
+
+
+@njit(cache=True)
+def _sample_cell(corners, heights, row, u1, u2):
+    """A place in a cell, x and y in [0, 1]."""
+    h = len(heights) - 1
+    l00, l01 = _luminance(corners[0]), _luminance(corners[1])
+    l10, l11 = _luminance(corners[2]), _luminance(corners[3])
     if row == 0:
-        t = _cap_angle(u2 * heights[0]) / np.pi
+        y = _cap_angle(u2 * heights[0]) / np.pi * h + 0.5
     elif row == h:
-        t = 1.0 - _cap_angle(u2 * heights[h]) / np.pi
-    return s, t
+        y = 0.5 - _cap_angle(u2 * heights[h]) / np.pi * h
+    else:
+        y = _sample_linear(l00 + l01, l10 + l11, u2)
+    return _sample_linear(l00 + y * (l10 - l00), l01 + y * (l11 - l01), u1), y
 
 
 @njit(cache=True)
@@ -132,41 +163,71 @@ def _cap_angle(one_minus_cosine):
     return 2.0 * np.arcsin(np.sqrt(one_minus_cosine / 2.0))
 
 
+@njit(cache=True)
+def _look_up(corners, heights, w, total, row, x, y, sine, radiance):
+    """Write the radiance at a place in a cell; returns the density of its direction.
+
+    sine: of its angle to +y. The density is the probability of the cell, times luminance by mean
+    luminance there, by the cell's part of the sphere: uniform in cos(theta), or
+    2 pi^2 sin(theta) ds dt.
+    """
+    h = len(heights) - 1
+    luminance = 0.0
+    for channel in range(3):
+        top = corners[0, channel] * (1.0 - x) + corners[1, channel] * x
+        bottom = corners[2, channel] * (1.0 - x) + corners[3, channel] * x
+        value = top * (1.0 - y) + bottom * y
+        radiance[channel] = value
+        luminance += LUMINANCE[channel] * value
+    pdf = luminance * w / (2.0 * np.pi * total) if total > 0.0 else 0.0
+    return pdf * heights[row] * h / (np.pi * sine) if 0 < row < h else pdf
+
+
 @njit(cache=True, parallel=True, nogil=True)
-def _sample_image(texels, turn, heights, rows, columns, u, d_world):
-    for i in prange(len(u)):
-        s, t = _sample_place(texels, heights, rows, columns, u[i, 0], u[i, 1])
-        phi, theta = 2.0 * np.pi * (s - 0.5), np.pi * t
-        sine = np.sin(theta)
-        x, z = sine * np.sin(phi), -sine * np.cos(phi)
-        d_world[i, 0] = turn[0] * x + turn[1] * z
-        d_world[i, 1] = np.cos(theta)
-        d_world[i, 2] = turn[0] * z - turn[1] * x
+def _sample_image(
+    texels, turn, heights, rows, row_guide, columns, column_guide, u, d_world, radiance, pdf
+):
+    h, w, _ = texels.shape
+    n = len(u)
+    for chunk in prange((n + CHUNK - 1) // CHUNK):
+        first = chunk * CHUNK
+        count = min(CHUNK, n - first)
+        row, column = np.empty(count, np.int64), np.empty(count, np.int64)
+        places, corners = np.empty((count, 2)), np.empty((count, 4, 3), np.float32)
+        tables = rows, row_guide, columns, column_guide
+        _choose_cells(*tables, u[first : first + count], row, column, places)
+        for k in range(count):
+            _gather(texels, row[k], column[k], corners[k])
+        for k in range(count):
+            i = first + k
+            x, y = _sample_cell(corners[k], heights, row[k], places[k, 0], places[k, 1])
+            phi = 2.0 * np.pi * ((column[k] + 0.5 + x) / w - 0.5)
+            theta = np.pi * (row[k] - 0.5 + y) / h
+            sine = np.sin(theta)
+            away, along = sine * np.sin(phi), -sine * np.cos(phi)
+            d_world[i, 0] = turn[0] * away + turn[1] * along
+            d_world[i, 1] = np.cos(theta)
+            d_world[i, 2] = turn[0] * along - turn[1] * away
+            place = row[k], x, y, sine
+            pdf[i] = _look_up(corners[k], heights, w, rows[h + 1], *place, radiance[i])
 
 
 @njit(cache=True, parallel=True, nogil=True)
 def _lookup_image(texels, turn, heights, total, d_world, radiance, pdf):
     h, w, _ = texels.shape
-    for i in prange(len(d_world)):
-        dx, dy, dz = d_world[i, 0], d_world[i, 1], d_world[i, 2]
-        x, z = turn[0] * dx - turn[1] * dz, turn[1] * dx + turn[0] * dz
-        sine = np.sqrt(x * x + z * z)
-        s = (0.5 + np.arctan2(x, -z) / (2.0 * np.pi)) * w - 0.5
-        t = np.arctan2(sine, np.float64(dy)) / np.pi * h + 0.5
-        # A direction that is not a number finds some cell, and radiance that is not a number.
-        row = min(max(int(np.floor(t)), 0), h)
-        column = int(np.floor(s)) % w
-        b, a = t - row, s - np.floor(s)
-        r0, r1, c0, c1 = _corners(row, column, h, w)
-        luminance = 0.0
-        for channel in range(3):
-            top = texels[r0, c0, channel] * (1.0 - a) + texels[r0, c1, channel] * a
-            bottom = texels[r1, c0, channel] * (1.0 - a) + texels[r1, c1, channel] * a
-            value = top * (1.0 - b) + bottom * b
-            radiance[i, channel] = value
-            luminance += LUMINANCE[channel] * value
-        # Probability of the cell, luminance by mean luminance there, and the cell's part of the
-        # sphere: uniform in cos(theta), or 2 pi^2 sin(theta) ds dt.
-        pdf[i] = luminance * w / (2.0 * np.pi * total) if total > 0.0 else 0.0
-        if 0 < row < h:
-            pdf[i] *= heights[row] * h / (np.pi * sine)
+    n = len(pdf)
+    for chunk in prange((n + CHUNK - 1) // CHUNK):
+        corners = np.empty((4, 3), np.float32)
+        for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
+            dx, dy, dz = d_world[i, 0], d_world[i, 1], d_world[i, 2]
+            x, z = turn[0] * dx - turn[1] * dz, turn[1] * dx + turn[0] * dz
+            sine = np.sqrt(x * x + z * z)
+            s = (0.5 + np.arctan2(x, -z) / (2.0 * np.pi)) * w - 0.5
+            t = np.arctan2(sine, np.float64(dy)) / np.pi * h + 0.5
+            # A direction that is not a number finds some cell, and radiance that is not a number.
+            row = min(max(int(np.floor(t)), 0), h)
+            column = int(np.floor(s))
+            column = column if 0 <= column < w else w - 1
+            _gather(texels, row, column, corners)
+            place = row, s - np.floor(s), t - row, sine
+            pdf[i] = _look_up(corners, heights, w, total, *place, radiance[i])

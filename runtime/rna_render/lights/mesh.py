@@ -9,6 +9,7 @@ from numba import njit, prange
 
 from rna_render.lights.base import LightSamples, ShapeLight
 from rna_render.lights.directions import flat_pdf
+from rna_render.lights.intervals import find_interval, place_within
 from rna_render.rays import vectors
 from rna_sdk.errors import SceneError
 
@@ -95,26 +96,6 @@ class MeshLight(ShapeLight):
 
 
 @njit(cache=True)
-def find_interval(cumulative, u):
-    """The interval of a cumulative distribution, from 0, that u is in, and its place there.
-
-    cumulative: (k + 1,) float64, rising. Returns the index and a float64 in [0, 1). An interval
-    of no length is never found, unless all are.
-    """
-    low, high = 0, len(cumulative) - 1
-    u = u * cumulative[high]
-    while high - low > 1:
-        middle = (low + high) // 2
-        if cumulative[middle] <= u:
-            low = middle
-        else:
-            high = middle
-    length = cumulative[low + 1] - cumulative[low]
-    place = (u - cumulative[low]) / length if length > 0.0 else 0.0
-    return low, min(max(place, 0.0), 1.0 - 1e-16)
-
-
-@njit(cache=True)
 def _triangle_pdf(corners, normals, per_area, triangle, x, d):
     """Density of the direction d from x of points on either side of a triangle."""
     return flat_pdf(corners[triangle, 0], normals[triangle], True, per_area[triangle], x, d)
@@ -125,7 +106,9 @@ def _sample_mesh(
     corners, normals, cumulative, per_area, x_world, u, wi_world, distance, triangle, b1, b2, pdf
 ):
     for i in prange(len(x_world)):
-        chosen, place = find_interval(cumulative, u[i, 0])
+        value = u[i, 0] * cumulative[-1]
+        chosen = find_interval(cumulative, value)
+        place = place_within(cumulative, chosen, value)
         # Uniform over a triangle: Shirley, Wang and Zimmerman, Monte Carlo Techniques for Direct
         # Lighting Calculations (TOG 15(1), 1996), section 3.2.
         root = np.sqrt(place)

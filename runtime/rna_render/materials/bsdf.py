@@ -56,9 +56,10 @@ class Scattering:
     coat_f0: (n,) float32, in [0, 1): reflectance of the coat seen straight on; 0 for no coat.
     emission: (n, 3) float32, radiance to both sides, W/(m^2 sr).
 
-    The methods take unit vectors, (n, 3) float32, in one space: n and ng, the shading and the
-    geometric normal, of either sign; wo, to the viewer; wi, to the light. The shading normal is
-    turned to the side of the surface that wo is on; a zero one is replaced by ng.
+    The methods take unit vectors, float32, in one space: n and ng, (n, 3), the shading and the
+    geometric normal, of either sign; wo, (n, 3), to the viewer; wi, (k, 3), to the light. row: (k,)
+    which points they are for; None for all, in order. The shading normal is turned to the side of
+    the surface that wo is on; a zero one is replaced by ng.
     """
 
     base_color: np.ndarray
@@ -67,43 +68,61 @@ class Scattering:
     coat_f0: np.ndarray
     emission: np.ndarray
 
-    def take(self, row: np.ndarray) -> Scattering:
-        """The points `row`, numbers or (n,) bool."""
-        return Scattering(
-            self.base_color[row],
-            self.alpha[row],
-            self.metallic[row],
-            self.coat_f0[row],
-            self.emission[row],
-        )
-
-    def evaluate(self, n: np.ndarray, ng: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        """f(wo, wi) |n.wi|: (n, 3) float32; 0 for a wi behind the shading normal or on the other
+    def evaluate(
+        self,
+        n: np.ndarray,
+        ng: np.ndarray,
+        wo: np.ndarray,
+        wi: np.ndarray,
+        row: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """f(wo, wi) |n.wi|: (k, 3) float32; 0 for a wi behind the shading normal or on the other
         side of the surface than wo."""
-        result = np.empty((len(wo), 3), np.float32)
-        _evaluate(*self._parameters(), *albedo_table(), n, ng, wo, wi, result)
+        result = np.empty((len(wi), 3), np.float32)
+        at = _rows(row, wo), n, ng, wo, wi
+        _evaluate(*self._parameters(), *albedo_table(), *at, result)
         return result
 
-    def sample(self, n: np.ndarray, ng: np.ndarray, wo: np.ndarray, u: np.ndarray) -> np.ndarray:
-        """Unit directions wi, (n, 3) float32, with density `pdf`; a pure function of u.
+    def sample(
+        self,
+        n: np.ndarray,
+        ng: np.ndarray,
+        wo: np.ndarray,
+        u: np.ndarray,
+        row: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """Unit directions wi, (k, 3) float32, with density `pdf`; a pure function of u.
 
-        u: (n, 3) float64 in [0, 1). The third number chooses between the cosine about the normal
+        u: (k, 3) float64 in [0, 1). The third number chooses between the cosine about the normal
         and reflection at a visible microfacet, in proportion to their albedos. Some wi are
         behind the surface, where `evaluate` is 0.
         """
-        wi = np.empty((len(wo), 3), np.float32)
-        _sample(*self._parameters(), *albedo_table(), n, ng, wo, u, wi)
+        wi = np.empty((len(u), 3), np.float32)
+        at = _rows(row, wo), n, ng, wo, u
+        _sample(*self._parameters(), *albedo_table(), *at, wi)
         return wi
 
-    def pdf(self, n: np.ndarray, ng: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        """Density of `sample` in wi, per steradian: (n,) float32; it integrates to 1 over the
+    def pdf(
+        self,
+        n: np.ndarray,
+        ng: np.ndarray,
+        wo: np.ndarray,
+        wi: np.ndarray,
+        row: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """Density of `sample` in wi, per steradian: (k,) float32; it integrates to 1 over the
         whole sphere."""
-        result = np.empty(len(wo), np.float32)
-        _pdf(*self._parameters(), *albedo_table(), n, ng, wo, wi, result)
+        result = np.empty(len(wi), np.float32)
+        at = _rows(row, wo), n, ng, wo, wi
+        _pdf(*self._parameters(), *albedo_table(), *at, result)
         return result
 
     def _parameters(self):
         return self.base_color, self.alpha, self.metallic, self.coat_f0
+
+
+def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
+    return np.arange(len(points)) if row is None else row
 
 
 @njit(cache=True)
@@ -156,6 +175,8 @@ def _coat_albedo(coat_f0, a, b):
 @njit(cache=True)
 def _specular_share(base, alpha, metallic, coat_f0, table, cos_o):
     """Part of the samples for the microfacets: their part of the albedo, mean of the colours."""
+    if metallic == 0.0 and coat_f0 == 0.0:
+        return 0.0
     mean = (base[0] + base[1] + base[2]) / 3.0
     a, b = albedo_terms(table, alpha, cos_o)
     coat = _coat_albedo(coat_f0, a, b)
@@ -174,37 +195,42 @@ def _density(m, o, i, alpha, share):
 
 
 @njit(cache=True, parallel=True, nogil=True)
-def _evaluate(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, wi, result):
-    for k in prange(len(wo)):
-        g, o, i = _row(ng, k), _unit(_row(wo, k)), _unit(_row(wi, k))
-        m = _turned_normal(_row(n, k), g, o)
+def _evaluate(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, wi, result):
+    for k in prange(len(wi)):
+        p = row[k]
+        g, o, i = _row(ng, p), _unit(_row(wo, p)), _unit(_row(wi, k))
+        m = _turned_normal(_row(n, p), g, o)
         cos_o, cos_i = _dot(m, o), _dot(m, i)
         if _dot(g, o) * _dot(g, i) <= 0.0 or cos_i <= 0.0:
             result[k, 0], result[k, 1], result[k, 2] = 0.0, 0.0, 0.0
             continue
-        a, metal, f0 = max(np.float64(alpha[k]), MIN_ALPHA), metallic[k], np.float64(coat_f0[k])
-        nh, oh = _half_cosines(m, o, i)
-        surface = distribution(a, nh) * visibility(a, cos_o, cos_i)
-        s = schlick(oh)
-        coat = (f0 + (1.0 - f0) * s) if f0 > 0.0 else 0.0
-        ao, bo = albedo_terms(table, a, cos_o)
-        ai, bi = albedo_terms(table, a, cos_i)
-        am, bm = mean_albedo_terms(mean, a)
-        below = (1.0 - _coat_albedo(f0, ao, bo)) * (1.0 - _coat_albedo(f0, ai, bi))
-        below /= max(1.0 - _coat_albedo(f0, am, bm), 1e-9)
+        metal, f0 = np.float64(metallic[p]), np.float64(coat_f0[p])
+        below, surface, s, coat = 1.0, 0.0, 0.0, 0.0
+        if metal > 0.0 or f0 > 0.0:  # else Lambert's material, which reflects no light as a mirror
+            a = max(np.float64(alpha[p]), MIN_ALPHA)
+            nh, oh = _half_cosines(m, o, i)
+            surface = distribution(a, nh) * visibility(a, cos_o, cos_i)
+            s = schlick(oh)
+            coat = (f0 + (1.0 - f0) * s) if f0 > 0.0 else 0.0
+            ao, bo = albedo_terms(table, a, cos_o)
+            ai, bi = albedo_terms(table, a, cos_i)
+            am, bm = mean_albedo_terms(mean, a)
+            below = (1.0 - _coat_albedo(f0, ao, bo)) * (1.0 - _coat_albedo(f0, ai, bi))
+            below /= max(1.0 - _coat_albedo(f0, am, bm), 1e-9)
         for c in range(3):
-            base = np.float64(base_color[k, c])
+            base = np.float64(base_color[p, c])
             mirror = metal * (base + (1.0 - base) * s) + (1.0 - metal) * coat
             f = mirror * surface + (1.0 - metal) * base / np.pi * below
             result[k, c] = f * cos_i
 
 
 @njit(cache=True, parallel=True, nogil=True)
-def _sample(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, u, wi):
-    for k in prange(len(wo)):
-        o = _unit(_row(wo, k))
-        x, y, z = _turned_normal(_row(n, k), _row(ng, k), o)
-        a = max(np.float64(alpha[k]), MIN_ALPHA)
+def _sample(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, u, wi):
+    for k in prange(len(wi)):
+        p = row[k]
+        o = _unit(_row(wo, p))
+        x, y, z = _turned_normal(_row(n, p), _row(ng, p), o)
+        a = max(np.float64(alpha[p]), MIN_ALPHA)
         # Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
         sign = np.copysign(1.0, z)
         c = -1.0 / (sign + z)
@@ -212,7 +238,7 @@ def _sample(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, u, wi)
         s = (1.0 + sign * x * x * c, sign * d, -sign * x)
         t = (d, sign + y * y * c, -y)
         ox, oy, oz = _dot(s, o), _dot(t, o), _dot((x, y, z), o)
-        share = _specular_share(_row(base_color, k), a, metallic[k], coat_f0[k], table, oz)
+        share = _specular_share(_row(base_color, p), a, metallic[p], coat_f0[p], table, oz)
         if u[k, 2] < share:
             ix, iy, iz = sample_reflection(a, ox, oy, oz, u[k, 0], u[k, 1])
         else:
@@ -225,10 +251,11 @@ def _sample(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, u, wi)
 
 
 @njit(cache=True, parallel=True, nogil=True)
-def _pdf(base_color, alpha, metallic, coat_f0, table, mean, n, ng, wo, wi, result):
-    for k in prange(len(wo)):
-        o, i = _unit(_row(wo, k)), _unit(_row(wi, k))
-        m = _turned_normal(_row(n, k), _row(ng, k), o)
-        a, base = max(np.float64(alpha[k]), MIN_ALPHA), _row(base_color, k)
-        share = _specular_share(base, a, metallic[k], coat_f0[k], table, _dot(m, o))
+def _pdf(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, wi, result):
+    for k in prange(len(wi)):
+        p = row[k]
+        o, i = _unit(_row(wo, p)), _unit(_row(wi, k))
+        m = _turned_normal(_row(n, p), _row(ng, p), o)
+        a, base = max(np.float64(alpha[p]), MIN_ALPHA), _row(base_color, p)
+        share = _specular_share(base, a, metallic[p], coat_f0[p], table, _dot(m, o))
         result[k] = _density(m, o, i, a, share)

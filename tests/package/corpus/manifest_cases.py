@@ -162,6 +162,40 @@ def unpaired_surrogate(entries: Entries) -> bytes:
     return with_text(entries, '"tetrahedron"', '"\\ud800"')
 
 
+def validation(*heights: int) -> dict[str, object]:
+    """A tier's, with errors at these heights."""
+    table = [{"height": height, "flip": 0.1} for height in heights]
+    measures = {"psnr": 30.0, "flip": 0.1, "relativeMse": 0.1, "images": 1, "definition": "-"}
+    return {**measures, "flipAtHeight": table}
+
+
+@case("FIELD_VALUE")
+def heights_that_grow(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0].update(validation=validation(20, 40)))
+
+
+@case("FIELD_VALUE")
+def unknown_region(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["domain"].update(wo="disk"))
+
+
+@case("FIELD_VALUE")
+def no_cones(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["domain"].update(wi=[]))
+
+
+@case("FIELD_VALUE")
+def too_many_cones(entries: Entries) -> bytes:
+    cones = [{"axis": [0, 1, 0], "halfAngle": 0.1}] * 17
+    return with_manifest(entries, lambda m: m["domain"].update(wi=cones))
+
+
+@case("FIELD_VALUE")
+def axis_that_is_not_unit(entries: Entries) -> bytes:
+    cone = {"axis": [0, 0, 2], "halfAngle": 0.1}
+    return with_manifest(entries, lambda m: m["domain"].update(wi=[cone]))
+
+
 @case("BOUNDS_EMPTY")
 def bounds_inverted(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m.update(bounds={"min": [1, 1, 1], "max": [0, 2, 2]}))

@@ -1,0 +1,31 @@
+"""Whether directions are among those that an asset was trained for."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package.manifest import Region
+from rna_sdk.runtime.arguments import vectors
+
+
+def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Which directions lie in a region of a package's domain: (n,) bool.
+
+    region: `wo` or `wi` of `Asset.domain`. directions: (n, 3) float32, unit, object space.
+
+    Raises:
+        QueryError: `directions` is another array.
+    """
+    directions = vectors("directions", directions)
+    if region == "sphere":
+        return np.ones(len(directions), bool)
+    if region == "hemisphere":
+        return directions[:, 1] >= 0.0
+    axes = np.array([cone.axis for cone in region], np.float32)
+    cosines = np.cos([cone.half_angle for cone in region]).astype(np.float32)
+    return np.asarray((directions @ axes.T >= cosines - _ROUNDING).any(axis=1))
+
+
+_ROUNDING = np.float32(1e-6)
+"""What float32 may take from a cosine; a cone without width still holds its axis."""

@@ -1,0 +1,71 @@
+"""Counts how often an asset is asked for directions that it was not trained for."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable
+from threading import Lock
+
+import numpy as np
+
+from rna_sdk.runtime import Asset, in_region
+
+
+class DomainWarning(UserWarning):
+    """An asset's answers are extrapolated."""
+
+
+class WatchedAsset:
+    """An asset that counts the queries outside its domain; else as rna_sdk.runtime.Asset.
+
+    name: of its file, for the warning.
+    """
+
+    def __init__(self, asset: Asset, name: str) -> None:
+        self._asset, self._name = asset, name
+        self._counting = Lock()
+        self._asked = self._from_outside = self._lit_outside = self._outside = 0
+        self._told = False
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(self._asset, name)
+
+    def evaluate(self, *arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """As the asset's own; wo and wi are the last two arguments."""
+        wo, wi = arguments[-2:]
+        seen = in_region(self._asset.domain.wo, wo)
+        lit = in_region(self._asset.domain.wi, wi)
+        with self._counting:
+            self._asked += len(wo)
+            self._from_outside += int(np.count_nonzero(~seen))
+            self._lit_outside += int(np.count_nonzero(~lit))
+            self._outside += int(np.count_nonzero(~(seen & lit)))
+        return self._asset.evaluate(*arguments)
+
+    def complaint(self) -> str | None:
+        """What part of the queries was outside, if any was; once."""
+        if self._told or not self._outside:
+            return None
+        self._told = True
+        whole, views, lights = (
+            f"{count / self._asked:.1%}"
+            for count in (self._outside, self._from_outside, self._lit_outside)
+        )
+        return (
+            f"{self._name}: {whole} of the queries are outside the directions that it was trained "
+            f"for (views {views}, lights {lights})"
+        )
+
+
+def watched(asset: Asset, name: str) -> Asset | WatchedAsset:
+    """The asset; one that was not trained for all directions is watched."""
+    domain = asset.domain
+    return asset if domain.wo == domain.wi == "sphere" else WatchedAsset(asset, name)
+
+
+def warn_of_extrapolation(things: Iterable[object]) -> None:
+    """Warn with DomainWarning of each of a world's assets that left its domain."""
+    for thing in dict.fromkeys(thing for thing in things if isinstance(thing, WatchedAsset)):
+        complaint = thing.complaint()
+        if complaint is not None:
+            warnings.warn(complaint, DomainWarning, stacklevel=2)

@@ -1,0 +1,66 @@
+"""Choice in proportion to weights: intervals of their running sums.
+
+Sums are (k + 1,) float64, from 0, rising. The interval that a number is in comes in the order of
+the numbers: nearby ones stay neighbours, so that well spread ones stay so. An interval of no
+length is never found, unless all that follow have none.
+
+numba's cache does not see changes here when it runs kernels of other files that call these
+functions: delete their cached code (`__pycache__/*.nbi`) after editing this file.
+"""
+
+from __future__ import annotations
+
+from numba import njit, prange
+
+
+@njit(cache=True)
+def find_interval(cumulative, value):
+    """The interval that a value is in, by bisection."""
+    low, high = 0, len(cumulative) - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if cumulative[middle] <= value:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@njit(cache=True)
+def interval_near(cumulative, near, value):
+    """The interval that a value is in, in steps from one near it."""
+    while near > 0 and cumulative[near] > value:
+        near -= 1
+    while near < len(cumulative) - 2 and cumulative[near + 1] <= value:
+        near += 1
+    return near
+
+
+@njit(cache=True)
+def place_within(cumulative, interval, value):
+    """Where in its interval a value is, in [0, 1)."""
+    length = cumulative[interval + 1] - cumulative[interval]
+    place = (value - cumulative[interval]) / length if length > 0.0 else 0.0
+    return min(max(place, 0.0), 1.0 - 1e-16)
+
+
+@njit(cache=True, parallel=True, nogil=True)
+def fill_guide(cumulative, guide):
+    """For each row of sums, (r, k + 1), and each i < k an interval near i / k of the last sum.
+
+    guide: (r, k) int32, written. From `guide_entry` of a u the interval of u is a step or two away:
+    Chen and Asau, On Generating Random Variates from an Empirical Distribution (AIIE Transactions
+    6, 1974).
+    """
+    count = guide.shape[1]
+    for row in prange(len(guide)):
+        interval = 0
+        for i in range(count):
+            interval = interval_near(cumulative[row], interval, i / count * cumulative[row, count])
+            guide[row, i] = interval
+
+
+@njit(cache=True)
+def guide_entry(u, count):
+    """Place in a guide of `count` entries for a u in [0, 1)."""
+    return min(int(u * count), count - 1)

@@ -1,0 +1,102 @@
+"""Which tier each asset of a scene is rendered with: the cheapest that its size allows.
+
+An asset's size is the height in pixels of the sphere about its package's bounds, the largest of
+all views. Assets that no view shows are seen in reflections and by the light that they throw, if at
+all, and count as the smallest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from rna_render.camera import Camera
+from rna_render.scene_file import SceneFile
+from rna_render.scene_model import Scene
+from rna_render.transforms import world_from_object
+from rna_sdk.errors import QueryError
+from rna_sdk.package import Package
+from rna_sdk.runtime import choose_tier, expected_error
+
+Tiers = tuple[str | None, ...]
+"""For each of a scene's assets the tier's name; None for the package's first."""
+
+# Mean FLIP; the first limit beyond "as accurate as can be".
+_FIRST_STEP = 0.01
+
+
+class TierChoice:
+    """The tiers that the assets of a scene may have; a tier that the scene names stays.
+
+    views: the scene as each image will show it; only cameras may differ. Raises SceneError for a
+    file that is not there, PackageError for a broken package.
+    """
+
+    def __init__(self, scene_file: SceneFile, views: Sequence[Scene]) -> None:
+        self._named = [asset.tier for asset in scene_file.scene.assets]
+        paths = [scene_file.asset_path(index) for index in range(len(self._named))]
+        opened = {path: Package.open(path) for path in dict.fromkeys(paths)}
+        self._packages = [(path, opened[path]) for path in paths]
+        boxes = [package.manifest.bounds for package in (opened[path] for path in paths)]
+        self._pixels = _heights(scene_file.scene, views, boxes).tolist()
+
+    def within(self, max_error: float) -> Tiers:
+        """The cheapest tiers of at most this mean FLIP, or where there is none the best."""
+        return tuple(
+            named or self._best_within(index, max_error) for index, named in enumerate(self._named)
+        )
+
+    def coarser(self, max_error: float) -> Iterator[Tiers]:
+        """The same, then with twice the error and so on, as long as that changes tiers."""
+        last = None
+        while max_error < 2.0:  # FLIP is 1 at most
+            tiers = self.within(max_error)
+            if tiers != last:
+                yield tiers
+            last, max_error = tiers, max(2.0 * max_error, _FIRST_STEP)
+
+    def unmet(self, max_error: float) -> list[str]:
+        """A line for each package that has no tier within the limit at its largest size."""
+        worst: dict[Path, int] = {}
+        for index, (path, _) in enumerate(self._packages):
+            tallest = worst.get(path, index)
+            if self._named[index] is None and self._pixels[index] >= self._pixels[tallest]:
+                worst[path] = index
+        lines = []
+        for path, index in worst.items():
+            best, error = self._most_accurate(index)
+            if not error <= max_error:
+                told = f"{best} with {error:.3g}" if np.isfinite(error) else f"{best}, unmeasured"
+                lines.append(
+                    f"{path.name}: no tier has an error of at most {max_error:g} at "
+                    f"{self._pixels[index]:.0f} pixels; the best is taken, {told}"
+                )
+        return lines
+
+    def _best_within(self, index: int, max_error: float) -> str:
+        try:
+            package = self._packages[index][1]
+            return choose_tier(package, max_error=max_error, pixels=self._pixels[index]).name
+        except QueryError:
+            return self._most_accurate(index)[0]
+
+    def _most_accurate(self, index: int) -> tuple[str, float]:
+        tiers, pixels = self._packages[index][1].manifest.tiers, self._pixels[index]
+        best = min(tiers, key=lambda tier: expected_error(tier, pixels))
+        return best.name, expected_error(best, pixels)
+
+
+def _heights(scene: Scene, views: Sequence[Scene], boxes: Sequence) -> np.ndarray:
+    """The largest height in any view of each asset's bounds, (n,) pixels."""
+    if not boxes:
+        return np.zeros(0)
+    corners = np.array([(box.min, box.max) for box in boxes])
+    matrices = np.array([world_from_object(asset.transform) for asset in scene.assets])
+    scale = np.linalg.norm(matrices[:, :3, 0], axis=1)
+    radius = scale * np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1) / 2.0
+    middle = corners.mean(axis=1)
+    centre = np.einsum("nij,nj->ni", matrices[:, :3, :3], middle) + matrices[:, :3, 3]
+    cameras = (Camera(view.camera, view.resolution) for view in views)
+    return np.max([camera.heights(centre, radius) for camera in cameras], axis=0)

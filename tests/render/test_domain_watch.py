@@ -1,0 +1,84 @@
+"""A warning where an asset is asked for directions that it was not trained for."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_render.cli import main
+from rna_render.domain_watch import DomainWarning, WatchedAsset, warn_of_extrapolation, watched
+from rna_sdk.package import Cone, Domain
+from rna_sdk.runtime import load
+from tests.package.builders import make_tiny_package
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
+
+UP, DOWN, FRONT = (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0)
+SCENE = """\
+assets: [{path: ball.rna}]
+camera: {position: [0, 0, 4], look_at: [0, 0, 0], vertical_fov_deg: 5}
+lights: [{type: directional, direction: DIRECTION, irradiance: [1, 1, 1]}]
+resolution: [8, 8]
+samples: 2
+"""
+
+
+def cone(axis: tuple[float, float, float], half_angle: float = 0.5) -> tuple[Cone, ...]:
+    return (Cone(axis=axis, half_angle=half_angle),)
+
+
+def rows(*directions: tuple[float, float, float]) -> np.ndarray:
+    return np.array(directions, np.float32)
+
+
+def test_queries_outside_are_counted_and_answered(tmp_path: Path) -> None:
+    domain = Domain(wo=cone(FRONT), wi="hemisphere")
+    asset = load(make_tiny_package(tmp_path / "a.rna", domain=domain))
+    watch = watched(asset, "a.rna")
+    wo, wi = rows(FRONT, FRONT, UP, UP), rows(UP, DOWN, DOWN, UP)
+    points = np.zeros((4, 3), np.float32), rows(UP, UP, UP, UP), wo, wi
+    for found, expected in zip(watch.evaluate(*points), asset.evaluate(*points), strict=True):
+        np.testing.assert_array_equal(found, expected)
+    assert watch.complaint() == (
+        "a.rna: 75.0% of the queries are outside the directions that it was trained for "
+        "(views 50.0%, lights 50.0%)"
+    )
+    assert (watch.kind, watch.tier) == ("surface", asset.tier)
+
+
+def test_an_asset_of_all_directions_is_not_watched(tmp_path: Path) -> None:
+    asset = load(make_tiny_package(tmp_path / "a.rna"))
+    assert watched(asset, "a.rna") is asset
+
+
+def test_a_warning_comes_once(tmp_path: Path) -> None:
+    asset = load(make_tiny_package(tmp_path / "a.rna", domain=Domain(wo=cone(UP), wi="sphere")))
+    watch = WatchedAsset(asset, "a.rna")
+    zero = np.zeros((1, 3), np.float32)
+    warn_of_extrapolation([watch])  # nothing was asked: no warning, which would be an error
+    watch.evaluate(zero, rows(UP), rows(DOWN), rows(UP))
+    with pytest.warns(DomainWarning) as caught:
+        warn_of_extrapolation([watch, watch])
+    assert len(caught) == 1
+    with warnings.catch_warnings(action="error"):
+        warn_of_extrapolation([watch])
+
+
+@pytest.mark.filterwarnings("default::rna_render.domain_watch.DomainWarning")
+@pytest.mark.parametrize(("direction", "warns"), [("[0, 0.1, 1]", False), ("[0, 1, 0]", True)])
+def test_the_command_warns_of_lights_outside(
+    direction: str, warns: bool, tmp_path: Path, capsys
+) -> None:
+    domain = Domain(wo=cone(FRONT), wi=cone(FRONT))
+    write_lambert_package(tmp_path / "ball.rna", sphere(3), domain=domain)
+    (tmp_path / "scene.yaml").write_text(SCENE.replace("DIRECTION", direction))
+    assert main([str(tmp_path / "scene.yaml"), "--out", str(tmp_path / "out.exr")]) == 0
+    told = [line for line in capsys.readouterr().err.splitlines() if line.startswith("warning")]
+    expected = [
+        "warning: ball.rna: 100.0% of the queries are outside the directions that it was trained "
+        "for (views 0.0%, lights 100.0%)"
+    ]
+    assert told == (expected if warns else [])

@@ -1,0 +1,54 @@
+"""Which directions a domain holds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_sdk.errors import QueryError
+from rna_sdk.package import Cone, Domain, Package
+from rna_sdk.runtime import in_region, load
+from tests.package.builders import make_tiny_package
+
+UP, FRONT = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+CONES = (Cone(axis=UP, half_angle=0.1), Cone(axis=FRONT, half_angle=0.5))
+
+
+def tilted(angle: float) -> np.ndarray:
+    """From straight up towards the front, (1, 3)."""
+    return np.float32([[0.0, np.cos(angle), np.sin(angle)]])
+
+
+@pytest.mark.parametrize(
+    ("angle", "within"),
+    [(0.0, True), (0.099, True), (0.101, False), (1.06, False), (1.08, True), (3.0, False)],
+)
+def test_cones_hold_what_is_near_any_axis(angle: float, within: bool) -> None:
+    assert in_region(CONES, tilted(angle)).tolist() == [within]
+
+
+def test_a_cone_without_width_holds_its_axis() -> None:
+    axis = np.array([0.48, 0.6, 0.64])
+    cone = Cone(axis=tuple(axis.tolist()), half_angle=0.0)
+    assert in_region((cone,), axis[None].astype(np.float32)).all()
+
+
+def test_sphere_and_hemisphere() -> None:
+    down = np.float32([[0, -1, 0], [0, 1, 0], [1, 0, 0]])
+    assert in_region("sphere", down).tolist() == [True, True, True]
+    assert in_region("hemisphere", down).tolist() == [False, True, True]
+
+
+def test_other_arrays_are_refused() -> None:
+    with pytest.raises(QueryError, match="directions"):
+        in_region("sphere", np.zeros((2, 2), np.float32))
+
+
+def test_cones_go_through_a_package(tmp_path: Path) -> None:
+    domain = Domain(wo=CONES, wi="hemisphere")
+    path = make_tiny_package(tmp_path / "a.rna", domain=domain)
+    assert load(path).domain == domain
+    with Package.open(path) as package:
+        assert package.manifest.domain == domain
