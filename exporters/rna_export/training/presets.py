@@ -80,6 +80,11 @@ class Preset(BaseModel):
     model: ModelConfig
     training: TrainingConfig
 
+    def with_loss(self, loss: str) -> Preset:
+        """The same, but for the loss; see `TrainingConfig.loss`."""
+        training = self.training.model_copy(update={"loss": loss})
+        return self.model_copy(update={"training": training})
+
 
 # A batch in the paper is an image slice, several 100,000 samples. A CPU takes too few such steps to
 # learn anything, and steps count more than samples (docs/decisions.md): a batch is ours, for all.

@@ -9,7 +9,6 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.cases.energy import capture_white
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset import ValidationView
-from rna_export.training.presets import Preset
 from rna_export.training.validation import score, shade
 
 BIAS, FROM_PATHS = 0.02, 4  # the mark
@@ -34,15 +33,11 @@ def measure(workshop: Workshop) -> list[Row]:
             validation_samples=2,
         )
         for loss in LOSSES:
-            preset = with_loss(workshop.preset("surface", resolution=64), loss)
+            preset = workshop.preset("surface", resolution=64).with_loss(loss)
             model = workshop.train(loss, dataset, preset).model
             row = row_of([shade(model, view) for view in views], views)
             rows.append({"paths": paths, "loss": loss, **row})
     return rows
-
-
-def with_loss(preset: Preset, loss: str) -> Preset:
-    return preset.model_copy(update={"training": preset.training.model_copy(update={"loss": loss})})
 
 
 def row_of(radiance: list[np.ndarray], views: list[ValidationView]) -> Row:

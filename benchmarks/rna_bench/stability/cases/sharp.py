@@ -165,16 +165,23 @@ def in_and_out(
 ) -> dict[str, float]:
     """PSNR in the highlight and out of it, of samples where the light is visible.
 
+    In the highlight it is of radiance as it is, against its peak: displayed, most of it is white.
     highlight: angle between n and h where it ends, radians.
     """
     h = samples["wi"] + samples["wo"]
     h = h / np.maximum(np.linalg.norm(h, axis=1, keepdims=True), 1e-6)
     inside = np.sum(h * samples["normal"], axis=1) > np.cos(highlight)
     visible = samples["visible"].astype(bool)
+    within, without = visible & inside, visible & ~inside
     return {
-        name: psnr(radiance[rows], samples["radiance"][rows])
-        for name, rows in (("psnr_in", visible & inside), ("psnr_out", visible & ~inside))
+        "psnr_in": _psnr_of_peak(radiance[within], samples["radiance"][within]),
+        "psnr_out": psnr(radiance[without], samples["radiance"][without]),
     }
+
+
+def _psnr_of_peak(radiance: np.ndarray, reference: np.ndarray) -> float:
+    error = np.mean((radiance.astype(np.float64) - reference) ** 2)
+    return -10.0 * float(np.log10(max(error, 1e-12) / float(reference.max()) ** 2))
 
 
 def lobe_shape(half: np.ndarray, lobe: np.ndarray, suffix: str) -> dict[str, float]:
