@@ -18,8 +18,8 @@ from rna_export.export.decoder import Agreement as DecoderAgreement
 from rna_export.export.decoder import check_decoder, check_int8_decoder, export_decoder
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import Precision, stored_planes
-from rna_export.machine import processor
 from rna_export.export.small_images import flip_at_heights
+from rna_export.machine import processor
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import score
