@@ -31,6 +31,7 @@ _LAYERS = (2, 3, 4, 5)
 def full_grid(kind: str, steps: int = FULL_STEPS) -> list[Trial]:
     """Every model; made for a GPU."""
     shapes = [ours(kind, width, layers) for width, layers in product(_WIDTHS, _LAYERS)]
+    shapes.append(ours(kind, 32, 2, planes=_PLANES[kind][1][0]))  # the preset `tiny`
     for width in (16, 64, 256):
         shapes += [ours(kind, width, planes=planes) for planes in _PLANES[kind][1]]
         shapes += [ours(kind, width, channels=channels) for channels in _CHANNELS[kind][1]]
@@ -51,6 +52,7 @@ def short_grid(kind: str, steps: int = SHORT_STEPS) -> list[Trial]:
         ours(kind, 16, 2, **smallest),
         ours(kind, 16, planes=planes[0]),
         ours(kind, 32, 2),
+        ours(kind, 32, 2, planes=planes[0]),  # the preset `tiny`
         ours(kind, 128, 2),
     ]
     paper = [paper_model(kind, 4, 64), paper_model(kind, 4, 512)]
