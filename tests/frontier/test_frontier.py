@@ -12,9 +12,12 @@ from rna_bench.frontier import study as study_module
 from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.points import front
 from rna_export.capture.dataset import Dataset
+from rna_export.trials.packages import PRECISIONS
 from rna_export.trials.trial import Trial
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.render.chromium import find_chromium, open_page
+
+POINTS = 2 * len(PRECISIONS)
 
 
 def grid(kind: str, steps: int) -> list[Trial]:
@@ -75,11 +78,11 @@ def test_unknown_trial_is_one_line(
 def test_page_shows_and_compares_the_models(out: Path) -> None:
     with open_page(find_chromium()) as page:
         page.call("Page.navigate", url=(out / "index.html").as_uri())
-        page.wait_for("document.querySelectorAll('#chart .point').length == 2")
+        page.wait_for(f"document.querySelectorAll('#chart .point').length == {POINTS}")
         assert page.evaluate("document.querySelectorAll('#pair img').length") == 5
         loaded = "[...document.images].every((i) => !i.src || i.naturalWidth > 0)"
         assert page.evaluate(loaded)
-        first = "document.querySelector('#chart .point')"
+        first = "document.querySelector('#chart .chosen')"
         page.evaluate(f"{first}.focus()")
         assert page.evaluate("document.getElementById('tip').style.display") == "block"
         page.evaluate(f"{first}.dispatchEvent(new MouseEvent('click'))")
@@ -89,7 +92,7 @@ def test_page_shows_and_compares_the_models(out: Path) -> None:
                 f"document.getElementById('error').value = '{error}';"
                 "document.getElementById('error').dispatchEvent(new Event('change'))"
             )
-            assert page.evaluate("document.querySelectorAll('#chart .point').length") == 2
+            assert page.evaluate("document.querySelectorAll('#chart .point').length") == POINTS
 
 
 def point(name: str, family: str, ns: float, psnr: float) -> dict[str, object]:
