@@ -6,9 +6,9 @@ import argparse
 from typing import Any
 
 import numpy as np
-from beside_cycles import CyclesScene, OurScene
-from stage import Stage
 
+from rna_bench.beside_cycles import CyclesScene, OurScene
+from rna_bench.stage import Stage
 from rna_export.capture.worker import BlenderWorker
 from rna_render.scene_model import Scene
 

@@ -26,6 +26,7 @@ import trimesh
 from numpy.typing import NDArray
 from report import publish, report_parser
 
+from rna_bench.step_times import step_times
 from rna_export.export.decoder import export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import PRECISIONS, Precision, stored_planes
@@ -44,9 +45,6 @@ from rna_sdk.package import (
     write_package,
 )
 from rna_sdk.runtime import Asset, load
-from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.output_kernel import split_transport
-from rna_sdk.runtime.tiles import Batch, QueryFiller
 
 INPUTS = {
     "surface": ("features", "normal", "wo", "wi", "half_vector"),
@@ -109,7 +107,7 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
                     "evaluate_gflops": round(rate * flop / 1e9, 1),
                     "share_of_gemm": round(rate * flop / 1e9 / gemm, 3),
                     "times_first": round(rate / rates[args.precisions[0], name], 2),
-                    "ns_per_query_one_thread": time_split(package, precision, batches[name]),
+                    "ns_per_query_one_thread": step_times(package, precision, batches[name]),
                 }
     return {
         "width": width,
@@ -147,35 +145,6 @@ def alternate(
             taken = seconds_of(lambda a=asset, batch=batch: a.evaluate(*batch, out=results))
             rates[precision, name].append(len(batch[0]) / taken)
     return float(np.median(gemm[1:])), {k: float(np.median(v[1:])) for k, v in rates.items()}
-
-
-def time_split(package: Package, name: str, batch: Arrays) -> dict[str, float]:
-    """ns a query on one thread, by step of the tile loop."""
-    tier = package.tier(name)
-    kind = package.manifest.kind
-    filler = QueryFiller(package.planes(tier.name), package.manifest.bounds, tier, kind)
-    decoder = Decoder(package.decoder(tier.name), filler.largest_query)
-    rows = decoder.tile_rows
-    n = max(len(batch[0]) // 4 // rows, 1) * rows
-    outputs = np.zeros((2, len(batch[0]), 3), np.float32)
-    positions, axes, *offsets, wo, wi = batch
-    h = offsets[0] if offsets else np.empty(0, np.float32)
-    everything = Batch(positions, axes, h, wo, wi, *outputs)
-    queries = np.zeros((rows, decoder.columns), np.float32)
-    valid = np.empty(rows, np.bool_)
-    total = dict.fromkeys(("inputs", "decoder", "output"), 0.0)
-    for start in range(0, n, rows):
-        tile = slice(start, min(start + rows, n))
-        marks = [time.perf_counter()]
-        filler.fill(everything, tile, queries, valid)
-        marks.append(time.perf_counter())
-        transport = decoder.run(queries)
-        marks.append(time.perf_counter())
-        split_transport(transport, valid, outputs[0, tile], outputs[1, tile])
-        marks.append(time.perf_counter())
-        for step, (before, after) in zip(total, pairwise(marks), strict=True):
-            total[step] += after - before
-    return {step: round(taken / n * 1e9, 1) for step, taken in total.items()}
 
 
 def seconds_of(action: Callable[[], object]) -> float:

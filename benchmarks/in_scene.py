@@ -20,13 +20,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
 from bleeding import bleeding
 from equality import equal_error
 from PIL import Image
 from report import publish
-from stage import Stage
 
+from rna_bench.beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
+from rna_bench.stage import Stage
 from rna_export.capture import blender_env
 from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source

@@ -3,11 +3,9 @@
     python benchmarks/near_field.py examples/quickstart/toy.rna examples/quickstart/toy.py \
         --out benchmarks/results/near-field-toy.json --picture docs/images/near-field.png
 
-The light stands at 8.66, 1.73 and 0.86 times the asset's size from its middle (the paper's
-near-field figure), towards (1, 1, 1) as the camera sees it; the size is the longest side of the
-bounding box, so the last one is a corner of the cube about the asset. Its intensity goes with the
-square of the distance. Transport was captured under light from far away: what it cannot know is how
-the light's direction differs within the distance that light travels inside the asset.
+The distances are those of the paper's near-field figure; `rna_bench.near_light` says where the
+light stands. Transport was captured under light from far away: what it cannot know is how the
+light's direction differs within the distance that light travels inside the asset.
 """
 
 from __future__ import annotations
@@ -16,14 +14,14 @@ import argparse
 import os
 import tempfile
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
 from PIL import Image
 from report import publish
-from stage import Stage
 
+from rna_bench.beside_cycles import EXPOSURE_DEFINITION
+from rna_bench.near_light import near_lights
+from rna_bench.stage import Stage
 from rna_export.capture import blender_env
 from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
@@ -39,7 +37,6 @@ def main() -> None:
     asset = load(args.package, tier=args.tier, threads=1)
     view = {"turn_deg": args.turn, "resolution": tuple(args.resolution), "margin": 0.95}
     stage = Stage.of(asset, args.package.resolve(), args.tier, **view)
-    covered = OurScene(stage.scene()).channels(8)["A"] > 0.0
     results, strips = [], []
     with (
         tempfile.TemporaryDirectory() as scratch,
@@ -50,21 +47,11 @@ def main() -> None:
             default_workers(),
         ) as worker,
     ):
-        for distance in DISTANCES:
-            scene = stage.scene(_light(stage, distance))
-            cycles = CyclesScene(worker, scene, args.bounces)
-            halves = [cycles.render(args.cycles_samples, seed).pixels for seed in (2, 3)]
-            beside = Beside.of(np.stack(halves), covered)
-            ours = OurScene(scene).render(args.samples).pixels
-            results.append(
-                {
-                    "distance": distance,
-                    "psnr": beside.psnr(ours),
-                    "flip": beside.flip(ours)[0],
-                    "brightness": float(ours[covered].mean() / beside.reference[covered].mean()),
-                }
-            )
-            strips.append(beside.strip(ours))
+        spent = args.samples, args.cycles_samples, args.bounces
+        for near in near_lights(stage, worker, DISTANCES, *spent):
+            names = ("distance", "psnr", "flip", "brightness")
+            results.append({name: getattr(near, name) for name in names})
+            strips.append(near.strip)
     Image.fromarray(np.concatenate(strips)).save(args.picture)
     report = {
         "package": args.package.name,
@@ -78,18 +65,6 @@ def main() -> None:
         "distances": results,
     }
     publish(report, args.out)
-
-
-def _light(stage: Stage, distance: float) -> dict[str, Any]:
-    length = distance * stage.size
-    # As seen from the camera: (1, 1, 1) is to the right, above and in front.
-    camera = np.asarray(stage.camera["position"]) - stage.centre
-    front = np.array([camera[0], 0.0, camera[2]]) / np.hypot(camera[0], camera[2])
-    right = np.cross([0.0, 1.0, 0.0], front)
-    towards = (front + right + [0.0, 1.0, 0.0]) / np.sqrt(3.0)
-    position = stage.centre + length * towards
-    intensity = (np.pi * length**2,) * 3
-    return {"type": "point", "position": tuple(position.tolist()), "intensity": intensity}
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -12,6 +12,10 @@ PSNR_DEFINITION = (
     "pixels only; mean over images"
 )
 FLIP_DEFINITION = "mean LDR-FLIP of the sRGB image over black, whole image"
+P99_DEFINITION = (
+    "99th percentile over the asset's pixels of |error| / (reference + a tenth of its image's "
+    "mean), each the mean of RGB; mean over images"
+)
 IRRADIANCE = np.pi
 
 
@@ -39,6 +43,14 @@ def relative_mse(radiance: np.ndarray, reference: np.ndarray) -> float:
     """Mean squared error over the mean squared reference; unclamped."""
     reference = reference.astype(np.float64)
     return float(np.mean((radiance - reference) ** 2) / max(np.mean(reference**2), 1e-12))
+
+
+def relative_error_p99(radiance: np.ndarray, reference: np.ndarray) -> float:
+    """See `P99_DEFINITION`; both (n, 3) at irradiance 1, the asset's pixels only."""
+    reference = reference.astype(np.float64)
+    floor = 0.1 * max(float(reference.mean()), 1e-12)
+    error = np.abs(radiance - reference).mean(axis=1) / (reference.mean(axis=1) + floor)
+    return float(np.percentile(error, 99.0))
 
 
 def flip(image: np.ndarray, reference: np.ndarray) -> tuple[float, np.ndarray]:

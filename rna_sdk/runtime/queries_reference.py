@@ -36,6 +36,7 @@ def queries_reference(
         **_common_blocks(planes, bounds, positions, o, i),
         "normal": lambda: n,
         "half_vector": lambda: _half_vector(n, o, i),
+        "highlight": lambda: _highlight(n, o, i),
     }
     return _joined(blocks, inputs)
 
@@ -113,13 +114,24 @@ def _bilinear(plane: NDArray[np.floating], u: Float, v: Float) -> Float:
 
 def _half_vector(n: Float, wo: Float, wi: Float) -> Float:
     """(n, 5): n.h, log2(1 - min(n.h, 1) + 1e-4) / 6, n.wi, n.wo, wi.h."""
-    h = wi + wo
-    length = np.linalg.norm(h, axis=1, keepdims=True)
-    opposite = length < 1e-6
-    h = np.where(opposite, n, h / np.where(opposite, 1, length))
+    h = _halfway(n, wo, wi)
     n_h = _dot(n, h)
     log_gap = np.log2(1 - np.minimum(n_h, 1) + 1e-4) / 6
     return np.stack([n_h, log_gap, _dot(n, wi), _dot(n, wo), _dot(wi, h)], axis=1)
+
+
+def _highlight(n: Float, wo: Float, wi: Float) -> Float:
+    """(n, 1): log2(|n x h|^2 + 1e-8) / 12."""
+    aside = np.cross(n, _halfway(n, wo, wi))
+    return np.log2(_dot(aside, aside) + 1e-8)[:, None] / 12
+
+
+def _halfway(n: Float, wo: Float, wi: Float) -> Float:
+    """Unit, n where directions are opposite."""
+    h = wi + wo
+    length = np.linalg.norm(h, axis=1, keepdims=True)
+    opposite = length < 1e-6
+    return np.where(opposite, n, h / np.where(opposite, 1, length))
 
 
 def _fiber_angles(t: Float, wo: Float, wi: Float) -> Float:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from rna_sdk.package.blocks import INPUT_BLOCKS
 from rna_sdk.runtime.compiled import compiled
 from rna_sdk.runtime.fiber_blocks import fiber_blocks
-from rna_sdk.runtime.surface_blocks import half_vector
+from rna_sdk.runtime.surface_blocks import half_vector, highlight
 from rna_sdk.runtime.texels import prefetch_texels, relative, triplane_footprint, weighted_texel_sum
 from rna_sdk.runtime.vectors import Rows, clamped, total, unit, vector, write
 
@@ -33,6 +33,7 @@ H = _BLOCKS.index("h")
 WO = _BLOCKS.index("wo")
 WI = _BLOCKS.index("wi")
 HALF_VECTOR = _BLOCKS.index("half_vector")
+HIGHLIGHT = _BLOCKS.index("highlight")
 FIBER_ANGLES = _BLOCKS.index("fiber_angles")
 FIBER_LOBES = _BLOCKS.index("fiber_lobes")
 
@@ -113,7 +114,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         at_features, at_position = columns[FEATURES], columns[POSITION]
         at_axis = columns[TANGENT] if is_fiber else columns[NORMAL]
         at_h, at_wo, at_wi = columns[H], columns[WO], columns[WI]
-        at_half_vector = columns[HALF_VECTOR]
+        at_half_vector, at_highlight = columns[HALF_VECTOR], columns[HIGHLIGHT]
         at_angles, at_lobes = columns[FIBER_ANGLES], columns[FIBER_LOBES]
         last = len(positions) - 1
         for i in range(len(positions)):
@@ -154,7 +155,10 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
                     write(queries, i, at_angles, angles)
                 if at_lobes >= 0:
                     write(queries, i, at_lobes, lobes)
-            elif at_half_vector >= 0:
-                write(queries, i, at_half_vector, half_vector(axis, o, l))
+            else:
+                if at_half_vector >= 0:
+                    write(queries, i, at_half_vector, half_vector(axis, o, l))
+                if at_highlight >= 0:
+                    write(queries, i, at_highlight, highlight(axis, o, l))
 
     return fill_queries

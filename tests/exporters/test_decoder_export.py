@@ -105,6 +105,6 @@ def test_another_decoder_is_refused(change) -> None:
 def test_extreme_queries_are_extreme() -> None:
     model = make_model()
     random, extreme = random_queries(model, 1000, 0), extreme_queries(model, 0)
-    assert extreme.abs().max() > 9.0 * random.abs().max()
+    assert extreme.abs().max() > 4.0 * random.abs().max()
     assert torch.isfinite(extreme).all()
     assert (extreme == 0.0).all(dim=1).any()

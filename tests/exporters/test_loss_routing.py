@@ -46,3 +46,28 @@ def test_shadowed_samples_leave_the_visible_output_alone(
 ) -> None:
     lit, shadowed = gradient_of_the_outputs(kind, preset, 0.0, monkeypatch)
     assert lit == 0.0 and shadowed > 0.0
+
+
+@pytest.mark.parametrize(("loss", "learnt"), [("log", 5.0**0.25 - 1.0), ("unbiased", 1.0)])
+def test_the_loss_that_a_preset_names_decides_what_noise_does(
+    loss: str, learnt: float, monkeypatch
+) -> None:
+    """Light that is 4 in one sample of four and else 0: its logarithm's mean is far below."""
+    torch.manual_seed(0)
+    fields = SAMPLE_FIELDS["surface"]
+    preset = tiny("small", "surface", loss=loss)
+    module = NeuralAssetTraining(preset, BOUNDS, 10.0, 1.0, 100, fields, [], Path(), {})
+    monkeypatch.setattr(module, "log", lambda *_, **__: None)
+    monkeypatch.setattr(NeuralAssetTraining, "global_step", 0)
+    rows = torch.rand(1, sum(fields.values())).repeat(64, 1)
+    rows[:, -4:-1] = 4.0 * (torch.arange(64) % 4 == 0)[:, None]
+    rows[:, -1] = 1.0
+    optimizer = torch.optim.Adam(module.model.parameters(), lr=1e-2)
+    for _ in range(300):
+        optimizer.zero_grad()
+        module.training_step(rows, 0).backward()
+        optimizer.step()
+    at = {"position": rows[:1, :3], "normal": rows[:1, 3:6], "wo": rows[:1, 6:9]}
+    y = module.model({**at, "wi": rows[:1, 9:12]})
+    mean = module.model.transport(y)[0, 0].mean().item()
+    assert mean == pytest.approx(learnt, rel=0.05)

@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.metrics import display, flip, psnr, relative_mse, to_png
+from rna_export.metrics import display, flip, psnr, relative_error_p99, relative_mse, to_png
 
 
 def test_psnr_is_under_irradiance_pi() -> None:
@@ -37,3 +37,12 @@ def test_png_is_srgb_under_irradiance_pi() -> None:
     image = np.array([[[0.0, 0.5 / np.pi, 10.0]]], np.float32)
     assert to_png(image).tolist() == [[[0, 188, 255]]]  # linear 0.5 is sRGB 188
     assert display(image).max() == 1.0
+
+
+def test_relative_error_p99_is_of_the_worst_hundredth() -> None:
+    reference = np.full((1000, 3), 0.5, np.float32)
+    image = reference.copy()
+    image[:15] += 0.55  # of 0.5 and a tenth of the mean, 0.05: once the reference
+    assert relative_error_p99(image, reference) == pytest.approx(1.0, rel=1e-5)
+    image[5:] = reference[5:]
+    assert relative_error_p99(image, reference) == 0.0

@@ -3,16 +3,59 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 
 NAME = "frontier"
 SENTENCE = "Train and measure a grid of models on one dataset, and chart cost against accuracy."
-EXAMPLE = "rna-bench frontier toy.rays/ --short --out bench/toy"
+EXAMPLE = "rna-bench frontier toy.rays/ --short --source toy.py --out bench/toy"
 WHEN_STOPPED = "finished models are kept: run the same command to go on"
+
+_PARTS = ("train", "cost", "cycles", "chart")
 
 
 def add_options(p: argparse.ArgumentParser) -> None:
     """The options of the command."""
+    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
+    p.add_argument("--out", type=Path, required=True, help="folder for models, records and page")
+    p.add_argument(
+        "--short",
+        action="store_true",
+        help="about 20 models, briefly trained: within 40 minutes on 2 cores",
+    )
+    p.add_argument("--steps", type=int, help="of each training (default: 40,000; short: 5,000)")
+    p.add_argument(
+        "--source",
+        type=Path,
+        help="what was captured, for Cycles on the same chart (default: without Cycles)",
+    )
+    p.add_argument(
+        "--only",
+        choices=_PARTS,
+        help="one part of the work: timings, for one, mean something on an idle machine alone",
+    )
+    p.add_argument("--trials", nargs="+", metavar="NAME", help="train these of the grid alone")
+    p.add_argument(
+        "--device",
+        choices=("auto", "cpu", "cuda"),
+        default="auto",
+        help="for trainings (default: %(default)s, the GPU if there is one)",
+    )
+    p.add_argument(
+        "--workers", type=int, help="trainings side by side (default: one a core, one for a GPU)"
+    )
 
 
 def run(args: argparse.Namespace) -> None:
-    """Measure."""
+    """Train, measure and chart; what is finished is not done again."""
+    from rna_bench.frontier.study import Study
+
+    study = Study.of(args)
+    parts = [args.only] if args.only else _PARTS
+    if "train" in parts:
+        study.train()
+    if "cost" in parts:
+        study.time(again=args.only is not None)
+    if "cycles" in parts and args.source is not None:
+        study.render_cycles(args.source)
+    if "chart" in parts:
+        study.write()

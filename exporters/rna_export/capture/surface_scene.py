@@ -83,9 +83,9 @@ class SurfaceScene(AssetScene):
     def highlight_views(
         self, points: SurfacePoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Mirrors of wi about half vectors of GGX roughness alpha 0.02 to 0.8."""
+        """Mirrors of wi about half vectors of GGX roughness alpha 4e-4 (roughness 0.02) to 0.8."""
         lit = np.flatnonzero(points.hit & (points.normal @ wi > 0.02))
-        width = 0.02 * 40.0 ** rng.random(len(lit))
+        width = 4e-4 * 2000.0 ** rng.random(len(lit))
         u = rng.random(len(lit))
         cosine = np.sqrt((1.0 - u) / (1.0 + (width**2 - 1.0) * u))
         h = around(points.normal[lit], cosine, 2.0 * np.pi * rng.random(len(lit)))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import platform
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -20,6 +19,7 @@ from rna_export.export.decoder import check_decoder, check_int8_decoder, export_
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.export.small_images import flip_at_heights
+from rna_export.machine import processor
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import score
@@ -51,13 +51,15 @@ def build_package(
     license_: str,
     say: Callable[[str], None],
     precisions: Sequence[Precision] = (Precision(),),
+    measured: bool = True,
 ) -> Manifest:
     """Write `out` with a tier for each checkpoint and precision; returns its manifest.
 
     Tiers are named for the preset and, unless it is the usual one, the precision.
 
     Each tier's error and cost are measured through the runtime, from a package like the one
-    written. Raises `ExportError` when the checkpoints do not belong together or to the dataset.
+    written, unless that is not wanted: then the manifest has neither. Raises `ExportError` when
+    the checkpoints do not belong together or to the dataset.
     """
     _check_together(trained, dataset)
     tiers, data = [], {}
@@ -77,8 +79,9 @@ def build_package(
         provenance=_provenance(trained, dataset, source),
         license=license_,
     )
-    measured = _measure(manifest, models, dataset, data, say)
-    return write_package(out, measured, dataset.geometry(), data)
+    if measured:
+        manifest = _measure(manifest, models, dataset, data, say)
+    return write_package(out, manifest, dataset.geometry(), data)
 
 
 def _check_together(trained: list[Trained], dataset: Dataset) -> None:
@@ -165,7 +168,7 @@ def _measure(
         for tier, one in zip(manifest.tiers, models, strict=True):
             asset = load(path, tier=tier.name)
             validation = _validation(asset, views)
-            cost = _cost(asset, _multiply_adds(one), views)
+            cost = _cost(asset, one.model.multiply_adds, views)
             say(
                 f"{tier.name}: PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f} "
                 f"({validation.definition})\n"
@@ -202,25 +205,12 @@ def _cost(asset: Asset, multiply_adds: int, views: list[ValidationView]) -> Cost
         multiply_adds=multiply_adds,
         ns_per_query=1e9 * float(np.median(seconds[1:])) / _COST_ROWS,
         threads=asset.threads,
-        machine=f"{_processor()}, {len(os.sched_getaffinity(0))} cores",
+        machine=f"{processor()}, {len(os.sched_getaffinity(0))} cores",
     )
-
-
-def _multiply_adds(one: Trained) -> int:
-    linear = [m for m in one.model.decoder if isinstance(m, torch.nn.Linear)]
-    return sum(layer.in_features * layer.out_features for layer in linear)
 
 
 def _inputs(view: ValidationView) -> list[np.ndarray]:
     return [np.ascontiguousarray(rows) for rows in view.queries.values()]
-
-
-def _processor() -> str:
-    try:
-        with open("/proc/cpuinfo") as file:
-            return next(line.split(":", 1)[1].strip() for line in file if "model name" in line)
-    except (OSError, StopIteration):
-        return platform.machine()
 
 
 def _provenance(trained: list[Trained], dataset: Dataset, source: str | None) -> Provenance:

@@ -20,9 +20,6 @@ TIES = 0.02  # part of the rows of an int8 decoder that may round another way
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
 
-# Direct and scattered light, and scattered light in shadow, to visible and shadowed: (9, 6).
-_SUMS = np.kron([[1, 0], [1, 0], [0, 1]], np.eye(3))
-
 
 @dataclass(frozen=True)
 class Agreement:
@@ -42,11 +39,12 @@ def export_decoder(model: NeuralAsset, int8: Int8Decoder | None = None) -> bytes
     value = _layers(graph, value, model) if int8 is None else _int8_layers(graph, value, int8)
     y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling / model.unit)))
     x = graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)])
-    if model.config.separates_direct:
-        sums = np.float32(float(model.unit) * _SUMS)
-        graph.add("MatMul", [x, graph.constant(sums)], "transport")
+    sums, unit = np.array(model.config.colour_sums), float(model.unit)
+    if np.array_equal(sums, np.eye(2)):
+        graph.add("Mul", [x, graph.constant(unit)], "transport")
     else:
-        graph.add("Mul", [x, graph.constant(float(model.unit))], "transport")
+        matrix = np.float32(unit * np.kron(sums.T, np.eye(3)))
+        graph.add("MatMul", [x, graph.constant(matrix)], "transport")
     return graph.serialize(model.decoder[0].in_features)
 
 

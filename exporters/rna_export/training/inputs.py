@@ -26,6 +26,7 @@ def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -
         "wo": lambda: at["wo"],
         "wi": lambda: at["wi"],
         "half_vector": lambda: half_vector(at["normal"], at["wo"], at["wi"]),
+        "highlight": lambda: highlight(at["normal"], at["wo"], at["wi"]),
         "fiber_angles": lambda: fiber_angles(frame()),
         "fiber_lobes": lambda: fiber_lobes(at["h"], frame()),
     }
@@ -34,12 +35,23 @@ def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -
 
 def half_vector(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
     """n.h, log2(1 - n.h + 1e-4) / 6, n.wi, n.wo, wi.h: (k, 5)."""
-    total = wi + wo
-    length = total.norm(dim=1, keepdim=True)
-    h = torch.where(length < 1e-6, n, total / length.clamp(min=1e-6))
+    h = _halfway(n, wo, wi)
     n_h = _dot(n, h)
     sharp = torch.log2(1.0 - n_h.clamp(max=1.0) + 1e-4) / 6.0
     return torch.cat([n_h, sharp, _dot(n, wi), _dot(n, wo), _dot(wi, h)], dim=1)
+
+
+def highlight(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
+    """log2(|n x h|^2 + 1e-8) / 12, (k, 1): a sine keeps the digits that 1 - n.h loses."""
+    aside = torch.cross(n, _halfway(n, wo, wi), dim=1)
+    return torch.log2(_dot(aside, aside) + 1e-8) / 12.0
+
+
+def _halfway(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
+    """Unit, n where directions are opposite: (k, 3)."""
+    total = wi + wo
+    length = total.norm(dim=1, keepdim=True)
+    return torch.where(length < 1e-6, n, total / length.clamp(min=1e-6))
 
 
 class FiberFrame(NamedTuple):

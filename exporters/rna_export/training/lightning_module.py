@@ -49,7 +49,8 @@ class NeuralAssetTraining(lightning.LightningModule):
     def training_step(self, rows: Tensor, _: int) -> Tensor:
         # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * self.progress)
-        loss = sample_loss(self.model, columns(rows, self._fields), blur)
+        at = columns(rows, self._fields)
+        loss = sample_loss(self.model, at, blur, self._config.loss)
         self.log("loss", loss)
         return loss
 

@@ -8,6 +8,7 @@ from torch import Tensor, nn
 from rna_export.training.inputs import Points, assemble
 from rna_export.training.presets import ModelConfig
 from rna_export.training.triplane import Triplane
+from rna_export.training.uv_texture import UvTexture
 from rna_sdk.package import query_width
 
 
@@ -17,7 +18,7 @@ class NeuralAsset(nn.Module):
     The decoder gives colours as y = log(x / unit + 1); `colours` inverts that. In the paper there
     are two, `visible` and `shadowed`. A model that `separates_direct` has three: direct light, and
     scattered light where the light is visible and where it is shadowed. `transport` sums them up
-    to the paper's two.
+    to the paper's two. Without `visibility_hint` there is one instead of each two.
 
     `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
     presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
@@ -26,26 +27,32 @@ class NeuralAsset(nn.Module):
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
         self.config = config
-        self.triplane = Triplane(config.resolution, config.channels, bounds[0], bounds[1])
+        texture = {"triplane": Triplane, "uv": UvTexture}[config.texture]
+        self.triplane = texture(config.resolution, config.channels, bounds[0], bounds[1])
         width, layers = config.width, []
         columns = query_width(config.inputs, config.channels)
         for _ in range(config.hidden_layers):
             layers += [nn.Linear(columns, width), nn.ReLU()]
             columns = width
-        colours = 3 if config.separates_direct else 2
-        self.decoder = nn.Sequential(*layers, nn.Linear(columns, 3 * colours))
+        self.decoder = nn.Sequential(*layers, nn.Linear(columns, 3 * len(config.colour_sums[0])))
         self.register_buffer("ceiling", torch.tensor(100.0))
         self.register_buffer("unit", torch.tensor(1.0))
 
+    @property
+    def multiply_adds(self) -> int:
+        """Of the decoder, a query."""
+        return sum(m.weight.numel() for m in self.decoder if isinstance(m, nn.Linear))
+
     def forward(self, at: Points, blur: float = 1.0) -> Tensor:
-        """y = log(x / unit + 1) of each colour, (k, 2 or 3, 3)."""
+        """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
         return self.decoder(self.queries(at, blur)).unflatten(1, (-1, 3))
 
     def queries(self, at: Points, blur: float = 1.0) -> Tensor:
         """What the decoder is asked, (k, K)."""
         grid, position = self.triplane, at["position"]
         p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
-        return assemble(self.config.inputs, grid(position, blur), p, at)
+        features = grid(at["uv"] if self.config.texture == "uv" else position, blur)
+        return assemble(self.config.inputs, features, p, at)
 
     def colours(self, y: Tensor) -> Tensor:
         """Radiance from y: the inverse of log(x / unit + 1), between 0 and the ceiling."""
@@ -54,7 +61,5 @@ class NeuralAsset(nn.Module):
 
     def transport(self, y: Tensor) -> Tensor:
         """Radiance where the light is visible and where it is shadowed, (k, 2, 3)."""
-        x = self.colours(y)
-        if not self.config.separates_direct:
-            return x
-        return torch.stack([x[:, 0] + x[:, 1], x[:, 2]], dim=1)
+        sums = torch.tensor(self.config.colour_sums, dtype=y.dtype, device=y.device)
+        return torch.einsum("sc,kcr->ksr", sums, self.colours(y))

@@ -63,14 +63,17 @@ def scatter(gradient, p, planes):
 @_compiled
 def blur_columns(planes, kernel, out):
     """out[k, r, c] = sum over d of kernel[d] planes[k, r, c + d - radius]; zero outside."""
-    resolution, radius = planes.shape[2], len(kernel) // 2
-    for line in prange(planes.shape[0] * planes.shape[1]):
-        k, r = line // planes.shape[1], line % planes.shape[1]
-        for c in range(resolution):
-            out[k, r, c] = 0.0
-            for d in range(max(0, radius - c), min(len(kernel), resolution + radius - c)):
-                for f in range(planes.shape[3]):
-                    out[k, r, c, f] += kernel[d] * planes[k, r, c + d - radius, f]
+    size, channels, radius = planes[0, 0].size, planes.shape[3], len(kernel) // 2
+    lines, results = planes.reshape(-1, size), out.reshape(-1, size)
+    for line in prange(len(lines)):
+        results[line] = 0.0
+        for d in range(len(kernel)):
+            # One run over the whole line for each d: faster than over each texel's channels.
+            shift = (d - radius) * channels
+            first, end = max(0, -shift), min(size, size - shift)
+            source, result = lines[line, first + shift : end + shift], results[line, first:end]
+            for i in range(len(result)):
+                result[i] += kernel[d] * source[i]
 
 
 @_compiled

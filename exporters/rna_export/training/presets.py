@@ -12,7 +12,7 @@ _PAPER_INPUTS = {
     "fiber": ("features", "tangent", "h", "wo", "wi"),
 }
 _OUR_INPUTS = {
-    "surface": (*_PAPER_INPUTS["surface"], "half_vector"),
+    "surface": (*_PAPER_INPUTS["surface"], "half_vector", "highlight"),
     "fiber": (*_PAPER_INPUTS["fiber"], "fiber_angles", "fiber_lobes"),
 }
 
@@ -30,6 +30,19 @@ class ModelConfig(BaseModel):
     separates_direct: bool = Field(
         False, description="direct and scattered light are outputs of their own, summed at the end"
     )
+    visibility_hint: bool = Field(
+        True, description="outputs of their own where light is shadowed; False only to compare"
+    )
+    texture: Literal["triplane", "uv"] = Field(
+        "triplane", description="where features are kept; uv only to compare, packages have none"
+    )
+
+    @property
+    def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """Which of the decoder's colours add up to the visible and to the shadowed transport."""
+        if self.separates_direct:
+            return ((1, 1, 0), (0, 0, 1)) if self.visibility_hint else ((1, 1), (1, 1))
+        return ((1, 0), (0, 1)) if self.visibility_hint else ((1,), (1,))
 
 
 class TrainingConfig(BaseModel):
@@ -48,6 +61,11 @@ class TrainingConfig(BaseModel):
         description="radiance that the loss calls 1, in log(x / unit + 1). one: the paper's. "
         "usual: the asset's median lit radiance, so that dark materials count"
     )
+    loss: Literal["log", "unbiased"] = Field(
+        "log",
+        description="of radiance whose direct light is not told apart. log: of log(x / unit + 1). "
+        "unbiased: relative, so that noise in the targets does not darken it",
+    )
     blur: float = Field(
         description="footprint in texels that planes are blurred with at first; decays to 1, "
         "no blur, over the first fifth of the run"
@@ -61,6 +79,11 @@ class Preset(BaseModel):
 
     model: ModelConfig
     training: TrainingConfig
+
+    def with_loss(self, loss: str) -> Preset:
+        """The same, but for the loss; see `TrainingConfig.loss`."""
+        training = self.training.model_copy(update={"loss": loss})
+        return self.model_copy(update={"training": training})
 
 
 # A batch in the paper is an image slice, several 100,000 samples. A CPU takes too few such steps to

@@ -27,7 +27,6 @@ from rna_export.training.presets import Preset
 from rna_export.training.samples import SampleTable, columns
 from rna_sdk.errors import TrainingError
 
-_VALIDATIONS = 10  # a run
 _MEASURED_SECONDS = 5.0  # to find how many steps fit into --minutes
 
 
@@ -42,24 +41,27 @@ class Run:
     seed: int = 0
     minutes: float | None = None  # replaces the preset's steps by as many as fit
     device: str = "cpu"
+    validations: int = 10  # over the run; the best checkpoint is one of as many
 
 
-def train(run: Run) -> Path:
+def train(run: Run, table: SampleTable | None = None) -> Path:
     """Train to the end; returns the best checkpoint, `best.ckpt`.
 
-    `<out>/last.ckpt` of an earlier, stopped call is continued. Raises `TrainingError` when it
-    belongs to another run.
+    `<out>/last.ckpt` of an earlier, stopped call is continued. table: the dataset's samples on the
+    run's device, for callers that train on them several times. Raises `TrainingError` when the
+    checkpoint belongs to another run.
     """
-    torch.manual_seed(run.seed)
-    samples = run.dataset.training_samples()
     bounds = padded_bounds(run.dataset)
-    # Nothing brighter than the training data: a network asked beyond it may answer anything.
-    ceiling = 1.5 * float(samples["radiance"].max())
-    unit = usual_radiance(samples) if run.preset.training.unit == "usual" else 1.0
     last = run.out / "last.ckpt"
     saved = _continued(last, run)
     done = int(saved["global_step"]) if saved else 0
-    table = SampleTable(samples, run.preset.training.batch, run.seed, run.device, done)
+    if table is None:
+        table = SampleTable(run.dataset.training_samples(), device=run.device)
+    table = table.shuffled(run.preset.training.batch, run.seed, done)
+    samples = {name: values.cpu().numpy() for name, values in table.columns().items()}
+    # Nothing brighter than the training data: a network asked beyond it may answer anything.
+    ceiling = 1.5 * float(samples["radiance"].max())
+    unit = usual_radiance(samples) if run.preset.training.unit == "usual" else 1.0
     del samples
     steps = int(saved["hyper_parameters"]["steps"]) if saved else _steps(run, table, bounds)
     print(_plan(run, len(table), steps))
@@ -144,7 +146,7 @@ def _trainer(
         accelerator=run.device if run.device == "cpu" else "gpu",
         devices=1,
         max_steps=steps,
-        val_check_interval=max(1, steps // _VALIDATIONS),
+        val_check_interval=max(1, steps // run.validations),
         check_val_every_n_epoch=None,
         num_sanity_val_steps=0,
         callbacks=[checkpoints, _Bar(refresh_rate=20), Curves()],
@@ -156,10 +158,10 @@ def _trainer(
 
 def _steps(run: Run, table: SampleTable, bounds: torch.Tensor) -> int:
     if run.minutes is None:
-        return _VALIDATIONS * -(-run.preset.training.steps // _VALIDATIONS)
+        return run.validations * -(-run.preset.training.steps // run.validations)
     seconds = 0.2 * _seconds_a_step(run, table, bounds, run.preset.training.blur)
     seconds += 0.8 * _seconds_a_step(run, table, bounds, blur=1.0)
-    return _VALIDATIONS * max(1, int(60.0 * run.minutes / seconds / _VALIDATIONS))
+    return run.validations * max(1, int(60.0 * run.minutes / seconds / run.validations))
 
 
 def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: float) -> float:
@@ -196,12 +198,13 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
         return None
     saved = torch.load(last, map_location="cpu", weights_only=True)
     begun, preset = saved["hyper_parameters"], run.preset.model_dump(mode="json")
+    begun_preset = Preset.model_validate(begun["preset"]).model_dump(mode="json")
     capture = run.dataset.manifest.model_dump(mode="json", by_alias=True)
     for what, before, now in (
         ("preset", begun["preset_name"], run.preset_name),
         ("seed", begun["seed"], run.seed),
         ("steps", begun["preset"]["training"]["steps"], run.preset.training.steps),
-        ("model or training", begun["preset"], preset),
+        ("model or training", begun_preset, preset),
         ("dataset", begun["capture"], capture),
     ):
         if before != now:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import itertools
 from collections.abc import Iterator
 
@@ -21,7 +22,12 @@ class SampleTable(IterableDataset):
     """
 
     def __init__(
-        self, samples: dict[str, np.ndarray], batch: int, seed: int, device: str, done: int = 0
+        self,
+        samples: dict[str, np.ndarray],
+        batch: int = 2048,
+        seed: int = 0,
+        device: str = "cpu",
+        done: int = 0,
     ):
         n = len(samples["visible"])
         self.fields = {name: values[0].size for name, values in samples.items()}
@@ -32,6 +38,16 @@ class SampleTable(IterableDataset):
             first += width
         self.rows = torch.from_numpy(table).to(device)
         self._batch, self._seed, self._done = min(batch, n), seed, done
+
+    def shuffled(self, batch: int, seed: int, done: int) -> SampleTable:
+        """The same rows, not copied, in batches of another size and order."""
+        other = copy.copy(self)
+        other._batch, other._seed, other._done = min(batch, len(self)), seed, done
+        return other
+
+    def columns(self) -> dict[str, Tensor]:
+        """All samples by field."""
+        return columns(self.rows, self.fields)
 
     def __len__(self) -> int:
         return len(self.rows)

@@ -1,0 +1,77 @@
+"""What a chart shows: every model at every precision, with its cost and its error, as JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rna_export.trials.cost import Costs
+from rna_export.trials.record import Point, Record
+
+COSTS = {
+    "ns": "ns a query, all threads",
+    "ns_one_thread": "ns a query, one thread",
+    "bytes": "bytes of the package",
+    "multiply_adds": "multiply-adds of the decoder, a query",
+}
+"""Member of a point -> what it is; less is better."""
+
+ERRORS = {
+    "psnr": "PSNR, dB",
+    "flip": "mean FLIP",
+    "p99": "99th percentile of the relative error",
+}
+"""Likewise; less is better but for PSNR."""
+
+
+def points_of(records: list[Record], costs: Costs | None) -> list[dict[str, Any]]:
+    """One object a trained model and precision."""
+    found = []
+    for record in records:
+        for precision, point in record.points.items():
+            found.append(_point(record, precision, point, costs))
+    return found
+
+
+def label_of(trial: str, precision: str) -> str:
+    """The name of a point, and of its package in a run of timings."""
+    return f"{trial}/{precision}"
+
+
+def _point(record: Record, precision: str, point: Point, costs: Costs | None) -> dict[str, Any]:
+    trial, model = record.trial, record.trial.preset.model
+    cost = costs.of.get(label_of(trial.cost_as or trial.name, precision)) if costs else None
+    share = None
+    if cost and costs:
+        share = 2.0 * point.multiply_adds / cost.ns / costs.gemm_gflops
+    scores = point.scores
+    return {
+        "name": trial.name,
+        "precision": precision,
+        "family": trial.family,
+        "tables": trial.tables,
+        **model.model_dump(mode="json"),
+        "steps": trial.preset.training.steps,
+        "training_seconds": record.seconds,
+        "bytes": point.bytes,
+        "multiply_adds": point.multiply_adds,
+        "ns": cost.ns if cost else None,
+        "ns_one_thread": cost.ns_one_thread if cost else None,
+        "share_of_gemm": share,
+        "psnr": scores.psnr,
+        "psnr_without_noise": scores.psnr_without_noise,
+        "flip": scores.flip,
+        "p99": scores.p99,
+        "views": [view.model_dump() for view in scores.views],
+    }
+
+
+def front(points: list[dict[str, Any]], cost: str, error: str) -> list[dict[str, Any]]:
+    """Those that no other beats at its cost: cheapest first, ablations left out."""
+    sign = -1.0 if error == "psnr" else 1.0
+    known = [p for p in points if p["family"] != "ablation" and p[cost] is not None]
+    best, found = float("inf"), []
+    for point in sorted(known, key=lambda p: (p[cost], sign * p[error])):
+        if sign * point[error] < best:
+            best = sign * point[error]
+            found.append(point)
+    return found

@@ -1,0 +1,57 @@
+"""What a case of the suite is: what it varies, how it measures, when it passes, how it is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from matplotlib.figure import FigureBase
+
+from rna_bench.stability.workshop import Workshop
+
+Row = dict[str, Any]
+"""One measurement, as JSON has it."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether a case's mark is met, and the figure that decides, in a few words."""
+
+    passed: bool
+    found: str
+
+
+@dataclass(frozen=True)
+class Case:
+    """One way to fail.
+
+    Attributes:
+        name: on the command line, and of its files.
+        title: of its chart.
+        varies: what is varied, in a few words.
+        mark: what it must reach.
+        advice: why it is hard, and what a user can do.
+        needs: what must have been given: "dataset", "package" (or a dataset to make one from),
+            "source".
+        kinds: of the given asset that the case is for.
+        measure: the rows; all of the cost.
+        judge: the verdict on rows.
+        draw: the rows as a chart.
+    """
+
+    name: str
+    title: str
+    varies: str
+    mark: str
+    advice: str
+    measure: Callable[[Workshop], list[Row]]
+    judge: Callable[[list[Row]], Verdict]
+    draw: Callable[[FigureBase, list[Row]], None]
+    needs: tuple[str, ...] = ()
+    kinds: tuple[str, ...] = ("surface", "fiber")
+
+
+def values(rows: list[Row], name: str, **where: Any) -> list[Any]:
+    """The column `name` of the rows whose other columns are as `where` says."""
+    return [row[name] for row in rows if all(row[k] == v for k, v in where.items())]

@@ -1,0 +1,129 @@
+"""More light out than in."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import FigureBase
+
+from rna_bench.stability.answers import Answers, of_model, picked
+from rna_bench.stability.case import Case, Row, Verdict, values
+from rna_bench.stability.workshop import Workshop
+from rna_export.capture.asset_scene import AssetScene, ShadePoints
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.directions import sphere
+from rna_export.capture.run import scene_of
+from rna_export.capture.view_rays import sample_view_rays
+
+MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above
+
+_POINTS, _DIRECTIONS = 1000, 1024
+
+
+def capture_white(workshop: Workshop) -> Dataset:
+    """The suite's asset that takes no light away."""
+    return workshop.capture(
+        "white",
+        "white.py",
+        lights=workshop.some(600),
+        rays=4096,
+        samples=2,
+        validation_views=4,
+        validation_resolution=96,
+        validation_samples=workshop.some(256),
+    )
+
+
+def measure(workshop: Workshop) -> list[Row]:
+    white = capture_white(workshop)
+    scene, count = scene_of(white.geometry()), workshop.some(_POINTS)
+    preset = workshop.preset("surface", resolution=128)
+    asked = {}
+    for loss in ("log", "unbiased"):
+        model = workshop.train(loss, white, preset.with_loss(loss)).model
+        asked[f"white, {loss} loss"] = of_model(model), scene
+    if workshop.subject.dataset is not None:
+        asked["given"] = workshop.answers(), scene_of(workshop.dataset.geometry())
+    return [{"asset": name, **row} for name, one in asked.items() for row in furnace(*one, count)]
+
+
+def furnace(answers: Answers, scene: AssetScene, count: int) -> list[Row]:
+    """The integral of T over wi at points that random views see: radiance in a white furnace."""
+    rng = np.random.default_rng(21)
+    rays = sample_view_rays(scene, np.float32([0.0, 1.0, 0.0]), count, "sphere", rng)
+    points = scene.shade_points(rays.origins, rays.directions)
+    total, seen = integral(answers, scene, points, -rays.directions, rng)
+    axis = points.sample_fields().get("normal", points.geometric_normal)
+    n_wo = np.abs(np.sum(axis * -rays.directions, axis=1))
+    return [
+        {
+            "integral": round(float(total[k].max()), 5),  # of the brightest channel
+            "n_wo": round(float(n_wo[k]), 4),
+            "open": round(float(seen[k]), 4),
+            "position": points.position[k].round(4).tolist(),
+        }
+        for k in np.flatnonzero(points.hit)
+    ]
+
+
+def integral(
+    answers: Answers,
+    scene: AssetScene,
+    points: ShadePoints,
+    wo: np.ndarray,
+    rng: np.random.Generator,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Of T over all wi for each point, (n, 3), and which share of them is visible, (n,)."""
+    n = len(wo)
+    total, seen = np.zeros((n, 3)), np.zeros(n)
+    fields = {name: np.ascontiguousarray(v) for name, v in points.sample_fields().items()}
+    fields.pop("uv", None)
+    turn = rng.random(n)  # the same lattice everywhere, turned about the vertical
+    for height, azimuth in _lattice(_DIRECTIONS):
+        wi = sphere(np.stack([np.full(n, height), (azimuth + turn) % 1.0], axis=1))
+        visible = scene.visible(points, wi)
+        samples = {**fields, "wo": wo, "wi": wi, "visible": visible}
+        total += picked(answers, samples)
+        seen += visible
+    return total * (4.0 * np.pi / _DIRECTIONS), seen / _DIRECTIONS
+
+
+def _lattice(count: int) -> np.ndarray:
+    """(count, 2) in [0, 1): a Fibonacci lattice of equal heights and golden azimuths."""
+    k = np.arange(count)
+    return np.stack([(k + 0.5) / count, (k * (np.sqrt(5.0) - 1.0) / 2.0) % 1.0], axis=1)
+
+
+def judge(rows: list[Row]) -> Verdict:
+    told, passed = [], True
+    for asset in dict.fromkeys(values(rows, "asset")):
+        total = np.array(values(rows, "integral", asset=asset))
+        above = float((total > MOST).mean())
+        passed &= above <= SHARE
+        told.append(f"{asset}: {above:.1%} above 1.01, mean {total.mean():.2f}")
+    return Verdict(passed, "; ".join(told))
+
+
+def draw(figure: FigureBase, rows: list[Row]) -> None:
+    left, right = figure.subplots(1, 2, sharey=True)
+    for asset in dict.fromkeys(values(rows, "asset")):
+        total = values(rows, "integral", asset=asset)
+        left.plot(values(rows, "n_wo", asset=asset), total, ".", markersize=3, label=asset)
+        right.plot(values(rows, "open", asset=asset), total, ".", markersize=3, label=asset)
+    for axes in (left, right):
+        axes.axhline(MOST, color="grey", linewidth=0.8)
+    left.set_xlabel("|n.wo|")
+    right.set_xlabel("share of directions that are free")
+    left.set_ylabel("integral of T over wi")
+    left.legend()
+
+
+CASE = Case(
+    name="energy",
+    title="Energy",
+    varies="points and views in a white furnace; the suite's white asset, and the one given",
+    mark="the integral of T over wi at most 1.01, at 99% of the points; of white it is 1",
+    advice="What a model makes too bright shows between white assets: look where it is above 1.",
+    measure=measure,
+    judge=judge,
+    draw=draw,
+)

@@ -1,0 +1,61 @@
+"""The same training with other random numbers."""
+
+from __future__ import annotations
+
+from matplotlib.figure import FigureBase
+
+from rna_bench.stability.case import Case, Row, Verdict, values
+from rna_bench.stability.workshop import Workshop
+from rna_export.training.checkpoint import Trained
+from rna_export.training.presets import Preset
+from rna_export.training.validation import score, shade
+
+SPREAD = 0.3  # the mark, dB
+SEEDS = 5
+
+
+def measure(workshop: Workshop) -> list[Row]:
+    dataset, views = workshop.dataset, workshop.dataset.validation_views()
+    preset = workshop.preset(dataset.manifest.kind)
+    rows = []
+    for seed in range(SEEDS):
+        trained = _seeded(workshop, preset, seed)
+        scores = score([shade(trained.model, view) for view in views], views)
+        rows.append({"seed": seed, "psnr": scores.psnr_without_noise, "flip": scores.flip})
+    return rows
+
+
+def _seeded(workshop: Workshop, preset: Preset, seed: int) -> Trained:
+    if seed == 0:
+        return workshop.base
+    return workshop.train(f"seed-{seed}", workshop.dataset, preset, seed)
+
+
+def judge(rows: list[Row]) -> Verdict:
+    psnr = values(rows, "psnr")
+    spread = max(psnr) - min(psnr)
+    return Verdict(spread <= SPREAD, f"{spread:.2f} dB between best and worst seed")
+
+
+def draw(figure: FigureBase, rows: list[Row]) -> None:
+    axes = figure.subplots()
+    psnr = values(rows, "psnr")
+    axes.plot(values(rows, "seed"), psnr, "o")
+    axes.axhspan(max(psnr) - SPREAD, max(psnr), color="C2", alpha=0.15, label="0.3 dB")
+    axes.set_xlabel("seed")
+    axes.set_ylabel("PSNR without noise, dB")
+    axes.set_xticks(values(rows, "seed"))
+    axes.legend()
+
+
+CASE = Case(
+    name="luck",
+    title="Luck",
+    varies="five seeds of the training",
+    mark="at most 0.3 dB between the best and the worst",
+    advice="A difference below this spread says nothing about two models.",
+    measure=measure,
+    judge=judge,
+    draw=draw,
+    needs=("dataset",),
+)

@@ -1,0 +1,190 @@
+"""Numbers at the edge of what floats hold, and planes and decoders of few bits."""
+
+from __future__ import annotations
+
+import copy
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import onnx
+import torch
+from matplotlib.figure import FigureBase
+from onnx import TensorProto, numpy_helper
+from onnx.reference import ReferenceEvaluator
+
+from rna_bench.beside_cycles import OurScene
+from rna_bench.stability.answers import Answers, Queries, of_model, picked, queries_of
+from rna_bench.stability.case import Case, Row, Verdict
+from rna_bench.stability.chosen import Samples, rows_of
+from rna_bench.stability.errors import joined_views
+from rna_bench.stability.workshop import Workshop
+from rna_bench.stage import Stage
+from rna_export.metrics import psnr_without_noise
+from rna_export.training.model import NeuralAsset
+from rna_sdk.package import Package
+from rna_sdk.runtime import Asset
+from rna_sdk.runtime.queries_reference import fiber_queries_reference, queries_reference
+
+RELATIVE, LOST_DB = 1e-3, 0.2  # the mark
+
+_QUERIES = 20_000
+_FLOOR = 1e-3  # radiance: errors below count against this
+_BRIGHT = 1e6
+
+
+def measure(workshop: Workshop) -> list[Row]:
+    samples, halves = joined_views(workshop.dataset.validation_views())
+    some = np.random.default_rng(41).integers(len(samples["visible"]), size=_QUERIES)
+    queries = queries_of(rows_of(samples, some))
+    answers = workshop.answers()
+    usual = answers(queries)
+    rows = [checked("float64", usual, in_float64(workshop.package, workshop.asset, queries))]
+    rows += odd_inputs(answers, queries)
+    rows.append(_bright_light(workshop))
+    rows += _few_bits(workshop.base.model, samples, halves)
+    return rows
+
+
+def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, np.ndarray]:
+    """What the planes and the decoder of the asset's tier give in double precision."""
+    tier = asset.tier
+    with Package.open(path) as package:
+        planes, decoder = package.planes(tier.name), package.decoder(tier.name)
+        reference = fiber_queries_reference if "tangent" in queries else queries_reference
+        at = reference(planes, asset.bounds, tier.inputs, *queries.values())
+        transport = ReferenceEvaluator(_doubled(decoder)).run(None, {"queries": np.float64(at)})[0]
+    return transport[:, :3], transport[:, 3:]
+
+
+def _doubled(decoder: bytes) -> onnx.ModelProto:
+    """The graph with float64 in place of float32."""
+    model = onnx.load_from_string(bytes(decoder))
+    for tensor in model.graph.initializer:
+        value = numpy_helper.to_array(tensor)
+        if value.dtype == np.float32:
+            tensor.CopyFrom(numpy_helper.from_array(value.astype(np.float64), tensor.name))
+    for value in (*model.graph.input, *model.graph.output):
+        value.type.tensor_type.elem_type = TensorProto.DOUBLE
+    return model
+
+
+def odd_inputs(answers: Answers, queries: Queries) -> list[Row]:
+    """Inputs that say the same as usual ones in odd numbers, and inputs that say nothing."""
+    usual = answers(queries)
+    directions = [name for name in ("normal", "tangent", "wo", "wi") if name in queries]
+    scaled = {
+        name: queries | {d: queries[d] * np.float32(scale) for d in directions}
+        for name, scale in (("directions of length 1e18", 1e18), ("of length 1e-18", 1e-18))
+    }
+    rows = [checked(name, answers(odd), usual) for name, odd in scaled.items()]
+    denormal = {d: np.where(np.abs(queries[d]) < 1e-3, 1e-42, queries[d]) for d in directions}
+    flushed = {d: np.where(np.abs(queries[d]) < 1e-3, 0.0, queries[d]) for d in directions}
+    tiny, none = (
+        queries | {k: np.float32(v) for k, v in odd.items()} for odd in (denormal, flushed)
+    )
+    rows.append(checked("denormal parts", answers(tiny), answers(none)))
+    far = queries | {"position": queries["position"] * np.float32(1e30)}
+    rows.append(checked("positions of 1e30", answers(far)))
+    for bad in (np.nan, np.inf, -np.inf):
+        zero = np.zeros_like(usual[0])
+        for name in queries:
+            broken = queries | {name: np.full_like(queries[name], bad)}
+            rows.append(checked(f"{name} {bad}", answers(broken), (zero, zero)))
+    return rows
+
+
+def checked(name: str, found: Any, expected: Any = None) -> Row:
+    """Finite and non-negative, and how far from what is expected, where that is known."""
+    found = np.concatenate(found).astype(np.float64)
+    row = {
+        "check": name,
+        "finite": bool(np.isfinite(found).all()),
+        "non_negative": bool((found >= 0.0).all()),
+        "error": None,
+        "lost_db": None,
+    }
+    if expected is not None:
+        expected = np.concatenate(expected).astype(np.float64)
+        error = np.abs(found - expected) / (np.abs(expected) + _FLOOR)
+        row["error"] = float(np.nanmax(error, initial=0.0))
+    return row
+
+
+def _bright_light(workshop: Workshop) -> Row:
+    """An image under a light of irradiance 1e6 is that under 1, a million times."""
+    view = {"turn_deg": 0.0, "resolution": (48, 48)}
+    path = workshop.package.resolve()
+    stage = Stage.of(workshop.asset, path, workshop.subject.tier, **view)
+    images = []
+    for irradiance in (1.0, _BRIGHT):
+        light = {
+            "type": "directional",
+            "direction": tuple(stage.direction(75.0, 45.0)),
+            "irradiance": (irradiance,) * 3,
+        }
+        images.append(OurScene(stage.scene(light)).render(4).pixels / irradiance)
+    return checked("a light of 1e6", [images[1]], [images[0]])
+
+
+def _few_bits(model: NeuralAsset, samples: Samples, halves: np.ndarray) -> list[Row]:
+    """PSNR lost by planes of float16 and of int8, against the float32 ones of training."""
+    full = psnr_without_noise(picked(of_model(model), samples), *halves)
+    rows = []
+    for name, rounding in (("float16 planes", _as_float16), ("int8 planes", _as_int8)):
+        rounded = copy.deepcopy(model)
+        rounded.triplane.planes.data = rounding(model.triplane.planes.data)
+        answer = picked(of_model(rounded), samples)
+        lost = full - psnr_without_noise(answer, *halves)
+        rows.append({**checked(name, [answer]), "lost_db": float(lost)})
+    return rows
+
+
+def _as_float16(planes: torch.Tensor) -> torch.Tensor:
+    return planes.half().float()
+
+
+def _as_int8(planes: torch.Tensor) -> torch.Tensor:
+    """Steps of a 127th of each channel's largest value on each plane."""
+    step = planes.abs().amax(dim=(1, 2), keepdim=True).clamp(min=1e-12) / 127.0
+    return (planes / step).round() * step
+
+
+def judge(rows: list[Row]) -> Verdict:
+    bad = [row["check"] for row in rows if not _is_met(row)]
+    found = f"{len(rows) - len(bad)} of {len(rows)} checks"
+    return Verdict(not bad, found + (f"; not {', '.join(bad)}" if bad else ""))
+
+
+def _is_met(row: Row) -> bool:
+    exact = row["error"] is None or row["error"] <= RELATIVE
+    good = row["lost_db"] is None or row["lost_db"] <= LOST_DB
+    return row["finite"] and row["non_negative"] and exact and good
+
+
+def draw(figure: FigureBase, rows: list[Row]) -> None:
+    left, right = figure.subplots(1, 2, width_ratios=(2, 1))
+    known = [row for row in rows if row["error"] is not None and row["error"] > 0.0]
+    left.barh([r["check"] for r in known], [r["error"] for r in known])
+    left.axvline(RELATIVE, color="grey", linewidth=0.8)
+    left.set_xscale("log")
+    exact = sum(row["error"] == 0.0 for row in rows)
+    left.set_xlabel(f"largest relative error; {exact} checks without any")
+    bits = [row for row in rows if row["lost_db"] is not None]
+    right.bar([r["check"] for r in bits], [r["lost_db"] for r in bits])
+    right.axhline(LOST_DB, color="grey", linewidth=0.8)
+    right.tick_params(axis="x", rotation=60)
+    right.set_ylabel("PSNR lost, dB")
+
+
+CASE = Case(
+    name="numbers",
+    title="Numbers",
+    varies="float16 and int8 planes, huge, denormal and broken inputs, a light of 1e6",
+    mark="finite, not negative, within 1e-3 of float64; at most 0.2 dB lost to few bits",
+    advice="Rows with NaN or an infinity answer 0; nothing is to be done.",
+    measure=measure,
+    judge=judge,
+    draw=draw,
+    needs=("dataset",),
+)

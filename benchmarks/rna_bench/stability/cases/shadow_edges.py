@@ -1,0 +1,167 @@
+"""Where light ends: at the terminator and at edges of cast shadows."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from matplotlib.figure import FigureBase
+
+from rna_bench.stability.answers import Answers, of_model, picked
+from rna_bench.stability.case import Case, Row, Verdict, values
+from rna_bench.stability.chosen import ChosenSamples, Samples
+from rna_bench.stability.errors import relative_error
+from rna_bench.stability.workshop import Workshop
+from rna_export.capture.dataset import ValidationView
+
+FACTOR = 2.0  # the mark
+
+_REACH = 8  # pixels to both sides
+_TERMINATOR = np.sin(np.radians(10.0))  # |n.wi| below: the surface turns away from the light
+_SAME_SURFACE = 3.0  # neighbours within this many typical steps from pixel to pixel
+
+
+def measure(workshop: Workshop) -> list[Row]:
+    dataset = workshop.dataset
+    blind = ChosenSamples(dataset, without_hint, _view_without_hint)
+    preset = workshop.preset(dataset.manifest.kind)
+    models = {
+        "with the hint": of_model(workshop.base.model),
+        "without": _hint_blind(of_model(workshop.train("no-hint", blind, preset).model)),
+    }
+    views = dataset.validation_views()
+    return [
+        {"model": name, **row}
+        for name, answers in models.items()
+        for row in profile(answers, views)
+    ]
+
+
+def without_hint(samples: Samples) -> Samples:
+    """The samples, all of them called visible: what a model without the hint is told."""
+    return {**samples, "visible": np.ones_like(samples["visible"])}
+
+
+def _view_without_hint(view: ValidationView) -> ValidationView:
+    return replace(view, samples=without_hint(view.samples))
+
+
+def _hint_blind(answers: Answers) -> Answers:
+    """One answer, whether the light is visible or not."""
+    return lambda queries: (answers(queries)[0],) * 2
+
+
+def profile(answers: Answers, views: list[ValidationView]) -> list[Row]:
+    """Relative error by the distance to the nearest edge, in pixels; negative in the shadow."""
+    shaded = np.concatenate([picked(answers, view.samples) for view in views])
+    halves = np.concatenate([view.halves for view in views], axis=1)
+    placed = [signed_distance(view) for view in views]
+    rows = []
+    for kind in ("terminator", "cast shadow"):
+        distance = np.concatenate([one[kind] for one in placed])
+        for pixels in (*range(-_REACH, 0), *range(1, _REACH + 1)):
+            at = distance == pixels
+            if at.sum() >= 20:
+                error = absolute_error(shaded[at], halves[:, at])
+                rows.append({"edge": kind, "pixels": pixels, "samples": int(at.sum()), **error})
+    return rows
+
+
+def absolute_error(radiance: np.ndarray, halves: np.ndarray) -> dict[str, float]:
+    """Root mean square error of displayed radiance without noise, and the reference's mean."""
+    mean = float(np.clip(np.pi * halves, 0.0, 1.0).mean())
+    return {"error": relative_error(radiance, halves) * mean if mean else 0.0, "mean": mean}
+
+
+def signed_distance(view: ValidationView) -> dict[str, np.ndarray]:
+    """Distance to the nearest edge of each kind in pixels, (n,): 1 beside it, 0 out of reach.
+
+    A terminator is where the surface itself turns away from the light; every other change between
+    light and shadow on one surface is a cast shadow's. Fibers have cast shadows only.
+    """
+    n = view.resolution
+    index = np.full(n * n, -1)
+    index[view.pixel] = np.arange(len(view.pixel))
+    index = np.pad(index.reshape(n, n), 1, constant_values=-1)
+    lit, position = view.samples["visible"].astype(bool), view.samples["position"]
+    turned = _turned_away(view.samples)
+    seeds = {kind: np.zeros(len(lit), bool) for kind in ("terminator", "cast shadow")}
+    for a, b in _neighbours(index):
+        step = np.linalg.norm(position[a] - position[b], axis=1)
+        edge = (lit[a] != lit[b]) & (step < _SAME_SURFACE * np.median(step))
+        at_terminator = turned[a] & turned[b]
+        for kind, rows in (("terminator", at_terminator), ("cast shadow", ~at_terminator)):
+            seeds[kind][a[edge & rows]] = seeds[kind][b[edge & rows]] = True
+    sign = np.where(lit, 1, -1)
+    return {kind: sign * _grown(seed, index, lit) for kind, seed in seeds.items()}
+
+
+def _turned_away(samples: Samples) -> np.ndarray:
+    if "normal" not in samples:
+        return np.zeros(len(samples["wi"]), bool)
+    return np.abs(np.sum(samples["normal"] * samples["wi"], axis=1)) < _TERMINATOR
+
+
+def _neighbours(index: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Row numbers of pixels beside and above one another, both on the asset."""
+    pairs = []
+    for first, second in ((index[:, :-1], index[:, 1:]), (index[:-1], index[1:])):
+        both = (first >= 0) & (second >= 0)
+        pairs.append((first[both], second[both]))
+    return pairs
+
+
+def _grown(seed: np.ndarray, index: np.ndarray, lit: np.ndarray) -> np.ndarray:
+    """Steps from the seeds within the light, or within the shadow, counted from 1."""
+    distance = seed.astype(int)
+    pairs = [(a, b) for a, b in _neighbours(index)]
+    pairs = [(a[lit[a] == lit[b]], b[lit[a] == lit[b]]) for a, b in pairs]
+    for steps in range(1, _REACH):
+        front = distance == steps
+        for a, b in pairs:
+            for near, far in ((a, b), (b, a)):
+                reached = far[front[near] & (distance[far] == 0)]
+                distance[reached] = steps + 1
+    return distance
+
+
+def judge(rows: list[Row]) -> Verdict:
+    ours = [row for row in rows if row["model"] == "with the hint"]
+    ratios = {kind: edge_over_rest(ours, kind) for kind in ("terminator", "cast shadow")}
+    told = ", ".join(f"{k} {v:.1f} times" for k, v in ratios.items() if v is not None)
+    worst = max((v for v in ratios.values() if v is not None), default=0.0)
+    return Verdict(worst <= FACTOR, f"beside the edge: {told} the error away from it")
+
+
+def edge_over_rest(rows: list[Row], edge: str) -> float | None:
+    """Error within 2 pixels of the edge over that from 5 pixels on; None where neither is seen."""
+    near = [r["error"] for r in rows if r["edge"] == edge and abs(r["pixels"]) <= 2]
+    far = [r["error"] for r in rows if r["edge"] == edge and abs(r["pixels"]) >= 5]
+    return float(np.mean(near) / np.mean(far)) if near and far else None
+
+
+def draw(figure: FigureBase, rows: list[Row]) -> None:
+    both = zip(figure.subplots(1, 2, sharey=True), ("terminator", "cast shadow"), strict=True)
+    for axes, edge in both:
+        for model in dict.fromkeys(values(rows, "model")):
+            where = {"edge": edge, "model": model}
+            axes.plot(
+                values(rows, "pixels", **where), values(rows, "error", **where), "o-", label=model
+            )
+        axes.axvspan(-_REACH, 0, color="black", alpha=0.08)
+        axes.set_xlabel(f"pixels from the edge, {edge}")
+        axes.set_ylabel("RMS error; grey: in shadow")
+    axes.legend()
+
+
+CASE = Case(
+    name="shadow-edges",
+    title="Shadow edges",
+    varies="distance to the terminator and to edges of cast shadows; with and without the hint",
+    mark="error within 2 pixels of an edge at most twice that 5 to 8 pixels away",
+    advice="The hint makes edges sharp; a host that leaves it out gets smeared shadows.",
+    measure=measure,
+    judge=judge,
+    draw=draw,
+    needs=("dataset",),
+)

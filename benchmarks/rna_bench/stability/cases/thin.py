@@ -1,0 +1,129 @@
+"""Surfaces so near to one another that the triplane gives them the same features."""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+from matplotlib.figure import FigureBase
+
+from rna_bench.stability.answers import of_model, picked
+from rna_bench.stability.case import Case, Row, Verdict, values
+from rna_bench.stability.errors import joined_views
+from rna_bench.stability.workshop import Workshop
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.run import scene_of
+from rna_export.metrics import psnr_without_noise
+from rna_sdk.package import Curves
+
+LOST_DB = 3.0  # the mark
+
+SHAPES = {"leaf": "surface", "wire": "surface", "strands": "fiber"}
+_POINTS = 1_000_000  # that say which cells hold several surfaces
+
+
+def measure(workshop: Workshop) -> list[Row]:
+    rows = []
+    for shape, kind in SHAPES.items():
+        dataset = workshop.capture(
+            f"thin-{shape}",
+            "thin.py",
+            shape,
+            lights=workshop.some(300),
+            rays=4096,
+            samples=2,
+            validation_views=4,
+            validation_resolution=128,
+            validation_samples=32,
+        )
+        model = workshop.train("small", dataset, workshop.preset(kind)).model
+        samples, halves = joined_views(dataset.validation_views())
+        cells = Cells.of(model.triplane.low, model.triplane.high, model.config.resolution)
+        folded = np.isin(cells.numbers(samples["position"]), folded_cells(dataset, cells))
+        shaded = picked(of_model(model), samples)
+        for where, inside in (("folded", folded), ("clear", ~folded)):
+            error = psnr_without_noise(shaded[inside], *halves[:, inside])
+            share = float(inside.mean())
+            rows.append({"shape": shape, "where": where, "share": share, "psnr": error})
+    return rows
+
+
+class Cells:
+    """Cubes of one texel a side: points in one of them have the same texels on all planes."""
+
+    def __init__(self, low: np.ndarray, high: np.ndarray, resolution: int):
+        self._low, self._scale, self._resolution = low, resolution / (high - low), resolution
+
+    @classmethod
+    def of(cls, low: torch.Tensor, high: torch.Tensor, resolution: int) -> Cells:
+        return cls(low.numpy(), high.numpy(), resolution)
+
+    def numbers(self, positions: np.ndarray) -> np.ndarray:
+        """The cell of each position (n, 3), (n,) int64."""
+        at = ((positions - self._low) * self._scale).astype(np.int64)
+        x, y, z = np.clip(at, 0, self._resolution - 1).T
+        return (x * self._resolution + y) * self._resolution + z
+
+
+def folded_cells(dataset: Dataset, cells: Cells) -> np.ndarray:
+    """Numbers of cells that hold both sides of a sheet, or points of several strands."""
+    geometry = dataset.geometry()
+    if isinstance(geometry, Curves):
+        return several_strands(geometry, cells)
+    points, normals = scene_of(geometry).sample_points(_POINTS, np.random.default_rng(31))
+    return opposed(cells.numbers(points), normals)
+
+
+def opposed(cell: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    """Numbers of the cells (n,) in which some normals (n, 3) point against others."""
+    numbers, first, inverse = np.unique(cell, return_index=True, return_inverse=True)
+    against = np.sum(normals * normals[first][inverse], axis=1) < 0.0
+    return numbers[np.bincount(inverse, against, len(numbers)) > 0]
+
+
+def several_strands(curves: Curves, cells: Cells) -> np.ndarray:
+    """Numbers of the cells that more than one strand passes through."""
+    strand = np.repeat(np.arange(len(curves.offsets) - 1), np.diff(curves.offsets.astype(int)))
+    first = curves.segments()
+    steps = np.linspace(0.0, 1.0, 32)[:, None, None]
+    points = (1.0 - steps) * curves.points[first] + steps * curves.points[first + 1]
+    cell = cells.numbers(points.reshape(-1, 3))
+    pairs = np.unique(np.stack([cell, np.tile(strand[first], len(steps))]), axis=1)
+    numbers, count = np.unique(pairs[0], return_counts=True)
+    return numbers[count > 1]
+
+
+def judge(rows: list[Row]) -> Verdict:
+    lost = {
+        shape: values(rows, "psnr", shape=shape, where="clear")[0]
+        - values(rows, "psnr", shape=shape, where="folded")[0]
+        for shape in dict.fromkeys(values(rows, "shape"))
+    }
+    told = ", ".join(f"{shape} {value:+.1f} dB" for shape, value in lost.items())
+    return Verdict(max(lost.values()) <= LOST_DB, f"lost where folded: {told}")
+
+
+def draw(figure: FigureBase, rows: list[Row]) -> None:
+    axes = figure.subplots()
+    shapes = list(dict.fromkeys(values(rows, "shape")))
+    for shift, where in ((-0.2, "clear"), (0.2, "folded")):
+        bars = axes.bar(
+            np.arange(len(shapes)) + shift, values(rows, "psnr", where=where), 0.4, label=where
+        )
+        share = [f"{s:.0%}" for s in values(rows, "share", where=where)]
+        axes.bar_label(bars, [f"{part} of pixels" for part in share])
+    axes.margins(y=0.12)
+    axes.set_xticks(range(len(shapes)), shapes)
+    axes.set_ylabel("PSNR without noise, dB")
+    axes.legend(loc="lower right")
+
+
+CASE = Case(
+    name="thin",
+    title="Thin and dense geometry",
+    varies="several surfaces in one texel against one: a leaf, wires, strands of the suite's own",
+    mark="at most 3 dB less where surfaces share their texels",
+    advice="Only the normal, or tangent and h, tell such surfaces apart: raise the resolution.",
+    measure=measure,
+    judge=judge,
+    draw=draw,
+)

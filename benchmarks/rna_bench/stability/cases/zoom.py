@@ -1,0 +1,136 @@
+"""Pixels far smaller than a texel."""
+
+from __future__ import annotations
+
+import base64
+import io
+
+import numpy as np
+from matplotlib.figure import FigureBase
+from PIL import Image
+
+from rna_bench.beside_cycles import OurScene
+from rna_bench.stability.case import Case, Row, Verdict, values
+from rna_bench.stability.workshop import Workshop
+from rna_export.capture.worker import BlenderWorker
+from rna_export.compare.views import shots_of
+from rna_export.metrics import flip, psnr_without_noise, to_png
+from rna_render.camera import Camera
+from rna_render.lights.models import DirectionalModel
+from rna_render.scene_model import AssetModel, CameraModel, Scene
+from rna_sdk.runtime import Asset
+
+FLIP = 0.1  # the mark
+
+FOOTPRINTS = (10.0, 3.0, 1.0, 0.3, 0.1)  # of a pixel, in texels
+PIXELS, _SAMPLES, _CYCLES_SAMPLES = 96, 16, 48
+
+
+def measure(workshop: Workshop) -> list[Row]:
+    asset = workshop.asset
+    shots = [s for s in shots_of(asset, PIXELS, 0.0) if s.camera_name == "close-up"][:2]
+    rows = []
+    with workshop.cycles(workshop.subject.source) as worker:
+        for number, shot in enumerate(shots):
+            for footprint in FOOTPRINTS:
+                camera = zoomed(shot.eye, shot.target, footprint * texel(asset))
+                scene = _scene(workshop, camera, shot.wi)
+                name = f"zoom-{workshop.name}-{number}-{footprint:g}"
+                halves = workshop.kept(
+                    name, lambda s=scene, c=camera, wi=shot.wi: _cycles(worker, c, wi)
+                )["halves"]
+                ours = OurScene(scene).render(workshop.some(_SAMPLES)).pixels
+                rows.append({"view": number, "texels": footprint, **_row(ours, halves)})
+    return rows
+
+
+def texel(asset: Asset) -> float:
+    """The longest side of a texel, metres."""
+    return float((asset.bounds[1] - asset.bounds[0]).max()) / asset.tier.resolution
+
+
+def zoomed(eye: np.ndarray, target: np.ndarray, pixel: float) -> CameraModel:
+    """A camera at `eye` whose pixels are `pixel` metres wide at `target`: a long lens."""
+    half = 0.5 * PIXELS * pixel / np.linalg.norm(target - eye)
+    return CameraModel(
+        position=tuple(eye),
+        look_at=tuple(target),
+        vertical_fov_deg=float(np.degrees(2.0 * np.arctan(half))),
+    )
+
+
+def _scene(workshop: Workshop, camera: CameraModel, wi: np.ndarray) -> Scene:
+    light = DirectionalModel(type="directional", direction=tuple(wi), irradiance=(1.0, 1.0, 1.0))
+    model = AssetModel(path=workshop.package, tier=workshop.subject.tier)
+    return Scene(assets=(model,), camera=camera, lights=(light,), resolution=(PIXELS, PIXELS))
+
+
+def _cycles(worker: BlenderWorker, camera: CameraModel, wi: np.ndarray) -> dict[str, np.ndarray]:
+    view = Camera(camera, (PIXELS, PIXELS)).to_world, np.radians(camera.vertical_fov_deg), wi
+    size = PIXELS, PIXELS
+    halves = [worker.render_view(*view, _CYCLES_SAMPLES, seed, *size)[..., :3] for seed in (4, 5)]
+    return {"halves": np.stack(halves)}
+
+
+def _row(ours: np.ndarray, halves: np.ndarray) -> Row:
+    reference = halves.mean(axis=0)
+    flat = [image.reshape(-1, 3) for image in (ours, *halves)]
+    return {
+        "flip": flip(np.ascontiguousarray(ours), np.ascontiguousarray(reference))[0],
+        "psnr": psnr_without_noise(*flat),
+        "picture": _as_text(np.concatenate([ours, reference], axis=1)),
+    }
+
+
+def _as_text(radiance: np.ndarray) -> str:
+    """Half its size, as a PNG in base64."""
+    file = io.BytesIO()
+    Image.fromarray(to_png(radiance)[::2, ::2]).save(file, "PNG")
+    return base64.b64encode(file.getvalue()).decode()
+
+
+def _from_text(picture: str) -> np.ndarray:
+    return np.asarray(Image.open(io.BytesIO(base64.b64decode(picture))))
+
+
+def judge(rows: list[Row]) -> Verdict:
+    finest = values(rows, "flip", texels=min(FOOTPRINTS))
+    return Verdict(max(finest) <= FLIP, f"FLIP {max(finest):.3f} at a tenth of a texel a pixel")
+
+
+def draw(figure: FigureBase, rows: list[Row]) -> None:
+    left, right = figure.subplots(1, 2)
+    for view in dict.fromkeys(values(rows, "view")):
+        texels = values(rows, "texels", view=view)
+        left.plot(texels, values(rows, "flip", view=view), "o-", label=f"view {view + 1}")
+    left.axhline(FLIP, color="grey", linewidth=0.8)
+    left.set_xscale("log")
+    left.invert_xaxis()
+    left.set_xlabel("texels a pixel")
+    left.set_ylabel("FLIP against Cycles")
+    left.legend()
+    pairs = [_from_text(picture) for picture in values(rows, "picture", view=0)]
+    right.imshow(_sheet(pairs))
+    right.set_title("ours, Cycles; from the left down", fontsize="small")
+    right.axis("off")
+
+
+def _sheet(pairs: list[np.ndarray]) -> np.ndarray:
+    """Two columns, filled downwards."""
+    pairs = [*pairs, *[np.full_like(pairs[0], 255)] * (len(pairs) % 2)]
+    half = len(pairs) // 2
+    columns = [np.concatenate(part) for part in (pairs[:half], pairs[half:])]
+    return np.concatenate([columns[0], np.full_like(columns[0][:, :4], 255), columns[1]], axis=1)
+
+
+CASE = Case(
+    name="zoom",
+    title="Strong zoom",
+    varies="a pixel's footprint, 10 texels down to a tenth",
+    mark="FLIP at most 0.1 at a tenth of a texel",
+    advice="Detail finer than a texel is blurred: raise the resolution for close-ups.",
+    measure=measure,
+    judge=judge,
+    draw=draw,
+    needs=("package", "source"),
+)

@@ -1,0 +1,164 @@
+"""Makes what cases measure, once: captures, trainings, references from Cycles, packages."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from safetensors.numpy import load_file
+
+from rna_bench.stability.answers import Answers, of_package
+from rna_export.capture import blender_env
+from rna_export.capture.dataset import Dataset, write_arrays
+from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.export.build import build_package
+from rna_export.training.checkpoint import Trained, load_checkpoint
+from rna_export.training.presets import PRESETS, Preset
+from rna_export.training.run import Run, train
+from rna_sdk.errors import CaptureError
+from rna_sdk.runtime import Asset, load
+
+ASSETS = Path(__file__).parent / "assets"
+
+_SHORT = 8  # times less of everything
+
+
+@dataclass(frozen=True)
+class Subject:
+    """The asset that was given, as far as it was."""
+
+    dataset: Dataset | None = None
+    package: Path | None = None
+    tier: str | None = None
+    source: Source | None = None
+
+    @property
+    def given(self) -> set[str]:
+        """Names as in `Case.needs`."""
+        named = {"dataset": self.dataset, "source": self.source}
+        found = {name for name, thing in named.items() if thing is not None}
+        return found | ({"package"} if self.package or self.dataset else set())
+
+
+class Workshop:
+    """A folder of captures, runs and references; what is finished there is not made again.
+
+    Attributes:
+        subject: the given asset.
+        steps: of each training.
+        short: whether cases should do less of everything.
+    """
+
+    def __init__(
+        self, folder: Path, subject: Subject, steps: int, workers: int, short: bool = False
+    ):
+        self.subject, self.short = subject, short
+        self.steps = max(10, steps // _SHORT) if short else steps
+        self._folder, self._workers = folder, workers
+
+    def some(self, number: int) -> int:
+        """The number itself, or less of it in the short form."""
+        return max(1, number // _SHORT) if self.short else number
+
+    @property
+    def kind(self) -> str | None:
+        """Of the given asset, if there is one."""
+        if self.subject.dataset is not None:
+            return self.subject.dataset.manifest.kind
+        return self.asset.kind if self.subject.package is not None else None
+
+    @property
+    def name(self) -> str:
+        """Of the given asset, or of the suite's own."""
+        given = self.subject.package or (self.subject.dataset and self.subject.dataset.folder)
+        return given.stem if given else "the suite's own assets"
+
+    @property
+    def dataset(self) -> Dataset:
+        """The given asset's. Raises CaptureError when there is none."""
+        if self.subject.dataset is None:
+            raise CaptureError("found no dataset, expected ASSET.rays/")
+        return self.subject.dataset
+
+    def capture(self, name: str, script: str, *arguments: str, **settings: Any) -> Dataset:
+        """A dataset of one of the suite's own assets; settings as in `CaptureSettings`."""
+        out = self._folder / "captures" / f"{name}.rays"
+        out.parent.mkdir(parents=True, exist_ok=True)
+        command = [sys.executable, "-m", "rna_export.capture.cli", ASSETS / script, "--out", out]
+        command += ["--workers", self._workers]
+        for key, value in settings.items():
+            command += [f"--{key.replace('_', '-')}", value]
+        ended = subprocess.run([*map(str, command), "--", *arguments])
+        if ended.returncode:
+            raise CaptureError(f"the capture of {name} failed, status {ended.returncode}")
+        return Dataset(out)
+
+    def train(self, name: str, dataset: Dataset, preset: Preset, seed: int = 0) -> Trained:
+        """The model after the last step: the best by a few views would hide overfitting."""
+        out = self._folder / "runs" / dataset.folder.stem / name
+        if not (out / "best.ckpt").is_file():
+            train(Run(dataset, preset, "small", out, seed, validations=2))
+            for checkpoint in out.glob("step=*.ckpt"):
+                checkpoint.unlink()
+        return load_checkpoint(out / "last.ckpt")
+
+    def preset(self, kind: str, **model: Any) -> Preset:
+        """`small` with the suite's steps; `model`: fields of ModelConfig that differ."""
+        small = PRESETS[kind]["small"]
+        training = small.training.model_copy(update={"steps": self.steps})
+        return Preset(model=small.model.model_copy(update=model), training=training)
+
+    def paper_inputs(self, kind: str) -> tuple[str, ...]:
+        """The decoder's inputs in the paper."""
+        return PRESETS[kind]["paper-small"].model.inputs
+
+    @cached_property
+    def base(self) -> Trained:
+        """`small` trained on the given dataset: what variants are compared with."""
+        return self.train("base", self.dataset, self.preset(self.dataset.manifest.kind))
+
+    @cached_property
+    def package(self) -> Path:
+        """The package that was given, or one of `base`."""
+        if self.subject.package is not None:
+            return self.subject.package
+        out = self._folder / f"{self.dataset.manifest.name}.rna"
+        if not out.is_file():
+            build_package([self.base], self.dataset, out, None, "unknown", print)
+        return out
+
+    @cached_property
+    def asset(self) -> Asset:
+        """The package, loaded."""
+        return load(self.package, tier=self.subject.tier, threads=1)
+
+    def answers(self) -> Answers:
+        """The package's."""
+        return of_package(self.asset)
+
+    def kept(self, name: str, make: Callable[[], dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+        """Arrays that `make` gives, or gave in an earlier run."""
+        path = self._folder / "references" / f"{name}.safetensors"
+        if not path.is_file():
+            arrays = make()
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_arrays(path, arrays)
+        return load_file(path)
+
+    @contextmanager
+    def cycles(self, source: Source) -> Iterator[BlenderWorker]:
+        """Cycles with the source open."""
+        scratch = self._folder / "scratch"
+        try:
+            with BlenderWorker(blender_env.find_python(), source, scratch, self._workers) as worker:
+                yield worker
+        finally:
+            shutil.rmtree(scratch, ignore_errors=True)

@@ -1,0 +1,1 @@
+"""`rna-fit`: the cheapest model that a scene needs, found and trained."""

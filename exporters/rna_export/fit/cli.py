@@ -1,0 +1,119 @@
+"""`rna-fit`: the cheapest model of a dataset that is accurate enough, or the best cheap enough."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from rna_export.fit.goal import Goal
+from rna_sdk.console import command_parser, run_command
+from rna_sdk.errors import TrainingError
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-fit`."""
+    p = command_parser(
+        "rna-fit",
+        "Find, train and export the cheapest model that meets a limit on its error.",
+        "rna-fit helmet.rays/ --max-error 0.02 --out helmet.rna",
+        epilog="Trainings are kept beside the package: the same command goes on after a stop, and "
+        "another limit takes less time.",
+    )
+    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
+    limit = p.add_mutually_exclusive_group(required=True)
+    limit.add_argument(
+        "--max-error",
+        type=_positive,
+        metavar="FLIP",
+        help="mean FLIP of the validation images, as packages record it (float)",
+    )
+    limit.add_argument("--min-psnr", type=_positive, metavar="DB", help="of those images (float)")
+    limit.add_argument(
+        "--budget-us",
+        type=_positive,
+        metavar="US",
+        help="microseconds a query on all cores of this machine: the best model within it (float)",
+    )
+    p.add_argument("--out", type=Path, required=True, help="the package to write")
+    p.add_argument(
+        "--work", type=Path, help="folder for trainings and the page (default: OUT with .fit)"
+    )
+    p.add_argument(
+        "--steps", type=int, default=40_000, help="of the final training (int, default %(default)s)"
+    )
+    p.add_argument(
+        "--grid",
+        choices=("short", "full"),
+        help="what to choose from, as rna-bench frontier (default: full on a GPU, else short)",
+    )
+    p.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto")
+    p.add_argument("--workers", type=int, help="trainings side by side (default: one a core)")
+    p.add_argument("--source", help="name, author and address of the original model")
+    p.add_argument(
+        "--license", default="NOASSERTION", help="SPDX expression (default: %(default)s)"
+    )
+    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    args = parser().parse_args(argv)
+    return run_command(lambda: _run(args), args.debug, "run the same command again to continue")
+
+
+def goal_of(args: argparse.Namespace) -> Goal:
+    """What the options ask for."""
+    if args.max_error is not None:
+        return Goal("max_error", args.max_error)
+    if args.min_psnr is not None:
+        return Goal("min_psnr", args.min_psnr)
+    return Goal("budget", 1e3 * args.budget_us)
+
+
+def _run(args: argparse.Namespace) -> None:
+    from rna_export.capture.dataset import Dataset
+    from rna_export.export.build import build_package
+    from rna_export.fit.page import write_page
+    from rna_export.fit.run import fit
+    from rna_export.training.checkpoint import load_checkpoint
+    from rna_export.trials.grid import full_grid, short_grid
+    from rna_export.trials.packages import PRECISIONS
+    from rna_export.trials.pool import Crew
+
+    if args.steps < 16:
+        raise TrainingError(f"--steps: found {args.steps}, expected at least 16")
+    dataset = Dataset(args.dataset)
+    crew = Crew.usual(args.device, args.workers)
+    grid = args.grid or ("full" if crew.device == "cuda" else "short")
+    models = {"full": full_grid, "short": short_grid}[grid](dataset.manifest.kind, args.steps)
+    ours = [trial for trial in models if trial.family == "ours"]
+    work = args.work or args.out.with_suffix(".fit")
+    found = fit(dataset, ours, goal_of(args), args.steps, crew, work, print)
+    build_package(
+        [load_checkpoint(found.checkpoint)],
+        dataset,
+        args.out,
+        args.source,
+        args.license,
+        print,
+        [PRECISIONS[found.chosen.precision]],
+    )
+    write_page(found, dataset.manifest.name, work / "index.html")
+    print(
+        f"chosen: {found.chosen.name}, {found.chosen.ns:.0f} ns a query; "
+        f"{found.seconds:.0f} s of training in all\n"
+        f"wrote {args.out}, {work / 'index.html'}\nnext: rna-validate {args.out}"
+    )
+
+
+def _positive(text: str) -> float:
+    value = float(text)
+    if not value > 0.0:
+        raise argparse.ArgumentTypeError(f"expected more than 0, found {text}")
+    return value
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,56 @@
+"""What a fit is to reach, on a scale where a power law of training is a line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import log10
+from typing import Literal
+
+from rna_export.trials.scores import ModelScores
+
+
+@dataclass(frozen=True)
+class Goal:
+    """A limit on the error, or on the cost.
+
+    max_error: mean FLIP of the validation images, as a tier's `validation.flip` records it.
+    min_psnr: dB, as `validation.psnr` records it. budget: nanoseconds a query on all threads.
+    """
+
+    metric: Literal["max_error", "min_psnr", "budget"]
+    value: float
+
+    @property
+    def limits_cost(self) -> bool:
+        """Whether the most accurate model within a cost is wanted, not the cheapest one."""
+        return self.metric == "budget"
+
+    def error_db(self, scores: ModelScores) -> float:
+        """The error in decibels: a factor of the error is a difference here; less is better."""
+        if self.metric == "max_error":
+            return 10.0 * log10(max(scores.flip, 1e-9))
+        return -scores.psnr
+
+    @property
+    def limit_db(self) -> float:
+        """What `error_db` may be at most; infinity where the cost is limited instead."""
+        if self.metric == "max_error":
+            return 10.0 * log10(self.value)
+        return -self.value if self.metric == "min_psnr" else float("inf")
+
+    def met_by(self, scores: ModelScores) -> bool:
+        """Whether the error is within the limit."""
+        return self.error_db(scores) <= self.limit_db
+
+    def shown(self, error_db: float) -> str:
+        """An `error_db` as people read it."""
+        if self.metric == "max_error":
+            return f"FLIP {10.0 ** (error_db / 10.0):.4f}"
+        return f"{-error_db:.2f} dB"
+
+    def __str__(self) -> str:
+        return {
+            "max_error": f"mean FLIP of at most {self.value:g}",
+            "min_psnr": f"PSNR of at least {self.value:g} dB",
+            "budget": f"at most {self.value / 1e3:g} us a query",
+        }[self.metric]

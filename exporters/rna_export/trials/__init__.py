@@ -1,0 +1,1 @@
+"""Trials: named models that are trained, exported and measured alike, to be compared."""

@@ -1,0 +1,38 @@
+"""A trained model as packages of one tier each, one for each precision."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from rna_export.capture.dataset import Dataset
+from rna_export.export.build import build_package
+from rna_export.export.precision import Precision
+from rna_export.training.checkpoint import Trained
+
+PRECISIONS = {
+    "float32-float16": Precision(),
+    "int8-float16": Precision("int8", "float16"),
+    "int8-int8": Precision("int8", "int8"),
+}
+"""Name -> decoder and planes; the first loses next to nothing."""
+
+USUAL = "float32-float16"
+
+
+def write_packages(
+    trained: Trained, dataset: Dataset, folder: Path, precisions: Sequence[str] = tuple(PRECISIONS)
+) -> dict[str, Path]:
+    """Write `<precision>.rna` into `folder`; returns their paths by precision.
+
+    Error and cost are not in them: what runs beside a trial would falsify the cost.
+    """
+    paths = {precision: folder / f"{precision}.rna" for precision in precisions}
+    for precision, path in paths.items():
+        chosen = [PRECISIONS[precision]]
+        build_package([trained], dataset, path, None, "NOASSERTION", _quiet, chosen, False)
+    return paths
+
+
+def _quiet(_: str) -> None:
+    pass

@@ -1,0 +1,134 @@
+"""One trial from training to record."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import numpy as np
+import torch
+
+from rna_export.capture.dataset import Dataset, ValidationView, write_atomically
+from rna_export.training.checkpoint import Trained, load_checkpoint
+from rna_export.training.run import Run, train
+from rna_export.training.samples import SampleTable
+from rna_export.training.validation import shade
+from rna_export.trials.packages import PRECISIONS, USUAL, write_packages
+from rna_export.trials.record import Point, Record, read_record
+from rna_export.trials.scores import judge, write_strips
+from rna_export.trials.trial import Trial
+from rna_export.trials.unwrap import UnwrappedDataset
+from rna_sdk.runtime import load
+
+_VALIDATIONS = 4  # of a training: with a cosine schedule the last is nearly always the best
+
+
+def run_trial(
+    trial: Trial, dataset: Dataset, folder: Path, device: str, table: SampleTable | None = None
+) -> Record:
+    """Train, export and measure what is not finished yet in `folder`; returns the record.
+
+    A finished training without some of `PRECISIONS` gets those alone. table: the dataset's
+    samples on the device, to share between trials. Raises `TrainingError` when the folder belongs
+    to another trial, `ExportError` when the model cannot be exported.
+    """
+    source = dataset.manifest.source_sha256
+    record = read_record(folder, trial, source)
+    if record is not None and not missing_precisions(record):
+        return record
+    folder.mkdir(parents=True, exist_ok=True)
+    if not trial.packageable:
+        dataset, table = UnwrappedDataset(dataset.folder), None
+    seconds = record.seconds if record else _train(trial, dataset, folder, device, table)
+    trained = load_checkpoint(folder / "best.ckpt")
+    if trial.packageable:
+        points = dict(record.points) if record else {}
+        wanted = missing_precisions(record) if record else tuple(PRECISIONS)
+        points.update(_measure_packages(trained, dataset, folder, wanted))
+    else:
+        points = _measure_model(trained, dataset, folder)
+    record = Record(
+        trial=trial,
+        dataset_sha256=source,
+        device=record.device if record else device,
+        seconds=seconds,
+        points=points,
+    )
+    record.write(folder)
+    for checkpoint in folder.glob("*.ckpt"):
+        if checkpoint.name != "best.ckpt":
+            checkpoint.unlink()
+    return record
+
+
+def missing_precisions(record: Record) -> tuple[str, ...]:
+    """Of PRECISIONS, those that were not measured; none of a model that no package holds."""
+    if not record.trial.packageable:
+        return ()
+    return tuple(p for p in PRECISIONS if p not in record.points)
+
+
+def _train(
+    trial: Trial, dataset: Dataset, folder: Path, device: str, table: SampleTable | None
+) -> float:
+    """Train to the end; returns the seconds that it took, with those of stopped calls."""
+    finished = folder / "seconds.txt"
+    if finished.is_file():
+        return float(finished.read_text())
+    run = Run(
+        dataset,
+        trial.preset,
+        trial.name,
+        folder,
+        trial.seed,
+        device=device,
+        validations=_VALIDATIONS,
+    )
+    before = steps_done(folder)
+    clock = time.perf_counter if device == "cuda" else time.process_time
+    start = clock()
+    train(run, table)
+    total = steps_done(folder)
+    seconds = (clock() - start) * total / max(total - before, 1)
+    write_atomically(finished, f"{seconds:.1f}\n".encode())
+    return seconds
+
+
+def steps_done(folder: Path) -> int:
+    """Of a training that was stopped, or not; 0 where none was begun."""
+    path = folder / "last.ckpt"
+    if not path.is_file():
+        return 0
+    return int(torch.load(path, map_location="cpu", weights_only=True)["global_step"])
+
+
+def _measure_packages(
+    trained: Trained, dataset: Dataset, folder: Path, precisions: tuple[str, ...]
+) -> dict[str, Point]:
+    """Error of a package of each precision, through the runtime."""
+    views, points = dataset.validation_views(), {}
+    for precision, path in write_packages(trained, dataset, folder, precisions).items():
+        asset = load(path, threads=1)
+        radiance = [view.pick(*asset.evaluate(*view.queries.values())) for view in views]
+        size = path.stat().st_size
+        points[precision] = _point(trained, radiance, views, folder / precision, size)
+    return points
+
+
+def _measure_model(trained: Trained, dataset: Dataset, folder: Path) -> dict[str, Point]:
+    """Error of a model that no package holds, in PyTorch."""
+    views = dataset.validation_views()
+    radiance = [shade(trained.model, view) for view in views]
+    return {USUAL: _point(trained, radiance, views, folder / USUAL, None)}
+
+
+def _point(
+    trained: Trained,
+    radiance: list[np.ndarray],
+    views: list[ValidationView],
+    pictures: Path,
+    size: int | None,
+) -> Point:
+    scores, flips = judge(radiance, views)
+    write_strips(pictures, radiance, views, flips)
+    return Point(bytes=size, multiply_adds=trained.model.multiply_adds, scores=scores)

@@ -1,0 +1,37 @@
+"""A trial: one model of a grid, by name."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from rna_export.training.presets import Preset
+
+Family = Literal["ours", "paper", "ablation"]
+
+
+class Trial(BaseModel):
+    """What to train, and what it stands for in a comparison."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    name: str = Field(pattern=r"^[a-z0-9][a-z0-9-]*$", description="unique in a grid; a folder")
+    family: Family = Field(description="ours: fit for use. paper: as published. ablation: neither")
+    preset: Preset
+    tables: tuple[str, ...] = Field((), description="comparisons that it is a row of")
+    cost_as: str | None = Field(
+        None, description="trial whose decode cost it has, for a model that no package holds"
+    )
+    seed: int = 0
+
+    @property
+    def packageable(self) -> bool:
+        """Whether the format can hold it."""
+        return self.preset.model.texture == "triplane"
+
+
+def name_of(preset: Preset) -> str:
+    """Width, hidden layers, planes and channels as a name."""
+    m = preset.model
+    return f"w{m.width}-l{m.hidden_layers}-p{m.resolution}-c{m.channels}"

@@ -1,0 +1,69 @@
+"""`rna-fit` from a dataset to a package and the page that explains it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rna_export.capture.dataset import Dataset
+from rna_export.fit.cli import main
+from rna_export.trials import grid as grid_module
+from rna_export.trials.trial import Trial
+from rna_sdk.runtime import load
+from tests.exporters.synthetic import make_dataset, tiny
+
+
+def grid(kind: str, steps: int) -> list[Trial]:
+    preset = tiny(steps=steps)
+    wide = preset.model_copy(update={"model": preset.model.model_copy(update={"width": 64})})
+    return [
+        Trial(name="narrow", family="ours", preset=preset),
+        Trial(name="wide", family="ours", preset=wide),
+        Trial(name="theirs", family="paper", preset=preset),
+    ]
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
+
+
+@pytest.fixture(autouse=True)
+def few_models(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(grid_module, "short_grid", grid)
+
+
+def run(dataset: Dataset, out: Path, *limit: str) -> int:
+    common = ["--out", str(out), "--steps", "32", "--workers", "1", "--device", "cpu"]
+    return main([str(dataset.folder), *limit, *common])
+
+
+def test_package_meets_the_limit_and_the_page_says_why(dataset: Dataset, tmp_path: Path) -> None:
+    out = tmp_path / "ball.rna"
+    assert run(dataset, out, "--max-error", "0.9") == 0
+    tier = load(out).tier
+    assert tier.validation.flip <= 0.9 and tier.cost.ns_per_query > 0.0
+    page = (tmp_path / "ball.fit" / "index.html").read_text()
+    assert "mean FLIP of at most 0.9" in page and "chosen: the cheapest" in page
+    assert "narrow int8-int8" in page and "theirs" not in page
+    assert not list((tmp_path / "ball.fit" / "2").glob("theirs"))
+
+
+def test_impossible_limit_is_one_line(
+    dataset: Dataset, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "ball.rna"
+    assert run(dataset, out, "--budget-us", "1e-6") == 1
+    error = capsys.readouterr().err
+    assert error.startswith("error: no model costs at most 1e-06 us a query: the cheapest, ")
+    assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    "limit", [(), ("--max-error", "0"), ("--max-error", "1", "--min-psnr", "3")]
+)
+def test_one_limit_above_zero_is_needed(dataset: Dataset, tmp_path: Path, limit: tuple) -> None:
+    with pytest.raises(SystemExit) as ended:
+        run(dataset, tmp_path / "ball.rna", *limit)
+    assert ended.value.code == 2

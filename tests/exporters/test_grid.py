@@ -1,0 +1,57 @@
+"""The grids of models: what they hold, and how they are named."""
+
+from __future__ import annotations
+
+import pytest
+
+from rna_export.trials.grid import PAPER_ARCHITECTURES, full_grid, short_grid
+from rna_export.trials.trial import Trial
+
+KINDS = ("surface", "fiber")
+
+
+def of_table(trials: list[Trial], table: str) -> list[tuple[int, int, int]]:
+    models = [trial.preset.model for trial in trials if table in trial.tables]
+    return [(m.hidden_layers, m.width, m.channels) for m in models]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_full_grid_holds_the_papers_tables_row_for_row(kind: str) -> None:
+    grid = full_grid(kind)
+    found = of_table(grid, "architecture")
+    assert sorted(found) == sorted((*shape, 8) for shape in PAPER_ARCHITECTURES)
+    assert sorted(c for _, _, c in of_table(grid, "channels")) == [4, 8, 16, 32]
+    assert all(t.preset.training.schedule == "halving" for t in grid if t.family == "paper")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("grid", [full_grid, short_grid])
+def test_names_are_unique_and_steps_equal(grid, kind: str) -> None:
+    trials = grid(kind, 123)
+    assert len({trial.name for trial in trials}) == len(trials)
+    assert {trial.preset.training.steps for trial in trials} == {123}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_short_grid_is_part_of_the_full_one(kind: str) -> None:
+    full = {trial.name: trial.preset.model for trial in full_grid(kind)}
+    extra = [t for t in short_grid(kind) if full.get(t.name) != t.preset.model]
+    # But for the few that are small in every way at once.
+    assert {t.preset.model.width for t in extra} <= {16}
+    assert {t.preset.model.width for t in short_grid(kind)} == {16, 32, 64, 128, 256, 512}
+
+
+def test_models_without_a_package_have_the_cost_of_one_that_has() -> None:
+    for trials in (full_grid("surface"), short_grid("surface")):
+        names = {trial.name: trial for trial in trials}
+        textures = [trial for trial in trials if not trial.packageable]
+        assert {trial.preset.model.resolution for trial in textures} == {512, 1024}
+        for trial in textures:
+            twin = names[trial.cost_as].preset.model
+            assert twin.width == trial.preset.model.width
+            assert twin.inputs == trial.preset.model.inputs
+
+
+def test_fibers_without_h_have_no_input_of_it() -> None:
+    (trial,) = [t for t in short_grid("fiber") if "no-h" in t.tables]
+    assert not {"h", "fiber_lobes"} & set(trial.preset.model.inputs)

@@ -1,0 +1,73 @@
+"""Models that stand in comparisons only: without the visibility hint, with a uv texture."""
+
+from __future__ import annotations
+
+import onnxruntime
+import pytest
+import torch
+
+from rna_export.export.decoder import check_decoder, export_decoder, random_queries
+from rna_export.training.losses import sample_loss
+from rna_export.training.model import NeuralAsset
+from rna_export.training.uv_texture import UvTexture
+from tests.exporters.synthetic import tiny
+
+BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
+
+
+def model_of(kind: str, **changes: object) -> NeuralAsset:
+    torch.manual_seed(0)
+    return NeuralAsset(tiny(kind=kind).model.model_copy(update=changes), BOUNDS).eval()
+
+
+def samples(n: int) -> dict[str, torch.Tensor]:
+    torch.manual_seed(1)
+    unit = torch.nn.functional.normalize(torch.randn(4, n, 3), dim=2)
+    names = ("position", "normal", "wo", "wi")
+    at = dict(zip(names, unit, strict=True))
+    return {
+        **at,
+        "tangent": at["normal"],
+        "h": torch.zeros(n),
+        "radiance": torch.rand(n, 3),
+        "direct": torch.zeros(n, 3),
+        "visible": (torch.rand(n) > 0.5).float(),
+    }
+
+
+@pytest.mark.parametrize("kind", ["surface", "fiber"])
+@pytest.mark.parametrize("hint", [True, False])
+def test_decoder_adds_its_colours_up(kind: str, hint: bool) -> None:
+    model = model_of(kind, visibility_hint=hint)
+    decoder = export_decoder(model)
+    check_decoder(decoder, model)
+    session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
+    queries = random_queries(model, 50, 3).detach().numpy()
+    (found,) = session.run(None, {"queries": queries})
+    assert found.shape == (50, 6)
+    assert (abs(found[:, :3] - found[:, 3:]).max() < 1e-6) == (not hint)
+
+
+@pytest.mark.parametrize("kind", ["surface", "fiber"])
+def test_loss_without_hint_sees_no_visibility(kind: str) -> None:
+    at = samples(64)
+    other = {**at, "visible": 1.0 - at["visible"]}
+    with_hint, without = model_of(kind), model_of(kind, visibility_hint=False)
+    assert sample_loss(without, at, 1.0) == sample_loss(without, other, 1.0)
+    assert sample_loss(with_hint, at, 1.0) != sample_loss(with_hint, other, 1.0)
+
+
+def test_uv_texture_is_bilinear_between_texel_centres() -> None:
+    texture = UvTexture(4, 1, BOUNDS[0], BOUNDS[1])
+    values = torch.arange(16.0).reshape(1, 1, 4, 4)
+    texture.texels.data.copy_(values)
+    uv = torch.tensor([[0.125, 0.125], [0.25, 0.125], [0.125, 0.25], [1.0, 1.0], [0.0, 0.0]])
+    assert torch.allclose(texture(uv)[:, 0], torch.tensor([0.0, 0.5, 2.0, 15.0, 0.0]))
+
+
+def test_uv_model_looks_up_uv_alone() -> None:
+    model = model_of("surface", texture="uv", inputs=("features",))
+    at = {**samples(8), "uv": torch.rand(8, 2)}
+    moved = {**at, "position": torch.zeros(8, 3)}
+    assert torch.equal(model(at), model(moved))
+    assert not torch.equal(model(at), model({**at, "uv": 1.0 - at["uv"]}))

@@ -1,0 +1,109 @@
+"""A trial from training to record, and a grid of them in processes."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from rna_export.capture.dataset import Dataset
+from rna_export.export.build import build_package
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.trials import run as run_module
+from rna_export.trials.packages import PRECISIONS, USUAL
+from rna_export.trials.pool import Crew, TrialPool
+from rna_export.trials.record import read_record
+from rna_export.trials.run import run_trial
+from rna_export.trials.trial import Trial
+from rna_sdk.errors import TrainingError
+from rna_sdk.runtime import load
+from tests.exporters.synthetic import make_dataset, tiny
+
+CPU = Crew(workers=1, threads=1, device="cpu")
+
+
+def trial(name: str = "tiny", **training: object) -> Trial:
+    return Trial(name=name, family="ours", preset=tiny(steps=12, **training))
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
+
+
+@pytest.fixture(scope="module")
+def finished(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("trial")
+    run_trial(trial(), dataset, folder, "cpu")
+    return folder
+
+
+def test_record_is_what_the_exporter_says_of_the_package(
+    finished: Path, dataset: Dataset, tmp_path: Path
+) -> None:
+    record = read_record(finished, trial(), dataset.manifest.source_sha256)
+    assert record is not None and record.seconds > 0.0
+    trained = load_checkpoint(finished / "best.ckpt")
+    for name, point in record.points.items():
+        path = tmp_path / "exported.rna"
+        build_package([trained], dataset, path, None, "CC0-1.0", print, [PRECISIONS[name]])
+        tier = load(path).tier
+        assert point.scores.psnr == pytest.approx(tier.validation.psnr, abs=0.01)
+        assert point.scores.flip == pytest.approx(tier.validation.flip, abs=1e-4)
+        assert point.multiply_adds == tier.cost.multiply_adds
+        assert point.bytes == (finished / f"{name}.rna").stat().st_size
+        assert len(point.scores.views) == 2
+        assert (finished / f"{name}-flip.png").is_file()
+    assert record.points["int8-int8"].bytes < record.points[USUAL].bytes
+
+
+def test_finished_trial_is_not_trained_again(
+    finished: Path, dataset: Dataset, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(run_module, "train", None)
+    assert run_trial(trial(), dataset, finished, "cpu").trial == trial()
+
+
+def test_training_that_ended_before_the_export_is_not_repeated(
+    dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as broken:
+        broken.setattr(run_module, "write_packages", None)
+        with pytest.raises(TypeError):
+            run_trial(trial(), dataset, tmp_path, "cpu")
+    monkeypatch.setattr(run_module, "train", None)
+    assert run_trial(trial(), dataset, tmp_path, "cpu").seconds > 0.0
+
+
+def test_finished_trial_gets_a_precision_that_is_new(
+    finished: Path, dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "copy"
+    shutil.copytree(finished, folder)
+    record = read_record(folder, trial(), dataset.manifest.source_sha256)
+    others = {k: v for k, v in record.points.items() if k != USUAL}
+    record.model_copy(update={"points": others}).write(folder)
+    monkeypatch.setattr(run_module, "train", None)
+    found = run_trial(trial(), dataset, folder, "cpu")
+    assert found.points[USUAL].scores == record.points[USUAL].scores
+    assert found.seconds == record.seconds
+
+
+def test_folder_of_another_model_is_refused(finished: Path, dataset: Dataset) -> None:
+    with pytest.raises(TrainingError, match="another model or dataset"):
+        run_trial(trial(batch=256), dataset, finished, "cpu")
+
+
+def test_one_that_fails_is_named_after_the_others_are_done(
+    dataset: Dataset, tmp_path: Path
+) -> None:
+    good, bad = trial("good"), trial("bad", learning_rate=float("nan"))
+    with (
+        TrialPool(dataset.folder, CPU) as pool,
+        pytest.raises(TrainingError, match=r"^bad: .*log\.txt"),
+    ):
+        found = []
+        for record in pool.run([(t, tmp_path / t.name) for t in (bad, good)]):
+            found.append(record.trial.name)
+    assert found == ["good"]

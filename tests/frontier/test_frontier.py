@@ -1,0 +1,126 @@
+"""`rna-bench frontier` from a dataset to its page, on a tiny grid."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from rna_bench.cli import main
+from rna_bench.frontier import study as study_module
+from rna_bench.frontier.findings import findings, sentences
+from rna_bench.frontier.points import front
+from rna_export.capture.dataset import Dataset
+from rna_export.trials.packages import PRECISIONS
+from rna_export.trials.trial import Trial
+from tests.exporters.synthetic import make_dataset, tiny
+from tests.render.chromium import find_chromium, open_page
+
+POINTS = 2 * len(PRECISIONS)
+
+
+def grid(kind: str, steps: int) -> list[Trial]:
+    models = {"ours": tiny(steps=steps), "paper-small": tiny("paper-small", steps=steps)}
+    return [
+        Trial(name="ours", family="ours", preset=models["ours"]),
+        Trial(name="paper-small", family="paper", preset=models["paper-small"]),
+    ]
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
+
+
+@pytest.fixture(scope="module")
+def out(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a finished study."""
+    folder = tmp_path_factory.mktemp("study")
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(study_module, "short_grid", grid)
+        command = ["frontier", str(dataset.folder), "--out", str(folder)]
+        assert main([*command, "--short", "--steps", "12", "--workers", "1"]) == 0
+    return folder
+
+
+def test_json_has_cost_and_error_of_every_model(out: Path) -> None:
+    report = json.loads((out / "frontier.json").read_text())
+    assert {p["name"] for p in report["points"]} == {"ours", "paper-small"}
+    for point in report["points"]:
+        assert point["ns"] > 0.0 and point["ns_one_thread"] > 0.0 and point["bytes"] > 1000
+        assert 0.0 < point["share_of_gemm"] < 2.0
+        assert point["psnr"] > 0.0 and point["flip"] > 0.0 and point["p99"] > 0.0
+    assert report["timings"]["costs"]["gemm_gflops"] > 0.0
+    assert (out / "frontier.png").stat().st_size > 10_000
+
+
+def test_finished_study_trains_nothing_again(
+    out: Path, dataset: Dataset, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(study_module, "short_grid", grid)
+    monkeypatch.setattr(study_module, "TrialPool", None)
+    before = (out / "costs.json").read_bytes()
+    command = ["frontier", str(dataset.folder), "--out", str(out)]
+    assert main([*command, "--short", "--steps", "12", "--workers", "1"]) == 0
+    assert (out / "costs.json").read_bytes() == before
+
+
+def test_unknown_trial_is_one_line(
+    out: Path, dataset: Dataset, capsys: pytest.CaptureFixture[str]
+) -> None:
+    command = ["frontier", str(dataset.folder), "--out", str(out), "--short"]
+    assert main([*command, "--trials", "w7"]) == 1
+    assert "--trials: found w7; expected of w16" in capsys.readouterr().err
+
+
+@pytest.mark.chromium
+def test_page_shows_and_compares_the_models(out: Path) -> None:
+    with open_page(find_chromium()) as page:
+        page.call("Page.navigate", url=(out / "index.html").as_uri())
+        page.wait_for(f"document.querySelectorAll('#chart .point').length == {POINTS}")
+        assert page.evaluate("document.querySelectorAll('#pair img').length") == 5
+        loaded = "[...document.images].every((i) => !i.src || i.naturalWidth > 0)"
+        assert page.evaluate(loaded)
+        first = "document.querySelector('#chart .chosen')"
+        page.evaluate(f"{first}.focus()")
+        assert page.evaluate("document.getElementById('tip').style.display") == "block"
+        page.evaluate(f"{first}.dispatchEvent(new MouseEvent('click'))")
+        assert page.evaluate("document.querySelectorAll('#pair img').length") == 3
+        for error in ("flip", "p99"):
+            page.evaluate(
+                f"document.getElementById('error').value = '{error}';"
+                "document.getElementById('error').dispatchEvent(new Event('change'))"
+            )
+            assert page.evaluate("document.querySelectorAll('#chart .point').length") == POINTS
+
+
+def point(name: str, family: str, ns: float, psnr: float) -> dict[str, object]:
+    return {"name": name, "family": family, "ns": ns, "psnr": psnr, "precision": "float32-float16"}
+
+
+def test_front_holds_what_none_beats_at_its_cost() -> None:
+    points = [
+        point("a", "ours", 10, 20.0),
+        point("b", "ours", 20, 19.0),
+        point("c", "paper", 30, 25.0),
+        point("d", "ablation", 5, 40.0),
+    ]
+    assert [p["name"] for p in front(points, "ns", "psnr")] == ["a", "c"]
+
+
+def test_findings_compare_with_the_papers_two() -> None:
+    points = [
+        point("cheap", "ours", 10, 30.0),
+        point("middle", "ours", 40, 33.0),
+        point("dear", "ours", 400, 40.0),
+        point("paper-small", "paper", 50, 25.0),
+        point("paper-hq", "paper", 800, 29.0),
+    ]
+    found = findings(points)
+    assert found["as_accurate_as_paper_hq"]["name"].startswith("cheap")
+    assert found["as_accurate_as_paper_hq"]["times_as_cheap"] == 80.0
+    assert found["as_cheap_as_paper_small"]["name"].startswith("middle")
+    assert found["as_cheap_as_paper_small"]["db_better"] == 8.0
+    assert len(sentences(found)) == 2
+    assert sentences(findings(points[:3])) == []

@@ -1,0 +1,97 @@
+"""Cases about places: edges of shadows, folded texels, zoom."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rna_bench.stability.cases import shadow_edges, thin, zoom
+from rna_export.capture.dataset import ValidationView
+from rna_render.camera import Camera
+from rna_sdk.package import Curves
+
+SIZE = 32
+
+
+def flat_view(shadow_from: int, n_wi: float = 0.7) -> ValidationView:
+    """A plane seen from above; columns from `shadow_from` on are in shadow."""
+    row, column = np.divmod(np.arange(SIZE**2), SIZE)
+    position = np.stack([column, 0 * row, row], axis=1).astype(np.float32) / SIZE
+    up = np.tile(np.float32([0, 1, 0]), (len(row), 1))
+    wi = np.tile(np.float32([np.sqrt(1 - n_wi**2), n_wi, 0]), (len(row), 1))
+    visible = (column < shadow_from).astype(np.uint8)
+    radiance = np.repeat(np.float32(0.1 + 0.1 * visible)[:, None], 3, axis=1)
+    samples = {"position": position, "normal": up, "wo": up, "wi": wi, "radiance": radiance}
+    pixel = np.arange(SIZE**2, dtype=np.int32)
+    return ValidationView(0, SIZE, pixel, samples | {"visible": visible}, np.stack([radiance] * 2))
+
+
+def test_distance_to_an_edge_counts_pixels() -> None:
+    distance = shadow_edges.signed_distance(flat_view(12))["cast shadow"].reshape(SIZE, SIZE)
+    expected = np.zeros(SIZE, int)
+    expected[4:12], expected[12:20] = np.arange(8, 0, -1), -np.arange(1, 9)
+    np.testing.assert_array_equal(distance, np.tile(expected, (SIZE, 1)))
+
+
+def test_a_terminator_is_where_the_surface_turns_away() -> None:
+    distance = shadow_edges.signed_distance(flat_view(12, n_wi=0.05))
+    assert not distance["cast shadow"].any() and distance["terminator"].any()
+
+
+@pytest.mark.parametrize(("smear", "passes"), [(0.0, True), (0.05, False)])
+def test_a_smeared_edge_fails(smear: float, passes: bool) -> None:
+    view = flat_view(12)
+
+    def answers(queries: dict) -> tuple[np.ndarray, np.ndarray]:
+        at_edge = np.abs(SIZE * queries["position"][:, :1] - 11.5) < 1.6
+        error = 0.004 + smear * at_edge
+        return 0.2 + error * np.ones(3), 0.1 + error * np.ones(3)
+
+    rows = shadow_edges.profile(answers, [view])
+    verdict = shadow_edges.judge([{"model": "with the hint", **row} for row in rows])
+    assert verdict.passed == passes
+
+
+def test_both_sides_of_a_sheet_fold() -> None:
+    cells = thin.Cells(np.zeros(3), np.ones(3), 10)
+    positions = np.float32([[0.51, 0.5, 0.5], [0.52, 0.5, 0.5], [0.1, 0.1, 0.1], [0.11, 0.1, 0.1]])
+    normals = np.float32([[0, 0, 1], [0, 0, -1], [0, 0, 1], [0, 0.1, 1]])
+    number = cells.numbers(positions)
+    assert number[0] == number[1] and number[2] == number[3]
+    assert thin.opposed(number, normals).tolist() == [number[0]]
+
+
+def test_strands_fold_where_they_share_a_cell() -> None:
+    points = np.float32([[0.1, 0, 0], [0.1, 0.4, 0], [0.13, 0, 0], [0.13, 0.4, 0], [0.9, 0, 0]])
+    points = np.concatenate([points, np.float32([[0.9, 0.4, 0]])])
+    curves = Curves(points, np.full(6, 0.01, np.float32), np.array([0, 2, 4, 6], np.uint32))
+    cells = thin.Cells(np.zeros(3), np.ones(3), 10)
+    folded = thin.several_strands(curves, cells)
+    near, far = cells.numbers(np.float32([[0.12, 0.2, 0], [0.9, 0.2, 0]]))
+    assert near in folded and far not in folded
+
+
+@pytest.mark.parametrize(("psnr", "passes"), [(29.0, True), (20.0, False)])
+def test_thin_geometry_is_judged_by_what_folding_costs(psnr: float, passes: bool) -> None:
+    rows = [
+        {"shape": "leaf", "where": where, "psnr": value}
+        for where, value in (("clear", 30.0), ("folded", psnr))
+    ]
+    assert thin.judge(rows).passed == passes
+
+
+def test_a_zoomed_pixel_has_its_width() -> None:
+    eye, target = np.array([0.0, 0.0, 2.0]), np.array([0.0, 0.0, 0.5])
+    camera = zoom.zoomed(eye, target, 1e-3)
+    n = zoom.PIXELS
+    middle = np.uint32([n // 2 * n + n // 2, n // 2 * n + n // 2 + 1])
+    a, b = Camera(camera, (n, n)).directions(middle, np.full((2, 2), 0.5))
+    a, b = (d * (1.5 / -d[2]) for d in (a, b))
+    assert np.linalg.norm(a - b) == pytest.approx(1e-3, rel=1e-3)
+
+
+def test_zoom_is_judged_at_the_finest() -> None:
+    rows = [{"texels": t, "flip": 0.2 if t > 1.0 else 0.05} for t in zoom.FOOTPRINTS]
+    assert zoom.judge(rows).passed
+    rows[-1]["flip"] = 0.2
+    assert not zoom.judge(rows).passed

@@ -1,0 +1,84 @@
+"""The suite's frame: what is finished stays, what cannot be measured says why."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rna_bench.cli import main
+from rna_bench.stability import cli
+from rna_bench.stability.case import Case, Verdict
+from rna_bench.stability.page import read_results, table
+from rna_bench.stability.suite import CASES, Result, run_cases
+from rna_bench.stability.workshop import Subject, Workshop
+from rna_sdk.errors import TrainingError
+from tests.exporters.synthetic import make_dataset
+
+
+def counting(measured: list[int]) -> Case:
+    def measure(workshop: Workshop) -> list[dict]:
+        measured.append(1)
+        return [{"value": len(measured)}]
+
+    return Case(
+        name="counting",
+        title="Counting",
+        varies="nothing",
+        mark="one",
+        advice="none",
+        measure=measure,
+        judge=lambda rows: Verdict(rows[0]["value"] == 1, str(rows[0]["value"])),
+        draw=lambda figure, rows: None,
+    )
+
+
+def test_the_command_knows_every_case() -> None:
+    assert tuple(case.name for case in CASES) == cli.CASE_NAMES
+
+
+def test_a_finished_case_is_measured_once(tmp_path: Path) -> None:
+    measured: list[int] = []
+    workshop = Workshop(tmp_path / "work", Subject(), 100, 1)
+
+    def run(again: bool = False, steps: int = 100) -> list[Result]:
+        case = counting(measured)
+        return run_cases([case], workshop, tmp_path, {"steps": steps}, again, lambda _: None)
+
+    assert run()[0].status == "pass" and run()[0].status == "pass" and len(measured) == 1
+    assert run(again=True)[0].status == "fail" and len(measured) == 2
+    with pytest.raises(TrainingError, match="other"):
+        run(steps=7)
+
+
+def test_cases_say_why_they_are_left_out(tmp_path: Path) -> None:
+    workshop = Workshop(tmp_path / "work", Subject(make_dataset(tmp_path / "ball")), 100, 1)
+    lit = replace(counting([]), needs=("dataset", "source"))
+    hair = replace(counting([]), kinds=("fiber",))
+    results = run_cases([lit, hair], workshop, tmp_path, {}, False, lambda _: None)
+    assert [r.skipped for r in results] == ["no source given", "not for assets of kind surface"]
+    assert table(results).count("| skipped |") == 2
+
+
+def test_a_tiny_run(tmp_path: Path) -> None:
+    dataset = make_dataset(tmp_path / "ball")
+    out = tmp_path / "out"
+    command = ["stability", str(dataset.folder), "--out", str(out), "--short", "--steps", "80"]
+    cases = ["--cases", "grazing", "zoom"]
+    assert main([*command, *cases]) == 0
+    saved = json.loads((out / "results.json").read_text())
+    assert [c["status"] for c in saved["cases"]][1] == "skipped"
+    assert {row["model"] for row in saved["cases"][0]["rows"]} > {"package"}
+    for name in ("index.html", "summary.md", "sheet.png", "grazing.png"):
+        assert (out / name).stat().st_size > 0
+    assert not (out / "zoom.png").exists()
+    _, _, results = read_results(out / "results.json")
+    assert main(["stability", "--redraw", str(out / "results.json"), "--out", str(out / "2")]) == 0
+    assert table(results) == (out / "2" / "summary.md").read_text()
+
+
+def test_a_missing_file_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["stability", "--package", "no.rna", "--out", str(tmp_path)]) == 1
+    assert capsys.readouterr().err == "error: no.rna: no such file\n"
