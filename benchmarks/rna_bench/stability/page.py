@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import html
+import io
 import json
 from pathlib import Path
 from typing import Any
 
 import matplotlib
 from matplotlib.figure import Figure, FigureBase
+from PIL import Image
 
 from rna_bench.stability.case import Row
 from rna_bench.stability.suite import CASES, Result
@@ -39,7 +41,7 @@ def write_page(folder: Path, name: str, settings: dict[str, Any], results: list[
             _draw(figure, result)
             figure.savefig(folder / f"{result.case.name}.png", dpi=110)
         if drawn:
-            _sheet(drawn).savefig(folder / "sheet.png", dpi=80)
+            _save_small(_sheet(drawn), folder / "sheet.png")
     (folder / "index.html").write_text(_page(name, settings, results))
 
 
@@ -75,6 +77,13 @@ def _as_json(result: Result) -> dict[str, Any]:
         "skipped": result.skipped,
         "rows": rows,
     }
+
+
+def _save_small(figure: Figure, path: Path) -> None:
+    """As a PNG of 128 colours, which charts do not need more of."""
+    file = io.BytesIO()
+    figure.savefig(file, dpi=80)
+    Image.open(file).convert("RGB").quantize(128).save(path, optimize=True)
 
 
 def _sheet(results: list[Result]) -> Figure:

@@ -59,7 +59,7 @@ def furnace(answers: Answers, scene: AssetScene, count: int) -> list[Row]:
             "integral": round(float(total[k].max()), 5),  # of the brightest channel
             "n_wo": round(float(n_wo[k]), 4),
             "open": round(float(seen[k]), 4),
-            "position": points.position[k].round(4).tolist(),
+            "position": points.position[k].round(4).tolist() if total[k].max() > MOST else None,
         }
         for k in np.flatnonzero(points.hit)
     ]

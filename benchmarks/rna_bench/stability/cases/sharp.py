@@ -223,7 +223,8 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
     left.tick_params(axis="x", rotation=60)
     left.axhline(INSIDE, color="grey", linewidth=0.8)
     left.set_ylabel("PSNR, dB")
-    left.legend(fontsize=6)
+    left.set_ylim(0.0, 75.0)
+    left.legend(fontsize=6, loc="upper right")
     for row in rows:
         if row["material"] in _DRAWN:
             _draw_lobe(right, row)

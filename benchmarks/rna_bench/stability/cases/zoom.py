@@ -95,7 +95,12 @@ def _from_text(picture: str) -> np.ndarray:
 
 def judge(rows: list[Row]) -> Verdict:
     finest = values(rows, "flip", texels=min(FOOTPRINTS))
-    return Verdict(max(finest) <= FLIP, f"FLIP {max(finest):.3f} at a tenth of a texel a pixel")
+    worst = max(rows, key=lambda row: row["flip"])
+    found = (
+        f"FLIP {max(finest):.3f} at a tenth of a texel a pixel; "
+        f"most at {worst['texels']:g}, {worst['flip']:.3f}"
+    )
+    return Verdict(max(finest) <= FLIP, found)
 
 
 def draw(figure: FigureBase, rows: list[Row]) -> None:
