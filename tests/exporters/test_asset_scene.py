@@ -58,3 +58,19 @@ def test_free_distance_on_the_inside_of_a_ring() -> None:
     across = scene.free_distance(point, inwards, inwards)
     assert across == pytest.approx(1.8, abs=0.01)
     assert np.isinf(scene.free_distance(point, inwards, np.float32([[0, 1, 0]])))
+
+
+@pytest.mark.parametrize("sharpest", [0.02, 0.14])
+def test_views_of_highlights_are_spread_down_to_the_sharpest_lobe(sharpest: float) -> None:
+    scene, wi = SurfaceScene(sphere(5), sharpest), np.float32([0, 0, 1])
+    towards = unit_vectors(np.random.default_rng(1), 20_000)
+    points = scene.shade_points(3.0 * towards, -towards)
+    rows, wo = scene.highlight_views(points, wi, np.random.default_rng(2))
+    half = wo + wi
+    half /= np.linalg.norm(half, axis=1, keepdims=True)
+    angle = np.linalg.norm(np.cross(points.normal[rows], half), axis=1)
+    # Half of a GGX lobe lies within its alpha; alphas are even in the logarithm, up to 0.8.
+    alpha = sharpest**2
+    decades = np.log10(0.8 / alpha)
+    assert np.mean(angle < alpha) == pytest.approx(0.15 / decades, rel=0.25)
+    assert np.median(angle) == pytest.approx(np.sqrt(0.8 * alpha), rel=0.15)

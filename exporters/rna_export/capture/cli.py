@@ -28,6 +28,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "rays",
     "lights",
     "domain",
+    "sharpest",
     "clamp_direct",
     "clamp_indirect",
     "validation_views",

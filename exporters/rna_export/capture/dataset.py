@@ -21,6 +21,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from pydantic.alias_generators import to_camel
 from safetensors.numpy import load_file, save
 
+from rna_export.capture.surface_scene import SHARPEST
 from rna_export.capture.worker import CLAMP_DIRECT, CLAMP_INDIRECT
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Domain, Mesh
@@ -54,6 +55,9 @@ class CaptureSettings(_Model):
     rays: int = Field(4096, gt=0, description="view rays a light direction")
     lights: int = Field(2000, gt=0, description="light directions, one small render each")
     domain: str = Field("sphere", pattern="^(sphere|hemisphere)$", description="of wo and of wi")
+    sharpest: float = Field(
+        SHARPEST, gt=0, le=0.8, description="roughness of the smoothest material of a surface"
+    )
     clamp_direct: float = Field(
         CLAMP_DIRECT, description="Cycles' clamp of direct light (the paper's)"
     )

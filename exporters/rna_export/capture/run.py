@@ -22,7 +22,7 @@ from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
 from rna_export.capture.directions import light_direction
 from rna_export.capture.fiber_scene import FiberScene
 from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.surface_scene import SurfaceScene
+from rna_export.capture.surface_scene import SHARPEST, SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
@@ -91,8 +91,8 @@ def begin(
     with crew.worker(source, "probe") as worker:
         fibers = worker.kind == "fiber"
         geometry = worker.export_curves() if fibers else weld(worker.export_corners())
-        scene = scene_of(geometry)
         settings = CaptureSettings.usual(worker.kind, **asked)
+        scene = scene_of(geometry, settings.sharpest)
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         rate = _paths_a_second(scene, settings, domain, worker) * crew.workers
@@ -121,9 +121,11 @@ def begin(
     return dataset
 
 
-def scene_of(geometry: Mesh | Curves) -> AssetScene:
-    """The geometry, ready to be asked with rays."""
-    return FiberScene(geometry) if isinstance(geometry, Curves) else SurfaceScene(geometry)
+def scene_of(geometry: Mesh | Curves, sharpest: float = SHARPEST) -> AssetScene:
+    """The geometry, ready to be asked with rays; `sharpest` as in `CaptureSettings`."""
+    if isinstance(geometry, Curves):
+        return FiberScene(geometry)
+    return SurfaceScene(geometry, sharpest)
 
 
 def finish(dataset: Dataset, source: Source, crew: Crew) -> None:
@@ -139,7 +141,7 @@ def finish(dataset: Dataset, source: Source, crew: Crew) -> None:
     total = sum(task.paths_to_trace(dataset) for task in missing)
     failures: list[Exception] = []
     stop = threading.Event()
-    scene = scene_of(dataset.geometry())
+    scene = scene_of(dataset.geometry(), dataset.manifest.settings.sharpest)
     with tqdm(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
         threads = [
             threading.Thread(

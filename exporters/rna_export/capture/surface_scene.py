@@ -18,6 +18,9 @@ from rna_render.surface import (
 )
 from rna_sdk.package import Mesh
 
+SHARPEST = 0.14  # roughness
+_WIDEST = 0.8  # alpha of GGX
+
 
 @dataclass(frozen=True)
 class SurfacePoints:
@@ -36,10 +39,14 @@ class SurfacePoints:
 
 
 class SurfaceScene(AssetScene):
-    """Ray queries against one mesh."""
+    """Ray queries against one mesh.
 
-    def __init__(self, mesh: Mesh):
+    sharpest: roughness of the smoothest material whose highlights views are to find.
+    """
+
+    def __init__(self, mesh: Mesh, sharpest: float = SHARPEST):
         self.mesh = mesh
+        self._narrowest = sharpest**2  # alpha of GGX
         self._scene = TriangleScene([(mesh.positions, mesh.triangles)])
         area = trimesh.triangles.area(mesh.positions[mesh.triangles].astype(np.float64))
         self._area_cdf = np.cumsum(area) / area.sum()
@@ -83,9 +90,9 @@ class SurfaceScene(AssetScene):
     def highlight_views(
         self, points: SurfacePoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Mirrors of wi about half vectors of GGX roughness alpha 4e-4 (roughness 0.02) to 0.8."""
+        """Mirrors of wi about half vectors of GGX, alpha from that of the sharpest lobe to 0.8."""
         lit = np.flatnonzero(points.hit & (points.normal @ wi > 0.02))
-        width = 4e-4 * 2000.0 ** rng.random(len(lit))
+        width = self._narrowest * (_WIDEST / self._narrowest) ** rng.random(len(lit))
         u = rng.random(len(lit))
         cosine = np.sqrt((1.0 - u) / (1.0 + (width**2 - 1.0) * u))
         h = around(points.normal[lit], cosine, 2.0 * np.pi * rng.random(len(lit)))

@@ -14,7 +14,7 @@ from rna_bench.stability.workshop import ASSETS, Workshop
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import frame, light_direction
 from rna_export.capture.run import scene_of
-from rna_export.capture.surface_scene import SurfaceScene
+from rna_export.capture.surface_scene import SHARPEST, SurfaceScene
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.metrics import psnr
@@ -75,8 +75,9 @@ def measure(workshop: Workshop) -> list[Row]:
     for material in MATERIALS:
         name = f"ball-{material.name}"
         lights = workshop.some(300)
+        views = {"rays": 4096, "samples": 1, "sharpest": min(material.roughness, SHARPEST)}
         dataset = workshop.capture(
-            name, "ball.py", *material.arguments, lights=lights, rays=4096, samples=1, **_STAYS
+            name, "ball.py", *material.arguments, lights=lights, **views, **_STAYS
         )
         source = Source(ASSETS / "ball.py", material.arguments)
         truth = workshop.kept(name, lambda d=dataset, s=source: _from_cycles(workshop, d, s))
