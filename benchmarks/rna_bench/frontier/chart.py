@@ -11,7 +11,7 @@ from rna_bench.frontier.points import COSTS, front
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from matplotlib.ticker import EngFormatter
+from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
 
 COLOURS = {"ours": "#2f6fb3", "paper": "#d9822b", "ablation": "#8a8f98", "cycles": "#b0407a"}
 LABELS = {
@@ -28,15 +28,15 @@ def draw(report: dict[str, Any], path: Path) -> None:
     figure, axes = plt.subplots(1, 2, figsize=(12, 5), layout="constrained", sharey=True)
     for axis, cost in zip(axes, ("ns", "bytes"), strict=True):
         axis.set(xscale="log", xlabel=COSTS[cost])
-        axis.xaxis.set_major_formatter(EngFormatter())
         if cost == "bytes":  # less than a decade or two
-            axis.xaxis.set_minor_formatter(EngFormatter())
-            axis.tick_params(axis="x", which="minor", labelsize=8)
+            axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axis.xaxis.set_major_formatter(EngFormatter())
+        axis.xaxis.set_minor_formatter(NullFormatter())
         axis.grid(alpha=0.25)
         _draw_points(axis, report["points"], cost)
     _draw_cycles(axes[0], report["cycles"])
     axes[0].set_ylabel("PSNR, dB (irradiance pi, clamped to [0, 1])")
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=8)
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     steps = report["points"][0]["steps"]
     figure.suptitle(f"{report['dataset']['name']}: {steps:,} steps of training for each model")
     figure.savefig(path, dpi=120)
