@@ -22,10 +22,10 @@ from statistics import median
 from typing import Any
 
 import numpy as np
-from beside_cycles import CyclesScene
 from PIL import Image
 from report import publish, report_parser
 
+from rna_bench.beside_cycles import CyclesScene
 from rna_export.capture.blender_env import find_python
 from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
