@@ -1,11 +1,12 @@
-"""Speed of a real render on two threads against one.
+"""Speed of a real render on two cores against one.
 
     python benchmarks/threads.py --out benchmarks/results/threads.json
 
 Prints JSON. The scene is that of the quickstart on a ground under a sky. Every run is a process of
-its own, since the runtime and numba take their threads when they start; runs on one and on two
-threads alternate, and medians are compared. Loading and compiling are left out, and so is a first
-sample.
+its own, since the runtime and numba take their threads when they start, and is held to as many
+cores as it has threads: else what is done between bands, such as adding them up, would have a
+second core beside one thread. Runs on one and on two alternate, and medians are compared. Loading
+and compiling are left out, and so is a first sample.
 
 It needs an idle machine.
 """
@@ -70,7 +71,14 @@ def in_process(task: str, args: argparse.Namespace) -> float:
     command = [sys.executable, __file__, "--worker", task]
     command += ["--width", str(args.width), "--samples", str(args.samples)]
     environment = os.environ | {"NUMBA_NUM_THREADS": task}
-    result = subprocess.run(command, check=True, env=environment, stdout=subprocess.PIPE)
+    cores = set(sorted(os.sched_getaffinity(0))[: int(task)])
+    result = subprocess.run(
+        command,
+        check=True,
+        env=environment,
+        stdout=subprocess.PIPE,
+        preexec_fn=lambda: os.sched_setaffinity(0, cores),
+    )
     return float(result.stdout)
 
 
