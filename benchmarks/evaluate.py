@@ -14,8 +14,6 @@ from __future__ import annotations
 import argparse
 import platform
 import tempfile
-import time
-from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -30,8 +28,9 @@ from rna_bench.step_times import step_times
 from rna_export.export.decoder import export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import PRECISIONS, Precision, stored_planes
+from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
 from rna_export.training.model import NeuralAsset
-from rna_export.training.presets import ModelConfig
+from rna_export.training.presets import PRESETS, ModelConfig
 from rna_sdk.package import (
     Bounds,
     Curves,
@@ -46,12 +45,8 @@ from rna_sdk.package import (
 )
 from rna_sdk.runtime import Asset, load
 
-INPUTS = {
-    "surface": ("features", "normal", "wo", "wi", "half_vector"),
-    "fiber": ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_lobes"),
-}
+INPUTS = {kind: presets["small"].model.inputs for kind, presets in PRESETS.items()}
 HIDDEN_LAYERS = 4
-GEMM_SIZE = 2048
 Arrays = tuple[NDArray[np.float32], ...]
 
 
@@ -133,24 +128,18 @@ def alternate(
 
     Medians of alternating runs.
     """
-    a, b = np.random.default_rng(0).random((2, GEMM_SIZE, GEMM_SIZE), np.float32)
+    product = matrix_product()
     size = len(next(iter(batches.values()))[0])
     results = np.zeros((size, 3), np.float32), np.zeros((size, 3), np.float32)
     gemm: list[float] = []
     rates: dict[tuple[str, str], list[float]] = {(p, b): [] for p in assets for b in batches}
     for _ in range(repeats + 1):  # the first run warms caches and threads
-        gemm.append(2 * GEMM_SIZE**3 / 1e9 / seconds_of(lambda: a @ b))
+        gemm.append(GEMM_FLOP / 1e9 / seconds_of(product))
         for precision, name in rates:
             asset, batch = assets[precision], batches[name]
             taken = seconds_of(lambda a=asset, batch=batch: a.evaluate(*batch, out=results))
             rates[precision, name].append(len(batch[0]) / taken)
     return float(np.median(gemm[1:])), {k: float(np.median(v[1:])) for k, v in rates.items()}
-
-
-def seconds_of(action: Callable[[], object]) -> float:
-    start = time.perf_counter()
-    action()
-    return time.perf_counter() - start
 
 
 def arguments_of(asset: Asset, points: Arrays) -> Arrays:

@@ -1,8 +1,15 @@
-"""What a timing was measured on."""
+"""Timings: the clock, what they are measured on, and the rate that they are compared with."""
 
 from __future__ import annotations
 
 import platform
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+_GEMM_SIZE = 2048
+GEMM_FLOP = 2 * _GEMM_SIZE**3
 
 
 def processor() -> str:
@@ -12,3 +19,16 @@ def processor() -> str:
             return next(line.split(":", 1)[1].strip() for line in file if "model name" in line)
     except (OSError, StopIteration):
         return platform.machine()
+
+
+def matrix_product() -> Callable[[], object]:
+    """The machine's own 2048-cubed float32 matrix product, on all cores: GEMM_FLOP of them."""
+    a, b = np.random.default_rng(0).random((2, _GEMM_SIZE, _GEMM_SIZE), np.float32)
+    return lambda: a @ b
+
+
+def seconds_of(action: Callable[[], object]) -> float:
+    """Wall time of a call."""
+    start = time.perf_counter()
+    action()
+    return time.perf_counter() - start

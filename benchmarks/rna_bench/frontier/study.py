@@ -17,9 +17,9 @@ from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.page import write_page
 from rna_bench.frontier.points import label_of, points_of
 from rna_bench.step_times import step_times
-from rna_export.capture.dataset import Dataset, write_atomically
+from rna_export.capture.dataset import Dataset, all_queries, write_atomically
 from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
-from rna_export.trials.cost import Costs, measure_costs, validation_queries
+from rna_export.trials.cost import Costs, measure_costs
 from rna_export.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
 from rna_export.trials.pool import Crew, TrialPool, largest_first
 from rna_export.trials.record import Record, read_record
@@ -99,7 +99,7 @@ class Study:
         if earlier and set(earlier.costs.of) == set(packages) and not again:
             return
         print(f"timing {len(packages)} packages; anything else that runs now falsifies it")
-        queries = validation_queries(self.dataset)
+        queries = all_queries(self.dataset.validation_views())
         costs = measure_costs(packages, queries)
         steps = {}
         for label, path in packages.items():

@@ -25,6 +25,7 @@ from rna_export.capture.surface_scene import SHARPEST
 from rna_export.capture.worker import CLAMP_DIRECT, CLAMP_INDIRECT
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Domain, Mesh
+from rna_sdk.runtime import Asset
 
 SAMPLE_FIELDS: dict[str, dict[str, int]] = {
     "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
@@ -137,11 +138,21 @@ class ValidationView:
         """Of a model's two outputs, (n, 3) each, the one that each row's visibility calls for."""
         return np.where(self.samples["visible"].astype(bool)[:, None], visible, shadowed)
 
+    def shaded_by(self, asset: Asset) -> np.ndarray:
+        """Radiance of the rows, (n, 3) float32, as the runtime answers."""
+        return self.pick(*asset.evaluate(*self.queries.values()))
+
     def image(self, values: np.ndarray) -> np.ndarray:
         """Rows (n, 3) as an image (resolution, resolution, 3), zero off the asset."""
         image = np.zeros((self.resolution**2, 3), np.float32)
         image[self.pixel] = values
         return image.reshape(self.resolution, self.resolution, 3)
+
+
+def all_queries(views: list[ValidationView]) -> list[np.ndarray]:
+    """The arguments of `evaluate` for every pixel of the images."""
+    parts = zip(*(view.queries.values() for view in views), strict=True)
+    return [np.concatenate(part) for part in parts]
 
 
 class Dataset:

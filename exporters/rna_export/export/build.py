@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import tempfile
-import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -13,13 +12,13 @@ import numpy as np
 import torch
 
 import rna_sdk
-from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.capture.dataset import Dataset, ValidationView, all_queries
 from rna_export.export.decoder import Agreement as DecoderAgreement
 from rna_export.export.decoder import check_decoder, check_int8_decoder, export_decoder
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.export.small_images import flip_at_heights
-from rna_export.machine import processor
+from rna_export.machine import processor, seconds_of
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import score
@@ -179,7 +178,7 @@ def _measure(
 
 
 def _validation(asset: Asset, views: list[ValidationView]) -> Validation:
-    radiance = [view.pick(*asset.evaluate(*_inputs(view))) for view in views]
+    radiance = [view.shaded_by(asset) for view in views]
     scores = score(radiance, views)
     return Validation(
         psnr=scores.psnr,
@@ -193,24 +192,16 @@ def _validation(asset: Asset, views: list[ValidationView]) -> Validation:
 
 def _cost(asset: Asset, multiply_adds: int, views: list[ValidationView]) -> Cost:
     """Median over five runs on real queries."""
-    every = [np.concatenate(parts) for parts in zip(*map(_inputs, views), strict=True)]
+    every = all_queries(views)
     wanted = np.arange(_COST_ROWS) % len(every[0])
     rows = [values[wanted] for values in every]
-    seconds = []
-    for _ in range(6):
-        start = time.perf_counter()
-        asset.evaluate(*rows)
-        seconds.append(time.perf_counter() - start)
+    seconds = [seconds_of(lambda: asset.evaluate(*rows)) for _ in range(6)]
     return Cost(
         multiply_adds=multiply_adds,
         ns_per_query=1e9 * float(np.median(seconds[1:])) / _COST_ROWS,
         threads=asset.threads,
         machine=f"{processor()}, {len(os.sched_getaffinity(0))} cores",
     )
-
-
-def _inputs(view: ValidationView) -> list[np.ndarray]:
-    return [np.ascontiguousarray(rows) for rows in view.queries.values()]
 
 
 def _provenance(trained: list[Trained], dataset: Dataset, source: str | None) -> Provenance:

@@ -9,14 +9,14 @@ from pathlib import Path
 
 import torch
 
-from rna_export.capture.dataset import Dataset, write_atomically
+from rna_export.capture.dataset import Dataset, all_queries, write_atomically
 from rna_export.fit.candidate import Candidate
 from rna_export.fit.goal import Goal
 from rna_export.fit.search import search
 from rna_export.training.checkpoint import Trained
 from rna_export.training.model import NeuralAsset
 from rna_export.training.run import padded_bounds
-from rna_export.trials.cost import Costs, measure_costs, validation_queries
+from rna_export.trials.cost import Costs, measure_costs
 from rna_export.trials.packages import PRECISIONS, write_packages
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import Record
@@ -57,7 +57,7 @@ def fit(
         def train(wanted: list[Candidate], rung: int) -> None:
             folders = {c.trial.name: work / str(rung) / c.trial.name for c in wanted}
             todo = [
-                (_of_length(c.trial, rung), folders[c.trial.name])
+                (c.trial.of_length(rung), folders[c.trial.name])
                 for c in {c.trial.name: c for c in wanted}.values()
                 if rung not in c.scores
             ]
@@ -98,7 +98,7 @@ def _measured(dataset: Dataset, trials: list[Trial]) -> Costs:
             folder.mkdir()
             for precision, path in write_packages(_random(trial, dataset), dataset, folder).items():
                 packages[f"{trial.name}/{precision}"] = path
-        return measure_costs(packages, validation_queries(dataset))
+        return measure_costs(packages, all_queries(dataset.validation_views()))
 
 
 def _random(trial: Trial, dataset: Dataset) -> Trained:
@@ -106,12 +106,6 @@ def _random(trial: Trial, dataset: Dataset) -> Trained:
     model = NeuralAsset(trial.preset.model, padded_bounds(dataset)).eval()
     made = trial.preset, trial.name, 0, trial.seed
     return Trained(model, *made, dataset.manifest, dataset.folder)
-
-
-def _of_length(trial: Trial, steps: int) -> Trial:
-    training = trial.preset.training.model_copy(update={"steps": steps})
-    preset = trial.preset.model_copy(update={"training": training})
-    return trial.model_copy(update={"preset": preset})
 
 
 def _told(record: Record, steps: int) -> str:

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
-from rna_export.capture.dataset import Dataset
-from rna_export.machine import processor
+from rna_export.machine import GEMM_FLOP, matrix_product, processor, seconds_of
 from rna_sdk.runtime import Asset, load
 from rna_sdk.runtime.arguments import thread_count
 
-_GEMM_SIZE = 2048
 _SECONDS = 0.05  # of one evaluation
 _FEWEST, _MOST = 16_384, 1_000_000
 
@@ -44,18 +41,17 @@ def measure_costs(packages: dict[str, Path], queries: list[np.ndarray], repeats:
     """Costs of packages by name, each the median of `repeats` evaluations.
 
     Every repeat goes through all packages and a matrix product, so that whatever else slows the
-    machine down for a while slows all of them alike. queries: of `validation_queries`.
+    machine down for a while slows all of them alike. queries: of `all_queries`.
     """
     timed = {
         (name, threads): _evaluation(load(path, threads=threads), queries)
         for name, path in packages.items()
         for threads in (None, 1)
     }
-    a, b = np.random.default_rng(0).random((2, _GEMM_SIZE, _GEMM_SIZE), np.float32)
-    gemm: list[float] = []
+    product, gemm = matrix_product(), []
     taken: dict[tuple[str, int | None], list[float]] = {key: [] for key in timed}
     for _ in range(repeats):
-        gemm.append(seconds_of(lambda: a @ b))
+        gemm.append(seconds_of(product))
         for key, (evaluate, rows) in timed.items():
             taken[key].append(1e9 * seconds_of(evaluate) / rows)
     median = {key: float(np.median(values)) for key, values in taken.items()}
@@ -63,25 +59,12 @@ def measure_costs(packages: dict[str, Path], queries: list[np.ndarray], repeats:
         machine=processor(),
         threads=thread_count(None),
         repeats=repeats,
-        gemm_gflops=2e-9 * _GEMM_SIZE**3 / float(np.median(gemm)),
+        gemm_gflops=1e-9 * GEMM_FLOP / float(np.median(gemm)),
         of={
             name: QueryCost(ns=median[name, None], ns_one_thread=median[name, 1])
             for name in packages
         },
     )
-
-
-def validation_queries(dataset: Dataset) -> list[np.ndarray]:
-    """The arguments of `evaluate` for every pixel of every validation image."""
-    parts = zip(*(v.queries.values() for v in dataset.validation_views()), strict=True)
-    return [np.concatenate(part) for part in parts]
-
-
-def seconds_of(action: Callable[[], object]) -> float:
-    """Wall time of a call."""
-    start = time.perf_counter()
-    action()
-    return time.perf_counter() - start
 
 
 def _evaluation(asset: Asset, queries: list[np.ndarray]) -> tuple[Callable[[], object], int]:

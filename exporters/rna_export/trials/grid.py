@@ -127,9 +127,4 @@ def _changed(preset: Preset, **model: object) -> Preset:
 def _with_steps(trials: list[Trial], steps: int) -> list[Trial]:
     """Each once, all trained for as many steps."""
     once = {trial.name: trial for trial in trials}.values()
-    result = []
-    for trial in once:
-        training = trial.preset.training.model_copy(update={"steps": steps})
-        preset = trial.preset.model_copy(update={"training": training})
-        result.append(trial.model_copy(update={"preset": preset}))
-    return result
+    return [trial.of_length(steps) for trial in once]

@@ -109,7 +109,7 @@ def _measure_packages(
     views, points = dataset.validation_views(), {}
     for precision, path in write_packages(trained, dataset, folder, precisions).items():
         asset = load(path, threads=1)
-        radiance = [view.pick(*asset.evaluate(*view.queries.values())) for view in views]
+        radiance = [view.shaded_by(asset) for view in views]
         size = path.stat().st_size
         points[precision] = _point(trained, radiance, views, folder / precision, size)
     return points

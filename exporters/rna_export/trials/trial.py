@@ -25,6 +25,12 @@ class Trial(BaseModel):
     )
     seed: int = 0
 
+    def of_length(self, steps: int) -> Trial:
+        """The same, trained for so many steps."""
+        training = self.preset.training.model_copy(update={"steps": steps})
+        preset = self.preset.model_copy(update={"training": training})
+        return self.model_copy(update={"preset": preset})
+
     @property
     def packageable(self) -> bool:
         """Whether the format can hold it."""
