@@ -24,6 +24,7 @@ from rna_export.fit.page import write_page
 from rna_export.fit.run import Fit, fit
 from rna_export.trials.pool import Crew
 from rna_export.trials.record import Record
+from rna_export.trials.trial import Trial
 
 
 def main() -> None:
@@ -38,8 +39,9 @@ def main() -> None:
 def _compare(goal: Goal, grid: list[dict[str, Any]], args: argparse.Namespace) -> dict[str, Any]:
     """What the search chose beside the best that the grid has."""
     ours = [p for p in grid if p["family"] == "ours" and p["ns"] is not None]
-    good = [p for p in ours if _meets(goal, p)]
-    found = _fit(goal, ours, args)
+    records = {p["name"]: _record(args.grid / "trials" / p["name"]) for p in ours}
+    good = [p for p in ours if goal.met_by(records[p["name"]].points[p["precision"]].scores)]
+    found = _fit(goal, [record.trial for record in records.values()], ours[0]["steps"], args)
     chosen = label_of(found.chosen.trial.name, found.chosen.precision)
     ns = {label_of(p["name"], p["precision"]): p["ns"] for p in ours}
     best = min(good, key=lambda p: p["ns"])
@@ -56,26 +58,17 @@ def _compare(goal: Goal, grid: list[dict[str, Any]], args: argparse.Namespace) -
     }
 
 
-def _meets(goal: Goal, point: dict[str, Any]) -> bool:
-    if goal.metric == "min_psnr":
-        return point["psnr"] >= goal.value
-    return point["flip"] <= goal.value
+def _record(folder: Path) -> Record:
+    return Record.model_validate_json((folder / "record.json").read_bytes())
 
 
-def _fit(goal: Goal, ours: list[dict[str, Any]], args: argparse.Namespace) -> Fit:
-    trials = {
-        p["name"]: Record.model_validate_json(
-            (args.grid / "trials" / p["name"] / "record.json").read_bytes()
-        ).trial
-        for p in ours
-    }
-    steps = ours[0]["steps"]
+def _fit(goal: Goal, trials: list[Trial], steps: int, args: argparse.Namespace) -> Fit:
     args.work.mkdir(parents=True, exist_ok=True)
     longest = args.work / str(steps)
     if not longest.exists():
         longest.symlink_to((args.grid / "trials").resolve())
     crew = Crew.usual(args.device, args.workers)
-    return fit(Dataset(args.dataset), [*trials.values()], goal, steps, crew, args.work, print)
+    return fit(Dataset(args.dataset), trials, goal, steps, crew, args.work, print)
 
 
 def _parser() -> argparse.ArgumentParser:
