@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-import torch
 
+from rna_export.capture.dataset import queries_of
 from rna_export.training.model import NeuralAsset
+from rna_export.training.validation import answer
 from rna_sdk.runtime import Asset
 
 Queries = dict[str, np.ndarray]
@@ -15,14 +16,6 @@ Queries = dict[str, np.ndarray]
 
 Answers = Callable[[Queries], tuple[np.ndarray, np.ndarray]]
 """Queries of n rows -> radiance where the light is visible, and where not, (n, 3) each."""
-
-_NO_QUERY = ("radiance", "direct", "visible", "pixel", "uv")
-_ROWS = 65536
-
-
-def queries_of(samples: dict[str, np.ndarray]) -> Queries:
-    """The part of captured samples that is asked."""
-    return {name: rows for name, rows in samples.items() if name not in _NO_QUERY}
 
 
 def picked(answers: Answers, samples: dict[str, np.ndarray]) -> np.ndarray:
@@ -43,14 +36,4 @@ def of_package(asset: Asset) -> Answers:
 def of_model(model: NeuralAsset) -> Answers:
     """A model's, in PyTorch."""
 
-    @torch.no_grad()
-    def ask(queries: Queries) -> tuple[np.ndarray, np.ndarray]:
-        count, parts = len(queries["position"]), []
-        for first in range(0, count, _ROWS):
-            rows = slice(first, first + _ROWS)
-            at = {k: torch.from_numpy(np.ascontiguousarray(v[rows])) for k, v in queries.items()}
-            parts.append(model.transport(model(at)).numpy())
-        both = np.concatenate(parts) if parts else np.zeros((0, 2, 3), np.float32)
-        return both[:, 0], both[:, 1]
-
-    return ask
+    return lambda queries: answer(model, queries)

@@ -42,6 +42,8 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
 }
 """Kind of asset -> what a sample holds, with its number of columns."""
 
+_NO_QUERY = ("radiance", "direct", "visible", "pixel", "uv")
+
 
 class _Model(BaseModel):
     model_config = ConfigDict(
@@ -131,8 +133,7 @@ class ValidationView:
     @property
     def queries(self) -> dict[str, np.ndarray]:
         """What a model is asked, by name, in the order of `evaluate`'s arguments."""
-        answers = ("radiance", "direct", "visible")
-        return {name: rows for name, rows in self.samples.items() if name not in answers}
+        return queries_of(self.samples)
 
     def pick(self, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
         """Of a model's two outputs, (n, 3) each, the one that each row's visibility calls for."""
@@ -147,6 +148,11 @@ class ValidationView:
         image = np.zeros((self.resolution**2, 3), np.float32)
         image[self.pixel] = values
         return image.reshape(self.resolution, self.resolution, 3)
+
+
+def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """The part of captured samples that is asked; the rest is what it should be answered with."""
+    return {name: rows for name, rows in samples.items() if name not in _NO_QUERY}
 
 
 def all_queries(views: list[ValidationView]) -> list[np.ndarray]:

@@ -28,17 +28,24 @@ class Scores:
     images: int
 
 
-@torch.no_grad()
 def shade(model: NeuralAsset, view: ValidationView) -> np.ndarray:
     """Radiance (n, 3) of a view's rows, the output picked by visibility."""
-    device = model.ceiling.device
-    parts = []
-    for first in range(0, len(view.pixel), _ROWS):
-        rows = slice(first, first + _ROWS)
-        at = {name: torch.from_numpy(v[rows]).to(device) for name, v in view.queries.items()}
+    return view.pick(*answer(model, view.queries))
+
+
+@torch.no_grad()
+def answer(model: NeuralAsset, queries: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Radiance where the light is visible, and where it is shadowed, (n, 3) float32 each.
+
+    queries: as `ValidationView.queries` has them, n rows.
+    """
+    device, parts = model.ceiling.device, [np.zeros((0, 2, 3), np.float32)]
+    for first in range(0, len(queries["position"]), _ROWS):
+        rows = {k: np.ascontiguousarray(v[first : first + _ROWS]) for k, v in queries.items()}
+        at = {name: torch.from_numpy(v).to(device) for name, v in rows.items()}
         parts.append(model.transport(model(at)).cpu().numpy())
     both = np.concatenate(parts)
-    return view.pick(both[:, 0], both[:, 1])
+    return both[:, 0], both[:, 1]
 
 
 def score(radiance: list[np.ndarray], views: list[ValidationView]) -> Scores:

@@ -14,12 +14,13 @@ from onnx import TensorProto, numpy_helper
 from onnx.reference import ReferenceEvaluator
 
 from rna_bench.beside_cycles import OurScene
-from rna_bench.stability.answers import Answers, Queries, of_model, picked, queries_of
+from rna_bench.stability.answers import Answers, Queries, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict
 from rna_bench.stability.chosen import Samples, rows_of
 from rna_bench.stability.errors import joined_views
 from rna_bench.stability.workshop import Workshop
 from rna_bench.stage import Stage
+from rna_export.capture.dataset import queries_of
 from rna_export.metrics import psnr_without_noise
 from rna_export.training.model import NeuralAsset
 from rna_sdk.package import Package

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from rna_bench.stability.answers import Answers, of_model, picked, queries_of
+from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import ASSETS, Workshop
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset import Dataset, queries_of
 from rna_export.capture.directions import frame, light_direction
 from rna_export.capture.run import scene_of
 from rna_export.capture.surface_scene import SHARPEST, SurfaceScene

@@ -7,11 +7,12 @@ from itertools import pairwise
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from rna_bench.stability.answers import Answers, of_model, picked, queries_of
+from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
 from rna_bench.stability.errors import joined_views, relative_error
 from rna_bench.stability.workshop import Workshop
+from rna_export.capture.dataset import queries_of
 from rna_export.capture.directions import sphere
 
 FACTOR = 1.5  # the mark: of the largest trained value
