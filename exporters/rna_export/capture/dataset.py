@@ -42,7 +42,7 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
 }
 """Kind of asset -> what a sample holds, with its number of columns."""
 
-_NO_QUERY = ("radiance", "direct", "visible", "pixel", "uv")
+_NO_QUERY = ("radiance", "direct", "visible", "pixel")
 
 
 class _Model(BaseModel):

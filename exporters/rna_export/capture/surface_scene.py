@@ -30,12 +30,10 @@ class SurfacePoints:
     position: np.ndarray  # (n, 3) float32
     normal: np.ndarray  # (n, 3) float32, interpolated corner normals
     geometric_normal: np.ndarray  # (n, 3) float32
-    uv: np.ndarray | None  # (n, 2) float32, where the mesh has them
 
     def sample_fields(self) -> dict[str, np.ndarray]:
         """See `ShadePoints`."""
-        fields = {"position": self.position, "normal": self.normal}
-        return fields if self.uv is None else {**fields, "uv": self.uv}
+        return {"position": self.position, "normal": self.normal}
 
 
 class SurfaceScene(AssetScene):
@@ -65,17 +63,11 @@ class SurfaceScene(AssetScene):
         triangle = np.where(hit, hits.triangle, 0)
         at = (mesh.triangles, triangle, hits.u, hits.v)
         mask = hit[:, None]
-        uv = None
-        if mesh.uvs is not None:
-            corner = mesh.uvs[mesh.triangles[triangle]]
-            weights = np.stack([1.0 - hits.u - hits.v, hits.u, hits.v], axis=1)
-            uv = np.einsum("nc,nck->nk", weights, corner).astype(np.float32) * mask
         return SurfacePoints(
             hit,
             np.where(mask, interpolate_positions(mesh.positions, *at), 0.0).astype(np.float32),
             np.where(mask, interpolate_normals(mesh.normals, *at), 0.0).astype(np.float32),
             self._geometric[triangle] * mask,
-            uv,
         )
 
     def sample_points(self, n: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:

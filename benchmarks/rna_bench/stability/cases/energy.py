@@ -76,7 +76,6 @@ def integral(
     n = len(wo)
     total, seen = np.zeros((n, 3)), np.zeros(n)
     fields = {name: np.ascontiguousarray(v) for name, v in points.sample_fields().items()}
-    fields.pop("uv", None)
     turn = rng.random(n)  # the same lattice everywhere, turned about the vertical
     for height, azimuth in _lattice(_DIRECTIONS):
         wi = sphere(np.stack([np.full(n, height), (azimuth + turn) % 1.0], axis=1))
