@@ -23,6 +23,7 @@ from rna_export.export.build import build_package
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.run import Run, train
+from rna_export.trials.packages import write_packages
 from rna_sdk.errors import CaptureError
 from rna_sdk.runtime import Asset, load
 
@@ -134,6 +135,12 @@ class Workshop:
         if not out.is_file():
             build_package([self.base], self.dataset, out, None, "unknown", print)
         return out
+
+    def packages_of_base(self) -> dict[str, Path]:
+        """Packages of `base`, by the precisions of `rna_export.trials.packages`."""
+        out = self._folder / "precisions"
+        out.mkdir(parents=True, exist_ok=True)
+        return write_packages(self.base, self.dataset, out)
 
     @cached_property
     def asset(self) -> Asset:

@@ -12,7 +12,7 @@ import numpy as np
 import torch
 
 import rna_sdk
-from rna_export.capture.dataset import Dataset, ValidationView, all_queries
+from rna_export.capture.dataset import Dataset, ValidationView, all_queries, queries_of
 from rna_export.export.decoder import Agreement as DecoderAgreement
 from rna_export.export.decoder import check_decoder, check_int8_decoder, export_decoder
 from rna_export.export.int8_decoder import int8_decoder
@@ -145,10 +145,9 @@ def _decoder(
 def _calibration_queries(one: Trained, dataset: Dataset) -> torch.Tensor:
     """What the decoder is asked at random samples of the training data, (n, K)."""
     samples = dataset.training_samples(_CALIBRATION_SHARDS)
-    answers = ("radiance", "direct", "visible")
     rows = len(samples["visible"])
     picked = np.random.default_rng(0).permutation(rows)[:_CALIBRATION_ROWS]
-    points = {k: torch.from_numpy(v[picked]) for k, v in samples.items() if k not in answers}
+    points = {k: torch.from_numpy(v[picked]) for k, v in queries_of(samples).items()}
     return one.model.queries(points)
 
 
