@@ -92,12 +92,10 @@ def _trained(
     args: argparse.Namespace,
 ) -> dict[str, Any]:
     preset = PRESETS[dataset.manifest.kind]["small"]
-    model = preset.model.model_copy(update={"resolution": resolution})
-    training = preset.training.model_copy(update={"steps": args.steps})
     out = args.work / f"{plan.samples}x{plan.rays}-{resolution}"
     checkpoint = out / "last.ckpt"  # not the best by its own few validation pixels
     if not (out / "best.ckpt").is_file():
-        chosen = preset.model_copy(update={"model": model, "training": training})
+        chosen = preset.with_model(resolution=resolution).with_training(steps=args.steps)
         train(Run(dataset, chosen, "small", out))
     trained = load_checkpoint(checkpoint).model
     scores = score([shade(trained, view) for view in views], views)

@@ -17,10 +17,8 @@ RAYS = 256
 
 def tiny(preset: str = "small", kind: str = "surface", **training: object) -> Preset:
     """Like the preset, but trained within a second: 16 texels, 2 layers of 16."""
-    full = PRESETS[kind][preset]
-    model = full.model.model_copy(update={"resolution": 16, "width": 16, "hidden_layers": 2})
-    changes = {"steps": 40, "batch": 512, **training}
-    return Preset(model=model, training=full.training.model_copy(update=changes))
+    small = PRESETS[kind][preset].with_model(resolution=16, width=16, hidden_layers=2)
+    return small.with_training(**{"steps": 40, "batch": 512, **training})
 
 
 def make_dataset(

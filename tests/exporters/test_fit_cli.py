@@ -16,10 +16,9 @@ from tests.exporters.synthetic import make_dataset, tiny
 
 def grid(kind: str, steps: int) -> list[Trial]:
     preset = tiny(steps=steps)
-    wide = preset.model_copy(update={"model": preset.model.model_copy(update={"width": 64})})
     return [
         Trial(name="narrow", family="ours", preset=preset),
-        Trial(name="wide", family="ours", preset=wide),
+        Trial(name="wide", family="ours", preset=preset.with_model(width=64)),
         Trial(name="theirs", family="paper", preset=preset),
     ]
 

@@ -72,10 +72,8 @@ def test_our_learning_rate_falls_to_nothing(kind: str) -> None:
 
 
 def make_training(kind: str, preset: str, steps: int) -> NeuralAssetTraining:
-    full, fields = PRESETS[kind][preset], SAMPLE_FIELDS[kind]
-    small = full.model.model_copy(update={"resolution": 16, "width": 8})
-    preset_ = full.model_copy(update={"model": small})
-    return NeuralAssetTraining(preset_, BOUNDS, 1.0, 1.0, steps, fields, [], Path(), {})
+    small, fields = PRESETS[kind][preset].with_model(resolution=16, width=8), SAMPLE_FIELDS[kind]
+    return NeuralAssetTraining(small, BOUNDS, 1.0, 1.0, steps, fields, [], Path(), {})
 
 
 def learning_rates(kind: str, preset: str, steps: int) -> list[float]:

@@ -220,6 +220,22 @@ def test_the_command_line(dataset: Dataset, tmp_path: Path, capsys, monkeypatch)
     assert "error: " in capsys.readouterr().err
 
 
+def test_the_loss_is_the_one_asked_for(dataset: Dataset, tmp_path: Path, monkeypatch) -> None:
+    presets = {kind: {"small": tiny(kind=kind)} for kind in ("surface", "fiber")}
+    monkeypatch.setattr("rna_export.training.cli.PRESETS", presets)
+    arguments = ["--out", str(tmp_path), "--device", "cpu", "--steps", "20", "--loss", "unbiased"]
+    assert main([str(dataset.folder), *arguments]) == 0
+    assert load_checkpoint(tmp_path / "best.ckpt").preset.training.loss == "unbiased"
+
+
+def test_fibers_have_no_loss_to_choose(tmp_path: Path, capsys) -> None:
+    hair = make_dataset(tmp_path / "hair.rays")
+    manifest = hair.manifest.model_copy(update={"kind": "fiber"})
+    (hair.folder / "manifest.json").write_text(manifest.model_dump_json(by_alias=True))
+    assert main([str(hair.folder), "--out", str(tmp_path / "run"), "--loss", "log"]) == 1
+    assert "--loss: expected none" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("option", ["--steps 0", "--steps -5", "--minutes 0", "--minutes -1"])
 def test_wrong_usage(dataset: Dataset, tmp_path: Path, option: str, monkeypatch) -> None:
     monkeypatch.setattr("rna_export.training.run.train", lambda _: tmp_path)

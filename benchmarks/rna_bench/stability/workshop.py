@@ -113,9 +113,7 @@ class Workshop:
 
     def preset(self, kind: str, **model: Any) -> Preset:
         """`small` with the suite's steps; `model`: fields of ModelConfig that differ."""
-        small = PRESETS[kind]["small"]
-        training = small.training.model_copy(update={"steps": self.steps})
-        return Preset(model=small.model.model_copy(update=model), training=training)
+        return PRESETS[kind]["small"].with_training(steps=self.steps).with_model(**model)
 
     def paper_inputs(self, kind: str) -> tuple[str, ...]:
         """The decoder's inputs in the paper."""

@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from rna_export.training.presets import PRESETS
+from rna_export.training.presets import LOSSES, PRESETS, Preset
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_sdk.package.blocks import INPUT_BLOCKS, blocks_for
@@ -32,6 +32,12 @@ def parser() -> argparse.ArgumentParser:
         metavar="BLOCK",
         help="decoder inputs instead of the preset's, to try what one is worth: "
         + ", ".join(INPUT_BLOCKS),
+    )
+    p.add_argument(
+        "--loss",
+        choices=LOSSES,
+        help="unbiased: noise in the capture does not darken what is learnt; for translucent, pale "
+        "surfaces captured with few paths a sample (default: the preset's, log)",
     )
     length = p.add_mutually_exclusive_group()
     length.add_argument(
@@ -76,20 +82,30 @@ def _run(args: argparse.Namespace) -> None:
     if device == "auto":
         device = "cuda" if torch.cuda.is_available() else "cpu"
     dataset = Dataset(args.dataset)
-    preset = PRESETS[dataset.manifest.kind][args.preset]
-    if args.steps is not None:
-        training = preset.training.model_copy(update={"steps": args.steps})
-        preset = preset.model_copy(update={"training": training})
-    if args.inputs is not None:
-        _check_inputs(args.inputs, dataset.manifest.kind)
-        model = preset.model.model_copy(update={"inputs": tuple(args.inputs)})
-        preset = preset.model_copy(update={"model": model})
+    preset = _chosen(args, dataset.manifest.kind)
     run = Run(dataset, preset, args.preset, args.out, args.seed, args.minutes, device)
     best = train(run)
     print(
         f"wrote {best}, {args.out / 'curves.png'}, {args.out / 'validation'}\n"
         f"next: rna-export {best} --out {run.dataset.manifest.name}.rna"
     )
+
+
+def _chosen(args: argparse.Namespace, kind: str) -> Preset:
+    """The named preset, with what the options change of it."""
+    preset = PRESETS[kind][args.preset]
+    if args.steps is not None:
+        preset = preset.with_training(steps=args.steps)
+    if args.loss is not None:
+        if preset.model.separates_direct:
+            raise TrainingError(
+                f"--loss: expected none, {args.preset} of a {kind} has one for each"
+            )
+        preset = preset.with_training(loss=args.loss)
+    if args.inputs is not None:
+        _check_inputs(args.inputs, kind)
+        preset = preset.with_model(inputs=tuple(args.inputs))
+    return preset
 
 
 def _check_inputs(inputs: list[str], kind: str) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -15,6 +15,10 @@ _OUR_INPUTS = {
     "surface": (*_PAPER_INPUTS["surface"], "half_vector", "highlight"),
     "fiber": (*_PAPER_INPUTS["fiber"], "fiber_angles", "fiber_lobes"),
 }
+
+
+Loss = Literal["log", "unbiased"]
+LOSSES: tuple[Loss, ...] = get_args(Loss)
 
 
 class ModelConfig(BaseModel):
@@ -61,7 +65,7 @@ class TrainingConfig(BaseModel):
         description="radiance that the loss calls 1, in log(x / unit + 1). one: the paper's. "
         "usual: the asset's median lit radiance, so that dark materials count"
     )
-    loss: Literal["log", "unbiased"] = Field(
+    loss: Loss = Field(
         "log",
         description="of radiance whose direct light is not told apart. log: of log(x / unit + 1). "
         "unbiased: relative, so that noise in the targets does not darken it",
@@ -80,10 +84,13 @@ class Preset(BaseModel):
     model: ModelConfig
     training: TrainingConfig
 
-    def with_loss(self, loss: str) -> Preset:
-        """The same, but for the loss; see `TrainingConfig.loss`."""
-        training = self.training.model_copy(update={"loss": loss})
-        return self.model_copy(update={"training": training})
+    def with_model(self, **fields: Any) -> Preset:
+        """The same, but for these fields of `ModelConfig`."""
+        return self.model_copy(update={"model": self.model.model_copy(update=fields)})
+
+    def with_training(self, **fields: Any) -> Preset:
+        """The same, but for these fields of `TrainingConfig`."""
+        return self.model_copy(update={"training": self.training.model_copy(update=fields)})
 
 
 # A batch in the paper is an image slice, several 100,000 samples. A CPU takes too few such steps to

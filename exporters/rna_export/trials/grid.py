@@ -67,8 +67,7 @@ def ours(
     channels: int | None = None,
 ) -> Trial:
     """A model of our inputs and training; planes and channels as in our presets if not given."""
-    preset = _changed(
-        PRESETS[kind]["small"],
+    preset = PRESETS[kind]["small"].with_model(
         width=width,
         hidden_layers=layers,
         resolution=planes or _PLANES[kind][0],
@@ -76,14 +75,13 @@ def ours(
     )
     # Through the rates of our presets: 4e-3 at width 64, 2e-3 at 256.
     rate = min(4e-3, 4e-3 * (64 / width) ** 0.5)
-    training = preset.training.model_copy(update={"learning_rate": rate})
-    return _trial("ours", preset.model_copy(update={"training": training}), name=name_of(preset))
+    return _trial("ours", preset.with_training(learning_rate=rate), name=name_of(preset))
 
 
 def paper_model(kind: str, layers: int, width: int, channels: int = 8) -> Trial:
     """A model of the paper's inputs, planes and training."""
-    preset = _changed(
-        PRESETS[kind]["paper-hq"], hidden_layers=layers, width=width, channels=channels
+    preset = PRESETS[kind]["paper-hq"].with_model(
+        hidden_layers=layers, width=width, channels=channels
     )
     shape = layers, width
     tables = ["architecture"] * (shape in PAPER_ARCHITECTURES and channels == 8)
@@ -100,15 +98,15 @@ def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
         preset = ours(kind, width).preset
         paper = PRESETS[kind]["paper-small"].model.inputs
         variants = {
-            "no-hint": _changed(preset, visibility_hint=False),
-            "paper-inputs": _changed(preset, inputs=paper),
+            "no-hint": preset.with_model(visibility_hint=False),
+            "paper-inputs": preset.with_model(inputs=paper),
         }
         if kind == "fiber":
             without = tuple(b for b in preset.model.inputs if b not in ("h", "fiber_lobes"))
-            variants["no-h"] = _changed(preset, inputs=without)
+            variants["no-h"] = preset.with_model(inputs=without)
         else:
             for size in (512, 1024):
-                variants[f"uv{size}"] = _changed(preset, texture="uv", resolution=size)
+                variants[f"uv{size}"] = preset.with_model(texture="uv", resolution=size)
         for variant, changed in variants.items():
             trial = _trial("ablation", changed, f"w{width}-{variant}", variant)
             cost_as = None if trial.packageable else name_of(preset)
@@ -118,10 +116,6 @@ def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
 
 def _trial(family: Family, preset: Preset, name: str, *tables: str) -> Trial:
     return Trial(name=name, family=family, preset=preset, tables=tables)
-
-
-def _changed(preset: Preset, **model: object) -> Preset:
-    return preset.model_copy(update={"model": preset.model.model_copy(update=model)})
 
 
 def _with_steps(trials: list[Trial], steps: int) -> list[Trial]:

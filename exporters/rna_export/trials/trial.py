@@ -27,9 +27,7 @@ class Trial(BaseModel):
 
     def of_length(self, steps: int) -> Trial:
         """The same, trained for so many steps."""
-        training = self.preset.training.model_copy(update={"steps": steps})
-        preset = self.preset.model_copy(update={"training": training})
-        return self.model_copy(update={"preset": preset})
+        return self.model_copy(update={"preset": self.preset.with_training(steps=steps)})
 
     @property
     def packageable(self) -> bool:

@@ -39,7 +39,7 @@ def measure(workshop: Workshop) -> list[Row]:
     preset = workshop.preset("surface", resolution=128)
     asked = {}
     for loss in ("log", "unbiased"):
-        model = workshop.train(loss, white, preset.with_loss(loss)).model
+        model = workshop.train(loss, white, preset.with_training(loss=loss)).model
         asked[f"white, {loss} loss"] = of_model(model), scene
     if workshop.subject.dataset is not None:
         asked["given"] = workshop.answers(), scene_of(workshop.dataset.geometry())

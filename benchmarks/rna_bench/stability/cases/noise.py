@@ -33,7 +33,7 @@ def measure(workshop: Workshop) -> list[Row]:
             validation_samples=2,
         )
         for loss in LOSSES:
-            preset = workshop.preset("surface", resolution=64).with_loss(loss)
+            preset = workshop.preset("surface", resolution=64).with_training(loss=loss)
             model = workshop.train(loss, dataset, preset).model
             row = row_of([shade(model, view) for view in views], views)
             rows.append({"paths": paths, "loss": loss, **row})
