@@ -5,8 +5,9 @@
 
 Prints JSON: seconds of both renders, how much of them the decoders took, the FLIP of each against
 Cycles with the original, and that between them, beside that between two renders of the one tier
-with other random numbers. Runs alternate, and medians are compared; loading and compiling are left
-out. On a machine that does other work, too, compare the processor's seconds, those of all threads.
+with other random numbers; with --seconds also what `quality` makes of time limits. Runs alternate,
+and medians are compared; loading and compiling are left out. On a machine that does other work,
+too, compare the processor's seconds, those of all threads.
 """
 
 from __future__ import annotations
@@ -38,6 +39,9 @@ from rna_render.world import World
 
 ROWS = ((4.1, 1), (4.8, 4), (6.5, 5), (8.5, 6), (11.0, 7), (15.0, 8), (21.0, 9))
 """Distance from the camera and number of assets of each row: 40 in all."""
+
+MOST_SAMPLES = 4096
+"""A pixel, under a time limit."""
 
 MIDDLE = (0.4, -0.16)
 """x and z of the middle of the toy, object space."""
@@ -73,6 +77,7 @@ def main() -> None:
         "flip_against_cycles": of_cycles,
         "flip_between": difference,
         "flip_of_other_seed": flip_of(other.image, image["one tier"])[0],
+        "time_limits": [within(seconds, args, image["Cycles"]) for seconds in args.seconds],
     }
     publish(report, args.out)
     if args.picture:
@@ -88,6 +93,9 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("source", type=Path, help="what it was captured from")
     parser.add_argument("--tier", default="hq", help="of all assets in the render to beat")
     parser.add_argument("--max-error", type=float, default=0.04, help="of the other render")
+    parser.add_argument(
+        "--seconds", type=float, nargs="*", default=(), help="time limits to render within, too"
+    )
     parser.add_argument("--width", type=int, default=640, help="of the image, pixels")
     parser.add_argument("--cycles-samples", type=int, default=128, help="a pixel")
     parser.add_argument("--samples", type=int, default=64, help="a pixel")
@@ -135,6 +143,20 @@ def field(args: argparse.Namespace, tier: str | None, quality: QualityModel | No
     return SceneFile(Path("field"), scene.model_copy(update={"quality": quality}), {})
 
 
+def within(seconds: float, args: argparse.Namespace, reference: np.ndarray) -> dict[str, Any]:
+    """The field under a time limit: what was taken, and how near it is to the reference."""
+    file = field(args, tier=None, quality=QualityModel(seconds=seconds))
+    one = Render(file.with_changes(samples=MOST_SAMPLES), args)
+    one.run()
+    return {
+        "limit": seconds,
+        "seconds": one.seconds[0],
+        "samples": one.samples,
+        "tiers": one.tiers(),
+        "flip_against_cycles": flip_of(one.image, reference)[0],
+    }
+
+
 def standing(x: float, z: float, turn_deg: float) -> dict[str, Any]:
     """The transform of a toy with its middle over (x, z)."""
     c, s = np.cos(np.radians(turn_deg)), np.sin(np.radians(turn_deg))
@@ -168,6 +190,7 @@ class Render:
         self.seconds.append(time.perf_counter() - start)
         self.processor_seconds.append(time.process_time() - busy)
         self.decoder_seconds.append(sum(self.decoding))
+        self.samples = film.samples
         channels = film.channels()
         self.image = np.stack([channels[c] for c in "RGB"], axis=-1)
 
