@@ -1,7 +1,7 @@
-"""Draws the picture of a frontier from its committed JSON.
+"""Draws frontiers from their committed JSON, below one another.
 
     python benchmarks/frontier_chart.py benchmarks/results/frontier-toy.json \
-        docs/images/frontier-toy.png
+        --out docs/images/frontier-toy.png
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from rna_bench.frontier.chart import draw
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("report", type=Path, help="frontier.json of rna-bench")
-    parser.add_argument("picture", type=Path, help="PNG to write")
+    parser.add_argument("reports", type=Path, nargs="+", help="frontier.json of rna-bench")
+    parser.add_argument("--out", type=Path, required=True, help="PNG to write")
     args = parser.parse_args()
-    draw(json.loads(args.report.read_text()), args.picture)
+    draw([json.loads(report.read_text()) for report in args.reports], args.out)
 
 
 if __name__ == "__main__":

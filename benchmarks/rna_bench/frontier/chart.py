@@ -1,4 +1,4 @@
-"""The frontier as a picture: PSNR against cost, and against bytes."""
+"""Frontiers as a picture: PSNR against cost, and against bytes."""
 
 from __future__ import annotations
 
@@ -20,27 +20,41 @@ LABELS = {
     "ablation": "ablations",
     "cycles": "Cycles, paths a pixel",
 }
+_SHOWN = ("ns", "bytes")
+_ABOVE = 4.0  # dB, free above the best model
 _MARKERS = {"float32": "o", "int8": "D"}
 
 
-def draw(report: dict[str, Any], path: Path) -> None:
-    """Write a PNG of a report of `study`."""
-    figure, axes = plt.subplots(1, 2, figsize=(12, 5), layout="constrained", sharey=True)
-    for axis, cost in zip(axes, ("ns", "bytes"), strict=True):
-        axis.set(xscale="log", xlabel=COSTS[cost])
+def draw(reports: list[dict[str, Any]], path: Path) -> None:
+    """Write a PNG of reports of `study`, a row each."""
+    rows = len(reports)
+    figure, grid = plt.subplots(
+        rows, 2, figsize=(12, 0.8 + 4.2 * rows), layout="constrained", sharey="row", squeeze=False
+    )
+    for axes, report in zip(grid, reports, strict=True):
+        _draw_row(axes, report)
+    for axis, cost in zip(grid[-1], _SHOWN, strict=True):
+        axis.set_xlabel(COSTS[cost])
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    figure.savefig(path, dpi=120)
+    plt.close(figure)
+
+
+def _draw_row(axes: Any, report: dict[str, Any]) -> None:
+    for axis, cost in zip(axes, _SHOWN, strict=True):
+        axis.set(xscale="log")
         if cost == "bytes":  # less than a decade or two
             axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axis.xaxis.set_major_formatter(EngFormatter())
         axis.xaxis.set_minor_formatter(NullFormatter())
         axis.grid(alpha=0.25)
         _draw_points(axis, report["points"], cost)
-    _draw_cycles(axes[0], report["cycles"])
+    top = axes[0].get_ylim()[1] + _ABOVE
+    axes[0].set_ylim(top=top)
+    _draw_cycles(axes[0], report["cycles"], top)
     axes[0].set_ylabel("PSNR, dB (irradiance pi, clamped to [0, 1])")
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     steps = report["points"][0]["steps"]
-    figure.suptitle(f"{report['dataset']['name']}: {steps:,} steps of training for each model")
-    figure.savefig(path, dpi=120)
-    plt.close(figure)
+    axes[0].set_title(f"{report['dataset']['name']}: {steps:,} steps of each model", loc="left")
 
 
 def _draw_points(axis: Any, points: list[dict[str, Any]], cost: str) -> None:
@@ -73,11 +87,19 @@ def _draw_points(axis: Any, points: list[dict[str, Any]], cost: str) -> None:
             )
 
 
-def _draw_cycles(axis: Any, curve: dict[str, Any] | None) -> None:
+def _draw_cycles(axis: Any, curve: dict[str, Any] | None, top: float) -> None:
+    """Cycles' points; those above `top` stand at the edge, with their value."""
     if curve is None:
         return
-    at = [p["ns"] for p in curve["points"]], [p["scores"]["psnr"] for p in curve["points"]]
-    axis.plot(*at, "s-", ms=4, lw=1, color=COLOURS["cycles"], label=LABELS["cycles"])
-    for point in curve["points"]:
-        at = point["ns"], point["scores"]["psnr"]
-        axis.annotate(str(point["samples"]), at, (4, -9), textcoords="offset points", fontsize=7)
+    ns = [p["ns"] for p in curve["points"]]
+    psnr = [p["scores"]["psnr"] for p in curve["points"]]
+    axis.plot(ns, psnr, "s-", ms=4, lw=1, color=COLOURS["cycles"], label=LABELS["cycles"])
+    for point, x, y in zip(curve["points"], ns, psnr, strict=True):
+        inside = y <= top
+        text = str(point["samples"]) if inside else f"{point['samples']}: {y:.0f} dB"
+        if not inside:
+            axis.plot(x, top, "^", ms=5, color=COLOURS["cycles"], clip_on=False)
+        at, offset = (x, min(y, top)), (4, -9) if inside else (-4, -38)
+        axis.annotate(
+            text, at, offset, textcoords="offset points", fontsize=7, rotation=0 if inside else 90
+        )

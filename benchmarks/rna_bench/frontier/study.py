@@ -152,7 +152,7 @@ class Study:
         report = self.report()
         path = self.out / "frontier.json"
         write_atomically(path, (json.dumps(report, indent=1) + "\n").encode())
-        draw(report, self.out / "frontier.png")
+        draw([report], self.out / "frontier.png")
         write_page(report, self)
         for sentence in sentences(report["findings"]):
             print(sentence)
