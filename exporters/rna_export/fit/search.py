@@ -4,8 +4,7 @@ On the first rung every candidate is trained for a sixteenth of the steps; those
 at its cost by far are dropped. On the second, a quarter, the search halves the range of costs that
 may hold the answer: a candidate whose error, were it to fall on as fast as it did, would still miss
 the limit, rules out all cheaper ones. On the last, the cheapest that is left is trained to the end;
-where it fails the next dearer one, unless it would miss the limit even with half again the share of
-the hoped gain that came true so far.
+the next dearer one where it fails.
 
 After Karnin et al., "Almost Optimal Exploration in Multi-Armed Bandits", 2013 (successive
 halving), but for the question: not the best of all, but the cheapest that suffices.
@@ -27,7 +26,6 @@ FRACTIONS = (16, 4, 1)
 """Rungs: the steps of the last one over those of each."""
 
 _TOLERANCE_DB = 1.0  # how far behind a cheaper one a candidate may be after the first rung
-_MARGIN = 1.5  # by which a model may gain more than those trained to the end, as promised
 _KEPT = 3  # of a rung's candidates, one of so many goes on where the cost is limited
 
 
@@ -77,7 +75,6 @@ class _Range:
     ):
         self._goal, self._rungs, self._train, self._width = goal, rungs, train, width
         self._left = _near_front(candidates, goal, rungs[0])
-        self._come_true: list[float] = []  # of promised gains, of those trained to the end
 
     def cheapest(self) -> Candidate:
         low, high = 0, len(self._left)  # those before `low` miss; the one at `high` will do
@@ -101,7 +98,6 @@ class _Range:
             if self._misses(candidate):
                 continue
             self._train([candidate], self._rungs[2])
-            self._come_true.append(candidate.share_come_true(self._goal))
             found = self._goal.error_db(candidate.scores[self._rungs[2]])
             if found <= self._goal.limit_db:
                 candidate.verdict = "chosen: the cheapest that meets the limit"
@@ -115,14 +111,12 @@ class _Range:
         )
 
     def _misses(self, candidate: Candidate) -> bool:
-        share = min(1.0, _MARGIN * max(self._come_true, default=1.0))
-        hoped = candidate.hoped_for(self._goal, self._rungs[2], share)
+        hoped = candidate.hoped_for(self._goal, self._rungs[2])
         if hoped <= self._goal.limit_db:
             return False
-        pace = "as fast" if share == 1.0 else f"{share:.0%} as fast"
         candidate.verdict = (
-            f"misses the limit: {self._goal.shown(hoped)} at best, were its error to fall on "
-            f"{pace} as it fell between the rungs"
+            f"misses the limit: {self._goal.shown(hoped)} at best, were its error to fall on as it "
+            "fell between the rungs"
         )
         return True
 

@@ -57,12 +57,10 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     done = int(saved["global_step"]) if saved else 0
     if table is None:
         table = SampleTable(run.dataset.training_samples(), device=run.device)
-    table = table.shuffled(run.preset.training.batch, run.seed, done)
-    samples = {name: values.cpu().numpy() for name, values in table.columns().items()}
     # Nothing brighter than the training data: a network asked beyond it may answer anything.
-    ceiling = 1.5 * float(samples["radiance"].max())
-    unit = usual_radiance(samples) if run.preset.training.unit == "usual" else 1.0
-    del samples
+    ceiling = 1.5 * table.largest_radiance
+    unit = table.usual_radiance if run.preset.training.unit == "usual" else 1.0
+    table = table.shuffled(run.preset.training.batch, run.seed, done)
     steps = int(saved["hyper_parameters"]["steps"]) if saved else _steps(run, table, bounds)
     print(_plan(run, len(table), steps))
     torch.manual_seed(run.seed)
@@ -96,21 +94,6 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
             raise KeyboardInterrupt from None
     shutil.copyfile(checkpoints.best_model_path, run.out / "best.ckpt")
     return run.out / "best.ckpt"
-
-
-def usual_radiance(samples: dict[str, np.ndarray]) -> float:
-    """What is usual where the light is seen: highlights are far above it, shadows below.
-
-    The median; of scattered light, where that is told apart, the mean: most of its samples are 0.
-    """
-    lit = samples["visible"] > 0
-    if not lit.any():
-        return 1.0
-    if "direct" not in samples:
-        return max(float(np.median(samples["radiance"][lit])), 1e-4)
-    direct = samples["direct"][lit]
-    scattered = samples["radiance"][lit] - direct
-    return max(float(np.median(direct) + np.mean(scattered)), 1e-4)
 
 
 def padded_bounds(dataset: Dataset) -> torch.Tensor:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import itertools
 from collections.abc import Iterator
+from functools import cached_property
 
 import numpy as np
 import torch
@@ -45,9 +46,26 @@ class SampleTable(IterableDataset):
         other._batch, other._seed, other._done = min(batch, len(self)), seed, done
         return other
 
-    def columns(self) -> dict[str, Tensor]:
-        """All samples by field."""
-        return columns(self.rows, self.fields)
+    @cached_property
+    def largest_radiance(self) -> float:
+        """Of all samples and channels."""
+        return float(columns(self.rows, self.fields)["radiance"].max())
+
+    @cached_property
+    def usual_radiance(self) -> float:
+        """What is usual where the light is seen: highlights are far above it, shadows below.
+
+        The median; of scattered light, where that is told apart, the mean: most of it is 0.
+        """
+        samples = columns(self.rows, self.fields)
+        lit = samples["visible"] > 0.0
+        if not lit.any():
+            return 1.0
+        if "direct" not in samples:
+            return max(_median(samples["radiance"][lit]), 1e-4)
+        direct = samples["direct"][lit]
+        scattered = samples["radiance"][lit] - direct
+        return max(_median(direct) + float(scattered.mean()), 1e-4)
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -62,6 +80,10 @@ class SampleTable(IterableDataset):
                 continue
             for first in starts[batches if epoch == epochs else 0 :]:
                 yield self.rows[order[first : first + self._batch]]
+
+
+def _median(values: Tensor) -> float:
+    return float(np.median(values.cpu().numpy()))
 
 
 def columns(rows: Tensor, fields: dict[str, int]) -> dict[str, Tensor]:

@@ -20,7 +20,7 @@ from rna_export.trials.trial import Trial
 from rna_export.trials.unwrap import UnwrappedDataset
 from rna_sdk.runtime import load
 
-_VALIDATIONS = 4  # of a training: with a cosine schedule the last is nearly always the best
+_VALIDATED_EVERY = 5_000  # steps; a stopped trial goes on from there
 
 
 def run_trial(
@@ -82,7 +82,7 @@ def _train(
         folder,
         trial.seed,
         device=device,
-        validations=_VALIDATIONS,
+        validations=max(1, trial.preset.training.steps // _VALIDATED_EVERY),
     )
     before = steps_done(folder)
     clock = time.perf_counter if device == "cuda" else time.process_time
