@@ -42,8 +42,7 @@ def trace(worker: BlenderWorker, wi: np.ndarray, rays: int = 2048, samples: int 
     rendered = worker.render_rays(drawn.origins, drawn.directions, wi, samples, seed=1)
     visible = scene.visible(points, np.ascontiguousarray(np.broadcast_to(wi, (rays, 3))))
     both = points.hit & (rendered.alpha > 0.999)
-    fields = {name: rows[both] for name, rows in vars(points).items() if rows is not None}
-    kept = SurfacePoints(**{"uv": None, **fields})
+    kept = SurfacePoints(**{name: rows[both] for name, rows in vars(points).items()})
     missed = 1.0 - both.sum() / points.hit.sum()
     return Traced(
         drawn[both],

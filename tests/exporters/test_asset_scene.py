@@ -23,16 +23,6 @@ def test_a_miss_leaves_zeros() -> None:
         assert not values.any()
 
 
-def test_uv_is_interpolated() -> None:
-    mesh = square()
-    mesh = type(mesh)(
-        mesh.positions, mesh.normals, mesh.positions[:, [0, 2]].copy(), mesh.triangles
-    )
-    origins = np.float32([[0.3, 1, -0.7], [-0.9, 1, 0.2]])
-    points = SurfaceScene(mesh).shade_points(origins, np.float32([[0, -1, 0]] * 2))
-    assert np.allclose(points.uv, origins[:, [0, 2]], atol=1e-6)
-
-
 def test_sampled_points_are_uniform_by_area() -> None:
     # One square four times the other's area, its triangles as few as the other's.
     scene = SurfaceScene(merged(square(2.0), square(1.0, height=5.0)))
