@@ -22,7 +22,7 @@ def step_times(
     """ns a query of a tier on one thread, by step.
 
     Features and other inputs are written in one pass: what that takes beyond a pass that writes
-    features alone counts as inputs.
+    features alone counts as inputs. Both passes decode, so that caches are alike.
 
     batch: the arguments of the asset's `evaluate`.
     """

@@ -95,11 +95,10 @@ def _draw_cycles(axis: Any, curve: dict[str, Any] | None, top: float) -> None:
     psnr = [p["scores"]["psnr"] for p in curve["points"]]
     axis.plot(ns, psnr, "s-", ms=4, lw=1, color=COLOURS["cycles"], label=LABELS["cycles"])
     for point, x, y in zip(curve["points"], ns, psnr, strict=True):
-        inside = y <= top
-        text = str(point["samples"]) if inside else f"{point['samples']}: {y:.0f} dB"
-        if not inside:
+        text = {"textcoords": "offset points", "fontsize": 7}
+        if y <= top:
+            axis.annotate(str(point["samples"]), (x, y), (4, -9), **text)
+        else:
             axis.plot(x, top, "^", ms=5, color=COLOURS["cycles"], clip_on=False)
-        at, offset = (x, min(y, top)), (4, -9) if inside else (-4, -38)
-        axis.annotate(
-            text, at, offset, textcoords="offset points", fontsize=7, rotation=0 if inside else 90
-        )
+            label = f"{point['samples']}: {y:.0f} dB"
+            axis.annotate(label, (x, top), (-4, -38), rotation=90, **text)
