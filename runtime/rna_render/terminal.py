@@ -61,7 +61,7 @@ def render_with_bar(
     """
     scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
-    bar = tqdm(total=total, unit="ray", unit_scale=True, desc=what, leave=False)
+    bar = tqdm(total=total, unit="ray", unit_scale=True, desc=what, leave=False, position=0)
 
     def report_start() -> None:
         if first_rays is not None:
