@@ -17,13 +17,14 @@ INPUT_BLOCKS: dict[str, int | None] = {
     "wi": 3,
     "half_vector": 5,
     "highlight": 1,
+    "learned_normal": 2,
     "fiber_angles": 6,
     "fiber_lobes": 3,
 }
 """Block name -> number of columns; None is the tier's number of feature channels."""
 
 BLOCKS_OF_KIND: dict[str, frozenset[str]] = {
-    "surface": frozenset({"normal", "half_vector", "highlight"}),
+    "surface": frozenset({"normal", "half_vector", "highlight", "learned_normal"}),
     "fiber": frozenset({"tangent", "h", "fiber_angles", "fiber_lobes"}),
 }
 """Blocks that only one kind of asset can fill; the others are for both."""

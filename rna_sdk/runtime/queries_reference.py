@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.runtime.fiber_blocks import ETA
+from rna_sdk.runtime.surface_blocks import BEND
 
 Float = NDArray[np.float64]
 Blocks = dict[str, Callable[[], Float]]
@@ -38,6 +39,7 @@ def queries_reference(
         "half_vector": lambda: _half_vector(n, o, i),
         "highlight": lambda: _highlight(n, o, i),
     }
+    blocks["learned_normal"] = lambda: _learned_normal(n, blocks["features"](), o, i)
     return _joined(blocks, inputs)
 
 
@@ -118,6 +120,17 @@ def _half_vector(n: Float, wo: Float, wi: Float) -> Float:
     n_h = _dot(n, h)
     log_gap = np.log2(1 - np.minimum(n_h, 1) + 1e-4) / 6
     return np.stack([n_h, log_gap, _dot(n, wi), _dot(n, wo), _dot(wi, h)], axis=1)
+
+
+def _learned_normal(n: Float, features: Float, wo: Float, wi: Float) -> Float:
+    """(n, 2): q.h, log2(1 - min(q.h, 1) + 1e-4) / 6, with q along n + 0.1 (f0, f1, f2)."""
+    bend = np.zeros((len(features), 3))
+    bend[:, : features.shape[1]] = features[:, :3]
+    q = n + BEND * bend
+    length = np.linalg.norm(q, axis=1, keepdims=True)
+    nothing = length < 1e-6
+    q = np.where(nothing, n, q / np.where(nothing, 1, length))
+    return _half_vector(q, wo, wi)[:, :2]
 
 
 def _highlight(n: Float, wo: Float, wi: Float) -> Float:

@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from rna_sdk.package.blocks import INPUT_BLOCKS
 from rna_sdk.runtime.compiled import compiled
 from rna_sdk.runtime.fiber_blocks import fiber_blocks
-from rna_sdk.runtime.surface_blocks import half_vector, highlight
+from rna_sdk.runtime.surface_blocks import half_vector, highlight, learned_normal
 from rna_sdk.runtime.texels import prefetch_texels, relative, triplane_footprint, weighted_texel_sum
-from rna_sdk.runtime.vectors import Rows, clamped, total, unit, vector, write
+from rna_sdk.runtime.vectors import Rows, clamped, first_three, total, unit, vector, write
 
 QueryKernel = Callable[..., None]
 
@@ -34,6 +34,7 @@ WO = _BLOCKS.index("wo")
 WI = _BLOCKS.index("wi")
 HALF_VECTOR = _BLOCKS.index("half_vector")
 HIGHLIGHT = _BLOCKS.index("highlight")
+LEARNED_NORMAL = _BLOCKS.index("learned_normal")
 FIBER_ANGLES = _BLOCKS.index("fiber_angles")
 FIBER_LOBES = _BLOCKS.index("fiber_lobes")
 
@@ -115,10 +116,15 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         at_axis = columns[TANGENT] if is_fiber else columns[NORMAL]
         at_h, at_wo, at_wi = columns[H], columns[WO], columns[WI]
         at_half_vector, at_highlight = columns[HALF_VECTOR], columns[HIGHLIGHT]
+        at_learned_normal = columns[LEARNED_NORMAL]
         at_angles, at_lobes = columns[FIBER_ANGLES], columns[FIBER_LOBES]
         last = len(positions) - 1
+        # Features that are no columns of `queries` are gathered aside.
+        gathers = at_features >= 0 or at_learned_normal >= 0
+        gathered = queries if at_features >= 0 else np.empty((1, channels), np.float32)
+        first = max(at_features, 0)
         for i in range(len(positions)):
-            if at_features >= 0:
+            if gathers:
                 soon = relative(vector(positions, min(i + _ROWS_AHEAD, last)), box)
                 offsets, _ = triplane_footprint(soon, resolution, channels)
                 prefetch_texels(planes, offsets)  # type: ignore[call-arg]
@@ -133,10 +139,11 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
                 queries[i] = np.float32(0.0)
                 continue
             p = relative(x, box)
-            if at_features >= 0:
+            row = i if at_features >= 0 else 0
+            if gathers:
                 offsets, weights = triplane_footprint(p, resolution, channels)
-                at = np.uintp(i * queries.shape[1] + at_features)
-                weighted_texel_sum(planes, scales, channels, offsets, weights, queries, at)  # type: ignore[call-arg]
+                at = np.uintp(row * gathered.shape[1] + first)
+                weighted_texel_sum(planes, scales, channels, offsets, weights, gathered, at)  # type: ignore[call-arg]
             if at_position >= 0:
                 signed = 2.0 * p[0] - 1.0, 2.0 * p[1] - 1.0, 2.0 * p[2] - 1.0
                 write(queries, i, at_position, signed)
@@ -160,5 +167,8 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
                     write(queries, i, at_half_vector, half_vector(axis, o, l))
                 if at_highlight >= 0:
                     write(queries, i, at_highlight, highlight(axis, o, l))
+                if at_learned_normal >= 0:
+                    bend = first_three(gathered, row, first, channels)
+                    write(queries, i, at_learned_normal, learned_normal(axis, bend, o, l))
 
     return fill_queries

@@ -23,6 +23,15 @@ def vector(vectors: Rows, i: int) -> Vector:
 
 
 @compiled()
+def first_three(rows: Rows, i: int, column: int, count: int) -> Vector:
+    """rows[i, column : column + min(count, 3)], and 0 for what is missing of three."""
+    x = np.float64(rows[i, column])
+    y = np.float64(rows[i, column + 1]) if count > 1 else 0.0
+    z = np.float64(rows[i, column + 2]) if count > 2 else 0.0
+    return x, y, z
+
+
+@compiled()
 def unit(vectors: Rows, i: int) -> Vector:
     """Row i at unit length; NaN in a component where the vector has no direction."""
     x, y, z = vector(vectors, i)

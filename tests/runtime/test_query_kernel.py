@@ -36,6 +36,7 @@ def test_equals_its_twin(precision: str, resolution: int, channels: int) -> None
         SURFACE_BLOCKS[::-1],
         ("features",),
         ("half_vector", "position"),
+        ("learned_normal", "wi"),
         ("wi", "features", "wo"),
     ],
 )
@@ -72,6 +73,22 @@ def test_half_vector_is_the_normal_where_directions_are_opposite() -> None:
     assert valid.all()
     np.testing.assert_allclose(queries[:, 0], 1, atol=1e-6)
     np.testing.assert_allclose(queries[:, 1], np.log2(1e-4) / 6, atol=1e-5)
+
+
+def test_features_lean_the_learned_normal() -> None:
+    """A feature of 1 moves the normal's end by a tenth along its axis; one of -10 undoes it."""
+    point = Points(*np.float32([[[0, 0, 0.5]], [[0, 0, 1]], [[0, 0, 1]], [[0, 0, 1]]]))
+    for features, cosine in (
+        ([0, 1, 0, 7], 1 / np.sqrt(1.01)),
+        ([0, 0, -10, 0], 1.0),
+        ([5], 0.8944272),
+    ):
+        planes = np.zeros((3, 1, 1, len(features)), np.float32)
+        planes[0, 0, 0] = features
+        queries, valid = filled(planes, point, ("learned_normal",))
+        assert valid.all()
+        gap = np.log2(1 - cosine + 1e-4) / 6
+        np.testing.assert_allclose(queries, [[cosine, gap]], rtol=1e-5)
 
 
 def test_highlights_are_resolved() -> None:

@@ -8,7 +8,8 @@ from typing import NamedTuple
 import torch
 from torch import Tensor
 
-ETA = 1.55  # index of refraction of hair
+from rna_sdk.runtime.fiber_blocks import ETA
+from rna_sdk.runtime.surface_blocks import BEND
 
 Points = dict[str, Tensor]
 """Queries by name: position, wo, wi and normal or tangent, (k, 3) each; for fibers also h, (k,)."""
@@ -27,6 +28,7 @@ def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -
         "wi": lambda: at["wi"],
         "half_vector": lambda: half_vector(at["normal"], at["wo"], at["wi"]),
         "highlight": lambda: highlight(at["normal"], at["wo"], at["wi"]),
+        "learned_normal": lambda: learned_normal(at["normal"], features, at["wo"], at["wi"]),
         "fiber_angles": lambda: fiber_angles(frame()),
         "fiber_lobes": lambda: fiber_lobes(at["h"], frame()),
     }
@@ -39,6 +41,15 @@ def half_vector(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
     n_h = _dot(n, h)
     sharp = torch.log2(1.0 - n_h.clamp(max=1.0) + 1e-4) / 6.0
     return torch.cat([n_h, sharp, _dot(n, wi), _dot(n, wo), _dot(wi, h)], dim=1)
+
+
+def learned_normal(n: Tensor, features: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
+    """q.h and log2(1 - q.h + 1e-4) / 6, (k, 2), with q along n + BEND (f0, f1, f2)."""
+    bend = torch.nn.functional.pad(features[:, :3], (0, max(0, 3 - features.shape[1])))
+    q = n + BEND * bend
+    length = q.norm(dim=1, keepdim=True)
+    q = torch.where(length < 1e-6, n, q / length.clamp(min=1e-6))
+    return half_vector(q, wo, wi)[:, :2]
 
 
 def highlight(n: Tensor, wo: Tensor, wi: Tensor) -> Tensor:

@@ -12,7 +12,7 @@ _PAPER_INPUTS = {
     "fiber": ("features", "tangent", "h", "wo", "wi"),
 }
 _OUR_INPUTS = {
-    "surface": (*_PAPER_INPUTS["surface"], "half_vector", "highlight"),
+    "surface": (*_PAPER_INPUTS["surface"], "half_vector", "highlight", "learned_normal"),
     "fiber": (*_PAPER_INPUTS["fiber"], "fiber_angles", "fiber_lobes"),
 }
 
