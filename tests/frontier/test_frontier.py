@@ -12,12 +12,13 @@ from rna_bench.frontier import study as study_module
 from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.points import front
 from rna_export.capture.dataset import Dataset
+from rna_export.trials.grid import full_grid
 from rna_export.trials.packages import PRECISIONS
 from rna_export.trials.trial import Trial
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.render.chromium import find_chromium, open_page
 
-POINTS = 2 * len(PRECISIONS)
+POINTS = 3 * len(PRECISIONS)
 
 
 def grid(kind: str, steps: int) -> list[Trial]:
@@ -25,6 +26,12 @@ def grid(kind: str, steps: int) -> list[Trial]:
     return [
         Trial(name="ours", family="ours", preset=models["ours"]),
         Trial(name="paper-small", family="paper", preset=models["paper-small"]),
+        Trial(
+            name="no-hint",
+            family="ablation",
+            preset=models["ours"].with_model(visibility_hint=False),
+            tables=("no-hint",),
+        ),
     ]
 
 
@@ -46,13 +53,14 @@ def out(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_json_has_cost_and_error_of_every_model(out: Path) -> None:
     report = json.loads((out / "frontier.json").read_text())
-    assert {p["name"] for p in report["points"]} == {"ours", "paper-small"}
+    assert {p["name"] for p in report["points"]} == {"ours", "paper-small", "no-hint"}
     for point in report["points"]:
         assert point["ns"] > 0.0 and point["ns_one_thread"] > 0.0 and point["bytes"] > 1000
         assert 0.0 < point["share_of_gemm"] < 2.0
         assert point["psnr"] > 0.0 and point["flip"] > 0.0 and point["p99"] > 0.0
     assert report["timings"]["costs"]["gemm_gflops"] > 0.0
     assert (out / "frontier.png").stat().st_size > 10_000
+    assert (out / "tables.png").stat().st_size > 10_000
 
 
 def test_finished_study_trains_nothing_again(
@@ -71,7 +79,15 @@ def test_unknown_trial_is_one_line(
 ) -> None:
     command = ["frontier", str(dataset.folder), "--out", str(out), "--short"]
     assert main([*command, "--trials", "w7"]) == 1
-    assert "--trials: found w7; expected of w16" in capsys.readouterr().err
+    assert "--trials: found w7; expected of ours, " in capsys.readouterr().err
+
+
+def test_trials_are_chosen_by_name_family_and_table() -> None:
+    trials = full_grid("surface")
+    tables = study_module._chosen(trials, ["architecture", "channels"])
+    assert tables == study_module._chosen(trials, ["paper"]) and len(tables) == 13
+    names = {trial.name for trial in study_module._chosen(trials, ["w64-uv512", "no-hint"])}
+    assert names == {"w64-uv512", "w64-no-hint", "w256-no-hint"}
 
 
 @pytest.mark.chromium

@@ -32,6 +32,7 @@ def test_rows_are_the_papers_in_its_order() -> None:
     assert [row[2] for row in architecture["rows"]][-1] == "34.90"
     assert [row[0] for row in channels["rows"]] == ["4", "8", "16", "32"]
     assert channels["rows"][1][2] == "34.09"
+    assert architecture["points"][2] == "paper-small/float32-float16"
     assert all(row[1].endswith(".00") for row in architecture["rows"])  # not those of int8
 
 

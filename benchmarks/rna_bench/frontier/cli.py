@@ -33,7 +33,13 @@ def add_options(p: argparse.ArgumentParser) -> None:
         choices=_PARTS,
         help="one part of the work: timings, for one, mean something on an idle machine alone",
     )
-    p.add_argument("--trials", nargs="+", metavar="NAME", help="train these of the grid alone")
+    p.add_argument(
+        "--trials",
+        nargs="+",
+        metavar="NAME",
+        help="train these of the grid alone: models, or groups of them (ours, paper, ablation, "
+        "and the tables: architecture, channels, ...)",
+    )
     p.add_argument(
         "--device",
         choices=("auto", "cpu", "cuda"),

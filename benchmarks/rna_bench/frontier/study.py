@@ -16,6 +16,7 @@ from rna_bench.frontier.cycles import CyclesCurve, render_curve
 from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.page import write_page
 from rna_bench.frontier.points import label_of, points_of
+from rna_bench.frontier.sheet import draw_sheet
 from rna_bench.step_times import step_times
 from rna_export.capture.dataset import Dataset, all_queries, write_atomically
 from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
@@ -112,6 +113,14 @@ class Study:
         """Of a finished trial."""
         return self.folder(trial) / f"{precision}.rna"
 
+    def strip(self, label: str, what: str) -> Path:
+        """All views of a point, or of Cycles ("cycles-16"), side by side.
+
+        what: "render", or "flip" for the map of its error.
+        """
+        folder = self.out if label.startswith("cycles-") else self.out / "trials"
+        return folder / f"{label}-{what}.png"
+
     def render_cycles(self, source: Path) -> None:
         """Render the validation images with Cycles, unless that is done."""
         path = self.out / "cycles.json"
@@ -148,15 +157,16 @@ class Study:
         }
 
     def write(self) -> None:
-        """Write `frontier.json`, `frontier.png` and `index.html` from what is there."""
+        """Write `frontier.json`, `frontier.png`, `tables.png`, `index.html` of what is there."""
         report = self.report()
         path = self.out / "frontier.json"
         write_atomically(path, (json.dumps(report, indent=1) + "\n").encode())
         draw([report], self.out / "frontier.png")
+        draw_sheet(report, self, self.out / "tables.png")
         write_page(report, self)
         for sentence in sentences(report["findings"]):
             print(sentence)
-        print(f"wrote {path}, {self.out / 'frontier.png'}, {self.out / 'index.html'}")
+        print(f"wrote {path}; pictures and index.html lie beside it")
 
 
 class Timings(BaseModel):
@@ -173,10 +183,14 @@ def _read(path: Path, model: type[Model]) -> Model | None:
 
 
 def _chosen(trials: list[Trial], names: list[str] | None) -> list[Trial]:
-    unknown = set(names or ()) - {trial.name for trial in trials}
+    """Those of these names, families and tables; all for None."""
+    if names is None:
+        return trials
+    groups = list(dict.fromkeys(g for trial in trials for g in (trial.family, *trial.tables)))
+    unknown = set(names) - set(groups) - {trial.name for trial in trials}
     if unknown:
         raise TrainingError(
             f"--trials: found {', '.join(sorted(unknown))}; expected of "
-            + ", ".join(trial.name for trial in trials)
+            + ", ".join([*groups, *(trial.name for trial in trials)])
         )
-    return [trial for trial in trials if names is None or trial.name in names]
+    return [t for t in trials if not {t.name, t.family, *t.tables}.isdisjoint(names)]

@@ -37,7 +37,7 @@ def full_grid(kind: str, steps: int = FULL_STEPS) -> list[Trial]:
         shapes += [ours(kind, width, channels=channels) for channels in _CHANNELS[kind][1]]
     paper = [paper_model(kind, *shape) for shape in PAPER_ARCHITECTURES]
     paper += [paper_model(kind, 4, 512, channels) for channels in PAPER_CHANNELS]
-    return _with_steps([*shapes, *paper, *ablations(kind, (64, 256))], steps)
+    return _with_steps([*shapes, *paper, *ablations(kind, (64, 256)), *short_grid(kind)], steps)
 
 
 def short_grid(kind: str, steps: int = SHORT_STEPS) -> list[Trial]:
@@ -105,6 +105,8 @@ def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:
             without = tuple(b for b in preset.model.inputs if b not in ("h", "fiber_lobes"))
             variants["no-h"] = preset.with_model(inputs=without)
         else:
+            own = tuple(b for b in preset.model.inputs if b != "learned_normal")
+            variants["no-learned-normal"] = preset.with_model(inputs=own)
             for size in (512, 1024):
                 variants[f"uv{size}"] = preset.with_model(texture="uv", resolution=size)
         for variant, changed in variants.items():

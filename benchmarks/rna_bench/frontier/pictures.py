@@ -1,0 +1,27 @@
+"""The models' renders, which a study keeps as strips of all validation views."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from PIL import Image
+
+from rna_export.capture.dataset import ValidationView
+from rna_export.metrics import display
+
+
+def brightest(views: list[ValidationView], count: int) -> list[int]:
+    """The views with the most light in them, the best first."""
+    light = [float(display(view.samples["radiance"]).sum()) for view in views]
+    return sorted(range(len(views)), key=lambda k: -light[k])[:count]
+
+
+def cut(strip: Path, chosen: list[int], size: int) -> list[np.ndarray]:
+    """Views (size, size, 3) uint8 out of a strip; errors, which are grey, in FLIP's colours."""
+    with Image.open(strip) as image:
+        pixels = np.asarray(image)
+    if pixels.ndim == 2:
+        pixels = (255.0 * matplotlib.colormaps["magma"](pixels)[..., :3]).astype(np.uint8)
+    return [pixels[:, k * size : (k + 1) * size] for k in chosen]

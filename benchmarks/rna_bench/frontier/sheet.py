@@ -1,0 +1,55 @@
+"""The paper's tables and our ablations as one picture: a render and its FLIP map a row."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib
+import numpy as np
+
+from rna_bench.frontier.paper_tables import paper_tables
+from rna_bench.frontier.pictures import brightest, cut
+from rna_export.metrics import to_png
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+if TYPE_CHECKING:
+    from rna_bench.frontier.study import Study
+
+_INCHES = 1.5  # of a picture
+
+
+def draw_sheet(report: dict[str, Any], study: Study, path: Path) -> None:
+    """Write a PNG with a strip for each table that has rows, Cycles first; none if none has."""
+    tables = [table for table in paper_tables(report["points"]) if table["rows"]]
+    if not tables:
+        return
+    views = study.dataset.validation_views()
+    (shown,) = brightest(views, 1)
+    view = views[shown]
+    reference = to_png(view.image(view.samples["radiance"]))
+    columns = 1 + max(len(table["rows"]) for table in tables)
+    figure = plt.figure(
+        figsize=(_INCHES * columns, 2.5 * _INCHES * len(tables)), layout="constrained"
+    )
+    for part, table in zip(np.atleast_1d(figure.subfigures(len(tables))), tables, strict=True):
+        part.suptitle(table["title"], x=0.01, ha="left")
+        grid = part.subplots(2, columns)
+        for axes in grid.flat:
+            axes.set_axis_off()
+        _show(grid[:, 0], "Cycles", [reference])
+        for axes, row, point in zip(grid[:, 1:].T, table["rows"], table["points"], strict=False):
+            strips = (study.strip(point, what) for what in ("render", "flip"))
+            pair = [cut(strip, [shown], view.resolution)[0] for strip in strips]
+            _show(axes, f"{textwrap.fill(row[0], 22)}\n{row[1]} dB", pair)
+    figure.savefig(path, dpi=100)
+    plt.close(figure)
+
+
+def _show(column: np.ndarray, title: str, pictures: list[np.ndarray]) -> None:
+    column[0].set_title(title, fontsize=8)
+    for axes, picture in zip(column, pictures, strict=False):
+        axes.imshow(picture)
