@@ -14,9 +14,13 @@ BEND = 0.1
 @compiled()
 def half_vector(n: Vector, wo: Vector, wi: Vector) -> tuple[float, ...]:
     """n.h, log2(1 - min(n.h, 1) + 1e-4) / 6, n.wi, n.wo, wi.h, with h halfway of wi and wo."""
-    h = _halfway(n, wo, wi)
-    n_h = dot(n, h)
-    return n_h, _log_gap(n_h), dot(n, wi), dot(n, wo), dot(wi, h)
+    h = (wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2])
+    square = dot(h, h)
+    scale = 1.0 / math.sqrt(square)
+    if square < 1e-12:  # opposite directions have no half vector
+        h, scale = n, 1.0
+    n_h = dot(n, h) * scale
+    return n_h, _log_gap(n_h), dot(n, wi), dot(n, wo), dot(wi, h) * scale
 
 
 @compiled()
@@ -36,24 +40,12 @@ def learned_normal(n: Vector, bend: Vector, wo: Vector, wi: Vector) -> tuple[flo
     bend: the first three features.
     """
     q = (n[0] + BEND * bend[0], n[1] + BEND * bend[1], n[2] + BEND * bend[2])
-    square = dot(q, q)
-    scale = 1.0 / math.sqrt(square)
-    if square < 1e-12:
-        q, scale = n, 1.0
-    q = (q[0] * scale, q[1] * scale, q[2] * scale)
-    q_h = dot(q, _halfway(q, wo, wi))
-    return q_h, _log_gap(q_h)
-
-
-@compiled()
-def _halfway(n: Vector, wo: Vector, wi: Vector) -> Vector:
-    """Unit; n where directions are opposite."""
+    if dot(q, q) < 1e-12:
+        q = n
     h = (wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2])
     square = dot(h, h)
-    scale = 1.0 / math.sqrt(square)
-    if square < 1e-12:
-        h, scale = n, 1.0
-    return h[0] * scale, h[1] * scale, h[2] * scale
+    q_h = 1.0 if square < 1e-12 else dot(q, h) / math.sqrt(dot(q, q) * square)
+    return q_h, _log_gap(q_h)
 
 
 @compiled()
