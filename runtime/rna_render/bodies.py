@@ -22,14 +22,6 @@ from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
 
 
-class Mesh(Protocol):
-    """What the renderer reads of a mesh; arrays as in rna_sdk.package.Mesh."""
-
-    positions: np.ndarray
-    normals: np.ndarray
-    triangles: np.ndarray
-
-
 class SurfaceAsset(Protocol):
     """What the renderer needs of a surface; rna_sdk.runtime.SurfaceAsset has it."""
 
@@ -37,7 +29,7 @@ class SurfaceAsset(Protocol):
     def kind(self) -> Literal["surface"]: ...
 
     @property
-    def mesh(self) -> Mesh: ...
+    def mesh(self) -> surface.Mesh: ...
 
     def evaluate(
         self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
@@ -124,18 +116,13 @@ class _SurfacePoints(_NeuralPoints):
     def __init__(
         self, body: SurfaceBody, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
     ) -> None:
-        mesh = body.asset.mesh
-        at = mesh.triangles, triangle, u, v
         self._body, self._wo = body, wo
-        self.x = surface.interpolate_positions(mesh.positions, *at)
-        self.n = surface.interpolate_normals(mesh.normals, *at)
-        self._ng = surface.geometric_normals(mesh.positions, mesh.triangles, triangle)
+        self._at = surface.SurfacePoints.of(body.asset.mesh, triangle, u, v)
+        self.x, self.n = self._at.x, self._at.n
         self.tangents = np.zeros_like(self.n)
 
     def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
-        return surface.visible(
-            self._body.scene, self.x.take(row, axis=0), self._ng.take(row, axis=0), wi, distance
-        )
+        return surface.visible(self._body.scene, self._at.take(row), wi, distance)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return self._body.asset.evaluate(

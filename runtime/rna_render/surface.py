@@ -6,6 +6,9 @@ unit in the last place of its coordinates, however far the ray came from.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Protocol
+
 import numpy as np
 from numba import njit, prange
 
@@ -16,6 +19,18 @@ from rna_sdk.errors import QueryError
 # An origin moves off the surface by this part of the largest coordinate in its space: some thirty
 # times the rounding of the point and of Embree's robust test, which are a few 2^-24 each.
 OFFSET = 2.0**-18
+
+# Cosine of a direction to the triangle's normal below which rays begin to start from the smooth
+# surface; below 0 they do. Cycles' "shadow terminator geometry offset", at its default.
+SMOOTH_BELOW = 0.1
+
+
+class Mesh(Protocol):
+    """What is read of a mesh; arrays as in rna_sdk.package.Mesh."""
+
+    positions: np.ndarray
+    normals: np.ndarray
+    triangles: np.ndarray
 
 
 def interpolate_positions(
@@ -62,10 +77,60 @@ def geometric_normals(
     return result
 
 
-def offset_origins(
-    positions: np.ndarray, geometric_normals: np.ndarray, directions: np.ndarray, extent: float
+def lifts(
+    positions: np.ndarray,
+    normals: np.ndarray,
+    triangles: np.ndarray,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
 ) -> np.ndarray:
-    """Origins for rays that leave surface points and must not hit the surface there.
+    """From points at (u, v) onto the smooth surface that the triangles stand for: (n, 3) float32.
+
+    The mean, by barycentrics, of the ways onto the tangent planes of the corners that the point is
+    below; zero on flat shaded triangles. Hanika, "Hacking the Shadow Terminator" (Ray Tracing
+    Gems II, chapter 4). normals: (v, 3) float32, unit. The other arguments and errors are those of
+    `interpolate_positions`.
+    """
+    _check_hits(triangles, triangle, u, v)
+    result = np.empty((len(triangle), 3), np.float32)
+    _lifts(positions, normals, triangles, triangle, u, v, result)
+    return result
+
+
+@dataclass(frozen=True, slots=True)
+class SurfacePoints:
+    """Points of a mesh, (m, 3) float32 each, as the functions above give them.
+
+    x: positions. n: shading normals. ng: geometric normals. lift: from x onto the smooth surface.
+    """
+
+    x: np.ndarray
+    n: np.ndarray
+    ng: np.ndarray
+    lift: np.ndarray
+
+    @classmethod
+    def of(cls, mesh: Mesh, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> SurfacePoints:
+        """The points at barycentrics (u, v) of the given triangles."""
+        at = mesh.triangles, triangle, u, v
+        return cls(
+            interpolate_positions(mesh.positions, *at),
+            interpolate_normals(mesh.normals, *at),
+            geometric_normals(mesh.positions, mesh.triangles, triangle),
+            lifts(mesh.positions, mesh.normals, *at),
+        )
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def take(self, row: np.ndarray) -> SurfacePoints:
+        """The given rows."""
+        return SurfacePoints(*(a.take(row, axis=0) for a in (self.x, self.n, self.ng, self.lift)))
+
+
+def leaving_origins(points: SurfacePoints, directions: np.ndarray, extent: float) -> np.ndarray:
+    """Origins of rays that leave surface points and must not hit the surface there: (m, 3) float32.
 
     Each point moves along its geometric normal, to the side its direction is on (the normal's
     own side if it is on neither), by OFFSET * extent. Waechter and Binder, "A Fast and Robust
@@ -73,44 +138,47 @@ def offset_origins(
     point's own coordinates; that fails near the origin of large triangles, whose corners bring
     the rounding errors. So `extent` is the largest absolute coordinate of the whole scene.
 
-    positions, geometric_normals, directions: (n, 3) float32. Returns (n, 3) float32.
+    A direction above the smooth surface, but near the triangle's plane or below it, starts from
+    the smooth surface: the facets would block light that is seen in Cycles, which does the same.
+
+    directions: (m, 3) float32, unit.
     """
-    result = np.empty_like(positions)
-    _offset(positions, geometric_normals, directions, OFFSET * extent, result)
+    result = np.empty_like(directions)
+    at = points.x, points.n, points.ng, points.lift
+    _leave(*at, directions, OFFSET * extent, result)
     return result
 
 
 def visible(
     scene: TriangleScene,
-    positions: np.ndarray,
-    geometric_normals: np.ndarray,
+    points: SurfacePoints,
     wi: np.ndarray,
     tfar: np.ndarray | float = np.inf,
 ) -> np.ndarray:
-    """Whether the rays from surface points along `wi` meet nothing of `scene`: (n,) bool.
+    """Whether the rays from surface points along `wi` meet nothing of `scene`: (m,) bool.
 
     This is the visibility of the transport contract: it picks the decoder's `visible` or
     `shadowed` output. Light from behind a closed surface is blocked, because the ray starts on
     the side that `wi` is on and so has to leave through the asset.
 
-    positions, geometric_normals, wi: (n, 3) float32, in the scene's space; n may be 0. tfar: one
-    number or (n,), the distance to the light in units of wi's length. Raises QueryError for
-    other dtypes or shapes.
+    points and wi, (m, 3) float32: in the scene's space; m may be 0. tfar: one number or (m,), the
+    distance to the light in units of wi's length. Raises QueryError for other dtypes or shapes.
     """
-    positions = vectors("positions", positions)
-    geometric_normals = vectors("geometric_normals", geometric_normals, len(positions))
-    wi = vectors("wi", wi, len(positions))
-    origins = offset_origins(positions, geometric_normals, wi, scene.extent)
-    return ~scene.occluded(origins, wi, 0.0, tfar)
+    wi = vectors("wi", wi, len(points))
+    return ~scene.occluded(leaving_origins(points, wi, scene.extent), wi, 0.0, tfar)
 
 
 def _at_hits(values, triangles, triangle, u, v, normalise):
-    check_numbers("triangle", triangle, len(triangles))
-    if not len(triangle) == len(u) == len(v):
-        raise QueryError(f"{len(triangle)} triangles, but {len(u)} u and {len(v)} v")
+    _check_hits(triangles, triangle, u, v)
     result = np.empty((len(triangle), 3), np.float32)
     _interpolate(values, triangles, triangle, u, v, normalise, result)
     return result
+
+
+def _check_hits(triangles, triangle, u, v):
+    check_numbers("triangle", triangle, len(triangles))
+    if not len(triangle) == len(u) == len(v):
+        raise QueryError(f"{len(triangle)} triangles, but {len(u)} u and {len(v)} v")
 
 
 @njit(cache=True, parallel=True, nogil=True)
@@ -142,11 +210,33 @@ def _geometric_normals(positions, triangles, triangle, result):
 
 
 @njit(cache=True, parallel=True, nogil=True)
-def _offset(positions, geometric_normals, directions, step, result):
-    for i in prange(len(positions)):
-        toward = np.float64(0.0)
+def _lifts(positions, normals, triangles, triangle, u, v, result):
+    for i in prange(len(triangle)):
+        corners = triangles[triangle[i]]
+        fu, fv = np.float64(u[i]), np.float64(v[i])
+        weights = (1.0 - fu - fv, fu, fv)
+        result[i] = 0.0
+        for k in range(3):
+            corner, height = corners[k], 0.0
+            for axis in range(3):
+                x = 0.0
+                for j in range(3):
+                    x += weights[j] * positions[corners[j], axis]
+                height += (x - positions[corner, axis]) * normals[corner, axis]
+            for axis in range(3):
+                result[i, axis] -= weights[k] * min(height, 0.0) * normals[corner, axis]
+
+
+@njit(cache=True, parallel=True, nogil=True)
+def _leave(x, n, ng, lift, directions, step, result):
+    for i in prange(len(x)):
+        above, above_plane, alike = np.float64(0.0), np.float64(0.0), np.float64(0.0)
         for axis in range(3):
-            toward += np.float64(geometric_normals[i, axis]) * directions[i, axis]
-        signed = -step if toward < 0.0 else step
+            above += np.float64(n[i, axis]) * directions[i, axis]
+            above_plane += np.float64(ng[i, axis]) * directions[i, axis]
+            alike += np.float64(n[i, axis]) * ng[i, axis]
+        smooth, signed = 0.0, -step if above_plane < 0.0 else step
+        if above > 0.0 and alike > 0.0 and above_plane < SMOOTH_BELOW:
+            smooth, signed = 1.0 - max(above_plane, 0.0) / SMOOTH_BELOW, step
         for axis in range(3):
-            result[i, axis] = positions[i, axis] + signed * geometric_normals[i, axis]
+            result[i, axis] = x[i, axis] + smooth * lift[i, axis] + signed * ng[i, axis]

@@ -152,7 +152,7 @@ class World:
         """Where rays from the given rows along wi start: (k, 3) float32.
 
         On bodies that they must not hit at once, a step off the surface towards wi; see
-        surface.offset_origins for how long it is.
+        surface.leaving_origins for how long it is.
         """
         result = np.empty_like(wi_world)
         at = vertices.x_world, vertices.ng_world, vertices.instance

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_export.capture.run import weld
-from rna_export.capture.surface_scene import SurfacePoints, SurfaceScene
+from rna_export.capture.surface_scene import SurfaceHits, SurfaceScene
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 
@@ -17,7 +17,7 @@ class Traced:
     """Rows where Cycles and we both hit the asset; `missed` is the share of our hits it missed."""
 
     rays: ViewRays
-    points: SurfacePoints
+    points: SurfaceHits
     radiance: np.ndarray  # (n, 3)
     cycles_position: np.ndarray  # (n, 3)
     visible: np.ndarray  # (n,) bool
@@ -42,7 +42,7 @@ def trace(worker: BlenderWorker, wi: np.ndarray, rays: int = 2048, samples: int 
     rendered = worker.render_rays(drawn.origins, drawn.directions, wi, samples, seed=1)
     visible = scene.visible(points, np.ascontiguousarray(np.broadcast_to(wi, (rays, 3))))
     both = points.hit & (rendered.alpha > 0.999)
-    kept = SurfacePoints(**{name: rows[both] for name, rows in vars(points).items()})
+    kept = SurfaceHits(points.hit[both], points.at.take(np.flatnonzero(both)))
     missed = 1.0 - both.sum() / points.hit.sum()
     return Traced(
         drawn[both],

@@ -56,6 +56,23 @@ def test_shadowed_points_are_black(open_worker: OpenWorker) -> None:
         assert agree.mean() > 0.998  # the rest lies on the very edge
 
 
+@pytest.mark.parametrize("scene", [SMOOTH_BALL, STRETCHED, MIRRORED])
+def test_smooth_bodies_are_lit_up_to_where_cycles_lights_them(
+    open_worker: OpenWorker, scene: str
+) -> None:
+    """Where light meets facets from behind, but the smooth surface from the front."""
+    worker = open_worker(scene)
+    lit, visible = [], []
+    for wi in LIGHTS:
+        traced = trace(worker, wi, 8192)
+        behind = (traced.points.geometric_normal @ wi < 0.0) & (traced.points.normal @ wi > 0.0)
+        band = traced.front & behind
+        lit.append(traced.radiance[band, 0] > 0.0)
+        visible.append(traced.visible[band])
+    assert len(np.concatenate(lit)) > 100
+    assert (np.concatenate(lit) == np.concatenate(visible)).mean() > 0.99
+
+
 def test_the_dark_side_of_a_closed_body_is_shadowed(open_worker: OpenWorker) -> None:
     wi = LIGHTS[1]
     traced = trace(open_worker(FACETED_BALL), wi)

@@ -7,10 +7,11 @@ import pytest
 
 from rna_render.embree import TriangleScene
 from rna_render.surface import (
+    SurfacePoints,
     geometric_normals,
     interpolate_normals,
     interpolate_positions,
-    offset_origins,
+    leaving_origins,
     visible,
 )
 from rna_sdk.errors import QueryError
@@ -18,14 +19,18 @@ from rna_sdk.package.mesh import Mesh
 from tests.render.assets import merged, sphere, square, unit_vectors
 
 
-def points_on(mesh: Mesh, n: int, seed: int = 0):
-    """n random points of the mesh, with their geometric normals."""
+def points_on(mesh: Mesh, n: int, seed: int = 0) -> SurfacePoints:
+    """n random points of the mesh."""
     rng = np.random.default_rng(seed)
     triangle = rng.integers(0, len(mesh.triangles), n).astype(np.int32)
     u, v = rng.random((2, n), np.float32)
     u, v = np.where(u + v > 1, (1 - u, 1 - v), (u, v)).astype(np.float32)
-    x = interpolate_positions(mesh.positions, mesh.triangles, triangle, u, v)
-    return x, geometric_normals(mesh.positions, mesh.triangles, triangle)
+    return SurfacePoints.of(mesh, triangle, u, v)
+
+
+def flat(x: np.ndarray, ng: np.ndarray) -> SurfacePoints:
+    """Points of triangles whose shading normals are their own."""
+    return SurfacePoints(x, ng, ng, np.zeros_like(x))
 
 
 def scene_of(mesh: Mesh) -> TriangleScene:
@@ -71,42 +76,67 @@ PLACES = [(1.0, 0.0), (1e-3, 0.0), (200.0, 0.0), (1.0, 300.0)]
 @pytest.mark.parametrize(("scale", "shift"), PLACES)
 def test_a_convex_body_blocks_exactly_the_light_from_behind(scale, shift):
     mesh = moved(sphere(4), scale, shift)
-    x, ng = points_on(mesh, 100_000)
-    wi = unit_vectors(np.random.default_rng(1), len(x))
-    cosine = np.sum(ng.astype(np.float64) * wi, axis=1)
-    clear = np.abs(cosine) > 1e-3 * (1.0 + shift / 3.0)  # at 300 m the facets themselves are rough
-    free = visible(scene_of(mesh), x, ng, wi)
-    np.testing.assert_array_equal(free[clear], cosine[clear] > 0)
+    points = points_on(mesh, 100_000)
+    wi = unit_vectors(np.random.default_rng(1), len(points))
+    plane, smooth = (np.sum(a.astype(np.float64) * wi, axis=1) for a in (points.ng, points.n))
+    rough = 1e-3 * (1.0 + shift / 3.0)  # at 300 m the facets themselves are
+    clear = (np.abs(plane) > rough) & ((np.abs(smooth) > 0.02) | (plane > 0.0))
+    free = visible(scene_of(mesh), points, wi)
+    np.testing.assert_array_equal(free[clear], (plane > 0)[clear] | (smooth > 0)[clear])
+
+
+@pytest.mark.parametrize("subdivisions", [1, 2, 3])
+def test_facets_do_not_block_light_that_the_smooth_surface_sees(subdivisions):
+    """But for a degree at most: light along the surface still meets the corners of facets."""
+    mesh = sphere(subdivisions)
+    points = points_on(mesh, 100_000)
+    wi = unit_vectors(np.random.default_rng(1), len(points))
+    plane, smooth = (np.sum(a * wi, axis=1) for a in (points.ng, points.n))
+    behind_facet = (plane < 0.0) & (smooth > 0.02)
+    assert behind_facet.sum() > 100
+    assert visible(scene_of(mesh), points, wi)[behind_facet].mean() > 0.99
+    assert not visible(scene_of(mesh), points, wi)[(plane < 0.0) & (smooth < 0.0)].any()
+
+
+def test_points_are_lifted_onto_the_smooth_surface():
+    """Of triangles of a unit sphere, by the mean of the ways onto its corners' tangent planes."""
+    points = points_on(sphere(2), 1000)
+    radius = np.linalg.norm(points.x + points.lift, axis=1)
+    facets = 1.0 - np.linalg.norm(points.x, axis=1)
+    assert (radius > 1.0 - 1e-6).all() and (radius - 1.0 < 1.01 * facets + 1e-6).all()
+    assert not points_on(square(), 100).lift.any()
 
 
 @pytest.mark.parametrize(("scale", "shift"), PLACES)
 def test_a_flat_sheet_never_blocks_its_own_light(scale, shift):
     mesh = moved(square(size=3.0), scale, shift)
-    x, ng = points_on(mesh, 100_000)
-    assert visible(scene_of(mesh), x, ng, unit_vectors(np.random.default_rng(2), len(x))).all()
+    points = points_on(mesh, 100_000)
+    wi = unit_vectors(np.random.default_rng(2), len(points))
+    assert visible(scene_of(mesh), points, wi).all()
 
 
 def test_a_roof_close_above_blocks():
     mesh = merged(square(), square(size=10.0, height=1e-3))
     x, ng = np.float32([[0.3, 0, 0.1]] * 2), np.float32([[0, 1, 0]] * 2)
     wi = np.float32([[0, 1, 0], [0, -1, 0]])
-    assert visible(scene_of(mesh), x, ng, wi).tolist() == [False, True]
+    assert visible(scene_of(mesh), flat(x, ng), wi).tolist() == [False, True]
 
 
 def test_what_lies_behind_the_light_does_not_block():
     mesh = merged(square(), square(height=2.0))
     x, ng = np.float32([[0.3, 0, 0.1]] * 2), np.float32([[0, 1, 0]] * 2)
-    assert visible(scene_of(mesh), x, ng, ng, tfar=np.float32([1.5, 2.5])).tolist() == [True, False]
+    free = visible(scene_of(mesh), flat(x, ng), ng, tfar=np.float32([1.5, 2.5]))
+    assert free.tolist() == [True, False]
 
 
 def test_offset_goes_to_the_side_of_the_direction():
     x, ng = np.zeros((3, 3), np.float32), np.float32([[0, 1, 0]] * 3)
     directions = np.float32([[0, 1, 0], [0, -1, 0], [1, 0, 0]])
-    height = offset_origins(x, ng, directions, extent=2.0)[:, 1]
+    height = leaving_origins(flat(x, ng), directions, extent=2.0)[:, 1]
     assert height[0] == height[2] == -height[1] > 0
     assert height[0] < 2e-5
 
 
 def test_no_points_are_legal():
     none = np.zeros((0, 3), np.float32)
-    assert visible(scene_of(square()), none, none, none).shape == (0,)
+    assert visible(scene_of(square()), flat(none, none), none).shape == (0,)

@@ -10,12 +10,7 @@ import trimesh
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.directions import around, reflect
 from rna_render.embree import TriangleScene
-from rna_render.surface import (
-    geometric_normals,
-    interpolate_normals,
-    interpolate_positions,
-    visible,
-)
+from rna_render.surface import SurfacePoints, geometric_normals, visible
 from rna_sdk.package import Mesh
 
 SHARPEST = 0.14  # roughness
@@ -23,13 +18,26 @@ _WIDEST = 0.8  # alpha of GGX
 
 
 @dataclass(frozen=True)
-class SurfacePoints:
+class SurfaceHits:
     """Where rays met the mesh; every array has one row a ray, rows without a hit are zero."""
 
     hit: np.ndarray  # (n,) bool
-    position: np.ndarray  # (n, 3) float32
-    normal: np.ndarray  # (n, 3) float32, interpolated corner normals
-    geometric_normal: np.ndarray  # (n, 3) float32
+    at: SurfacePoints
+
+    @property
+    def position(self) -> np.ndarray:
+        """(n, 3) float32."""
+        return self.at.x
+
+    @property
+    def normal(self) -> np.ndarray:
+        """(n, 3) float32, interpolated corner normals."""
+        return self.at.n
+
+    @property
+    def geometric_normal(self) -> np.ndarray:
+        """(n, 3) float32."""
+        return self.at.ng
 
     def sample_fields(self) -> dict[str, np.ndarray]:
         """See `ShadePoints`."""
@@ -57,18 +65,13 @@ class SurfaceScene(AssetScene):
     def distance(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         return self._scene.intersect(origins, directions).t
 
-    def shade_points(self, origins: np.ndarray, directions: np.ndarray) -> SurfacePoints:
-        mesh, hits = self.mesh, self._scene.intersect(origins, directions)
+    def shade_points(self, origins: np.ndarray, directions: np.ndarray) -> SurfaceHits:
+        hits = self._scene.intersect(origins, directions)
         hit = hits.geometry >= 0
-        triangle = np.where(hit, hits.triangle, 0)
-        at = (mesh.triangles, triangle, hits.u, hits.v)
-        mask = hit[:, None]
-        return SurfacePoints(
-            hit,
-            np.where(mask, interpolate_positions(mesh.positions, *at), 0.0).astype(np.float32),
-            np.where(mask, interpolate_normals(mesh.normals, *at), 0.0).astype(np.float32),
-            self._geometric[triangle] * mask,
-        )
+        at = SurfacePoints.of(self.mesh, np.where(hit, hits.triangle, 0), hits.u, hits.v)
+        for rows in (at.x, at.n, at.ng, at.lift):
+            rows[~hit] = 0.0
+        return SurfaceHits(hit, at)
 
     def sample_points(self, n: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         triangle = np.minimum(
@@ -80,7 +83,7 @@ class SurfaceScene(AssetScene):
         return np.einsum("nc,nck->nk", weights, corners), self._geometric[triangle]
 
     def highlight_views(
-        self, points: SurfacePoints, wi: np.ndarray, rng: np.random.Generator
+        self, points: SurfaceHits, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
         """Mirrors of wi about half vectors of GGX, alpha from that of the sharpest lobe to 0.8."""
         lit = np.flatnonzero(points.hit & (points.normal @ wi > 0.02))
@@ -90,5 +93,5 @@ class SurfaceScene(AssetScene):
         h = around(points.normal[lit], cosine, 2.0 * np.pi * rng.random(len(lit)))
         return lit, reflect(np.broadcast_to(wi, h.shape), h)
 
-    def visible(self, points: SurfacePoints, wi: np.ndarray) -> np.ndarray:
-        return visible(self._scene, points.position, points.geometric_normal, wi)
+    def visible(self, points: SurfaceHits, wi: np.ndarray) -> np.ndarray:
+        return visible(self._scene, points.at, wi)
