@@ -22,7 +22,9 @@ def gradient_of_the_outputs(
     """Largest gradient at the last layer's rows of the visible outputs and of the shadowed one."""
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS[kind]
-    module = NeuralAssetTraining(tiny(preset, kind), BOUNDS, 1.0, 1.0, 100, fields, [], Path(), {})
+    module = NeuralAssetTraining(
+        tiny(preset, kind, loss="log"), BOUNDS, 1.0, 1.0, 100, fields, [], Path(), {}
+    )
     monkeypatch.setattr(module, "log", lambda *_, **__: None)
     monkeypatch.setattr(NeuralAssetTraining, "global_step", 0)
     rows = torch.rand(64, sum(fields.values()))

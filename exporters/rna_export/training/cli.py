@@ -36,8 +36,8 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--loss",
         choices=LOSSES,
-        help="unbiased: noise in the capture does not darken what is learnt; for translucent, pale "
-        "surfaces captured with few paths a sample (default: the preset's, log)",
+        help="log, or unbiased: noise in the capture does not darken what is learnt, but sharp "
+        "highlights come out worse (default: the preset's; ours choose by the noise)",
     )
     length = p.add_mutually_exclusive_group()
     length.add_argument(

@@ -17,7 +17,7 @@ _OUR_INPUTS = {
 }
 
 
-Loss = Literal["log", "unbiased"]
+Loss = Literal["auto", "log", "unbiased"]
 LOSSES: tuple[Loss, ...] = get_args(Loss)
 
 
@@ -68,7 +68,8 @@ class TrainingConfig(BaseModel):
     loss: Loss = Field(
         "log",
         description="of radiance whose direct light is not told apart. log: of log(x / unit + 1). "
-        "unbiased: relative, so that noise in the targets does not darken it",
+        "unbiased: relative, so that noise in the targets does not darken it. auto: unbiased where "
+        "noise would darken the other by more than 2%",
     )
     blur: float = Field(
         description="footprint in texels that planes are blurred with at first; decays to 1, "
@@ -145,6 +146,7 @@ def _ours(
             plane_learning_rate=1e-2,
             schedule="cosine",
             unit="usual",
+            loss="log" if kind == "fiber" else "auto",
             blur=4.0,
         ),
     )

@@ -6,7 +6,7 @@ import csv
 import shutil
 import time
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,7 @@ from rna_export.training.curves import draw_curves
 from rna_export.training.lightning_module import NeuralAssetTraining
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
+from rna_export.training.noise import with_fitting_loss
 from rna_export.training.presets import Preset
 from rna_export.training.samples import SampleTable, columns
 from rna_sdk.errors import TrainingError
@@ -52,14 +53,15 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     checkpoint belongs to another run.
     """
     bounds = padded_bounds(run.dataset)
-    last = run.out / "last.ckpt"
-    saved = _continued(last, run)
-    done = int(saved["global_step"]) if saved else 0
     if table is None:
         table = SampleTable(run.dataset.training_samples(), device=run.device)
     # Nothing brighter than the training data: a network asked beyond it may answer anything.
     ceiling = 1.5 * table.largest_radiance
     unit = table.usual_radiance if run.preset.training.unit == "usual" else 1.0
+    run = replace(run, preset=with_fitting_loss(run.preset, run.dataset, unit))
+    last = run.out / "last.ckpt"
+    saved = _continued(last, run)
+    done = int(saved["global_step"]) if saved else 0
     table = table.shuffled(run.preset.training.batch, run.seed, done)
     steps = int(saved["hyper_parameters"]["steps"]) if saved else _steps(run, table, bounds)
     print(_plan(run, len(table), steps))
@@ -210,9 +212,14 @@ def _earlier_curves(folder: Path, done: int) -> list[dict[str, float]]:
 
 def _plan(run: Run, samples: int, steps: int) -> str:
     model, training = run.preset.model, run.preset.training
+    loss = (
+        "losses of direct and scattered light"
+        if model.separates_direct
+        else f"{training.loss} loss"
+    )
     return (
         f"{run.preset_name}: {model.hidden_layers} x {model.width}, planes 3 x "
         f"{model.resolution}^2 x {model.channels}, inputs {', '.join(model.inputs)}\n"
         f"{samples / 1e6:.2f} M samples, {steps:,} steps of {training.batch:,} = "
-        f"{steps * training.batch / samples:.1f} epochs"
+        f"{steps * training.batch / samples:.1f} epochs, {loss}"
     )

@@ -1,0 +1,63 @@
+"""The loss is chosen by how noisy the capture is."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.training.noise import darkening, with_fitting_loss
+from rna_export.training.presets import PRESETS
+from tests.exporters.synthetic import make_dataset, tiny
+
+UNIT = 0.3
+
+
+class NoisyDataset(Dataset):
+    """The same, with noise in its validation images: of this relative deviation a sample."""
+
+    deviation = 0.0
+
+    def validation_views(self) -> list[ValidationView]:
+        rng = np.random.default_rng(4)
+        settings, noisy = self.manifest.settings, []
+        scale = self.deviation * np.sqrt(2.0 * settings.samples / settings.validation_samples)
+        for view in super().validation_views():
+            true = view.samples["radiance"]
+            halves = true * (1.0 + scale * rng.normal(size=(2, *true.shape)))
+            noisy.append(dataclasses.replace(view, halves=halves.astype(np.float32)))
+        return noisy
+
+
+@pytest.fixture
+def dataset(tmp_path: Path) -> NoisyDataset:
+    return NoisyDataset(make_dataset(tmp_path / "ball.rays").folder)
+
+
+def learnt(x: np.ndarray, deviation: float) -> np.ndarray:
+    """Where the log loss settles for samples of mean x, by drawing them."""
+    draws = deviation * np.random.default_rng(0).normal(size=(1000, 1))
+    draws = 1.0 + np.concatenate([draws, -draws])
+    y = np.log1p(np.maximum(x.reshape(1, -1) * draws, 0.0) / UNIT).mean(axis=0)
+    return UNIT * np.expm1(y)
+
+
+@pytest.mark.parametrize("deviation", [0.0, 0.1, 0.3])
+def test_darkening_is_what_the_log_loss_loses(dataset: NoisyDataset, deviation: float) -> None:
+    dataset.deviation = deviation
+    x = np.concatenate([v.samples["radiance"] for v in dataset.validation_views()]).astype(float)
+    lost = 1.0 - learnt(x, deviation).sum() / x.sum()
+    assert darkening(dataset, UNIT) == pytest.approx(lost, rel=0.15, abs=1e-3)
+
+
+@pytest.mark.parametrize(("deviation", "loss"), [(0.05, "log"), (0.5, "unbiased")])
+def test_presets_of_surfaces_choose(dataset: NoisyDataset, deviation: float, loss: str) -> None:
+    dataset.deviation = deviation
+    assert PRESETS["surface"]["small"].training.loss == "auto"
+    assert with_fitting_loss(tiny(), dataset, UNIT).training.loss == loss
+    asked = tiny(loss="log")
+    assert with_fitting_loss(asked, dataset, UNIT) is asked
+    assert {PRESETS[kind]["paper-hq"].training.loss for kind in PRESETS} == {"log"}
