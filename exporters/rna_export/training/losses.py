@@ -39,8 +39,7 @@ def log_l2(
 ) -> Tensor:
     """Squared error of log(x / unit + 1): the paper, section 4.2, where the unit is 1.
 
-    Noise in the targets darkens it by about half their variance over (x + unit)^2: nothing for
-    surfaces at 4 paths and more, much for hair at one (docs/decisions.md).
+    Noise in the targets darkens what it learns: see `rna_export.training.noise`.
     """
     return (weight * (y - torch.log1p(target / unit)).square()).mean()
 
