@@ -45,7 +45,7 @@ def draw_sheet(report: dict[str, Any], study: Study, path: Path) -> None:
             strips = (study.strip(point, what) for what in ("render", "flip"))
             pair = [cut(strip, [shown], view.resolution)[0] for strip in strips]
             _show(axes, f"{textwrap.fill(row[0], 22)}\n{row[1]} dB", pair)
-    figure.savefig(path, dpi=100)
+    figure.savefig(path, dpi=80)
     plt.close(figure)
 
 
