@@ -43,7 +43,7 @@ def test_parameters_of_the_paper(kind: str, preset: str, width: int) -> None:
 
 def test_ours_ask_no_dearer_decoder() -> None:
     """`small` adds few inputs to the paper's decoder; `hq` is about a quarter of the paper's."""
-    assert count("surface", "small")[1] == count("surface", "paper-small")[1] + 6 * 64
+    assert count("surface", "small")[1] == count("surface", "paper-small")[1] + 8 * 64
     assert count("fiber", "small")[1] == count("fiber", "paper-small")[1] + (8 + 9) * 64 + 3 * 65
     for kind in PRESETS:
         assert count(kind, "hq")[1] < 0.28 * count(kind, "paper-hq")[1]
@@ -72,7 +72,8 @@ def test_our_learning_rate_falls_to_nothing(kind: str) -> None:
 
 
 def make_training(kind: str, preset: str, steps: int) -> NeuralAssetTraining:
-    small, fields = PRESETS[kind][preset].with_model(resolution=16, width=8), SAMPLE_FIELDS[kind]
+    small = PRESETS[kind][preset].with_model(resolution=16, width=8).with_training(loss="log")
+    fields = SAMPLE_FIELDS[kind]
     return NeuralAssetTraining(small, BOUNDS, 1.0, 1.0, steps, fields, [], Path(), {})
 
 
