@@ -164,7 +164,9 @@ def visible(
     points and wi, (m, 3) float32: in the scene's space; m may be 0. tfar: one number or (m,), the
     distance to the light in units of wi's length. Raises QueryError for other dtypes or shapes.
     """
-    wi = vectors("wi", wi, len(points))
+    names, count = SurfacePoints.__slots__, len(points)
+    points = SurfacePoints(*(vectors(name, getattr(points, name), count) for name in names))
+    wi = vectors("wi", wi, count)
     return ~scene.occluded(leaving_origins(points, wi, scene.extent), wi, 0.0, tfar)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -135,6 +137,14 @@ def test_offset_goes_to_the_side_of_the_direction():
     height = leaving_origins(flat(x, ng), directions, extent=2.0)[:, 1]
     assert height[0] == height[2] == -height[1] > 0
     assert height[0] < 2e-5
+
+
+def test_wrong_points_are_told():
+    right = np.float32([[0, 1, 0]])
+    for name, wrong in (("x", np.zeros((2, 3), np.float32)), ("lift", np.zeros((1, 3)))):
+        points = replace(flat(right, right), **{name: wrong})
+        with pytest.raises(QueryError, match="expected"):
+            visible(scene_of(square()), points, right)
 
 
 def test_no_points_are_legal():
