@@ -36,8 +36,8 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--loss",
         choices=LOSSES,
-        help="log, or unbiased: noise in the capture does not darken what is learnt, but sharp "
-        "highlights come out worse (default: the preset's; ours choose by the noise)",
+        help="log; unbiased: noise in the capture does not darken what is learnt, but sharp "
+        "highlights come out worse; auto: by the noise (default: the preset's; of ours auto)",
     )
     length = p.add_mutually_exclusive_group()
     length.add_argument(

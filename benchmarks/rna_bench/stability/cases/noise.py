@@ -34,9 +34,13 @@ def measure(workshop: Workshop) -> list[Row]:
             validation_samples=2,
         )
         preset = workshop.preset("surface", resolution=64)
-        for loss in LOSSES:
-            model = workshop.train(loss, dataset, preset.with_training(loss=loss)).model
-            fitting = with_fitting_loss(preset, dataset, float(model.unit)).training.loss
+        models = {
+            loss: workshop.train(loss, dataset, preset.with_training(loss=loss)).model
+            for loss in LOSSES
+        }
+        unit = float(models["log"].unit)
+        fitting = with_fitting_loss(preset, dataset, unit).training.loss
+        for loss, model in models.items():
             row = row_of([shade(model, view) for view in views], views)
             rows.append({"paths": paths, "loss": loss, "chosen": loss == fitting, **row})
     return rows
