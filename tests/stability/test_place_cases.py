@@ -72,12 +72,22 @@ def test_strands_fold_where_they_share_a_cell() -> None:
 
 
 @pytest.mark.parametrize(("psnr", "passes"), [(29.0, True), (20.0, False)])
-def test_thin_geometry_is_judged_by_what_folding_costs(psnr: float, passes: bool) -> None:
+@pytest.mark.parametrize("other", ["clear", "alone"])
+def test_thin_geometry_is_judged_by_what_folding_costs(
+    psnr: float, passes: bool, other: str
+) -> None:
     rows = [
         {"shape": "leaf", "where": where, "psnr": value}
-        for where, value in (("clear", 30.0), ("folded", psnr))
+        for where, value in ((other, 30.0), ("folded", psnr))
     ]
     assert thin.judge(rows).passed == passes
+
+
+def test_no_two_normals_that_face_up_are_opposed() -> None:
+    normals = np.random.default_rng(0).normal(size=(400, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    up = normals[thin.facing_up({"normal": normals})]
+    assert 20 < len(up) < 100 and (up @ up.T).min() > 0.0
 
 
 def test_a_zoomed_pixel_has_its_width() -> None:
