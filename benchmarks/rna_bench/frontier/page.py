@@ -17,6 +17,7 @@ from rna_bench.frontier.findings import sentences
 from rna_bench.frontier.paper_tables import paper_tables
 from rna_bench.frontier.pictures import brightest, cut
 from rna_bench.frontier.points import COSTS, ERRORS, label_of
+from rna_export.capture.dataset import ValidationView
 from rna_export.metrics import to_png
 
 if TYPE_CHECKING:
@@ -27,9 +28,8 @@ _ONE_PICTURE_BYTES = 5_000  # about
 _QUALITY = 80
 
 
-def write_page(report: dict[str, Any], study: Study) -> None:
+def write_page(report: dict[str, Any], study: Study, views: list[ValidationView]) -> None:
     """Write `index.html` with as many views a model as stay within a few MB."""
-    views = study.dataset.validation_views()
     models = len(report["points"]) + len((report["cycles"] or {"points": []})["points"])
     fitting = _PICTURE_BYTES // (2 * _ONE_PICTURE_BYTES * max(models, 1))
     chosen = brightest(views, int(np.clip(fitting, 1, 4)))

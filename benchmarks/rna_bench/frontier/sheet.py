@@ -11,6 +11,7 @@ import numpy as np
 
 from rna_bench.frontier.paper_tables import paper_tables
 from rna_bench.frontier.pictures import brightest, cut
+from rna_export.capture.dataset import ValidationView
 from rna_export.metrics import to_png
 
 matplotlib.use("Agg")
@@ -22,12 +23,13 @@ if TYPE_CHECKING:
 _INCHES = 1.5  # of a picture
 
 
-def draw_sheet(report: dict[str, Any], study: Study, path: Path) -> None:
+def draw_sheet(
+    report: dict[str, Any], study: Study, views: list[ValidationView], path: Path
+) -> None:
     """Write a PNG with a strip for each table that has rows, Cycles first; none if none has."""
     tables = [table for table in paper_tables(report["points"]) if table["rows"]]
     if not tables:
         return
-    views = study.dataset.validation_views()
     (shown,) = brightest(views, 1)
     view = views[shown]
     reference = to_png(view.image(view.samples["radiance"]))

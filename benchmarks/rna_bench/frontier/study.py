@@ -162,8 +162,9 @@ class Study:
         path = self.out / "frontier.json"
         write_atomically(path, (json.dumps(report, indent=1) + "\n").encode())
         draw([report], self.out / "frontier.png")
-        draw_sheet(report, self, self.out / "tables.png")
-        write_page(report, self)
+        views = self.dataset.validation_views()
+        draw_sheet(report, self, views, self.out / "tables.png")
+        write_page(report, self, views)
         for sentence in sentences(report["findings"]):
             print(sentence)
         print(f"wrote {path}; pictures and index.html lie beside it")
