@@ -26,7 +26,7 @@ def capture_white(workshop: Workshop) -> Dataset:
         "white.py",
         lights=workshop.some(600),
         rays=4096,
-        samples=2,
+        samples=8,
         validation_views=4,
         validation_resolution=96,
         validation_samples=workshop.some(256),
