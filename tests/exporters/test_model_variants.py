@@ -53,23 +53,8 @@ def test_loss_without_hint_sees_no_visibility(kind: str) -> None:
     at = samples(64)
     other = {**at, "visible": 1.0 - at["visible"]}
     with_hint, without = model_of(kind), model_of(kind, visibility_hint=False)
-    training = tiny(kind=kind).training.model_copy(update={"loss": "log", "shadow_weight": 3.0})
-    assert sample_loss(without, at, 1.0, training) == sample_loss(without, other, 1.0, training)
-    assert sample_loss(with_hint, at, 1.0, training) != sample_loss(with_hint, other, 1.0, training)
-
-
-@pytest.mark.parametrize(
-    ("loss", "visible", "factor"),
-    [("log", 1.0, 1.0), ("log", 0.0, 3.0), ("unbiased", 1.0, 1.0), ("unbiased", 0.0, 1.0)],
-)
-def test_shadowed_samples_count_more_in_the_log_loss(
-    loss: str, visible: float, factor: float
-) -> None:
-    model, at = model_of("surface"), {**samples(64), "visible": torch.full((64,), visible)}
-    once = tiny().training.model_copy(update={"loss": loss, "shadow_weight": 1.0})
-    thrice = once.model_copy(update={"shadow_weight": 3.0})
-    expected = factor * sample_loss(model, at, 1.0, once)
-    assert torch.allclose(sample_loss(model, at, 1.0, thrice), expected)
+    assert sample_loss(without, at, 1.0) == sample_loss(without, other, 1.0)
+    assert sample_loss(with_hint, at, 1.0) != sample_loss(with_hint, other, 1.0)
 
 
 def test_uv_texture_is_bilinear_between_texel_centres() -> None:

@@ -37,8 +37,7 @@ def parser() -> argparse.ArgumentParser:
         "--loss",
         choices=LOSSES,
         help="log; unbiased: noise in the capture does not darken what is learnt, but sharp "
-        "highlights come out worse; auto: as the capture calls for (default: the preset's; of "
-        "ours auto)",
+        "highlights come out worse; auto: by the noise (default: the preset's; of ours auto)",
     )
     length = p.add_mutually_exclusive_group()
     length.add_argument(

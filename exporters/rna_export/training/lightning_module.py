@@ -50,7 +50,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * self.progress)
         at = columns(rows, self._fields)
-        loss = sample_loss(self.model, at, blur, self._config)
+        loss = sample_loss(self.model, at, blur, self._config.loss)
         self.log("loss", loss)
         return loss
 

@@ -7,37 +7,31 @@ from torch import Tensor
 
 from rna_export.training.inputs import Points
 from rna_export.training.model import NeuralAsset
-from rna_export.training.presets import ModelConfig, TrainingConfig
+from rna_export.training.presets import ModelConfig
 
 
-def sample_loss(model: NeuralAsset, at: Points, blur: float, training: TrainingConfig) -> Tensor:
+def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") -> Tensor:
     """The loss of a batch of samples, of the outputs alone that match their visibility.
+
+    loss: "log" or "unbiased", of radiance that is not told apart into direct and scattered light.
 
     Direct light has no noise, scattered light next to nothing but noise: each gets its own loss,
     where the model has an output for each.
     """
     config, y = model.config, model(at, blur)
-    if config.separates_direct:
-        weight = at["visible"][:, None] if config.visibility_hint else 1.0
-        direct = log_l2(y[:, 0], at["direct"], model.unit, weight)
-        scattered = _of_visibility(y[:, 1:], at, config)
-        return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
-    colour = _of_visibility(y, at, config)
-    if training.loss == "unbiased":
-        return unbiased_l2(colour, at["radiance"], model.unit)
-    weight = torch.where(_lit(at), 1.0, training.shadow_weight) if config.visibility_hint else 1.0
-    return log_l2(colour, at["radiance"], model.unit, weight)
+    if not config.separates_direct:
+        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit)
+    weight = at["visible"][:, None] if config.visibility_hint else 1.0
+    direct = log_l2(y[:, 0], at["direct"], model.unit, weight)
+    scattered = _of_visibility(y[:, 1:], at, config)
+    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
 
 
 def _of_visibility(y: Tensor, at: Points, config: ModelConfig) -> Tensor:
     """Of outputs for visible and shadowed light, (k, 2, 3), what each sample's hint calls for."""
     if not config.visibility_hint:
         return y[:, 0]
-    return torch.where(_lit(at), y[:, 0], y[:, 1])
-
-
-def _lit(at: Points) -> Tensor:
-    return at["visible"][:, None] > 0.5
+    return torch.where(at["visible"][:, None] > 0.5, y[:, 0], y[:, 1])
 
 
 def log_l2(
@@ -45,7 +39,7 @@ def log_l2(
 ) -> Tensor:
     """Squared error of log(x / unit + 1): the paper, section 4.2, where the unit is 1.
 
-    Noise in the targets darkens what it learns: see `rna_export.training.loss_choice`.
+    Noise in the targets darkens what it learns: see `rna_export.training.noise`.
     """
     return (weight * (y - torch.log1p(target / unit)).square()).mean()
 
@@ -60,3 +54,6 @@ def unbiased_l2(y: Tensor, target: Tensor, unit: Tensor | float = 1.0) -> Tensor
     x_over_unit = torch.expm1(y)
     weight = 1.0 / (x_over_unit.detach().clamp(min=0.0) + 1.0)
     return (weight * (x_over_unit - target / unit)).square().mean()
+
+
+_LOSSES = {"log": log_l2, "unbiased": unbiased_l2}

@@ -69,13 +69,7 @@ class TrainingConfig(BaseModel):
         "log",
         description="of radiance whose direct light is not told apart. log: of log(x / unit + 1). "
         "unbiased: relative, so that noise in the targets does not darken it. auto: unbiased where "
-        "noise would darken the other by more than 2%, else log, with a `shadow_weight` of 8 for "
-        "assets of which 5% of the light is in shadow",
-    )
-    shadow_weight: float = Field(
-        1.0,
-        description="how much a sample whose light is shadowed counts in the log loss of radiance; "
-        "a lit one counts 1",
+        "noise would darken the other by more than 2%",
     )
     blur: float = Field(
         description="footprint in texels that planes are blurred with at first; decays to 1, "

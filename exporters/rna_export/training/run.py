@@ -21,9 +21,9 @@ from torch.utils.data import DataLoader
 from rna_export.capture.dataset import Dataset
 from rna_export.training.curves import draw_curves
 from rna_export.training.lightning_module import NeuralAssetTraining
-from rna_export.training.loss_choice import with_fitting_loss
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
+from rna_export.training.noise import with_fitting_loss
 from rna_export.training.presets import Preset
 from rna_export.training.samples import SampleTable, columns
 from rna_sdk.errors import TrainingError
@@ -156,7 +156,7 @@ def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: fl
     begun, ends = time.perf_counter(), []
     for rows in table:
         optimizer.zero_grad()
-        loss = sample_loss(model, columns(rows, table.fields), blur, run.preset.training)
+        loss = sample_loss(model, columns(rows, table.fields), blur)
         loss.backward()
         optimizer.step()
         loss.item()
@@ -212,18 +212,14 @@ def _earlier_curves(folder: Path, done: int) -> list[dict[str, float]]:
 
 def _plan(run: Run, samples: int, steps: int) -> str:
     model, training = run.preset.model, run.preset.training
+    loss = (
+        "losses of direct and scattered light"
+        if model.separates_direct
+        else f"{training.loss} loss"
+    )
     return (
         f"{run.preset_name}: {model.hidden_layers} x {model.width}, planes 3 x "
         f"{model.resolution}^2 x {model.channels}, inputs {', '.join(model.inputs)}\n"
         f"{samples / 1e6:.2f} M samples, {steps:,} steps of {training.batch:,} = "
-        f"{steps * training.batch / samples:.1f} epochs, "
-        f"{_loss_of(run.preset)}"
+        f"{steps * training.batch / samples:.1f} epochs, {loss}"
     )
-
-
-def _loss_of(preset: Preset) -> str:
-    if preset.model.separates_direct:
-        return "losses of direct and scattered light"
-    weight = preset.training.shadow_weight
-    shadows = f", in which shadowed samples count {weight:g} times" if weight != 1.0 else ""
-    return f"{preset.training.loss} loss{shadows}"

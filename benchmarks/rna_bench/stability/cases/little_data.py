@@ -75,7 +75,7 @@ def _tested(samples: Samples) -> Samples:
 def loss_of(trained: Trained, samples: Samples) -> float:
     """The training's loss of samples: between known and unknown lights it tells overfitting."""
     at = {k: torch.from_numpy(np.ascontiguousarray(v)) for k, v in samples.items()}
-    return float(sample_loss(trained.model, at, 1.0, trained.preset.training))
+    return float(sample_loss(trained.model, at, 1.0, trained.preset.training.loss))
 
 
 def judge(rows: list[Row]) -> Verdict:

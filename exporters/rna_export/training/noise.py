@@ -1,4 +1,4 @@
-"""Which loss a capture calls for: by its noise, and by its light in shadow."""
+"""How noisy captured radiance is, and which loss it calls for."""
 
 from __future__ import annotations
 
@@ -9,12 +9,6 @@ from rna_export.training.presets import Preset
 
 MOST_DARKENED = 0.02
 """Part of an asset's brightness that the log loss may cost."""
-
-TRANSLUCENT = 0.05
-"""Part of all light, from where on light in shadow decides how an asset looks."""
-
-SHADOW_WEIGHT = 8.0
-"""How much a shadowed sample counts in the log loss then (docs/decisions.md)."""
 
 
 def darkening(dataset: Dataset, unit: float) -> float:
@@ -36,21 +30,9 @@ def darkening(dataset: Dataset, unit: float) -> float:
     return lost / total if total > 0.0 else 0.0
 
 
-def light_in_shadow(dataset: Dataset) -> float:
-    """Which part of all light the validation images have where the hint says shadowed, 0 to 1."""
-    shadowed = total = 0.0
-    for view in dataset.validation_views():
-        radiance = view.samples["radiance"].astype(np.float64)
-        shadowed += float(np.sum(radiance[view.samples["visible"] == 0]))
-        total += float(np.sum(radiance))
-    return shadowed / total if total > 0.0 else 0.0
-
-
 def with_fitting_loss(preset: Preset, dataset: Dataset, unit: float) -> Preset:
-    """The preset with a loss chosen for the dataset, where it leaves that open."""
+    """The preset with a loss chosen for the dataset's noise, where it leaves that open."""
     if preset.training.loss != "auto":
         return preset
-    if darkening(dataset, unit) > MOST_DARKENED:
-        return preset.with_training(loss="unbiased")
-    translucent = light_in_shadow(dataset) > TRANSLUCENT
-    return preset.with_training(loss="log", shadow_weight=SHADOW_WEIGHT if translucent else 1.0)
+    too_dark = darkening(dataset, unit) > MOST_DARKENED
+    return preset.with_training(loss="unbiased" if too_dark else "log")
