@@ -10,6 +10,7 @@ import pytest
 from rna_export.capture.dataset import Dataset
 from rna_export.export.build import build_package
 from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.run import train
 from rna_export.trials import run as run_module
 from rna_export.trials.packages import PRECISIONS, USUAL
 from rna_export.trials.pool import Crew, TrialPool
@@ -74,6 +75,22 @@ def test_training_that_ended_before_the_export_is_not_repeated(
             run_trial(trial(), dataset, tmp_path, "cpu")
     monkeypatch.setattr(run_module, "train", None)
     assert run_trial(trial(), dataset, tmp_path, "cpu").seconds > 0.0
+
+
+def test_training_that_ended_before_its_time_was_written_is_repeated(
+    dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stopped(path: Path, _: bytes) -> None:
+        raise KeyboardInterrupt(path)
+
+    with monkeypatch.context() as broken:
+        broken.setattr(run_module, "write_atomically", stopped)
+        with pytest.raises(KeyboardInterrupt):
+            run_trial(trial(), dataset, tmp_path, "cpu")
+    trained = []
+    monkeypatch.setattr(run_module, "train", lambda *args: trained.append(1) or train(*args))
+    assert 0.0 < run_trial(trial(), dataset, tmp_path, "cpu").seconds < 60.0
+    assert len(trained) == 2  # nothing was left to do, then all of it
 
 
 def test_finished_trial_gets_a_precision_that_is_new(

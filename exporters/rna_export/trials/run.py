@@ -89,7 +89,11 @@ def _train(
     start = clock()
     train(run, table)
     total = steps_done(folder)
-    seconds = (clock() - start) * total / max(total - before, 1)
+    if total == before:
+        # It was stopped between its last step and the file that says how long it took.
+        (folder / "last.ckpt").unlink()
+        return _train(trial, dataset, folder, device, table)
+    seconds = (clock() - start) * total / (total - before)
     write_atomically(finished, f"{seconds:.1f}\n".encode())
     return seconds
 
