@@ -16,7 +16,7 @@ BIAS, FROM_PATHS = 0.02, 4  # the mark
 
 PATHS = (1, 4, 16, 64, 256)
 LOSSES = ("log", "unbiased")
-_LIGHTS, _RAYS_OF_ONE_PATH = 4096, 4096  # what all captures spend; less starves those of 256 paths
+_LIGHTS, _RAYS_OF_ONE_PATH = 2048, 4096  # what all captures spend; less starves those of 256 paths
 
 
 def measure(workshop: Workshop) -> list[Row]:
