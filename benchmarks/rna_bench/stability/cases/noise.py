@@ -16,7 +16,7 @@ BIAS, FROM_PATHS = 0.02, 4  # the mark
 
 PATHS = (1, 4, 16, 64, 256)
 LOSSES = ("log", "unbiased")
-_LIGHTS, _RAYS_OF_ONE_PATH = 2048, 4096  # what all captures spend; less starves those of 256 paths
+_RAYS_OF_ONE_PATH = 4096  # a light: what all captures spend
 
 
 def measure(workshop: Workshop) -> list[Row]:
@@ -26,7 +26,7 @@ def measure(workshop: Workshop) -> list[Row]:
         dataset = workshop.capture(
             f"noise-{paths}",
             "white.py",
-            lights=workshop.some(_LIGHTS),
+            lights=workshop.some(512),
             rays=_RAYS_OF_ONE_PATH // paths,
             samples=paths,
             validation_views=1,
