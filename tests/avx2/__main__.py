@@ -1,4 +1,7 @@
-"""Run pytest as on a CPU with AVX2 alone: python -m tests.avx2 [ARGUMENTS OF PYTEST].
+"""Run a command as on a CPU with AVX2 alone: python -m tests.avx2 COMMAND [ARGUMENTS].
+
+    python -m tests.avx2 pytest tests/runtime
+    python -m tests.avx2 python benchmarks/int8_weights.py runs/toy/best.ckpt --out avx2.json
 
 onnxruntime is made to see such a CPU (`masked.py`); numba, Embree, PyTorch and numpy have settings
 for it.
@@ -37,13 +40,17 @@ def avx2_environment(folder: Path) -> dict[str, str]:
 
 
 def main() -> int:
-    lacking = missing()
-    if lacking:
+    if len(sys.argv) < 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    if lacking := missing():
         print(f"error: {lacking}", file=sys.stderr)
         return 1
     with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
-        return subprocess.run(command, env=avx2_environment(Path(folder))).returncode
+        environment = avx2_environment(Path(folder))
+        beside = Path(sys.executable).parent
+        environment["PATH"] = os.pathsep.join([str(beside), environment.get("PATH", "")])
+        return subprocess.run(sys.argv[1:], env=environment).returncode
 
 
 if __name__ == "__main__":
