@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.compiled import compiled
 from rna_sdk.runtime.arguments import vectors
-from rna_sdk.runtime.compiled import compiled
 from rna_sdk.runtime.vectors import Rows, clamped, cross, dot, unit
 
 
