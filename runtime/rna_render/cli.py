@@ -191,11 +191,9 @@ def _use_threads(count: int | None) -> int:
     # libgomp's threads spin while they have nothing to do, and take the cores from ONNX Runtime's.
     # It reads this when numba loads it.
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
-    import numba
+    from rna_sdk.kernel_threads import limit_kernel_threads
 
-    threads = min(count or numba.config.NUMBA_NUM_THREADS, numba.config.NUMBA_NUM_THREADS)
-    numba.set_num_threads(threads)
-    return threads
+    return limit_kernel_threads(count)
 
 
 def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
