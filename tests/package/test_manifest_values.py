@@ -41,13 +41,14 @@ ROUNDED = "A reader rounds the six numbers to binary32"
 BLOCKS = "one block at least, each at most once"
 TWICE = "may be empty, and a name that is there twice counts once"
 NAMES = "matches `[A-Za-z0-9][A-Za-z0-9._-]*` with at most 64 characters"
-EMPTY = "may be empty, like every string that is not said to be otherwise"
+EMPTY = "A string may be empty unless that is excluded"
 HALF_ANGLE = "`halfAngle` from 0 to the binary64 3.141592653589793"
 AXIS = "`axis` of length 1 within 0.001"
 ENTRY = "`digest` the SHA-256 (FIPS 180-4) of the data as 64 lower-case hex digits"
 HEIGHTS = "each height below the one before"
 TABLE_OF_ERRORS = "Where the array is left out or empty, `flip` of `validation` is the error"
-CHARACTERS = "A string may hold any character, U+0000 included."
+FREE = "and within `extras`, `extensions` and the two free objects"
+CHARACTERS = "and hold any character, U+0000 included"
 
 # Where, the JSON put there, the code of the reader, the sentence; a "*" before the code marks what
 # spans values, which no schema sees.
@@ -110,7 +111,7 @@ VALUES = [
     ("/extensions", "null", "FIELD_VALUE", NULL),
     ("/extensions", '{"a b": 1}', "FIELD_VALUE", NAMES),
     ("/extras", "null", "FIELD_VALUE", NULL),
-    ("/extras", '{"a": [null, 1e300, 12345678901234567890]}', "", "and in free data"),
+    ("/extras", '{"a": [null, 1e300, 12345678901234567890]}', "", FREE),
     ("/name", '""', "FIELD_VALUE", "string, not empty"),
     ("/name", '"a\\u0000b"', "", CHARACTERS),
     ("/generator", '""', "", EMPTY),
