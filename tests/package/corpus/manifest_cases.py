@@ -248,11 +248,6 @@ def minor_version_of_two_digits(entries: Entries) -> bytes:
 
 
 @case("FIELD_VALUE")
-def required_extension_that_is_no_string(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(extensionsRequired=[["EXT_novel"]]))
-
-
-@case("FIELD_VALUE")
 def extras_that_are_null(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m.update(extras=None))
 
