@@ -198,12 +198,13 @@ def _use_threads(count: int | None) -> int:
 
 def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
     from rna_render.render import load_world
-    from rna_render.terminal import Interrupt, render_with_bar, tell_tiers
+    from rna_render.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
 
     scene = scene_file.scene
     output.check()
     world = load_world(scene_file)
     tell_tiers(scene_file, world)
+    tell_costs(scene_file, world)
     with Interrupt() as interrupt:
         film = render_with_bar(
             scene_file,
