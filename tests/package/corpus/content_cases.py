@@ -369,6 +369,13 @@ def decoder_of_countless_fields(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, entries[DECODER] + b"\x28\x01" * 300_000)
 
 
+@case("DECODER_NOT_ONNX")
+def decoder_with_a_size_named_in_no_utf8(entries: Entries) -> bytes:
+    data = entries[DECODER]
+    assert data.count(b"\x12\x01N") == 2
+    return with_entry(entries, DECODER, data.replace(b"\x12\x01N", b"\x12\x01\xb7"))
+
+
 @case("DECODER_VERSION")
 def decoder_opset_too_new(entries: Entries) -> bytes:
     return with_model(entries, opset=22)
