@@ -34,7 +34,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
     _check_usage(parser, options)
-    return run_command(lambda: _run(options), options.debug, "the image under way was not written")
+    stopped = "the image under way was not written"
+    return run_command(lambda: _run(options), options.debug, stopped, "render")
 
 
 def _parser() -> argparse.ArgumentParser:

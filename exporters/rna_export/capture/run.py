@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import queue
 import threading
 import time
@@ -18,11 +17,12 @@ from tqdm import tqdm
 
 import rna_sdk
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.dataset import CaptureManifest, Dataset
 from rna_export.capture.directions import light_direction
 from rna_export.capture.fiber_scene import FiberScene
 from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.surface_scene import SHARPEST, SurfaceScene
+from rna_export.capture.settings import SHARPEST, CaptureSettings
+from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
@@ -247,8 +247,3 @@ def _size(geometry: Mesh | Curves) -> str:
     if isinstance(geometry, Curves):
         return f"{len(geometry.offsets) - 1:,} strands, {len(geometry.points):,} points"
     return f"{len(geometry.triangles):,} triangles"
-
-
-def default_workers() -> int:
-    """One a core."""
-    return len(os.sched_getaffinity(0))

@@ -14,10 +14,9 @@ import numpy as np
 import OpenEXR
 
 from rna_export.capture.axes import from_blender, to_blender
+from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
-
-CLAMP_DIRECT, CLAMP_INDIRECT = 20.0, 10.0  # of radiance; the paper, section 4.1
 
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
 
