@@ -118,7 +118,7 @@ def unit(v):
 
 
 def read_decoder(model):
-    """Nodes and constants. 6: an ONNX model has a graph (field 7), with nodes (1), constants (5)."""
+    """Nodes, and constants by name. 6: field 7 of an ONNX model is a graph of both (1 and 5)."""
     graph, nodes, constants = dict(fields(model))[7], [], {}
     for number, message in fields(graph):
         part = dict(fields(message)) if number in (1, 5) else {}

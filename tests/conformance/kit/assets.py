@@ -16,7 +16,7 @@ from tests.conformance.kit.queries import ORDINARY, Maker, make_queries, valid_r
 from tests.package.builders import make_manifest, make_tier
 
 PART_OF_SCALE = 1e-4  # tolerance of a well-conditioned row
-SIGN_PATTERNS = 16
+SIGN_PATTERNS = 32
 _CALIBRATION_ROWS = 600
 
 SURFACE = ("features", "position", "normal", "wo", "wi", "half_vector")
@@ -96,6 +96,7 @@ PLANS = (
         *("surface-int8-saturating", "int8 weights that 16-bit sums of pairs cannot hold"),
         *(shapes.steps(), *ONE),
         (TierPlan("small-int8", SURFACE, 8, 4, "float16", "saturating"),),
+        "DECODER_SATURATION",
     ),
     Plan(
         *("surface-one-texel", "R = 1, one channel, wound clockwise, narrow and long bounds"),
