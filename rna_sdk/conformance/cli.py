@@ -7,7 +7,7 @@ import json
 import math
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from pathlib import Path
@@ -37,11 +37,12 @@ def _run(options: argparse.Namespace, words: tuple[str, ...]) -> int:
         raise ConformanceError(
             f"--level {missing[0]}: the reader says that it has {', '.join(levels)}"
         )
-    scores = run_levels(program, kit, options.level or levels, options.jobs)
+    running = run_levels(program, kit, options.level or levels, options.jobs)
     if options.json:
+        scores = list(running)
         print(json.dumps([_as_json(one) for one in scores], indent=2))
     else:
-        print_table(scores)
+        scores = print_table(running)
     return 0 if all(one.passed for one in scores) else 1
 
 
@@ -82,28 +83,37 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def run_levels(program: Program, kit: Kit, levels: Sequence[str], jobs: int = 1) -> list[Score]:
-    """The scores of all cases of these levels, in the order of the kit."""
+def run_levels(program: Program, kit: Kit, levels: Sequence[str], jobs: int = 1) -> Iterator[Score]:
+    """The scores of all cases of these levels, in the order of the kit, as they come."""
     every = [case for level in LEVELS if level in levels for case in cases(kit, level)]
-    with ThreadPoolExecutor(max(1, jobs)) as pool:
-        return list(pool.map(lambda case: score(program, kit, case), every))
+    pool = ThreadPoolExecutor(max(1, jobs))
+    try:
+        yield from pool.map(lambda case: score(program, kit, case), every)
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
-def print_table(scores: list[Score]) -> None:
-    """A line a case (of the level `validate`, for failures alone), and the verdict a level."""
+def print_table(scores: Iterable[Score]) -> list[Score]:
+    """A line a case (of the level `validate`, for failures alone), and the verdict a level.
+
+    Returns the scores.
+    """
     print(_TABLE.format("level", "package", "tier", "rows", "right", "tolerances", "absolute", ""))
+    printed = []
     for one in scores:
+        printed.append(one)
         if one.level != "validate" or not one.passed:
-            print(_line(one))
+            print(_line(one), flush=True)
     print()
     for level in LEVELS:
-        own = [one for one in scores if one.level == level]
+        own = [one for one in printed if one.level == level]
         if own:
             passed = sum(one.passed for one in own)
             verdict = "pass" if passed == len(own) else "FAIL"
             largest = max(one.in_tolerances for one in own)
             tail = f", largest difference {largest:.3g} tolerances" if level == "evaluate" else ""
             print(f"{level}: {verdict}, {passed} of {len(own)} cases{tail}")
+    return printed
 
 
 def _line(one: Score) -> str:

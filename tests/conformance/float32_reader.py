@@ -34,6 +34,7 @@ class Formulas:
     sign_of_sin_phi: float = 1.0
     rows_upside_down: bool = False
     h_clamped: bool = True
+    subnormal_texels: bool = True
 
 
 def evaluate(
@@ -45,6 +46,8 @@ def evaluate(
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
         planes = minimal.read_planes(archive.read(tier["planes"])).astype(F)
         nodes, constants = minimal.read_decoder(archive.read(tier["decoder"]))
+    if not formulas.subnormal_texels:
+        planes[np.abs(planes) < F(2.0**-14)] = 0
     directions = queries[:, 3:6], queries[:, 7:10], queries[:, 10:13]
     rows = np.isfinite(queries).all(axis=1) & np.all([d.any(axis=1) for d in directions], axis=0)
     low, high = (np.array(manifest["bounds"][corner]) for corner in ("min", "max"))

@@ -86,7 +86,7 @@ def test_hits_next_to_a_decision_are_left_out(beyond: float) -> None:
     """A ray that passes the edge of the hovering sheet exactly, or clears it."""
     mesh = shapes.steps()
     x = np.array([0.0, -0.5, 0.0])
-    start = x + [0, 2.0**-18 * 0.9, 0]  # where the ray leaves the floor
+    start = np.array([0.0, -0.5 + 2.0**-18 * 0.9, 0.0])  # where the ray leaves the floor
     wi = hits.unit((np.array([0.3 + beyond, -0.45, 0.0]) - start)[None])
     v = mesh.positions[mesh.triangles[0]].astype(np.float64)
     b1, b2 = np.linalg.lstsq((v[1:] - v[0]).T, x - v[0], rcond=None)[0]

@@ -12,7 +12,8 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from rna_render import conformance_reader
+from rna_render import conformance_reader, surface
+from rna_render.surface import interpolate_positions
 from rna_sdk.conformance import reader, twin_reader
 from rna_sdk.conformance.cli import run_levels
 from rna_sdk.conformance.kit import LEVELS, Kit
@@ -93,6 +94,7 @@ def test_each_formula_that_loses_digits_fails(formula: str, kit: Kit, minimal: M
         ({"sign_of_sin_phi": -1.0}, {"fiber-float16", "fiber-int8", "fiber-one-channel"}),
         ({"h_clamped": False}, {"fiber-float16", "fiber-int8", "fiber-one-channel"}),
         ({"pair_sums_in_16_bits": True}, {"surface-int8-saturating"}),
+        ({"subnormal_texels": False}, {"surface-odd"}),
     ],
 )
 def test_a_reader_that_is_wrong_in_one_place_fails(
@@ -111,17 +113,24 @@ def test_planes_upside_down_fail_wherever_there_are_texels(kit: Kit, minimal: Mo
 
 
 def without_lift(package: str, records: bytes) -> np.ndarray:
-    """All rays start at x, a step to the side of wi."""
-    from rna_render.surface import SurfacePoints
+    """No ray starts on the smooth surface."""
 
-    class Flat(SurfacePoints):
-        @classmethod
-        def of(cls, *at):  # type: ignore[no-untyped-def]
-            points = SurfacePoints.of(*at)
-            return SurfacePoints(points.x, points.ng, points.ng, 0 * points.lift)
+    def none(*at):  # type: ignore[no-untyped-def]
+        return 0 * interpolate_positions(at[0], *at[2:])
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(conformance_reader.surface, "SurfacePoints", Flat)
+        patch.setattr(surface, "lifts", none)
+        return conformance_reader.visibility(package, records)
+
+
+def from_outside(package: str, records: bytes) -> np.ndarray:
+    """All rays start on the side of the geometric normal."""
+
+    def above(points, directions, extent):  # type: ignore[no-untyped-def]
+        return points.x + np.float32(surface.OFFSET * extent) * points.ng
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(surface, "leaving_origins", above)
         return conformance_reader.visibility(package, records)
 
 
@@ -149,6 +158,7 @@ def of_strands(own_strand: bool, neighbours: bool):  # type: ignore[no-untyped-d
     ("visibility", "kind", "classes"),
     [
         (without_lift, "surface", ("terminator", "behind the facet")),
+        (from_outside, "surface", ("backs",)),
         (of_strands(own_strand=False, neighbours=False), "fiber", ("own strand", "at joints")),
         (of_strands(own_strand=True, neighbours=False), "fiber", ("inside another strand",)),
     ],
