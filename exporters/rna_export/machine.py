@@ -1,9 +1,8 @@
-"""The machine: its cores and processor, the clock, and the rate that timings are compared with."""
+"""The machine: its cores, the clock, and the rate that timings are compared with."""
 
 from __future__ import annotations
 
 import os
-import platform
 import time
 from collections.abc import Callable
 
@@ -16,15 +15,6 @@ GEMM_FLOP = 2 * _GEMM_SIZE**3
 def default_workers() -> int:
     """One a core."""
     return len(os.sched_getaffinity(0))
-
-
-def processor() -> str:
-    """The processor's name."""
-    try:
-        with open("/proc/cpuinfo") as file:
-            return next(line.split(":", 1)[1].strip() for line in file if "model name" in line)
-    except (OSError, StopIteration):
-        return platform.machine()
 
 
 def matrix_product() -> Callable[[], object]:

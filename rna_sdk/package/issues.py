@@ -113,6 +113,8 @@ class Code(Enum):
     DECODER_PRECISION = (Severity.ERROR, "The decoder's arithmetic is not the tier's precision.")
     DECODER_LOAD = (Severity.ERROR, "The inference engine refuses the decoder.")
     DECODER_RESULT = (Severity.ERROR, "The decoder breaks the output contract on a test query.")
+    DECODER_PROFILE = (Severity.WARNING, "Hosts without an ONNX engine cannot run the decoder.")
+    DECODER_SATURATION = (Severity.WARNING, "Weights in int8 can saturate a sum of two in 16 bits.")
 
 
 @dataclass(frozen=True)
@@ -138,14 +140,21 @@ class Issue:
     @classmethod
     def of(cls, code: Code, where: str | int, found: object, expected: object) -> Issue:
         """The issue with this code, its severity and sentence taken from the table."""
-        found_text, expected_text = str(found)[:200], str(expected)[:200]
-        return cls(code.name, code.severity, where, code.meaning, found_text, expected_text)
+        return cls(code.name, code.severity, where, code.meaning, _shown(found), _shown(expected))
 
     def __str__(self) -> str:
         where = self.pointer_or_offset
         place = f"byte {where}" if isinstance(where, int) else where or "manifest.json"
         text = f"{self.severity.value} {self.code} at {place}: {self.message}"
         return f"{text} Found {self.found}; expected {self.expected}."
+
+
+def _shown(value: object) -> str:
+    """As text of at most 200 characters that any terminal may get: others are escaped."""
+    text = str(value)[:200]
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
 
 
 def refuse(code: Code, where: str | int, found: object, expected: object) -> NoReturn:

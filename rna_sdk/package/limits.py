@@ -27,3 +27,6 @@ MAX_DECODER_WIDTH = 8192
 
 IR_VERSIONS = range(7, 11)
 OPSET_VERSIONS = range(13, 22)
+
+OUTPUT_WIDTH = 6
+"""Columns of `transport`: visible R, G, B, shadowed R, G, B."""

@@ -71,7 +71,7 @@ def _check_readable(raw: dict[str, Any]) -> None:
         refuse(Code.KIND_UNSUPPORTED, "/kind", json.dumps(kind), expected)
     required = raw.get("extensionsRequired")
     for i, name in enumerate(required if isinstance(required, list) else []):
-        if name not in KNOWN_EXTENSIONS:
+        if isinstance(name, str) and name not in KNOWN_EXTENSIONS:
             where = pointer("extensionsRequired", i)
             refuse(Code.EXTENSION_REQUIRED, where, json.dumps(name), "a known extension")
 

@@ -36,11 +36,16 @@ def parse_object(data: bytes, where: str, malformed: Code) -> dict[str, Any]:
             refuse(Code.JSON_NOT_FINITE, where, text, "a finite number")
         return value
 
+    def whole(text: str) -> int:
+        finite(text)
+        return int(text)
+
     try:
         value = json.loads(
             data.decode("utf-8"),
             object_pairs_hook=unique,
             parse_float=finite,
+            parse_int=whole,
             parse_constant=finite,
         )
         depth = _depth(value)

@@ -18,6 +18,7 @@ from lightning.pytorch.loggers import CSVLogger
 from torch.utils.data import DataLoader
 
 from rna_export.capture.dataset import Dataset
+from rna_export.training.checkpoint import load_progress
 from rna_export.training.curves import draw_curves
 from rna_export.training.lightning_module import NeuralAssetTraining
 from rna_export.training.noise import with_fitting_loss
@@ -188,7 +189,7 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
     """The checkpoint to go on from, if there is one; `TrainingError` when it is of another run."""
     if not last.is_file():
         return None
-    saved = torch.load(last, map_location="cpu", weights_only=True)
+    saved = load_progress(last)
     begun, preset = saved["hyper_parameters"], run.preset.model_dump(mode="json")
     begun_preset = Preset.model_validate(begun["preset"]).model_dump(mode="json")
     capture = run.dataset.manifest.model_dump(mode="json", by_alias=True)
@@ -216,9 +217,12 @@ def _earlier_curves(folder: Path, done: int) -> list[dict[str, float]]:
     path = folder / "metrics.csv"
     if not path.is_file():
         return []
-    with path.open(newline="") as file:
-        rows = [{k: float(v) for k, v in row.items() if v} for row in csv.DictReader(file)]
-    return [{**row, "step": int(row["step"])} for row in rows if row["step"] < done]
+    try:
+        with path.open(newline="") as file:
+            rows = [{k: float(v) for k, v in row.items() if v} for row in csv.DictReader(file)]
+        return [{**row, "step": int(row["step"])} for row in rows if row["step"] < done]
+    except (KeyError, TypeError, ValueError) as error:
+        raise TrainingError(f"{path}: not the curves of rna-train: {error!r}") from error
 
 
 def _plan(run: Run, samples: int, pace: Pace) -> str:

@@ -15,7 +15,12 @@ from onnx import TensorProto, helper, numpy_helper
 from rna_sdk.package.glb_writer import CHUNK, HEADER, mesh_to_glb, pack_glb
 from rna_sdk.package.planes import planes_to_bytes
 from rna_sdk.package.tensor_file import tensors_to_bytes
-from tests.package.builders import make_decoder_model, make_mesh, make_planes
+from tests.package.builders import (
+    make_decoder_model,
+    make_int8_decoder_model,
+    make_mesh,
+    make_planes,
+)
 from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_entry
 
 
@@ -303,6 +308,13 @@ def decoder_of_countless_fields(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, entries[DECODER] + b"\x28\x01" * 300_000)
 
 
+@case("DECODER_NOT_ONNX")
+def decoder_with_a_size_named_in_no_utf8(entries: Entries) -> bytes:
+    data = entries[DECODER]
+    assert data.count(b"\x12\x01N") == 2
+    return with_entry(entries, DECODER, data.replace(b"\x12\x01N", b"\x12\x01\xb7"))
+
+
 @case("DECODER_VERSION")
 def decoder_opset_too_new(entries: Entries) -> bytes:
     return with_model(entries, opset=22)
@@ -462,7 +474,43 @@ def decoder_without_clamps(entries: Entries) -> bytes:
     """Negative light: the last operator is a plain layer."""
 
     def edit(model: onnx.ModelProto) -> None:
-        del model.graph.node[-3:]
+        del model.graph.node[-4:]
         model.graph.node[-1].output[0] = "transport"
 
     return with_decoder(entries, edit)
+
+
+@case("DECODER_RESULT")
+def decoder_that_mixes_rows(entries: Entries) -> bytes:
+    """Results in the order of the queries reversed."""
+
+    def edit(model: onnx.ModelProto) -> None:
+        model.graph.node[-1].output[0] = "ordered"
+        constants = {"start": [-1], "stop": [-(2**31)], "rows": [0], "back": [-1]}
+        for name, value in constants.items():
+            tensor = numpy_helper.from_array(np.array(value, np.int64), name)
+            model.graph.initializer.append(tensor)
+        reverse = helper.make_node("Slice", ["ordered", *constants], ["transport"])
+        model.graph.node.append(reverse)
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_PROFILE")
+def decoder_with_another_activation(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        node = next(node for node in model.graph.node if node.op_type == "Relu")
+        node.op_type = "Tanh"
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_SATURATION")
+def decoder_whose_pairs_of_weights_exceed_16_bits(entries: Entries) -> bytes:
+    """127 next to 127: 255 * 254 is more than a signed 16-bit number holds."""
+    return with_entry(
+        entries,
+        DECODER,
+        make_int8_decoder_model(largest=127, in_profile=True).SerializeToString(),
+        lambda m: m["tiers"][0].update(decoderPrecision="int8"),
+    )

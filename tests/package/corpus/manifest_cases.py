@@ -71,6 +71,16 @@ def number_too_large(entries: Entries) -> bytes:
     return with_text(entries, '"extras": {}', '"extras": {"x": 1e999}')
 
 
+@case("JSON_NOT_FINITE")
+def integer_of_400_digits(entries: Entries) -> bytes:
+    return with_text(entries, '"extras": {}', f'"extras": {{"x": {"9" * 400}}}')
+
+
+@case("JSON_NOT_FINITE")
+def integer_of_5000_digits(entries: Entries) -> bytes:
+    return with_text(entries, '"extras": {}', f'"extras": {{"x": -{"9" * 5000}}}')
+
+
 @case("FORMAT_UNKNOWN")
 def other_format(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m.update(format="gltf"))
@@ -137,6 +147,11 @@ def missing_version(entries: Entries) -> bytes:
 @case("FIELD_VALUE")
 def number_as_text(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m["tiers"][0].update(resolution="8"))
+
+
+@case("FIELD_VALUE")
+def list_for_an_extension(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(extensionsRequired=[["rna_x"]]))
 
 
 @case("FIELD_VALUE")
