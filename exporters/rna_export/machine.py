@@ -1,4 +1,4 @@
-"""The machine that work runs on: cores, clock, and the rate that timings are compared with."""
+"""The machine: its cores, the clock, and the rate that timings are compared with."""
 
 from __future__ import annotations
 
