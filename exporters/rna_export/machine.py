@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import platform
 import time
 from collections.abc import Callable
 
@@ -10,15 +9,6 @@ import numpy as np
 
 _GEMM_SIZE = 2048
 GEMM_FLOP = 2 * _GEMM_SIZE**3
-
-
-def processor() -> str:
-    """The processor's name."""
-    try:
-        with open("/proc/cpuinfo") as file:
-            return next(line.split(":", 1)[1].strip() for line in file if "model name" in line)
-    except (OSError, StopIteration):
-        return platform.machine()
 
 
 def matrix_product() -> Callable[[], object]:

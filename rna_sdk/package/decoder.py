@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from rna_sdk.package.issues import Code, refuse
+from rna_sdk.errors import PackageError
+from rna_sdk.package.decoder_profile import outside_profile, saturating_weights
+from rna_sdk.package.issues import Code, Issue, refuse
 from rna_sdk.package.limits import (
     IR_VERSIONS,
     MAX_DECODER_BYTES,
     MAX_DECODER_NODES,
     MAX_DECODER_WIDTH,
     OPSET_VERSIONS,
+    OUTPUT_WIDTH,
 )
 from rna_sdk.package.manifest import Tier
 from rna_sdk.package.onnx_model import FLOAT, Model, Node, Tensor, Value, read_model
 from rna_sdk.package.protobuf import WireError
+from rna_sdk.package.saturation import PAIR_LIMIT
+
+Rows = NDArray[np.float32]
 
 INPUT_NAME = "queries"
 OUTPUT_NAME = "transport"
-OUTPUT_WIDTH = 6
-"""Columns of `transport`: visible R, G, B, shadowed R, G, B."""
-
 QUANTIZERS = frozenset({"QuantizeLinear", "DequantizeLinear"})
 
 # Operators whose row i of the result depends on row i of the queries alone, and whose
@@ -38,10 +42,11 @@ TENSOR_TYPES = frozenset({1, 2, 3, 6, 7, 9, 10})
 DEFAULT_DOMAINS = frozenset({"", "ai.onnx"})
 
 _PROBES = (0.0, 1.0, -1.0, 1e4, -1e4, float(np.finfo(np.float32).max), -3.4e38)
+_RANDOM_ROWS = 9
 
 
-def check_decoder(data: memoryview, tier: Tier) -> None:
-    """Check the entry `data` against the tier.
+def check_decoder(data: memoryview, tier: Tier) -> list[Issue]:
+    """Check the entry `data` against the tier; returns warnings.
 
     The inference engine sees the bytes only after the structure has passed.
 
@@ -61,6 +66,17 @@ def check_decoder(data: memoryview, tier: Tier) -> None:
     _check_tensors(model, tier.decoder)
     _check_widths(model, tier)
     _check_results(bytes(data), tier)
+    return _warnings(model, tier.decoder)
+
+
+def _warnings(model: Model, name: str) -> list[Issue]:
+    issues = []
+    if (reason := outside_profile(model)) is not None:
+        issues.append(Issue.of(Code.DECODER_PROFILE, name, reason, "the decoder profile"))
+    if weights := saturating_weights(model):
+        expected = f"neighbours of one sign that add up to at most {PAIR_LIMIT}"
+        issues.append(Issue.of(Code.DECODER_SATURATION, f"{name}#{weights[0]}", "larger", expected))
+    return issues
 
 
 def _check_versions(model: Model, name: str) -> None:
@@ -168,19 +184,38 @@ def _check_results(data: bytes, tier: Tier) -> None:
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.graph_optimization_level = ort.GraphOptimizationLevel.ORT_DISABLE_ALL
     options.log_severity_level = 4
-    queries = np.repeat(np.array(_PROBES, np.float32)[:, None], tier.query_width, axis=1)
+    queries = _probes(tier.query_width)
+    order = np.random.default_rng(1).permutation(len(queries))
     try:
         session = ort.InferenceSession(data, options, providers=["CPUExecutionProvider"])
-        transport = session.run([OUTPUT_NAME], {INPUT_NAME: queries})[0]
-        empty = session.run([OUTPUT_NAME], {INPUT_NAME: queries[:0]})[0]
+
+        def run(rows: Rows) -> Rows:
+            result: Rows = session.run([OUTPUT_NAME], {INPUT_NAME: rows})[0]
+            if result.dtype != np.float32 or result.shape != (len(rows), OUTPUT_WIDTH):
+                found = f"{result.dtype} {list(result.shape)}"
+                expected = f"float32 {[len(rows), OUTPUT_WIDTH]}"
+                refuse(Code.DECODER_RESULT, tier.decoder, found, expected)
+            return result
+
+        run(queries[:0])
+        transport, permuted, single = run(queries), run(queries[order]), run(queries[-1:])
+    except PackageError:
+        raise
     except Exception as error:  # the engine's exceptions share no narrower base
         refuse(Code.DECODER_LOAD, tier.decoder, error, "a model that loads and runs")
-    for result, rows in ((transport, len(queries)), (empty, 0)):
-        if result.dtype != np.float32 or result.shape != (rows, OUTPUT_WIDTH):
-            found = f"{result.dtype} {list(result.shape)}"
-            refuse(Code.DECODER_RESULT, tier.decoder, found, f"float32 {[rows, OUTPUT_WIDTH]}")
     good = (np.isfinite(transport) & (transport >= 0)).all(axis=1)
     if not good.all():
         row = int(np.argmin(good))
-        found = f"{transport[row].tolist()} where all inputs are {_PROBES[row]:g}"
+        found = f"{transport[row].tolist()} for inputs that begin with {queries[row, 0]:g}"
         refuse(Code.DECODER_RESULT, tier.decoder, found, "finite and >= 0 for any finite input")
+    for rows, result in ((order, permuted), ([-1], single)):
+        if not np.allclose(result, transport[rows], rtol=1e-3, atol=1e-5):
+            found = "a row that depends on the others, or on its place"
+            refuse(Code.DECODER_RESULT, tier.decoder, found, "rows that depend on themselves alone")
+
+
+def _probes(columns: int) -> Rows:
+    """Queries (n, columns): rows of one number each, up to the largest, and random ones."""
+    constant = np.repeat(np.array(_PROBES, np.float32)[:, None], columns, axis=1)
+    random = np.random.default_rng(0).uniform(-1, 1, (_RANDOM_ROWS, columns)).astype(np.float32)
+    return np.concatenate([constant, random])

@@ -113,6 +113,8 @@ class Code(Enum):
     DECODER_PRECISION = (Severity.ERROR, "The decoder's arithmetic is not the tier's precision.")
     DECODER_LOAD = (Severity.ERROR, "The inference engine refuses the decoder.")
     DECODER_RESULT = (Severity.ERROR, "The decoder breaks the output contract on a test query.")
+    DECODER_PROFILE = (Severity.WARNING, "Hosts without an ONNX engine cannot run the decoder.")
+    DECODER_SATURATION = (Severity.WARNING, "Weights in int8 can saturate a sum of two in 16 bits.")
 
 
 @dataclass(frozen=True)

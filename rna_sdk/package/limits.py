@@ -10,6 +10,14 @@ MAX_ENTRIES = 256
 MAX_NAME_BYTES = 200
 MAX_MANIFEST_BYTES = 2**20
 MAX_JSON_DEPTH = 64
+MAX_INTEGER = 2**53 - 1
+"""Up to here every JSON parser has every integer (RFC 7493, section 2.2)."""
+
+MAX_COORDINATE = 1e18
+"""Metres, of the bounds; squares of distances stay finite in float32."""
+
+MIN_EXTENT = 1e-18
+"""Metres, of the bounds along an axis; squares of it stay normal in float32."""
 
 MAX_TIERS = 16
 MAX_CONES = 16
@@ -27,3 +35,6 @@ MAX_DECODER_WIDTH = 8192
 
 IR_VERSIONS = range(7, 11)
 OPSET_VERSIONS = range(13, 22)
+
+OUTPUT_WIDTH = 6
+"""Columns of `transport`: visible R, G, B, shadowed R, G, B."""

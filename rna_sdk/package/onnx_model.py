@@ -14,23 +14,26 @@ FLOAT = 1
 
 @dataclass(frozen=True)
 class Tensor:
-    """An initializer or a tensor in an attribute."""
+    """An initializer or a tensor in an attribute. `raw`: its data, where it is `raw_data`."""
 
     name: str
     dtype: int
     dims: tuple[int, ...]
     external: bool
+    raw: memoryview | None
 
 
 @dataclass(frozen=True)
 class Node:
-    """One operator call. `tensors` are those in its attributes."""
+    """One operator call. `tensors` are those in its attributes; `integers`, those that are one."""
 
     operator: str
     domain: str
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
     tensors: tuple[Tensor, ...]
+    attributes: tuple[str, ...]
+    integers: dict[str, int]
     longest_list: int
     nested: bool
 
@@ -79,7 +82,9 @@ def read_model(data: memoryview) -> Model:
 def _tensor(tensor: Message) -> Tensor:
     dims = tuple(tensor.integers(1))
     external = tensor.has(13) or any(tensor.integers(14))
-    return Tensor(tensor.text(8), tensor.integer(2), dims, external)
+    raw = tensor.one(9)
+    data = raw if isinstance(raw, memoryview) else None
+    return Tensor(tensor.text(8), tensor.integer(2), dims, external, data)
 
 
 def _node(node: Message) -> Node:
@@ -91,6 +96,8 @@ def _node(node: Message) -> Node:
         inputs=tuple(node.texts(1)),
         outputs=tuple(node.texts(2)),
         tensors=tuple(_tensor(t) for a in attributes for n in (5, 10) for t in a.messages(n)),
+        attributes=tuple(attribute.text(1) for attribute in attributes),
+        integers={a.text(1): a.integer(3) for a in attributes if a.has(3)},
         longest_list=max((_longest_list(attribute) for attribute in attributes), default=0),
         nested=any(attribute.has(n) for attribute in attributes for n in graphs_and_sparse),
     )

@@ -113,7 +113,7 @@ def _check_contents(
                 check_finite(planes_from_bytes(container.view(tier.planes), tier), tier.planes)
         if tier.decoder in intact:
             with result.collect():
-                check_decoder(container.view(tier.decoder), tier)
+                result.issues += check_decoder(container.view(tier.decoder), tier)
 
 
 def _outside(geometry: Geometry, bounds: Bounds) -> list[Issue]:

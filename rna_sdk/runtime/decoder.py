@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import onnxruntime as ort
 from numpy.typing import NDArray
 
+from rna_sdk.runtime.agreement import TIES, close_rows
 from rna_sdk.runtime.decoder_graph import prepare_decoder
+from rna_sdk.runtime.int8_entry import Entry
 
 _TILES = ((32_768, 4096), (131_072, 2048), (524_288, 1024))
 """(bytes of the model, rows): up to this size, so many rows a call run fastest.
@@ -16,6 +20,11 @@ activations of two layers stay in a core's L2 cache and that a call's fixed cost
 """
 
 _LARGE_MODEL_TILE = 512
+_CHECKED_ROWS = 512
+
+
+class DecoderWarning(UserWarning):
+    """A decoder runs slower than it should, since its fast form gave other results."""
 
 
 class Decoder:
@@ -30,26 +39,70 @@ class Decoder:
         """model: ONNX bytes, input `queries` and output `transport`, float32.
 
         largest_query: no number in the queries will be further from 0.
+
+        Warns with DecoderWarning where the fast form of the graph differs from the graph on this
+        machine; the graph itself then runs.
         """
-        options = ort.SessionOptions()
-        options.intra_op_num_threads = 1
-        options.inter_op_num_threads = 1
-        options.execution_mode = ort.ExecutionMode.ORT_SEQUENTIAL
-        options.graph_optimization_level = ort.GraphOptimizationLevel.ORT_ENABLE_ALL
-        options.add_session_config_entry("session.intra_op.allow_spinning", "0")
-        options.log_severity_level = 3
-        data, self._entry = prepare_decoder(bytes(model), largest_query)
-        self._session = ort.InferenceSession(data, options, providers=["CPUExecutionProvider"])
-        source = self._session.get_inputs()[0]
-        self._input = source.name
-        self._shape = [size if isinstance(size, int) else -1 for size in source.shape]
-        self.columns = len(self._entry.gain) if self._entry else int(self._shape[-1])
+        original = bytes(model)
+        data, entry = prepare_decoder(original, largest_query)
+        self._graph = _Graph(data, entry)
+        if data is not original and not _agree(self._graph, original, largest_query):
+            message = (
+                "a decoder's fast form gives other results than its graph on this CPU; "
+                "the graph runs as it is, more slowly"
+            )
+            warnings.warn(message, DecoderWarning, stacklevel=2)
+            self._graph = _Graph(original)
+        self.columns = self._graph.columns
         fitting = [rows for size, rows in _TILES if len(model) <= size]
         self.tile_rows = fitting[0] if fitting else _LARGE_MODEL_TILE
 
     def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
         """(n, 6) float32: visible and shadowed RGB of `queries`, (n, columns) float32, finite."""
+        return self._graph.run(queries)
+
+
+class _Graph:
+    """A graph in a session, and what it wants its queries to be."""
+
+    def __init__(self, model: bytes, entry: Entry | None = None, optimized: bool = True) -> None:
+        """entry: what makes the graph's input of queries, where that is not queries themselves."""
+        self._entry = entry
+        options = ort.SessionOptions()
+        options.intra_op_num_threads = 1
+        options.inter_op_num_threads = 1
+        options.execution_mode = ort.ExecutionMode.ORT_SEQUENTIAL
+        levels = ort.GraphOptimizationLevel
+        options.graph_optimization_level = (
+            levels.ORT_ENABLE_ALL if optimized else levels.ORT_DISABLE_ALL
+        )
+        options.add_session_config_entry("session.intra_op.allow_spinning", "0")
+        # Layers in int8 that are not rewritten run in float32: onnxruntime's own way to run them
+        # in integers can saturate on CPUs without VNNI.
+        options.add_session_config_entry("session.disable_quant_qdq", "1")
+        options.log_severity_level = 3
+        self._session = ort.InferenceSession(model, options, providers=["CPUExecutionProvider"])
+        source = self._session.get_inputs()[0]
+        self._input = source.name
+        self._shape = [size if isinstance(size, int) else -1 for size in source.shape]
+        self.columns = len(entry.gain) if entry else int(self._shape[-1])
+
+    def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
         values = self._entry.quantized(queries) if self._entry else queries
         inputs = {self._input: values.reshape(self._shape)}
         transport: NDArray[np.float32] = self._session.run(["transport"], inputs)[0]
         return transport
+
+
+def _agree(fast: _Graph, original: bytes, largest_query: float) -> bool:
+    """Whether the fast form gives what the graph of the package gives, on fixed queries."""
+    graph = _Graph(original, optimized=False)
+    queries = np.zeros((_CHECKED_ROWS, max(fast.columns, graph.columns)), np.float32)
+    rng = np.random.default_rng(0)
+    shape = _CHECKED_ROWS, graph.columns
+    # Mostly within the blocks' range, some rows far beyond.
+    reach = np.where(np.arange(_CHECKED_ROWS) % 4, 1.0, min(largest_query, 100.0))
+    queries[:, : graph.columns] = rng.uniform(-1, 1, shape) * reach[:, None]
+    expected = graph.run(np.ascontiguousarray(queries[:, : graph.columns]))
+    close = close_rows(fast.run(np.ascontiguousarray(queries[:, : fast.columns])), expected)
+    return bool(close.mean() >= (1 - TIES if b"QuantizeLinear" in original else 1.0))

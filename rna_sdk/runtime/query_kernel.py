@@ -15,8 +15,8 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
+from rna_sdk.compiled import compiled
 from rna_sdk.package.blocks import INPUT_BLOCKS
-from rna_sdk.runtime.compiled import compiled
 from rna_sdk.runtime.fiber_blocks import fiber_blocks
 from rna_sdk.runtime.surface_blocks import half_vector, highlight, learned_normal
 from rna_sdk.runtime.texels import prefetch_texels, relative, triplane_footprint, weighted_texel_sum

@@ -22,6 +22,7 @@ from rna_export.training.presets import PRESETS
 from rna_export.training.run import Run, train
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Int8Planes, Package, validate
+from rna_sdk.package.saturation import PAIR_LIMIT, can_saturate, pair_sums
 from rna_sdk.runtime import load
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.int8_graph import fuse_int8_layers
@@ -178,3 +179,31 @@ def test_tiers_of_any_pair_share_their_entries(checkpoint: Path, tmp_path: Path)
         manifest = package.manifest
     assert len(manifest.tiers) == 4
     assert len(manifest.entries) == 1 + 2 + 2
+
+
+def test_a_tier_that_loses_too_much_is_refused(
+    checkpoint: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "ball.rna"
+    arguments = [str(checkpoint), "--precision", "int8", "--out", str(path)]
+    assert main([*arguments, "--max-loss", "-20"]) == 1
+    said = capsys.readouterr().err
+    assert "small-int8" in said and "at most -20 dB (--max-loss)" in said
+    assert not path.exists()
+    assert main([*arguments, "--max-loss", "1"]) == 0
+
+
+@pytest.mark.parametrize("kind", PRESETS)
+@torch.no_grad()
+def test_no_exported_weights_can_saturate(kind: str) -> None:
+    for preset in PRESETS[kind]:
+        model = make_model(preset, kind)
+        for parameter in model.decoder.parameters():
+            parameter.abs_()  # of one sign: the worst of pairs
+        layers = int8_decoder(model, random_queries(model, 2000, 7)).layers
+        assert not any(can_saturate(layer.weight.T.numpy()) for layer in layers)
+        # No step is larger than it must be: some pair, or weight, is at its limit.
+        for layer in layers:
+            full = pair_sums(layer.weight.T.numpy()).max(axis=0) / PAIR_LIMIT
+            single = np.abs(layer.weight.numpy().astype(int)).max(axis=1) / 127
+            assert (np.maximum(full, single) > 0.95).all()

@@ -105,23 +105,38 @@ def make_decoder_model(
 def make_int8_decoder_model(
     columns: int = 18, width: int = 8, layers: int = 1, seed: int = 2, **overrides: Any
 ) -> onnx.ModelProto:
-    """The like of `make_decoder_model` in int8; the queries have another zero point than 0."""
+    """The like of `make_decoder_model` in int8; the queries have another zero point than 0.
+
+    `overrides`: also `largest`, of the weights (127); `in_profile`, with a gain and an offset for
+    each column instead of the zero point.
+    """
     rng = np.random.default_rng(seed)
     sizes = [columns, *[width] * layers, overrides.get("outputs", 6)]
+    largest, in_profile = overrides.get("largest", 127), overrides.get("in_profile", False)
     step = np.float32(1 / 30)
-    constants: dict[str, NDArray[Any]] = {"step": step, "z0": np.uint8(100)}
-    constants |= {"low": np.float32(-65504.0), "high": np.float32(65504.0)}
+    constants: dict[str, NDArray[Any]] = {"low": np.float32(-65504.0), "high": np.float32(65504.0)}
     nodes = [helper.make_node("Clip", ["queries", "low", "high"], ["y"])]
     value = "y"
+    if in_profile:
+        constants |= {"gain": np.full(columns, 30, np.float32)}
+        constants |= {"offset": np.full(columns, 100, np.float32)}
+        nodes.append(helper.make_node("Mul", ["y", "gain"], ["scaled"]))
+        nodes.append(helper.make_node("Add", ["scaled", "offset"], ["moved"]))
+        value = "moved"
     for i, (rows, cols) in enumerate(pairwise(sizes)):
+        weight = rng.integers(-largest, largest + 1, (rows, cols)).astype(np.int8)
         scale = (rng.uniform(0.5, 1.5, cols) * (2 / rows) ** 0.5 / 73).astype(np.float32)
         bias = rng.normal(1 if i == layers else 0, 0.2, cols) / (step * scale)
-        constants |= {f"z{i + 1}": np.uint8(0), f"s{i}": scale, f"t{i}": step * scale}
-        constants[f"w{i}"] = rng.integers(-127, 128, (rows, cols)).astype(np.int8)
+        own_step, zero = step, 100 if i == 0 else 0
+        if in_profile and i == 0:
+            own_step, zero, scale = np.float32(1), 0, scale * step
+            bias -= 100 * weight.astype(np.int64).sum(axis=0)
+        constants |= {f"step{i}": own_step, f"z{i}": np.uint8(zero)}
+        constants |= {f"s{i}": scale, f"t{i}": own_step * scale, f"w{i}": weight}
         constants[f"b{i}"] = np.round(bias).astype(np.int32)
         for operator, inputs, output, axis in (
-            ("QuantizeLinear", [value, "step", f"z{i}"], f"q{i}", None),
-            ("DequantizeLinear", [f"q{i}", "step", f"z{i}"], f"x{i}", None),
+            ("QuantizeLinear", [value, f"step{i}", f"z{i}"], f"q{i}", None),
+            ("DequantizeLinear", [f"q{i}", f"step{i}", f"z{i}"], f"x{i}", None),
             ("DequantizeLinear", [f"w{i}", f"s{i}"], f"v{i}", 1),
             ("DequantizeLinear", [f"b{i}", f"t{i}"], f"c{i}", 0),
             ("Gemm", [f"x{i}", f"v{i}", f"c{i}"], f"y{i}", None),
@@ -141,13 +156,14 @@ def _decoder(
 ) -> onnx.ModelProto:
     """The model of these nodes and exp(value) - 1."""
     outputs = overrides.get("outputs", 6)
-    ends = {"one": 1.0, "zero": 0.0, "largest": 11.0}
+    ends = {"one": 1.0, "zero": 0.0, "largest": 11.0, "unit": 1.0}
     constants = constants | {name: np.float32(number) for name, number in ends.items()}
     nodes = [
         *nodes,
         helper.make_node("Clip", [value, "zero", "largest"], ["logs"]),
         helper.make_node("Exp", ["logs"], ["exps"]),
-        helper.make_node("Sub", ["exps", "one"], ["transport"]),
+        helper.make_node("Sub", ["exps", "one"], ["above"]),
+        helper.make_node("Mul", ["above", "unit"], ["transport"]),
     ]
     graph = helper.make_graph(
         nodes,

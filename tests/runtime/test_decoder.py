@@ -10,10 +10,16 @@ import pytest
 from onnx import helper, numpy_helper
 from onnx.reference import ReferenceEvaluator
 
-from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime import decoder as decoder_module
+from rna_sdk.runtime.decoder import Decoder, DecoderWarning
 from rna_sdk.runtime.decoder_graph import convolve_layers
 from rna_sdk.runtime.tiles import QueryFiller
-from tests.package.builders import make_decoder_model, make_manifest, make_tier
+from tests.package.builders import (
+    make_decoder_model,
+    make_int8_decoder_model,
+    make_manifest,
+    make_tier,
+)
 
 
 def operators(model: bytes) -> list[str]:
@@ -166,3 +172,23 @@ def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision: str) -> 
     bounds = make_manifest().bounds
     assert 120 <= QueryFiller(planes, bounds, tier, "surface").largest_query < 121
     assert QueryFiller(planes / 1000, bounds, tier, "surface").largest_query == 4
+
+
+@pytest.mark.parametrize("make", [make_decoder_model, make_int8_decoder_model])
+def test_a_fast_form_that_differs_gives_way_to_the_graph(make, monkeypatch) -> None:
+    model = make(22, 32, 2, opset=19).SerializeToString()
+    queries = random_queries(200)
+    expected = onnx_result(model, queries)
+    other = make(22, 32, 2, seed=5).SerializeToString()
+    rewrite = decoder_module.prepare_decoder
+    monkeypatch.setattr(decoder_module, "prepare_decoder", lambda _, reach: rewrite(other, reach))
+    with pytest.warns(DecoderWarning, match="runs as it is"):
+        decoder = Decoder(model)
+    assert decoder.columns == 22
+    np.testing.assert_allclose(decoder.run(queries), expected, rtol=1e-4, atol=1e-5)
+
+
+@pytest.mark.parametrize("width", [16, 64, 256, 512])
+@pytest.mark.parametrize("make", [make_decoder_model, make_int8_decoder_model])
+def test_a_fast_form_that_agrees_stays(make, width: int) -> None:
+    Decoder(make(22, width, 4).SerializeToString())  # a warning would be an error

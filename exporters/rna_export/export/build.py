@@ -16,12 +16,13 @@ from rna_export.capture.dataset import Dataset, ValidationView, all_queries, que
 from rna_export.export.decoder import Agreement as DecoderAgreement
 from rna_export.export.decoder import check_decoder, check_int8_decoder, export_decoder
 from rna_export.export.int8_decoder import int8_decoder
-from rna_export.export.precision import Precision, stored_planes
+from rna_export.export.precision import MAX_LOSS, Precision, stored_planes
 from rna_export.export.small_images import flip_at_heights
-from rna_export.machine import processor, seconds_of
-from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
+from rna_export.machine import seconds_of
+from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import Trained
-from rna_export.training.validation import score
+from rna_export.training.validation import score, shade
+from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
 from rna_sdk.package import (
     Agreement,
@@ -51,6 +52,7 @@ def build_package(
     say: Callable[[str], None],
     precisions: Sequence[Precision] = (Precision(),),
     measured: bool = True,
+    max_loss: float = MAX_LOSS,
 ) -> Manifest:
     """Write `out` with a tier for each checkpoint and precision; returns its manifest.
 
@@ -58,7 +60,8 @@ def build_package(
 
     Each tier's error and cost are measured through the runtime, from a package like the one
     written, unless that is not wanted: then the manifest has neither. Raises `ExportError` when
-    the checkpoints do not belong together or to the dataset.
+    the checkpoints do not belong together or to the dataset, a decoder is not the trained one, or
+    a measured tier loses more than `max_loss` dB against it.
     """
     _check_together(trained, dataset)
     tiers, data = [], {}
@@ -80,6 +83,7 @@ def build_package(
     )
     if measured:
         manifest = _measure(manifest, models, dataset, data, say)
+        _check_losses(manifest.tiers, models, dataset.validation_views(), max_loss)
     return write_package(out, manifest, dataset.geometry(), data)
 
 
@@ -135,14 +139,14 @@ def _decoder(
     if precision == "float32":
         exported = export_decoder(one.model)
         return exported, check_decoder(exported, one.model)
-    queries = _calibration_queries(one, dataset)
+    queries = calibration_queries(one, dataset)
     layers = int8_decoder(one.model, queries)
     exported = export_decoder(one.model, layers)
     return exported, check_int8_decoder(exported, one.model, layers, queries)
 
 
 @torch.no_grad()
-def _calibration_queries(one: Trained, dataset: Dataset) -> torch.Tensor:
+def calibration_queries(one: Trained, dataset: Dataset) -> torch.Tensor:
     """What the decoder is asked at random samples of the training data, (n, K)."""
     samples = dataset.training_samples(_CALIBRATION_SHARDS)
     rows = len(samples["visible"])
@@ -174,6 +178,20 @@ def _measure(
             )
             tiers.append(tier.model_copy(update={"validation": validation, "cost": cost}))
     return manifest.model_copy(update={"tiers": tuple(tiers)})
+
+
+def _check_losses(
+    tiers: Sequence[Tier], models: list[Trained], views: list[ValidationView], max_loss: float
+) -> None:
+    """Raises ExportError where a tier's PSNR is too far below that of the trained model."""
+    for tier, one in zip(tiers, models, strict=True):
+        assert tier.validation is not None
+        trained = np.mean([psnr(shade(one.model, v), v.samples["radiance"]) for v in views])
+        if not trained - tier.validation.psnr <= max_loss:
+            raise ExportError(
+                f"{tier.name}: found {tier.validation.psnr:.2f} dB, the trained model has "
+                f"{trained:.2f} dB; expected to lose at most {max_loss:g} dB (--max-loss)"
+            )
 
 
 def _validation(asset: Asset, views: list[ValidationView]) -> Validation:

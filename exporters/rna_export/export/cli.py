@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from rna_export.export.precision import PRECISIONS
+from rna_export.export.precision import MAX_LOSS, PRECISIONS
 from rna_sdk.console import command_parser, run_command
 
 
@@ -37,6 +37,14 @@ def parser() -> argparse.ArgumentParser:
         help="a tier of each checkpoint for each: float32 decoder with float16 planes, or int8 for "
         "both, whose tier has -int8 in its name (default: float32)",
     )
+    p.add_argument(
+        "--max-loss",
+        type=float,
+        default=MAX_LOSS,
+        metavar="DB",
+        help="PSNR that a tier may lose against the trained model, dB; the export is refused "
+        "beyond it (float, default: %(default)s)",
+    )
     p.add_argument("--source", help="name, author and address of the original model")
     p.add_argument(
         "--license",
@@ -61,7 +69,16 @@ def _run(args: argparse.Namespace) -> None:
     trained = [load_checkpoint(path) for path in args.checkpoints]
     dataset = Dataset(args.dataset or trained[0].dataset)
     precisions = [PRECISIONS[name] for name in dict.fromkeys(args.precision)]
-    build_package(trained, dataset, args.out, args.source, args.license, print, precisions)
+    build_package(
+        trained,
+        dataset,
+        args.out,
+        args.source,
+        args.license,
+        print,
+        precisions,
+        max_loss=args.max_loss,
+    )
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB\nnext: rna-validate {args.out}")
 

@@ -1,11 +1,13 @@
 """The decoder's layers in 8-bit integers, calibrated on queries of the training data.
 
 Activations are uint8, one scale a layer; weights int8, one scale an output; sums int32. Zero is
-the smallest activation, so that storing one in uint8 is the ReLU, too.
+the smallest activation, so that storing one in uint8 is the ReLU, too. No two weights that an
+engine may multiply as a pair can saturate 16 bits (`rna_sdk/package/saturation.py`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +15,10 @@ import torch
 from torch import Tensor
 
 from rna_export.training.model import NeuralAsset
+from rna_sdk.package.saturation import PAIR_LIMIT, pair_sums
+
+WeightScale = Callable[[Tensor], Tensor]
+"""From weights (outputs, inputs) to what one step of int8 means for each output, (outputs,)."""
 
 _CLIPS = torch.linspace(0.3, 1.0, 36)
 """Candidates for the end of a layer's range, as parts of its largest activation."""
@@ -23,7 +29,8 @@ class Int8Layer:
     """What a layer multiplies: sum = weight @ q + bias, in units of input_scale * weight_scale.
 
     Attributes:
-        weight: (outputs, inputs) int8; no -128, so that all are as good as their negatives.
+        weight: (outputs, inputs) int8; inputs 2k and 2k + 1 of one sign add up to PAIR_LIMIT at
+            most.
         weight_scale: (outputs,) float32.
         bias: (outputs,) int32.
         input_scale: what one step of the uint8 inputs q means.
@@ -60,8 +67,26 @@ class Int8Decoder:
         return self.layers[-1](q).float()
 
 
+def pair_scale(weight: Tensor) -> Tensor:
+    """The smallest steps with which no weight exceeds 127, and no pair of inputs PAIR_LIMIT."""
+    largest = weight.abs().amax(dim=1).clamp(min=1e-9)
+    paired = torch.nn.functional.pad(weight, (0, weight.shape[1] % 2)).unflatten(1, (-1, 2))
+    sums = torch.maximum(paired.clamp(min=0).sum(2), -paired.clamp(max=0).sum(2)).amax(dim=1)
+    scale = torch.maximum(largest / 127.0, sums / PAIR_LIMIT)
+    while (over := _pairs_over(weight, scale)).any():  # both of a pair were rounded up
+        scale = torch.where(over, scale * (1 + 1 / PAIR_LIMIT), scale)
+    return scale
+
+
+def _pairs_over(weight: Tensor, scale: Tensor) -> Tensor:
+    rounded = (weight / scale[:, None]).round().to(torch.int8)
+    return torch.from_numpy((pair_sums(rounded.T.numpy()) > PAIR_LIMIT).any(axis=0))
+
+
 @torch.no_grad()
-def int8_decoder(model: NeuralAsset, queries: Tensor) -> Int8Decoder:
+def int8_decoder(
+    model: NeuralAsset, queries: Tensor, weight_scale: WeightScale = pair_scale
+) -> Int8Decoder:
     """The model's decoder in integers, with ranges that suit these queries, (n, K)."""
     linear = [layer for layer in model.decoder if isinstance(layer, torch.nn.Linear)]
     weights = [layer.weight.detach().clone() for layer in linear]
@@ -77,7 +102,7 @@ def int8_decoder(model: NeuralAsset, queries: Tensor) -> Int8Decoder:
     q, scale = (queries * gain + offset).round().clamp(0, 255), 1.0
     layers = []
     for weight, bias, exact in zip(weights, biases, expected, strict=True):
-        layers.append(_layer(weight, bias, scale, q, exact))
+        layers.append(_layer(weight, weight_scale(weight), bias, scale, q, exact))
         sums = layers[-1](q).float()
         scale = _scale(torch.relu(sums))
         q = (sums / scale).round().clamp(0, 255)
@@ -117,14 +142,13 @@ def _scale(values: Tensor) -> float:
 
 
 def _layer(
-    weight: Tensor, bias: Tensor, input_scale: float, q: Tensor, expected: Tensor
+    weight: Tensor, scale: Tensor, bias: Tensor, input_scale: float, q: Tensor, expected: Tensor
 ) -> Int8Layer:
-    """The layer for inputs q (n, inputs), in steps of `input_scale`.
+    """The layer for inputs q (n, inputs), in steps of `input_scale`; weights in steps of `scale`.
 
     expected: its sums (n, outputs) in the trained decoder. The bias makes their means equal, so
     that rounding, here and in the layers before, moves no output as a whole.
     """
-    scale = weight.abs().amax(dim=1).clamp(min=1e-9) / 127.0
     rounded = (weight / scale[:, None]).round()
     moved = expected.mean(dim=0) - (q @ rounded.T * (scale * input_scale) + bias).mean(dim=0)
     limit = np.iinfo(np.int32).max // 2

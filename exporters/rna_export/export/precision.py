@@ -39,6 +39,9 @@ def _mark(precision: str, usual: str) -> str:
     return "" if precision == usual else f"-{precision}"
 
 
+MAX_LOSS = 0.5
+"""PSNR that a tier may lose against the trained model before the export is refused, dB."""
+
 PRECISIONS = {"float32": Precision(), "int8": Precision("int8", "int8")}
 """What `rna-export --precision` offers."""
 

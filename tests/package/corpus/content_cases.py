@@ -12,10 +12,15 @@ import numpy as np
 import onnx
 from onnx import TensorProto, helper, numpy_helper
 
-from rna_sdk.package.glb_writer import CHUNK, HEADER, mesh_to_glb, pack_glb
+from rna_sdk.package.glb_writer import CHUNK, CHUNK_BIN, HEADER, mesh_to_glb, pack_glb
 from rna_sdk.package.planes import planes_to_bytes
 from rna_sdk.package.tensor_file import tensors_to_bytes
-from tests.package.builders import make_decoder_model, make_mesh, make_planes
+from tests.package.builders import (
+    make_decoder_model,
+    make_int8_decoder_model,
+    make_mesh,
+    make_planes,
+)
 from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_entry
 
 
@@ -71,6 +76,40 @@ def glb_chunk_past_the_end(entries: Entries) -> bytes:
 @case("GEOMETRY_CONTAINER")
 def glb_without_json(entries: Entries) -> bytes:
     return with_entry(entries, MESH, pack_glb(b"no json", bytes(64)))
+
+
+@case("GEOMETRY_CONTAINER")
+def glb_of_an_odd_size(entries: Entries) -> bytes:
+    glb = bytearray(entries[MESH] + b"\0")
+    glb[8:12] = len(glb).to_bytes(4, "little")
+    chunk = bytes(glb).index(CHUNK_BIN) - 4
+    glb[chunk : chunk + 4] = (len(glb) - chunk - CHUNK.size).to_bytes(4, "little")
+    return with_entry(entries, MESH, bytes(glb))
+
+
+@case("GEOMETRY_CONTAINER")
+def glb_with_half_a_surrogate_pair(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["nodes"][0].update(name="\ud800"))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_an_empty_scene(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["scenes"][0].pop("nodes"))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_a_node_without_mesh(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["nodes"][0].pop("mesh"))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_a_null(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["asset"].update(generator=None))
+
+
+@case("GEOMETRY_RANGE")
+def glb_accessor_of_no_view(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][0].update(bufferView=4))
 
 
 @case("GEOMETRY_PROFILE")
@@ -174,6 +213,21 @@ def planes_header_past_the_end(entries: Entries) -> bytes:
 @case("PLANES_HEADER")
 def planes_header_no_json(entries: Entries) -> bytes:
     return with_entry(entries, PLANES, (56).to_bytes(8, "little") + b"x" * 56)
+
+
+@case("PLANES_HEADER")
+def planes_header_after_a_space(entries: Entries) -> bytes:
+    data = entries[PLANES]
+    start = 8 + int.from_bytes(data[:8], "little")
+    assert data[start - 1 : start] == b" "
+    moved = data[:8] + b" " + data[8 : start - 1] + data[start:]
+    return with_entry(entries, PLANES, moved)
+
+
+@case("PLANES_TENSOR")
+def planes_with_metadata_that_is_no_object(entries: Entries) -> bytes:
+    tensor = {"dtype": "F16", "shape": [3, 8, 8, 4], "data_offsets": [0, 1536]}
+    return with_planes_header(entries, {"__metadata__": 1, "planes": tensor})
 
 
 @case("PLANES_HEADER")
@@ -462,7 +516,43 @@ def decoder_without_clamps(entries: Entries) -> bytes:
     """Negative light: the last operator is a plain layer."""
 
     def edit(model: onnx.ModelProto) -> None:
-        del model.graph.node[-3:]
+        del model.graph.node[-4:]
         model.graph.node[-1].output[0] = "transport"
 
     return with_decoder(entries, edit)
+
+
+@case("DECODER_RESULT")
+def decoder_that_mixes_rows(entries: Entries) -> bytes:
+    """Results in the order of the queries reversed."""
+
+    def edit(model: onnx.ModelProto) -> None:
+        model.graph.node[-1].output[0] = "ordered"
+        constants = {"start": [-1], "stop": [-(2**31)], "rows": [0], "back": [-1]}
+        for name, value in constants.items():
+            tensor = numpy_helper.from_array(np.array(value, np.int64), name)
+            model.graph.initializer.append(tensor)
+        reverse = helper.make_node("Slice", ["ordered", *constants], ["transport"])
+        model.graph.node.append(reverse)
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_PROFILE")
+def decoder_with_another_activation(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        node = next(node for node in model.graph.node if node.op_type == "Relu")
+        node.op_type = "Tanh"
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_SATURATION")
+def decoder_whose_pairs_of_weights_exceed_16_bits(entries: Entries) -> bytes:
+    """127 next to 127: 255 * 254 is more than a signed 16-bit number holds."""
+    return with_entry(
+        entries,
+        DECODER,
+        make_int8_decoder_model(largest=127, in_profile=True).SerializeToString(),
+        lambda m: m["tiers"][0].update(decoderPrecision="int8"),
+    )

@@ -1,0 +1,175 @@
+"""The decoder profile: the form that a host can run without an ONNX engine (RNA-1.0, 6.4).
+
+    float32: Clip, Gemm, Relu, ..., Gemm, Clip, Exp, Sub, and Mul or MatMul
+    int8:    Clip, Mul, Add, then QuantizeLinear, DequantizeLinear and Gemm for each layer,
+             Clip, Exp, Sub, and Mul or MatMul
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_sdk.package.limits import OUTPUT_WIDTH
+from rna_sdk.package.onnx_model import Model, Node, Tensor
+from rna_sdk.package.saturation import can_saturate
+
+_FLOAT32, _UINT8, _INT8, _INT32 = 1, 2, 3, 6  # TensorProto.DataType
+_BYTES = {_FLOAT32: 4, _UINT8: 1, _INT8: 1, _INT32: 4}
+
+
+class _Outside(Exception):
+    """The graph leaves the profile; the text says where."""
+
+
+def outside_profile(model: Model) -> str | None:
+    """Where the model leaves the decoder profile, in words; None if it keeps to it."""
+    try:
+        _Walk(model).check()
+    except _Outside as reason:
+        return str(reason)
+    return None
+
+
+def saturating_weights(model: Model) -> list[str]:
+    """Names of the int8 matrices whose products can saturate a sum of two in 16 bits."""
+    return [
+        tensor.name
+        for tensor in model.initializers
+        if tensor.dtype == _INT8 and len(tensor.dims) == 2 and _is_whole(tensor)
+        if can_saturate(np.frombuffer(tensor.raw or b"", np.int8).reshape(tensor.dims))
+    ]
+
+
+def _is_whole(tensor: Tensor) -> bool:
+    """Whether the data is raw, and as long as type and shape want it."""
+    if tensor.raw is None or tensor.dtype not in _BYTES:
+        return False
+    return len(tensor.raw) == math.prod(tensor.dims) * _BYTES[tensor.dtype]
+
+
+@dataclass(frozen=True)
+class _Operand:
+    """A constant operand: its type, and its shape, () for a scalar."""
+
+    dtype: int
+    shape: tuple[int, ...] = ()
+
+    def __str__(self) -> str:
+        return f"a constant of type {self.dtype} {list(self.shape)}"
+
+
+_SCALAR, _ZERO_POINT = _Operand(_FLOAT32), _Operand(_UINT8)
+
+
+class _Walk:
+    """Follows the one chain of nodes from queries to transport."""
+
+    def __init__(self, model: Model) -> None:
+        self._constants = {tensor.name: tensor for tensor in model.initializers}
+        self._readers = Counter(name for node in model.nodes for name in node.inputs)
+        self._dequantizers: dict[str, Node] = {}
+        self._chain: list[Node] = []
+        for node in model.nodes:
+            if node.operator == "DequantizeLinear" and node.inputs[0] in self._constants:
+                self._dequantizers[node.outputs[0]] = node
+            else:
+                self._chain.append(node)
+        self._is_int8 = any(node.operator == "QuantizeLinear" for node in model.nodes)
+        self._at = 0
+        self._value = "queries"
+        self._width = model.inputs[0].dims[1] or 0
+
+    def check(self) -> None:
+        """Raises _Outside where the graph leaves the profile."""
+        self._take("Clip", _SCALAR, _SCALAR)
+        if self._is_int8:
+            self._take("Mul", _Operand(_FLOAT32, (self._width,)))
+            self._take("Add", _Operand(_FLOAT32, (self._width,)))
+        self._layers()
+        self._take("Clip", _SCALAR, _SCALAR)
+        self._take("Exp")
+        self._take("Sub", _SCALAR)
+        if self._operator == "MatMul":
+            self._take("MatMul", _Operand(_FLOAT32, (self._width, OUTPUT_WIDTH)))
+        else:
+            self._take("Mul", _SCALAR)
+        if self._operator != "nothing":
+            raise _Outside(f"{self._operator} behind the last node")
+        if self._dequantizers:
+            raise _Outside("a DequantizeLinear that no layer reads")
+
+    def _layers(self) -> None:
+        while True:
+            if self._is_int8:
+                self._take("QuantizeLinear", _SCALAR, _ZERO_POINT)
+                self._take("DequantizeLinear", _SCALAR, _ZERO_POINT)
+            self._take_gemm()
+            if self._operator == "Clip":
+                return
+            if not self._is_int8:
+                self._take("Relu")
+
+    @property
+    def _operator(self) -> str:
+        """Of the node that comes next."""
+        return self._chain[self._at].operator if self._at < len(self._chain) else "nothing"
+
+    def _take(self, operator: str, *operands: _Operand) -> None:
+        """The next node is this one, of the value and these constants."""
+        node = self._next(operator)
+        self._check_constants(node, node.inputs[1:], operands)
+
+    def _next(self, operator: str) -> Node:
+        """The next node, an `operator` without attributes of the value; its result is the next."""
+        if self._operator != operator:
+            raise _Outside(f"{self._operator}, expected {operator}, at {self._value}")
+        node = self._chain[self._at]
+        if node.inputs[:1] != (self._value,) or self._readers[self._value] != 1:
+            raise _Outside(f"{self._value} is not read by {operator} alone")
+        if node.attributes or len(node.outputs) != 1:
+            raise _Outside(f"{operator} with attributes or several results at {self._value}")
+        self._at += 1
+        self._value = node.outputs[0]
+        return node
+
+    def _take_gemm(self) -> None:
+        node = self._next("Gemm")
+        if len(node.inputs) != 3:
+            raise _Outside(f"Gemm of {len(node.inputs)} operands, expected 3")
+        if self._is_int8:
+            weight = self._dequantized(node.inputs[1], axis=1)
+            bias = self._dequantized(node.inputs[2], axis=0)
+        else:
+            weight, bias = node.inputs[1:2], node.inputs[2:]
+        dims = self._constants[weight[0]].dims if weight[0] in self._constants else ()
+        outputs = dims[-1] if dims else 0
+        weight_type, bias_type = (_INT8, _INT32) if self._is_int8 else (_FLOAT32, _FLOAT32)
+        scales = (_Operand(_FLOAT32, (outputs,)),) * self._is_int8
+        self._check_constants(
+            node, weight, (_Operand(weight_type, (self._width, outputs)), *scales)
+        )
+        self._check_constants(node, bias, (_Operand(bias_type, (outputs,)), *scales))
+        self._width = outputs
+
+    def _dequantized(self, name: str, axis: int) -> tuple[str, ...]:
+        """Constants of the DequantizeLinear that makes this operand of a Gemm, per channel."""
+        maker = self._dequantizers.pop(name, None)
+        if maker is None or maker.integers != {"axis": axis} or self._readers[name] != 1:
+            raise _Outside(f"{name}, expected a DequantizeLinear of constants along axis {axis}")
+        return maker.inputs
+
+    def _check_constants(
+        self, node: Node, names: tuple[str, ...], operands: tuple[_Operand, ...]
+    ) -> None:
+        where = f"{node.operator} that makes {node.outputs[0]}"
+        if len(names) != len(operands):
+            raise _Outside(f"{len(names)} constants of {where}, expected {len(operands)}")
+        for name, operand in zip(names, operands, strict=True):
+            tensor = self._constants.get(name)
+            whole = tensor is not None and _is_whole(tensor)
+            if tensor is None or not whole or _Operand(tensor.dtype, tensor.dims) != operand:
+                raise _Outside(f"{name or 'nothing'} of {where}, expected {operand}, raw")

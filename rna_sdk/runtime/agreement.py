@@ -1,0 +1,19 @@
+"""When two evaluations of a decoder count as the same (RNA-1.0, 8.2)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+RELATIVE, ABSOLUTE = 1e-4, 1e-5
+TIES = 0.02
+"""Part of an int8 decoder's rows that may differ: sums halfway between two steps may round
+either way."""
+
+
+def close_rows(found: NDArray[np.floating], expected: NDArray[np.floating]) -> NDArray[np.bool_]:
+    """(n,) bool: the rows of two (n, m) transports that agree in every column."""
+    wide = expected.astype(np.float64)
+    close = np.abs(found.astype(np.float64) - wide) <= ABSOLUTE + RELATIVE * np.abs(wide)
+    rows: NDArray[np.bool_] = np.logical_and.reduce(close, axis=1)
+    return rows

@@ -1,0 +1,79 @@
+"""int8 weights that engines may sum two by two in 16 bits: found from the weights, and exact."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import onnx
+import pytest
+from onnx import numpy_helper
+from onnx.reference import ReferenceEvaluator
+
+from rna_sdk.package.saturation import PAIR_LIMIT, can_saturate, pair_sums
+from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime.int8_graph import fuse_int8_layers
+from tests.package.builders import make_int8_decoder_model
+
+
+def column(*weights: int) -> np.ndarray:
+    return np.array(weights, np.int8)[:, None]
+
+
+@pytest.mark.parametrize(
+    ("pair", "saturates"),
+    [
+        ((64, 64), False),
+        ((65, 64), True),
+        ((127, 1), False),
+        ((127, 2), True),
+        ((127, -128), False),
+        ((-64, -64), False),
+        ((-65, -64), True),
+        ((-128, 0), False),
+        ((-128, -1), True),
+    ],
+)
+def test_a_pair_of_one_sign_may_add_up_to_the_limit(pair: tuple[int, int], saturates: bool) -> None:
+    assert can_saturate(column(*pair)) == saturates
+    products = [q0 * pair[0] + q1 * pair[1] for q0, q1 in itertools.product((0, 255), repeat=2)]
+    assert (min(products) < -(2**15) or max(products) >= 2**15) == saturates
+
+
+def test_pairs_are_rows_2k_and_2k_plus_1_of_one_output() -> None:
+    assert not can_saturate(column(0, 100, 100, 0))
+    assert not can_saturate(np.array([[100, 0], [0, 100]], np.int8))
+    np.testing.assert_array_equal(pair_sums(column(100, 20, -90)), [[120], [90]])
+
+
+def with_weights(model: onnx.ModelProto, low: int, high: int) -> onnx.ModelProto:
+    """The model with all weights taken from these two numbers, in random order."""
+    rng = np.random.default_rng(0)
+    for tensor in model.graph.initializer:
+        if tensor.data_type == onnx.TensorProto.INT8:
+            weight = rng.choice(np.array([low, high], np.int8), tuple(tensor.dims))
+            tensor.CopyFrom(numpy_helper.from_array(weight, tensor.name))
+    return model
+
+
+@pytest.mark.parametrize(("low", "high"), [(-64, 64), (-127, 127), (-128, 127)])
+@pytest.mark.parametrize(("width", "columns"), [(16, 22), (64, 24), (130, 33), (264, 22)])
+def test_sums_are_exact(low: int, high: int, width: int, columns: int) -> None:
+    """Queries at both ends of their range make the largest products of all."""
+    model = with_weights(make_int8_decoder_model(columns, width, 2, opset=19), low, high)
+    queries = np.random.default_rng(1).choice(np.float32([-9, 9]), (1001, columns))
+    (expected,) = ReferenceEvaluator(model).run(None, {"queries": queries})
+    decoder = Decoder(model.SerializeToString())
+    for rows in (1, 2, 7, 16, 1001):
+        found = decoder.run(queries[:rows])
+        close = np.isclose(found, expected[:rows], rtol=1e-4, atol=1e-5)
+        assert close.all(axis=1).mean() > 0.98
+    assert len(np.unique(expected)) > 100
+
+
+def test_weights_that_cannot_saturate_stay_int8() -> None:
+    for limit, dtype in ((PAIR_LIMIT // 2, np.int8), (127, np.uint8)):
+        model = with_weights(make_int8_decoder_model(22, 64, 2), -limit, limit)
+        fused = onnx.load_from_string(fuse_int8_layers(model.SerializeToString())[0])
+        weights = [t for t in fused.graph.initializer if t.name.endswith("/weight")]
+        assert {numpy_helper.to_array(t).dtype for t in weights} == {np.dtype(dtype)}

@@ -1,0 +1,35 @@
+"""int8 decoders on a CPU without VNNI, which onnxruntime is made to see."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from tests.avx2.__main__ import avx2_environment
+from tests.avx2.masked import missing
+
+HERE = Path(__file__).parent
+
+@pytest.fixture(scope="module")
+def environment(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
+    if reason := missing():
+        pytest.skip(reason)
+    return avx2_environment(tmp_path_factory.mktemp("avx2"))
+
+
+def test_the_emulated_cpu_saturates(environment: Mapping[str, str]) -> None:
+    asked = "from rna_bench.int8_engine import sums_in_16_bits; print(sums_in_16_bits())"
+    command = [sys.executable, "-c", asked]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert done.stdout == "True\n", done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("file", ["test_saturation.py", "test_int8_decoder.py"])
+def test_int8_is_exact(environment: Mapping[str, str], file: str) -> None:
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(HERE / file)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
