@@ -71,8 +71,6 @@ static uint32_t u16_at(const uint8_t *at) { return at[0] | (uint32_t)at[1] << 8;
 static uint32_t u32_at(const uint8_t *at) { return u16_at(at) | u16_at(at + 2) << 16; }
 static uint64_t u64_at(const uint8_t *at) { return u32_at(at) | (uint64_t)u32_at(at + 4) << 32; }
 
-static double larger(double a, double b) { return a > b ? a : b; }
-
 /* ---------------------------------------------------------------- 1 Reports */
 
 static void put_text(char *out, size_t size, const char *format, va_list arguments) {
@@ -203,8 +201,7 @@ typedef enum JsonType {
     JSON_NULL,
     JSON_FALSE,
     JSON_TRUE,
-    JSON_INTEGER,
-    JSON_FRACTION, /* a number with a point or an exponent */
+    JSON_NUMBER,
     JSON_STRING,
     JSON_ARRAY,
     JSON_OBJECT
@@ -225,7 +222,6 @@ typedef struct JsonText {
     uint8_t *strings; /* where the next string goes */
     Json *values;     /* where the next value goes */
     int depth;
-    bool lone_surrogate; /* a string is no Unicode text: half of a pair of escapes */
     const char *code;    /* of the issue, once there is one */
     const char *found;
     uint8_t *string_block;
@@ -323,15 +319,13 @@ static bool take_escape(JsonText *text) {
     int32_t unit = c == 'u' ? take_hex(text) : -1;
     if (unit < 0) return json_fails(text, MALFORMED, "an unknown escape");
     if (unit >= 0xd800 && unit < 0xdc00) {
-        const uint8_t *behind = text->at;
         int32_t low = take_word(text, "\\u") ? take_hex(text) : -1;
         if (low >= 0xdc00 && low < 0xe000) {
             put_utf8(text, 0x10000 + ((uint32_t)(unit - 0xd800) << 10 | (uint32_t)(low - 0xdc00)));
             return true;
         }
-        text->at = behind;
     }
-    if (unit >= 0xd800 && unit < 0xe000) text->lone_surrogate = true;
+    if (unit >= 0xd800 && unit < 0xe000) return json_fails(text, MALFORMED, "half of a surrogate pair");
     put_utf8(text, (uint32_t)unit);
     return true;
 }
@@ -365,7 +359,7 @@ static bool take_number(JsonText *text, Json *value) {
     bool negative = take(text, '-');
     uint64_t digits = 0;
     long exponent = 0;
-    value->type = JSON_INTEGER;
+    value->type = JSON_NUMBER;
     if (!is_digit(text)) return json_fails(text, MALFORMED, "no JSON value");
     bool leading_zero = *text->at == '0';
     for (int part = 0; part < 2; part++) { /* before and behind the point */
@@ -377,10 +371,8 @@ static bool take_number(JsonText *text, Json *value) {
         }
         if (part == 1 && text->at == start) return json_fails(text, MALFORMED, "a bare point");
         if (part == 1 || !take(text, '.')) break;
-        value->type = JSON_FRACTION;
     }
     if (text->at < text->end && (*text->at | 0x20) == 'e') {
-        value->type = JSON_FRACTION;
         text->at++;
         bool down = take(text, '-');
         if (!down) take(text, '+');
@@ -520,6 +512,11 @@ static const Json *member(const Json *object, const char *name) {
     return NULL;
 }
 
+/* Whether it is a number of whole value that a binary64 tells from its neighbours. */
+static bool is_integer(const Json *value) {
+    return value->type == JSON_NUMBER && fabs(value->number) < 0x1p53 && floor(value->number) == value->number;
+}
+
 static bool is_string(const Json *value, const char *text) {
     return value && value->type == JSON_STRING && span_is(value->string, text);
 }
@@ -536,7 +533,7 @@ typedef enum RuleKind {
     VERSION, /* MAJOR.MINOR */
     SHA256,
     NUMBER,  /* from `low` to `high` */
-    INTEGER, /* the same, written without point and exponent */
+    INTEGER, /* the same, of whole value */
     CHOICE,  /* one of the words in `choices` */
     FALSE,
     OBJECT, /* with the members in `of` */
@@ -642,19 +639,19 @@ static long take_digits(Span text, size_t *at, size_t most) {
     return *at > start ? value : -1;
 }
 
-/* MAJOR.MINOR of at most `most` digits each. */
-static bool take_version(Span text, size_t most, long *major, long *minor) {
+/* MAJOR.MINOR of at most four digits each. */
+static bool take_version(Span text, long *major, long *minor) {
     size_t at = 0;
-    *major = take_digits(text, &at, most);
+    *major = take_digits(text, &at, 4);
     if (*major < 0 || at == text.size || text.at[at++] != '.') return false;
-    *minor = take_digits(text, &at, most);
+    *minor = take_digits(text, &at, 4);
     return *minor >= 0 && at == text.size;
 }
 
 /* [1-9][0-9]{0,3} and a point and 0 or the like. */
 static bool is_version(Span text) {
     long major, minor;
-    if (!take_version(text, 4, &major, &minor) || text.at[0] == '0') return false;
+    if (!take_version(text, &major, &minor) || text.at[0] == '0') return false;
     const uint8_t *point = memchr(text.at, '.', text.size);
     return point[1] != '0' || point + 2 == text.at + text.size;
 }
@@ -759,8 +756,8 @@ static bool is_of_kind(const Rule *rule, const Json *value) {
     double count = (double)value->count;
     switch (rule->kind) {
     case ANYTHING: return true;
-    case NUMBER: return (value->type == JSON_INTEGER || value->type == JSON_FRACTION) && in_range;
-    case INTEGER: return value->type == JSON_INTEGER && in_range;
+    case NUMBER: return value->type == JSON_NUMBER && in_range;
+    case INTEGER: return is_integer(value) && in_range;
     case FALSE: return value->type == JSON_FALSE;
     case OBJECT:
     case MAP: return value->type == JSON_OBJECT;
@@ -776,12 +773,12 @@ static void check_rule(Schema *schema, const Rule *rule, const Json *value) {
     if (value->type == JSON_NULL && rule->flags & NULLABLE) return;
     int before = schema->issues;
     if (!is_of_kind(rule, value)) {
-        static const char *const TYPES[] = {"null",     "false",    "true",     "an integer",
-                                            "a number", "a string", "an array", "an object"};
+        static const char *const TYPES[] = {"null",     "false",    "true",     "a number",
+                                            "a string", "an array", "an object"};
         if (value->type == JSON_STRING)
             break_rule(schema, schema->value, kind_text(rule), "\"%.*s\"", (int)value->string.size,
                        (const char *)value->string.at);
-        else if (value->type == JSON_INTEGER || value->type == JSON_FRACTION)
+        else if (value->type == JSON_NUMBER)
             break_rule(schema, schema->value, kind_text(rule), "%g", value->number);
         else
             break_rule(schema, schema->value, kind_text(rule), "%s", TYPES[value->type]);
@@ -1018,9 +1015,10 @@ static int block_of(Span name) {
 static void bounds_have_an_extent(Schema *schema, const Json *bounds) {
     const Json *low = member(bounds, "min")->first, *high = member(bounds, "max")->first;
     for (; low; low = low->next, high = high->next)
-        if (!(low->number < high->number)) {
+        if ((double)(float)high->number - (double)(float)low->number < 1e-18) {
             size_t before = push_text(schema, "max");
-            break_rule(schema, "BOUNDS_EMPTY", "each max > min", "%g to %g", low->number, high->number);
+            break_rule(schema, "BOUNDS_EMPTY", "max - min >= 1e-18 in float32", "%g to %g", low->number,
+                       high->number);
             pop_place(schema, before);
             return;
         }
@@ -1070,8 +1068,9 @@ static void tiers_are_unique(Schema *schema, const Json *tiers) {
 #define ANY_COUNT 0, HUGE_VAL
 
 static const Rule COORDINATE = {"", NUMBER, 0, ANY_NUMBER};
-static const Rule BOUNDS[] = {{"min", LIST, REQUIRED, 3, 3, &COORDINATE},
-                              {"max", LIST, REQUIRED, 3, 3, &COORDINATE},
+static const Rule CORNER = {"", NUMBER, 0, -1e18, 1e18};
+static const Rule BOUNDS[] = {{"min", LIST, REQUIRED, 3, 3, &CORNER},
+                              {"max", LIST, REQUIRED, 3, 3, &CORNER},
                               {0}};
 static const Rule CONE[] = {{"axis", LIST, REQUIRED, 3, 3, &COORDINATE, .also = axis_is_unit},
                             {"halfAngle", NUMBER, REQUIRED, 0, 3.141592653589793},
@@ -1079,7 +1078,7 @@ static const Rule CONE[] = {{"axis", LIST, REQUIRED, 3, 3, &COORDINATE, .also = 
 static const Rule A_CONE = {"", OBJECT, .of = CONE};
 static const Rule CONES = {"", LIST, 0, 1, 16, &A_CONE};
 static const Rule DOMAIN[] = {{"wo", REGION, REQUIRED}, {"wi", REGION, REQUIRED}, {0}};
-static const Rule UNITS[] = {{"length", CHOICE, .choices = "metre"}, {0}};
+static const Rule UNITS[] = {{"length", CHOICE, REQUIRED, .choices = "metre"}, {0}};
 static const Rule FLIP_AT[] = {{"height", INTEGER, REQUIRED, 1, HUGE_VAL},
                                {"flip", NUMBER, REQUIRED, MEASURE},
                                {0}};
@@ -1149,18 +1148,21 @@ static bool manifest_is_readable(const Json *root, RnaReport *report) {
     if (!is_string(member(root, "format"), "rna"))
         return refuse(report, "FORMAT_UNKNOWN", "/format", "\"rna\"", "something else");
     const Json *version = member(root, "minReaderVersion"), *kind = member(root, "kind");
-    long major, minor;
-    if (version && version->type == JSON_STRING && take_version(version->string, 9, &major, &minor) &&
-        (major > 1 || (major == 1 && minor > 0)))
-        return refuse(report, "VERSION_TOO_NEW", "/minReaderVersion", "at most 1.0", "%ld.%ld", major,
-                      minor);
+    if (version && version->type == JSON_STRING && is_version(version->string)) {
+        long major, minor;
+        take_version(version->string, &major, &minor);
+        if (major > 1 || minor > 0)
+            return refuse(report, "VERSION_TOO_NEW", "/minReaderVersion", "at most 1.0", "%ld.%ld", major,
+                          minor);
+    }
     if (kind && !is_string(kind, "surface") && !is_string(kind, "fiber"))
         return refuse(report, "KIND_UNSUPPORTED", "/kind", "surface or fiber", "something else");
     const Json *required = member(root, "extensionsRequired");
-    if (required && required->type == JSON_ARRAY && required->first)
-        return refuse(report, "EXTENSION_REQUIRED", "/extensionsRequired/0", "a known extension", "%s",
-                      required->first->type == JSON_STRING ? (const char *)required->first->string.at
-                                                           : "no name");
+    if (required && required->type == JSON_ARRAY)
+        for (const Json *name = required->first; name; name = name->next)
+            if (name->type == JSON_STRING)
+                return refuse(report, "EXTENSION_REQUIRED", "/extensionsRequired", "a known extension", "%s",
+                              (const char *)name->string.at);
     return true;
 }
 
@@ -1237,10 +1239,7 @@ static const Json *read_manifest(Span data, JsonText *text, RnaReport *report) {
     const Json *root = parse_json(data, "manifest.json", "MANIFEST_NOT_JSON", text, report);
     if (!root || !manifest_is_readable(root, report)) return NULL;
     Schema schema = {report, "FIELD_UNKNOWN", "FIELD_MISSING", "FIELD_VALUE", .only_first = false};
-    if (text->lone_surrogate)
-        break_rule(&schema, "FIELD_VALUE", "Unicode text", "half of a surrogate pair");
-    else
-        check_members(&schema, MANIFEST, root);
+    check_members(&schema, MANIFEST, root);
     if (schema.issues) return NULL;
     int errors = report->errors;
     check_extensions(root, report);
@@ -1314,7 +1313,7 @@ static bool check_form(const Json *record, Tensor *tensor, const char *entry,
     bool fits = shape && shape->type == JSON_ARRAY && shape->count == (size_t)tensor->rank;
     const Json *size = fits ? shape->first : NULL;
     for (int i = 0; size; size = size->next, i++) {
-        fits &= size->type == JSON_INTEGER && size->number >= (double)tensor->low[i] &&
+        fits &= is_integer(size) && size->number >= (double)tensor->low[i] &&
                 size->number <= (double)tensor->high[i];
         if (fits) tensor->shape[i] = (uint64_t)size->number;
     }
@@ -1327,20 +1326,21 @@ static bool has_offsets(const Json *record, uint64_t start, uint64_t end) {
     const Json *list = member(record, "data_offsets");
     if (!list || list->type != JSON_ARRAY || list->count != 2) return false;
     const Json *first = list->first, *second = first->next;
-    return first->type == JSON_INTEGER && first->number == (double)start &&
-           second->type == JSON_INTEGER && second->number == (double)end;
+    return is_integer(first) && first->number == (double)start && is_integer(second) &&
+           second->number == (double)end;
 }
 
 /* Finds the tensors, in the order of their data (section 4.3). */
 static bool find_tensors(Span file, const Json *header, size_t start, Tensor *tensors, int count,
                          const char *entry, const TensorCodes *codes, RnaReport *report) {
-    int known = 0;
+    const Json *metadata = member(header, "__metadata__");
+    size_t known = 0;
     for (int i = 0; i < count; i++) known += member(header, tensors[i].name) != NULL;
-    known += member(header, "__metadata__") != NULL;
-    bool all = known == count + (member(header, "__metadata__") != NULL);
-    if (!all || header->count != (size_t)known)
+    if (known != (size_t)count || header->count != known + (metadata != NULL))
         return refuse(report, codes->tensors, entry, "the tensors of the format", "%zu members",
                       header->count);
+    if (metadata && metadata->type != JSON_OBJECT)
+        return refuse(report, codes->tensors, entry, "an object", "__metadata__ of another type");
     uint64_t end = 0;
     for (int i = 0; i < count; i++) {
         Tensor *tensor = &tensors[i];
@@ -1370,6 +1370,8 @@ static bool read_tensors(Span file, Tensor *tensors, int count, const char *entr
                       "%zu bytes", file.size);
     JsonText text;
     Span data = {file.at + 8, (size_t)size};
+    if (size == 0 || data.at[0] != '{')
+        return refuse(report, codes->header, entry, "a header from { on", "another");
     const Json *header = parse_json(data, entry, codes->header, &text, report);
     bool good = header && find_tensors(file, header, 8 + data.size, tensors, count, entry, codes, report);
     free_json(&text);
@@ -1473,44 +1475,43 @@ static bool read_curves(Span file, RnaCurves *curves, const char *entry, RnaRepo
 enum { GLTF_UINT = 5125, GLTF_FLOAT = 5126 };
 #define LARGEST_UINT 4294967295.0
 
+#define INDEX 0, LARGEST_UINT
+#define COUNT 1, LARGEST_UINT
+
 static const Rule NODE_NUMBER = {"", INTEGER, 0, 0, 0};
-static const Rule GLTF_ASSET[] = {{"version", CHOICE, .choices = "2.0"},
-                                  {"generator", TEXT, NULLABLE},
-                                  {"copyright", TEXT, NULLABLE},
+static const Rule GLTF_ASSET[] = {{"version", CHOICE, REQUIRED, .choices = "2.0"},
+                                  {"generator", TEXT},
+                                  {"copyright", TEXT},
                                   {0}};
-static const Rule GLTF_SCENE[] = {{"nodes", LIST, 0, 1, 1, &NODE_NUMBER}, {"name", TEXT, NULLABLE}, {0}};
-static const Rule GLTF_NODE[] = {{"mesh", INTEGER, 0, 0, 0}, {"name", TEXT, NULLABLE}, {0}};
-static const Rule ATTRIBUTES[] = {{"POSITION", INTEGER, REQUIRED, 0, 3},
-                                  {"NORMAL", INTEGER, REQUIRED, 0, 3},
-                                  {"TEXCOORD_0", INTEGER, NULLABLE, 0, 3},
+static const Rule GLTF_SCENE[] = {{"nodes", LIST, REQUIRED, 1, 1, &NODE_NUMBER}, {"name", TEXT}, {0}};
+static const Rule GLTF_NODE[] = {{"mesh", INTEGER, REQUIRED, 0, 0}, {"name", TEXT}, {0}};
+static const Rule ATTRIBUTES[] = {{"POSITION", INTEGER, REQUIRED, INDEX},
+                                  {"NORMAL", INTEGER, REQUIRED, INDEX},
+                                  {"TEXCOORD_0", INTEGER, 0, INDEX},
                                   {0}};
 static const Rule PRIMITIVE[] = {{"attributes", OBJECT, REQUIRED, .of = ATTRIBUTES},
-                                 {"indices", INTEGER, REQUIRED, 0, 3},
+                                 {"indices", INTEGER, REQUIRED, INDEX},
                                  {"mode", INTEGER, 0, 4, 4},
                                  {0}};
 static const Rule A_PRIMITIVE = {"", OBJECT, .of = PRIMITIVE};
-static const Rule GLTF_MESH[] = {{"primitives", LIST, REQUIRED, 1, 1, &A_PRIMITIVE},
-                                 {"name", TEXT, NULLABLE},
-                                 {0}};
-static const Rule ACCESSOR[] = {{"bufferView", INTEGER, REQUIRED, 0, 3},
-                                {"byteOffset", INTEGER, 0, 0, LARGEST_UINT},
+static const Rule GLTF_MESH[] = {{"primitives", LIST, REQUIRED, 1, 1, &A_PRIMITIVE}, {"name", TEXT}, {0}};
+static const Rule ACCESSOR[] = {{"bufferView", INTEGER, REQUIRED, INDEX},
+                                {"byteOffset", INTEGER, 0, INDEX},
                                 {"componentType", INTEGER, REQUIRED, GLTF_UINT, GLTF_FLOAT},
                                 {"normalized", FALSE},
-                                {"count", INTEGER, REQUIRED, 1, LARGEST_UINT},
+                                {"count", INTEGER, REQUIRED, COUNT},
                                 {"type", CHOICE, REQUIRED, .choices = "SCALAR VEC2 VEC3"},
-                                {"min", LIST, NULLABLE, ANY_COUNT, &COORDINATE},
-                                {"max", LIST, NULLABLE, ANY_COUNT, &COORDINATE},
-                                {"name", TEXT, NULLABLE},
+                                {"min", LIST, 0, ANY_COUNT, &COORDINATE},
+                                {"max", LIST, 0, ANY_COUNT, &COORDINATE},
+                                {"name", TEXT},
                                 {0}};
-static const Rule BUFFER_VIEW[] = {{"buffer", INTEGER, 0, 0, 0},
-                                   {"byteOffset", INTEGER, 0, 0, LARGEST_UINT},
-                                   {"byteLength", INTEGER, REQUIRED, 1, LARGEST_UINT},
-                                   {"target", INTEGER, NULLABLE, 34962, 34963},
-                                   {"name", TEXT, NULLABLE},
+static const Rule BUFFER_VIEW[] = {{"buffer", INTEGER, REQUIRED, 0, 0},
+                                   {"byteOffset", INTEGER, 0, INDEX},
+                                   {"byteLength", INTEGER, REQUIRED, COUNT},
+                                   {"target", INTEGER, 0, 34962, 34963},
+                                   {"name", TEXT},
                                    {0}};
-static const Rule BUFFER[] = {{"byteLength", INTEGER, REQUIRED, 1, LARGEST_UINT},
-                              {"name", TEXT, NULLABLE},
-                              {0}};
+static const Rule BUFFER[] = {{"byteLength", INTEGER, REQUIRED, COUNT}, {"name", TEXT}, {0}};
 static const Rule A_SCENE = {"", OBJECT, .of = GLTF_SCENE}, A_NODE = {"", OBJECT, .of = GLTF_NODE};
 static const Rule A_MESH = {"", OBJECT, .of = GLTF_MESH}, AN_ACCESSOR = {"", OBJECT, .of = ACCESSOR};
 static const Rule A_VIEW = {"", OBJECT, .of = BUFFER_VIEW}, A_BUFFER = {"", OBJECT, .of = BUFFER};
@@ -1525,10 +1526,10 @@ static const Rule GLTF[] = {{"asset", OBJECT, REQUIRED, .of = GLTF_ASSET},
                             {"extras", ANYTHING},
                             {0}};
 
-/* A member that is an integer, or 0 where it is absent or null. */
+/* A member that is an integer from 0, which it is where it is absent. */
 static uint64_t integer_of(const Json *object, const char *name) {
     const Json *value = member(object, name);
-    return value && value->type == JSON_INTEGER ? (uint64_t)value->number : 0;
+    return value ? (uint64_t)value->number : 0;
 }
 
 static const Json *item_at(const Json *list, uint64_t index) {
@@ -1581,7 +1582,8 @@ static bool split_glb(Span file, Span *json, Span *blob, const char *entry, RnaR
                       "another of %llu bytes", (unsigned long long)size);
     *json = (Span){file.at + 20, (size_t)size};
     *blob = (Span){file.at + bin, file.size - (size_t)bin};
-    if (u32_at(file.at + bin - 4) != 0x004E4942 || u32_at(file.at + bin - 8) != blob->size || bin % 4)
+    if (u32_at(file.at + bin - 4) != 0x004E4942 || u32_at(file.at + bin - 8) != blob->size || bin % 4 ||
+        blob->size % 4)
         return refuse(report, "GEOMETRY_CONTAINER", entry, "a BIN chunk that fills the file",
                       "another of %u bytes", (unsigned)u32_at(file.at + bin - 8));
     return true;
@@ -1647,7 +1649,7 @@ static bool find_arrays(const Json *gltf, Span blob, RnaMesh *mesh, const char *
     mesh->normals = gltf_array(gltf, blob, integer_of(attributes, "NORMAL"), "VEC3", &normals, entry,
                                report);
     if (!mesh->normals) return false;
-    if (uvs && uvs->type == JSON_INTEGER) {
+    if (uvs) {
         mesh->uvs = gltf_array(gltf, blob, integer_of(attributes, "TEXCOORD_0"), "VEC2", &coordinates,
                                entry, report);
         if (!mesh->uvs) return false;
@@ -1671,10 +1673,7 @@ static bool read_mesh(Span file, RnaMesh *mesh, const char *entry, RnaReport *re
     if (schema.length >= sizeof schema.where / 2) schema.length = sizeof schema.where / 2 - 1;
     const Json *gltf = parse_json(json, entry, "GEOMETRY_CONTAINER", &text, report);
     bool good = gltf != NULL;
-    if (good && text.lone_surrogate)
-        break_rule(&schema, "GEOMETRY_PROFILE", "Unicode text", "half of a surrogate pair");
-    else if (good)
-        check_members(&schema, GLTF, gltf);
+    if (good) check_members(&schema, GLTF, gltf);
     good = good && schema.issues == 0;
     if (good) {
         uint64_t declared = integer_of(member(gltf, "buffers")->first, "byteLength");
@@ -1727,10 +1726,10 @@ static bool spend(Wire *wire) {
 /* The next field of `message`; false at its end, and where it is broken. */
 static bool next_field(Wire *wire, Span *message, Field *field) {
     uint64_t tag, size = 0;
+    *field = (Field){0};
     if (wire->broken || message->size == 0) return false;
     if (!take_varint(wire, message, &tag)) return false;
-    field->number = tag >> 3;
-    field->is_integer = (tag & 7) == VARINT;
+    *field = (Field){.number = tag >> 3, .is_integer = (tag & 7) == VARINT};
     if (field->is_integer) return take_varint(wire, message, &field->integer) && spend(wire);
     switch (tag & 7) {
     case BYTES:
@@ -2243,7 +2242,6 @@ typedef struct Decoder {
     Step *steps;
     bool runs;       /* it is a chain, and loaded */
     bool in_profile; /* and one of the profile "mlp" */
-    bool saturates;  /* adjacent uint8 x int8 products may pass 16 bits */
 } Decoder;
 
 static int rounded_up(int n, int to) { return (n + to - 1) / to * to; }
@@ -2388,6 +2386,7 @@ typedef struct Builder {
     int width;
     char kinds[MAX_NODES + 1]; /* one letter a step, for the profile */
     int letters;
+    bool plain; /* constants have no other shapes than the profile's */
     size_t used; /* nodes that the chain holds */
 } Builder;
 
@@ -2419,20 +2418,23 @@ static float float_at(const OnnxTensor *tensor, uint64_t i) {
     return value;
 }
 
-static Outcome one_float(const Builder *b, Span name, float *value) {
+static Outcome one_float(Builder *b, Span name, float *value) {
     const OnnxTensor *tensor = constant(b, name, ONNX_FLOAT);
     if (!tensor) return NO_CHAIN;
     if (element_count(tensor) != 1 || !has_bytes(tensor, 4)) return DOES_NOT_FIT;
+    b->plain &= tensor->rank == 0;
     *value = float_at(tensor, 0);
     return LOADED;
 }
 
-/* A value for each of `width` columns, from a constant of one or of so many. */
-static Outcome column_floats(const Builder *b, Span name, int width, float **values) {
+/* A value for each of `width` columns, from a constant of one or of so many.  rank: that the profile
+ * asks for. */
+static Outcome column_floats(Builder *b, Span name, int width, size_t rank, float **values) {
     const OnnxTensor *tensor = constant(b, name, ONNX_FLOAT);
     if (!tensor || tensor->rank > 1) return NO_CHAIN;
     uint64_t count = element_count(tensor);
     if ((count != 1 && count != (uint64_t)width) || !has_bytes(tensor, 4)) return DOES_NOT_FIT;
+    b->plain &= tensor->rank == rank && (rank == 0 || count == (uint64_t)width);
     *values = aligned(sizeof(float) * (size_t)rounded_up(width, OUTPUTS));
     if (!*values) return DOES_NOT_FIT;
     for (int i = 0; i < rounded_up(width, OUTPUTS); i++)
@@ -2475,7 +2477,7 @@ static Outcome add_product(Builder *b, Step *step, const OnnxNode *node) {
     step->kind = PRODUCT;
     Outcome outcome = pack_weights(step, weight, false);
     if (outcome != LOADED) return outcome;
-    if (is_gemm) return column_floats(b, name_of(b, node, 2), step->outputs, &step->shift);
+    if (is_gemm) return column_floats(b, name_of(b, node, 2), step->outputs, 1, &step->shift);
     step->shift = aligned(sizeof(float) * (size_t)rounded_up(step->outputs, OUTPUTS));
     if (!step->shift) return DOES_NOT_FIT;
     for (int i = 0; i < rounded_up(step->outputs, OUTPUTS); i++) step->shift[i] = 0;
@@ -2483,12 +2485,13 @@ static Outcome add_product(Builder *b, Step *step, const OnnxNode *node) {
 }
 
 /* DequantizeLinear of a constant of `type` along `axis`, whose result is `name`; its operands. */
-static bool is_dequantized(const Builder *b, Span name, uint64_t type, int64_t axis,
+static bool is_dequantized(Builder *b, Span name, uint64_t type, int64_t axis,
                            const OnnxTensor **tensor, Span *scale) {
     const OnnxNode *node = node_that_makes(b, name);
     if (!node || !span_is(node->operator, "DequantizeLinear") || node->inputs != 2) return false;
     if (node->attributes > 1 || (node->attributes && !node->has_axis)) return false;
     if ((node->has_axis ? node->axis : 1) != axis) return false;
+    b->plain &= node->has_axis;
     *tensor = constant(b, name_of(b, node, 0), type);
     *scale = name_of(b, node, 1);
     return *tensor != NULL;
@@ -2499,22 +2502,22 @@ static bool same_constant(const Builder *b, Span x, Span y, uint64_t type) {
     return a && c && same_span(a->raw, c->raw);
 }
 
-/* Rows 2k and 2k + 1 of a weight that add up to more than 128 with one sign. */
-static bool saturates(const OnnxTensor *weight) {
-    size_t inputs = (size_t)weight->dims[0], outputs = (size_t)weight->dims[1];
-    const int8_t *w = (const int8_t *)weight->raw.at;
-    for (size_t k = 0; k + 1 < inputs; k += 2)
-        for (size_t j = 0; j < outputs; j++) {
-            int x = w[k * outputs + j], y = w[(k + 1) * outputs + j];
-            if ((x > 0) == (y > 0) && abs(x + y) > 128) return true;
-        }
-    return false;
+/* The first node of the chain from `node` on: without those that dequantize constants, which stand
+ * anywhere before their Gemm. */
+static size_t next_in_chain(const Builder *b, size_t node) {
+    for (; node < b->model->nodes.count; node++) {
+        const OnnxNode *at = &b->model->nodes.at[node];
+        if (!span_is(at->operator, "DequantizeLinear") || at->inputs == 0) break;
+        if (find_value(b->values, name_of(b, at, 0))->tensor < 0) break;
+    }
+    return node;
 }
 
 /* QuantizeLinear, DequantizeLinear and a Gemm of dequantized constants: one layer in integers. */
 static Outcome add_int8_product(Builder *b, Step *step, const OnnxNode *quantize) {
-    const OnnxNode *dequantize = quantize + 1, *gemm = quantize + 2;
-    if (b->node + 3 > b->model->nodes.count || quantize->inputs != 3) return NO_CHAIN;
+    size_t second = next_in_chain(b, b->node + 1), third = next_in_chain(b, second + 1);
+    if (third >= b->model->nodes.count || quantize->inputs != 3) return NO_CHAIN;
+    const OnnxNode *dequantize = &b->model->nodes.at[second], *gemm = &b->model->nodes.at[third];
     bool chained = span_is(dequantize->operator, "DequantizeLinear") && span_is(gemm->operator, "Gemm") &&
                    dequantize->inputs == 3 && gemm->inputs == 3 && dequantize->outputs == 1 &&
                    gemm->outputs == 1 && quantize->attributes == 0 && dequantize->attributes == 0 &&
@@ -2535,15 +2538,14 @@ static Outcome add_int8_product(Builder *b, Step *step, const OnnxNode *quantize
     step->low = -(float)zero->raw.at[0];
     step->high = 255 + step->low;
     if ((outcome = pack_weights(step, weight, true)) != LOADED) return outcome;
-    if ((outcome = column_floats(b, weight_scale, step->outputs, &step->scale)) != LOADED) return outcome;
-    if ((outcome = column_floats(b, bias_scale, step->outputs, &step->shift)) != LOADED) return outcome;
+    if ((outcome = column_floats(b, weight_scale, step->outputs, 1, &step->scale)) != LOADED) return outcome;
+    if ((outcome = column_floats(b, bias_scale, step->outputs, 1, &step->shift)) != LOADED) return outcome;
     if (bias->rank != 1 || bias->dims[0] != (uint64_t)step->outputs || !has_bytes(bias, 4)) return DOES_NOT_FIT;
     for (int i = 0; i < step->outputs; i++) {
         step->scale[i] *= step->step;
         step->shift[i] *= (float)(int32_t)u32_at(bias->raw.at + 4 * i);
     }
-    b->decoder->saturates |= saturates(weight);
-    b->node += 2;
+    b->node = third;
     b->used += 4;
     return LOADED;
 }
@@ -2560,8 +2562,9 @@ static Outcome add_elementwise(Builder *b, Step *step, const OnnxNode *node) {
         return outcome != LOADED ? outcome : one_float(b, name_of(b, node, 2), &step->high);
     }
     if (node->inputs != 2) return NO_CHAIN;
+    bool enters = b->letters <= 3; /* gain and offset, one a column */
     step->kind = span_is(node->operator, "Mul") ? MULTIPLY : ADD;
-    Outcome outcome = column_floats(b, name_of(b, node, 1), b->width, &step->values);
+    Outcome outcome = column_floats(b, name_of(b, node, 1), b->width, enters, &step->values);
     if (outcome == LOADED && span_is(node->operator, "Sub"))
         for (int k = 0; k < b->width; k++) step->values[k] = -step->values[k];
     return outcome;
@@ -2605,8 +2608,6 @@ static Outcome add_step(Builder *b) {
 
 /* Whether the chain is one of the profile "mlp" (section 6.2), by the letters of its steps. */
 static bool is_in_profile(const Builder *b) {
-    const Decoder *decoder = b->decoder;
-    const Step *last = &decoder->steps[decoder->count - 1];
     const char *at = b->kinds;
     if (*at++ != 'C') return false;
     if (*at == 'G') {
@@ -2617,9 +2618,7 @@ static bool is_in_profile(const Builder *b) {
         while (*at == '8') at++;
     }
     if (strcmp(at, "CESM") && strcmp(at, "CESX")) return false;
-    for (const Step *step = decoder->steps; step <= last; step++)
-        if (step->kind == INT8_PRODUCT && step->low != 0) return false;
-    return last[-3].low == 0 && last[-1].values[0] == -1;
+    return b->plain;
 }
 
 static Outcome build_decoder(Builder *b) {
@@ -2628,14 +2627,7 @@ static Outcome build_decoder(Builder *b) {
     decoder->columns = decoder->widest = b->width;
     decoder->steps = calloc(nodes, sizeof *decoder->steps);
     if (!decoder->steps) return DOES_NOT_FIT;
-    while (b->node < nodes) {
-        /* What Gemm will ask for; where it is not of a layer, the chain ends here. */
-        const OnnxNode *node = &b->model->nodes.at[b->node];
-        if (span_is(node->operator, "DequantizeLinear") && node->inputs &&
-            !same_span(name_of(b, node, 0), b->value)) {
-            b->node++;
-            continue;
-        }
+    while ((b->node = next_in_chain(b, b->node)) < nodes) {
         Outcome outcome = add_step(b);
         if (outcome != LOADED) return outcome;
     }
@@ -2644,20 +2636,40 @@ static Outcome build_decoder(Builder *b) {
     return b->width == 6 ? LOADED : DOES_NOT_FIT;
 }
 
-/* Rows filled with 0, +-1, +-1e4 and about +-3.4e38 give finite results that are not negative. */
+/* Rows filled with 0, +-1, +-1e4 and about +-3.4e38, and random ones, give finite results that are not negative. */
 static bool check_results(const Decoder *decoder, const char *entry, RnaReport *report) {
     static const float PROBES[] = {0, 1, -1, 1e4f, -1e4f, FLT_MAX, -3.4e38f};
     enum { PROBE_COUNT = sizeof PROBES / sizeof *PROBES };
     size_t size = sizeof(float) * ROWS * (size_t)rounded_up(decoder->widest, OUTPUTS);
     float *a = aligned(size), *b = aligned(size);
     bool good = a && b;
+    uint32_t random = 1;
     for (int k = 0; good && k < decoder->columns; k++)
-        for (int r = 0; r < ROWS; r++) a[k * ROWS + r] = PROBES[r % PROBE_COUNT];
+        for (int r = 0; r < ROWS; r++) {
+            random = random * 1664525u + 1013904223u;
+            a[k * ROWS + r] = r < PROBE_COUNT ? PROBES[r] : (float)random * 0x1p-31f - 1; /* -1 to 1 */
+        }
     const float *transport = good ? run_decoder(decoder, a, b) : NULL;
     for (int i = 0; good && i < 6 * ROWS; i++) good = transport[i] >= 0 && transport[i] <= FLT_MAX;
     free(a);
     free(b);
     return good || refuse(report, "DECODER_RESULT", entry, "finite and >= 0 for any finite input", "others");
+}
+
+/* Whether an int8 matrix has weights, in rows 2k and 2k + 1, that add up to more than 128. */
+static bool saturates(const OnnxModel *model) {
+    for (size_t i = 0; i < model->initializers; i++) {
+        const OnnxTensor *tensor = &model->tensors.at[i];
+        size_t inputs = (size_t)tensor->dims[0], outputs = (size_t)tensor->dims[1];
+        if (tensor->type != ONNX_INT8 || tensor->rank != 2 || !tensor->has_raw || !has_bytes(tensor, 1)) continue;
+        const int8_t *w = (const int8_t *)tensor->raw.at;
+        for (size_t k = 0; k < inputs; k += 2)
+            for (size_t j = 0; j < outputs; j++) {
+                int x = w[k * outputs + j], y = k + 1 < inputs ? w[(k + 1) * outputs + j] : 0;
+                if ((x >= 0) == (y >= 0) && abs(x + y) > 128) return true;
+            }
+    }
+    return false;
 }
 
 /* Checks a decoder, and loads it where it is a chain. */
@@ -2668,14 +2680,14 @@ static void read_decoder(Span data, int columns, bool is_int8, Decoder *decoder,
     Builder *builder = calloc(1, sizeof *builder);
     if (!builder) refuse(report, "DECODER_LOAD", entry, "memory for it", "not enough");
     if (builder && check_onnx(data, columns, is_int8, &model, &values, entry, report)) {
-        *builder = (Builder){&model, &values, decoder, .value = QUERIES, .width = columns};
+        *builder = (Builder){&model, &values, decoder, .value = QUERIES, .width = columns, .plain = true};
         Outcome outcome = build_decoder(builder);
         if (outcome == DOES_NOT_FIT)
             refuse(report, "DECODER_LOAD", entry, "constants that fit each other", "others");
         if (outcome == LOADED) decoder->runs = check_results(decoder, entry, report);
         if (outcome != DOES_NOT_FIT && !decoder->in_profile)
             warn(report, "DECODER_PROFILE", entry, "the decoder profile mlp", "other operators");
-        if (decoder->saturates)
+        if (outcome != DOES_NOT_FIT && saturates(&model))
             warn(report, "DECODER_SATURATION", entry, "pairs of weights up to 128", "larger ones");
     }
     free(builder);
@@ -2704,7 +2716,7 @@ struct RnaAsset {
     Span file;
     bool mapped;
     RnaKind kind;
-    double low[3], high[3];
+    double low[3], high[3]; /* the bounds, rounded to float32 as section 3 asks */
     RnaMesh mesh;
     RnaCurves curves;
     JsonText manifest; /* what the names live on */
@@ -2755,7 +2767,7 @@ static void load_points(const RnaAsset *asset, const Batch *batch, size_t first,
     normalize(points->wi, total);
     for (int r = 0; r < ROWS; r++) points->valid[r] = total[r] - total[r] == 0;
     for (int k = 0; k < 3; k++) {
-        double low = asset->low[k], scale = 1 / larger(asset->high[k] - low, DBL_MIN);
+        double low = asset->low[k], scale = 1 / (asset->high[k] - low);
         for (int r = 0; r < ROWS; r++) {
             points->p[k][r] = limited((points->p[k][r] - low) * scale, 0, 1);
             points->axis[k][r] = points->valid[r] ? points->axis[k][r] : k == 0;
@@ -2797,7 +2809,7 @@ enum { CHANNELS_AT_ONCE = 8 };
     }
 
 #define AS_IT_IS(x) (x)
-#define ONE(x) 1.0f
+#define ONE(x) ((void)scales, 1.0f)
 DEFINE_ADD_TEXELS(add_int8_texels, int8_t, (float), AS_IT_IS)
 DEFINE_ADD_TEXELS(add_half_texels, uint16_t, half_value, ONE)
 DEFINE_ADD_TEXELS(add_float_texels, float, AS_IT_IS, ONE)
@@ -3054,8 +3066,8 @@ static void read_geometry(Container *zip, const Json *root, RnaAsset *asset, Rna
     const Json *bounds = member(root, "bounds");
     const Json *low = member(bounds, "min")->first, *high = member(bounds, "max")->first;
     for (int k = 0; k < 3; k++, low = low->next, high = high->next) {
-        asset->low[k] = low->number;
-        asset->high[k] = high->number;
+        asset->low[k] = (float)low->number;
+        asset->high[k] = (float)high->number;
     }
     const Entry *entry = find_entry(zip, member(root, "geometry")->string);
     if (!entry || !entry->intact) return;
