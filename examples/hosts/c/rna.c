@@ -35,6 +35,14 @@
 #error "-ffast-math breaks rounding and the handling of NaN; leave it out for this file"
 #endif
 
+#if defined(__GNUC__)
+#define PRINTF(text, first) __attribute__((format(printf, text, first)))
+#define PREFETCH(address) __builtin_prefetch(address)
+#else
+#define PRINTF(text, first)
+#define PREFETCH(address) ((void)(address))
+#endif
+
 /* Limits of section 11. */
 enum {
     ALIGNMENT = 64,
@@ -90,12 +98,6 @@ static void add_issue(RnaReport *report, bool is_error, const char *code, const 
     snprintf(issue->expected, sizeof issue->expected, "%s", expected);
     put_text(issue->found, sizeof issue->found, found, arguments);
 }
-
-#if defined(__GNUC__)
-#define PRINTF(text, first) __attribute__((format(printf, text, first)))
-#else
-#define PRINTF(text, first)
-#endif
 
 /* Notes an error.  Returns false, so that a check can end with it. */
 PRINTF(5, 6)
@@ -2777,14 +2779,18 @@ static void load_points(const RnaAsset *asset, const Batch *batch, size_t first,
     }
 }
 
+static float from_bits(uint32_t bits) {
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* binary16 to binary32 without branches, nor help of the processor. */
 static float half_value(uint16_t half) {
-    uint32_t bits = (uint32_t)(half & 0x7fff) << 13;
-    uint32_t normal_bits = bits + (112u << 23), small_bits = bits + (113u << 23);
-    float normal, small;
-    memcpy(&normal, &normal_bits, sizeof normal);
-    memcpy(&small, &small_bits, sizeof small);
-    float value = bits < 1u << 23 ? small - 0x1p-14f : normal;
-    return half & 0x8000 ? -value : value;
+    uint32_t bits = (uint32_t)(half & 0x7fff) << 13, subnormal = bits < 1u << 23;
+    float value = from_bits(bits + ((112u + subnormal) << 23)) - from_bits(subnormal * 0x38800000u); /* 2^-14 */
+    memcpy(&bits, &value, sizeof bits);
+    return from_bits(bits | (uint32_t)(half & 0x8000) << 16);
 }
 
 /* The four texels around a point in one plane, and their weights. */
@@ -2836,32 +2842,42 @@ static Cell cell_of(double p, int size) {
     return (Cell){(size_t)index, index < size - 1, (float)(t - index)};
 }
 
+static size_t texel_bytes(const Planes *planes) {
+    return planes->precision == INT8 ? 1 : planes->precision == FLOAT16 ? 2 : 4;
+}
+
+/* The footprints of a point in the three planes; asks for their memory. */
+static void find_footprints(const Planes *planes, const Points *points, int r, Footprint prints[3]) {
+    const size_t size = (size_t)planes->resolution, channels = (size_t)planes->channels;
+    Cell cells[3];
+    for (int k = 0; k < 3; k++) cells[k] = cell_of(points->p[k][r], planes->resolution);
+    for (size_t plane = 0; plane < 3; plane++) { /* XY, YZ, ZX: u along rows, v across */
+        Cell u = cells[plane], v = cells[(plane + 1) % 3];
+        size_t start = ((plane * size + v.index) * size + u.index) * channels;
+        size_t right = u.step * channels, up = v.step * size * channels;
+        prints[plane] = (Footprint){{start, start + right, start + up, start + up + right},
+                                    {(1 - v.part) * (1 - u.part), (1 - v.part) * u.part,
+                                     v.part * (1 - u.part), v.part * u.part}};
+        for (int i = 0; i < 4; i++)
+            PREFETCH((const char *)planes->texels + prints[plane].texel[i] * texel_bytes(planes));
+    }
+}
+
 /* The features at the points, summed over the three planes: [channels][ROWS] (section 5). */
 static void gather_features(const Planes *planes, const Points *points, float *features) {
-    const size_t size = (size_t)planes->resolution, channels = (size_t)planes->channels;
-    for (int r = 0; r < ROWS; r++) {
-        Footprint prints[3];
-        Cell cells[3];
-        for (int k = 0; k < 3; k++) cells[k] = cell_of(points->p[k][r], planes->resolution);
-        for (size_t plane = 0; plane < 3; plane++) { /* XY, YZ, ZX: u along rows, v across */
-            Cell u = cells[plane], v = cells[(plane + 1) % 3];
-            size_t start = ((plane * size + v.index) * size + u.index) * channels;
-            size_t right = u.step * channels, up = v.step * size * channels;
-            prints[plane] = (Footprint){{start, start + right, start + up, start + up + right},
-                                        {(1 - v.part) * (1 - u.part), (1 - v.part) * u.part,
-                                         v.part * (1 - u.part), v.part * u.part}};
-        }
+    Footprint prints[ROWS][3];
+    for (int r = 0; r < ROWS; r++) find_footprints(planes, points, r, prints[r]);
+    for (int r = 0; r < ROWS; r++)
         for (int c = 0; c < planes->channels; c += CHANNELS_AT_ONCE) {
             float sums[CHANNELS_AT_ONCE] = {0};
             int count = planes->channels - c;
             for (int plane = 0; plane < 3; plane++)
                 if (count >= CHANNELS_AT_ONCE) /* a constant, for the compiler */
-                    add_texels(planes, &prints[plane], plane, c, CHANNELS_AT_ONCE, sums);
+                    add_texels(planes, &prints[r][plane], plane, c, CHANNELS_AT_ONCE, sums);
                 else
-                    add_texels(planes, &prints[plane], plane, c, count, sums);
+                    add_texels(planes, &prints[r][plane], plane, c, count, sums);
             for (int i = 0; i < count && i < CHANNELS_AT_ONCE; i++) features[(c + i) * ROWS + r] = sums[i];
         }
-    }
 }
 
 /* log2 of a positive normal number to some 1e-7: x = 2^e m with m within sqrt(2) of 1, and
