@@ -10,12 +10,15 @@ import pytest
 from rna_render.cli import main
 from rna_render.images import read_exr
 
+WALL = "v -2 0 -1\nv 2 0 -1\nv 2 2 -1\nv -2 2 -1\nf 1 2 3 4\n"
 SCENE = """\
+objects:
+  - {path: wall.obj, material: {type: diffuse}}
 ground: {size: 1.0e+18, material: {type: coated}}
 camera: {position: [0, 1, 3], look_at: [0, 0, 0], vertical_fov_deg: 90}
 lights:
   - {type: directional, direction: [0, 1.0e+18, 0], irradiance: [LIGHT, 1, 1]}
-  - {type: point, position: [0, 1, 0], intensity: [LIGHT, 1, 1]}
+  - {type: point, position: [0, 1.0e-3, 0], intensity: [LIGHT, 1, 1]}
   - {type: spot, position: [1, 1, 0], look_at: [0, 0, 0], intensity: [LIGHT, 1, 1]}
   - {type: rectangle, position: [0, 2, 0], look_at: [0, 0, 0], up: [0, 0, 1], size: [1, 1],
      radiance: [LIGHT, 1, 1]}
@@ -29,6 +32,7 @@ clamp_indirect: 1.0e+18
 
 
 def render(folder: Path, text: str) -> int:
+    (folder / "wall.obj").write_text(WALL)
     (folder / "scene.yaml").write_text(text)
     return main([str(folder / "scene.yaml"), "--out", str(folder / "out.exr")])
 
@@ -46,5 +50,5 @@ def test_a_light_beyond_float32_is_one_line(
 ) -> None:
     assert render(tmp_path, SCENE.replace("LIGHT", "1.0e+39", 1).replace("LIGHT", "1")) == 1
     (line,) = capsys.readouterr().err.splitlines()
-    assert "scene.yaml:4: lights[0].irradiance[0]: must be less than or equal to 1e+18" in line
+    assert "scene.yaml:6: lights[0].irradiance[0]: must be less than or equal to 1e+18" in line
     assert not (tmp_path / "out.exr").exists()
