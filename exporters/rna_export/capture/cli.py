@@ -62,7 +62,12 @@ def parser() -> argparse.ArgumentParser:
         help="scene file; only the directions from which it shows and lights the asset are "
         "captured (default: --domain)",
     )
-    p.add_argument("--minutes", type=float, help="time budget; sets the number of lights")
+    p.add_argument(
+        "--minutes",
+        type=float,
+        help="time budget of the whole command; sets the number of lights, and makes the "
+        "validation images smaller where they would take more than a quarter (float, default none)",
+    )
     of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
         info = CaptureSettings.model_fields[name]
@@ -126,12 +131,14 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         return
     _check_source(args.source)
     from rna_export.capture.run import Crew, begin, finish
+    from rna_export.capture.time_plan import TimeLimit
     from rna_export.capture.worker import Source
     from rna_render.scene_file import read_scene
 
     keep_freed_memory()
     asked = _asked(args)
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
+    limit = None if args.minutes is None else TimeLimit(args.minutes)
     python = blender_env.find_python()
     scratch = args.out / "scratch"  # ray images; those of a killed capture go here
     shutil.rmtree(scratch, ignore_errors=True)
@@ -146,8 +153,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             clamps = CaptureSettings(**asked)
         source = Source(args.source, arguments, clamps.clamp_direct, clamps.clamp_indirect)
         if not begun:
-            dataset = begin(source, asked, args.out, crew, args.minutes, print, for_scene)
-        finish(dataset, source, crew)
+            dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
+        finish(dataset, source, crew, limit)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
     print(
