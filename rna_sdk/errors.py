@@ -10,6 +10,7 @@
     +-- CaptureError     capture cannot start or go on
     +-- TrainingError    training cannot start or go on
     +-- ExportError      a checkpoint cannot be turned into a package
+    +-- ConformanceError a reader, or the conformance kit, cannot be run
 """
 
 from __future__ import annotations
@@ -84,3 +85,7 @@ class TrainingError(RnaError):
 
 class ExportError(RnaError):
     """A checkpoint cannot be turned into a package."""
+
+
+class ConformanceError(RnaError):
+    """A reader, or the conformance kit, cannot be run."""

@@ -10,6 +10,9 @@ import sys
 import tomllib
 from pathlib import Path
 
+_INSTEAD = {"torch": "2.13.0"}
+"""Versions that are taken instead of the lowest, whose only builds hold gigabytes of CUDA."""
+
 _REQUIREMENT = re.compile(r"(?P<name>[\w.-]+)>=(?P<version>[\w.]+)")
 
 
@@ -22,7 +25,8 @@ def pins(requirements: list[str]) -> list[str]:
         match = _REQUIREMENT.fullmatch(requirement)
         if match is None:
             raise ValueError(f"pyproject.toml: found {requirement!r}, expected name>=version")
-        found.append(f"{match['name']}=={match['version']}")
+        name = match["name"]
+        found.append(f"{name}=={_INSTEAD.get(name, match['version'])}")
     return sorted(found, key=str.lower)
 
 

@@ -46,7 +46,9 @@ def _parser() -> argparse.ArgumentParser:
         "Check .rna packages against the format.",
         "rna-validate asset.rna",
         usage=argparse.SUPPRESS,
-        epilog="Exit status: 0 valid, 1 invalid, 2 wrong usage. Codes: spec/ISSUES.md.",
+        epilog="Prints one line for each issue, then `FILE: valid` or `FILE: invalid`; a package "
+        "with\nwarnings alone is valid. Exit status: 0 all valid, 1 one invalid or unreadable, 2 "
+        "wrong usage.\nCodes of issues: spec/ISSUES.md.",
     )
     parser.add_argument(
         "files", nargs="+", metavar="FILE", help="package to check (path), one or more"

@@ -96,7 +96,7 @@ class Code(Enum):
     PLANES_DTYPE = (Severity.ERROR, "A tensor's dtype is not that of the tier's planePrecision.")
     PLANES_SHAPE = (Severity.ERROR, "The tensors' shapes are not those of the tier.")
     PLANES_ALIGNMENT = (Severity.ERROR, "The tensor data does not start on a 64-byte boundary.")
-    PLANES_NOT_FINITE = (Severity.ERROR, "The planes or their scales hold NaN or infinite values.")
+    PLANES_NOT_FINITE = (Severity.ERROR, "The planes hold NaN, or values beyond 1e18.")
 
     # decoders/*.onnx
     DECODER_TOO_LARGE = (Severity.ERROR, "The decoder is larger than allowed.")

@@ -73,7 +73,7 @@ class Asset:
         self.tier = tier
         self.domain = package.manifest.domain
         self.threads = threads
-        self.bounds = np.array([box.min, box.max], np.float32)
+        self.bounds = box.corners()
         self.bounds.flags.writeable = False
         filler = QueryFiller(package.planes(tier.name), box, tier, self.kind)
         decoder = Decoder(package.decoder(tier.name), filler.largest_query)

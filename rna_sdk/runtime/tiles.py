@@ -32,10 +32,8 @@ class QueryFiller:
     """
 
     def __init__(self, planes: Planes, bounds: Bounds, tier: Tier, kind: Kind) -> None:
-        low, high = np.array([bounds.min, bounds.max], np.float64)
-        # The smallest normal number keeps 1 / extent finite.
-        extent = np.maximum(high - low, np.finfo(np.float64).tiny)
-        self._box = np.stack([low, 1 / extent])
+        low, high = bounds.corners().astype(np.float64)
+        self._box = np.stack([low, 1 / (high - low)])
         self._columns = block_columns(tier.inputs, tier.channels)
         self._resolution = tier.resolution
         # Planes stay as they are in the file, converted as they are read: less memory and cache.

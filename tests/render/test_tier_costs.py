@@ -15,7 +15,7 @@ from tests.package.builders import make_measured_tier, make_tiny_package
 SCENE = """\
 assets:
   - {path: a.rna, tier: slow}
-  - {path: a.rna, tier: slow, transform: {position: [1, 0, 0]}}
+  - {path: a.rna, tier: slow, transform: {translation: [1, 0, 0]}}
 camera: {position: [0, 4, 0], look_at: [0, 0, 0], up: [0, 0, -1], vertical_fov_deg: 5}
 lights:
   - {type: directional, direction: [0, 1, 0], irradiance: [1, 2, 3]}

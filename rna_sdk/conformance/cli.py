@@ -1,0 +1,137 @@
+"""`rna-conform`: run a reader on the conformance kit and print what passes."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict
+from pathlib import Path
+
+from rna_sdk.conformance.kit import LEVELS, Kit, find_kit, load_kit
+from rna_sdk.conformance.program import Program, as_command, claimed_levels
+from rna_sdk.conformance.scoring import Score, cases, score
+from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_sdk.errors import ConformanceError
+
+_TABLE = "{:<10} {:<24} {:<11} {:>5} {:>6}  {:>10} {:>9}  {}"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command. Returns 0 when every level that was run passes, 1 when one does not."""
+    own, words = split_script_arguments(arguments)
+    options = _parser().parse_args(own)
+    return run_command(lambda: _run(options, words), options.debug, "no verdict")
+
+
+def _run(options: argparse.Namespace, words: tuple[str, ...]) -> int:
+    program = as_command(words, options.timeout)
+    kit = load_kit(Path(options.kit) if options.kit else find_kit())
+    levels = claimed_levels(program)
+    missing = [level for level in options.level or () if level not in levels]
+    if missing:
+        raise ConformanceError(
+            f"--level {missing[0]}: the reader says that it has {', '.join(levels)}"
+        )
+    running = run_levels(program, kit, options.level or levels, options.jobs)
+    if options.json:
+        scores = list(running)
+        print(json.dumps([_as_json(one) for one in scores], indent=2))
+    else:
+        scores = print_table(running)
+    return 0 if all(one.passed for one in scores) else 1
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = command_parser(
+        "rna-conform",
+        "Run a reader of .rna packages on the conformance kit, and print a table of what passes.",
+        "rna-conform -- ./my-reader",
+        usage="rna-conform [options] -- COMMAND...",
+        epilog="How COMMAND is called: spec/conformance/README.md. Exit status: 0 when every level "
+        "that the reader has passes, 1 when one does not, 2 wrong usage.",
+    )
+    parser.add_argument(
+        "--kit", metavar="PATH", help="folder of the kit (default: spec/conformance of the clone)"
+    )
+    parser.add_argument(
+        "--level",
+        action="append",
+        choices=LEVELS,
+        help="run this level alone; may be given several times (default: all the reader has)",
+    )
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        default=os.cpu_count() or 1,
+        metavar="N",
+        help="runs of COMMAND at a time (int, default: one a core)",
+    )
+    parser.add_argument(
+        "--timeout",
+        type=float,
+        default=300.0,
+        metavar="S",
+        help="seconds that one run of COMMAND may take (float, default: 300)",
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON (default: a table)")
+    parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
+    return parser
+
+
+def run_levels(program: Program, kit: Kit, levels: Sequence[str], jobs: int = 1) -> Iterator[Score]:
+    """The scores of all cases of these levels, in the order of the kit, as they come."""
+    every = [case for level in LEVELS if level in levels for case in cases(kit, level)]
+    pool = ThreadPoolExecutor(max(1, jobs))
+    try:
+        yield from pool.map(lambda case: score(program, kit, case), every)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def print_table(scores: Iterable[Score]) -> list[Score]:
+    """A line a case (of the level `validate`, for failures alone), and the verdict a level.
+
+    Returns the scores.
+    """
+    print(_TABLE.format("level", "package", "tier", "rows", "right", "tolerances", "absolute", ""))
+    printed = []
+    for one in scores:
+        printed.append(one)
+        if one.level != "validate" or not one.passed:
+            print(_line(one), flush=True)
+    print()
+    for level in LEVELS:
+        own = [one for one in printed if one.level == level]
+        if own:
+            passed = sum(one.passed for one in own)
+            verdict = "pass" if passed == len(own) else "FAIL"
+            largest = max(one.in_tolerances for one in own)
+            tail = f", largest difference {largest:.3g} tolerances" if level == "evaluate" else ""
+            print(f"{level}: {verdict}, {passed} of {len(own)} cases{tail}")
+    return printed
+
+
+def _line(one: Score) -> str:
+    measured = one.level == "evaluate" and one.in_tolerances > 0
+    numbers = [f"{one.in_tolerances:.3g}", f"{one.absolute:.2g}"] if measured else ["", ""]
+    verdict = "pass" if one.passed else f"FAIL: {one.note}"
+    named = one.level, one.package, one.tier
+    return _TABLE.format(*named, one.rows, one.right, *numbers, verdict)
+
+
+def _as_json(one: Score) -> dict[str, object]:
+    """JSON has no infinity: null stands for it."""
+    fields = asdict(one)
+    return {
+        key: None if isinstance(value, float) and not math.isfinite(value) else value
+        for key, value in fields.items()
+    }
+
+
+if __name__ == "__main__":
+    sys.exit(main())

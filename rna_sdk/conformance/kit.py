@@ -1,0 +1,154 @@
+"""The conformance kit as it lies on disk: `kit.json` and the files that it lists."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.errors import ConformanceError
+
+INDEX = "kit.json"
+LEVELS = ("evaluate", "visibility", "validate")
+
+
+@dataclass(frozen=True)
+class RowClass:
+    """What rows `first` to `first + rows - 1` have in common."""
+
+    name: str
+    first: int
+    rows: int
+
+
+@dataclass(frozen=True)
+class EvaluateCase:
+    """One tier of a package.
+
+    Attributes:
+        package, queries: files.
+        expected, tolerance: (n, 6) float64.
+        step: the most that one step of one int8 activation changes an output; 0 for float32.
+    """
+
+    package: Path
+    tier: str
+    queries: Path
+    expected: NDArray[np.float64]
+    tolerance: NDArray[np.float64]
+    step: float
+    classes: tuple[RowClass, ...]
+
+
+@dataclass(frozen=True)
+class VisibilityCase:
+    """Hits on the geometry of a package; picks: (n,) uint8, 0 visible, 1 shadowed."""
+
+    package: Path
+    hits: Path
+    picks: NDArray[np.uint8]
+    classes: tuple[RowClass, ...]
+
+
+@dataclass(frozen=True)
+class ValidateCase:
+    """A package, whether it is valid, and the code among its issues, if there is one."""
+
+    package: Path
+    valid: bool
+    code: str | None
+
+
+@dataclass(frozen=True)
+class Kit:
+    """All cases; int8_share: part of the rows of an int8 tier that may differ by a step."""
+
+    int8_share: float
+    evaluate: tuple[EvaluateCase, ...]
+    visibility: tuple[VisibilityCase, ...]
+    validate: tuple[ValidateCase, ...]
+
+
+def find_kit() -> Path:
+    """The kit of the clone that this package is run from.
+
+    Raises:
+        ConformanceError: there is none; wheels come without it.
+    """
+    folder = Path(__file__).parents[2] / "spec" / "conformance"
+    if not (folder / INDEX).is_file():
+        raise ConformanceError(
+            "the installed SDK carries no conformance kit; pass --kit PATH, the folder "
+            "spec/conformance of a clone of the project"
+        )
+    return folder
+
+
+def load_kit(folder: Path) -> Kit:
+    """The kit in `folder`, every file compared with its hash.
+
+    Raises:
+        ConformanceError: there is no kit, or a file of it is missing or was changed.
+    """
+    try:
+        index = json.loads((folder / INDEX).read_bytes())
+    except (OSError, ValueError) as error:
+        raise ConformanceError(
+            f"{folder / INDEX}: no index of a conformance kit: {error}"
+        ) from None
+    if not isinstance(index, dict) or index.get("version") != 1:
+        raise ConformanceError(f"{folder / INDEX}: found no kit of version 1")
+    for name, record in index["files"].items():
+        _check_file(folder / name, record)
+    return Kit(
+        index["int8Share"],
+        tuple(_evaluate_case(folder, record) for record in index["evaluate"]),
+        tuple(_visibility_case(folder, record) for record in index["visibility"]),
+        tuple(
+            ValidateCase(folder / record["package"], record["valid"], record["code"])
+            for record in index["validate"]
+        ),
+    )
+
+
+def _check_file(path: Path, record: dict[str, Any]) -> None:
+    try:
+        digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError as error:
+        raise ConformanceError(f"{path}: a file of the kit cannot be read: {error}") from None
+    if digest != record["sha256"]:
+        raise ConformanceError(
+            f"{path}: found SHA-256 {digest[:16]}..., expected {record['sha256'][:16]}...; "
+            "the kit was changed, or made in part"
+        )
+
+
+def _evaluate_case(folder: Path, record: dict[str, Any]) -> EvaluateCase:
+    both = np.fromfile(folder / record["expected"], "<f8").reshape(record["rows"], 12)
+    return EvaluateCase(
+        folder / record["package"],
+        record["tier"],
+        folder / record["queries"],
+        both[:, :6].astype(np.float64),
+        both[:, 6:].astype(np.float64),
+        record["step"],
+        _classes(record),
+    )
+
+
+def _visibility_case(folder: Path, record: dict[str, Any]) -> VisibilityCase:
+    return VisibilityCase(
+        folder / record["package"],
+        folder / record["hits"],
+        np.fromfile(folder / record["picks"], np.uint8),
+        _classes(record),
+    )
+
+
+def _classes(record: dict[str, Any]) -> tuple[RowClass, ...]:
+    return tuple(RowClass(c["name"], c["first"], c["rows"]) for c in record["classes"])

@@ -1,0 +1,121 @@
+"""A reader as a program: how it is called, and what it may answer (spec/conformance/README.md)."""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.conformance.kit import LEVELS
+from rna_sdk.errors import ConformanceError
+
+
+@dataclass(frozen=True)
+class Answer:
+    """How a run of a program ended."""
+
+    status: int
+    stdout: str
+    stderr: str
+
+
+class Program(Protocol):
+    """Something that runs with arguments."""
+
+    def run(self, *arguments: str) -> Answer: ...
+
+
+@dataclass(frozen=True)
+class Command:
+    """A program of the operating system; timeout: seconds that one run may take."""
+
+    words: tuple[str, ...]
+    timeout: float
+
+    def run(self, *arguments: str) -> Answer:
+        """Raises ConformanceError where it cannot start or takes too long."""
+        shown = " ".join(self.words)
+        try:
+            done = subprocess.run(
+                [*self.words, *arguments],
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=self.timeout,
+            )
+        except OSError as error:
+            raise ConformanceError(f"cannot start {shown}: {error.strerror or error}") from None
+        except subprocess.TimeoutExpired:
+            what = " ".join(arguments[:1])
+            raise ConformanceError(
+                f"{shown} {what}: no answer after {self.timeout:g} s; see --timeout"
+            ) from None
+        return Answer(done.returncode, done.stdout, done.stderr)
+
+
+def claimed_levels(program: Program) -> tuple[str, ...]:
+    """The levels that the program says it has, in the order of LEVELS."""
+    words = _checked(program.run("levels"), "levels").stdout.split()
+    unknown = [word for word in words if word not in LEVELS]
+    if unknown or not words:
+        raise ConformanceError(
+            f"levels: found {' '.join(unknown) or 'nothing'}, expected one or more lines of: "
+            + ", ".join(LEVELS)
+        )
+    return tuple(level for level in LEVELS if level in words)
+
+
+def evaluate(program: Program, package: Path, tier: str, queries: Path) -> NDArray[np.float64]:
+    """(n, 6) results for a file of n queries."""
+    rows = queries.stat().st_size // 52
+    with tempfile.TemporaryDirectory() as folder:
+        results = Path(folder) / "results.f32"
+        call = "evaluate", str(package), tier, str(queries), str(results)
+        _checked(program.run(*call), "evaluate")
+        return _read(results, "<f4", rows * 6).reshape(rows, 6).astype(np.float64)
+
+
+def visibility(program: Program, package: Path, hits: Path) -> NDArray[np.uint8]:
+    """(n,) picks for a file of n hits."""
+    with tempfile.TemporaryDirectory() as folder:
+        picks = Path(folder) / "picks.u8"
+        _checked(program.run("visibility", str(package), str(hits), str(picks)), "visibility")
+        return _read(picks, "u1", hits.stat().st_size // 32)
+
+
+def validate(program: Program, package: Path) -> tuple[bool, list[str]]:
+    """Whether the program finds the package valid, and the codes it prints."""
+    answer = program.run("validate", str(package))
+    if answer.status not in (0, 1):
+        _checked(answer, "validate")
+    return answer.status == 0, answer.stdout.split()
+
+
+def _checked(answer: Answer, what: str) -> Answer:
+    if answer.status:
+        lines = answer.stderr.strip().splitlines() or ["(it printed nothing on stderr)"]
+        raise ConformanceError(f"{what}: exit status {answer.status}: {lines[-1]}")
+    return answer
+
+
+def _read(path: Path, dtype: str, count: int) -> NDArray[Any]:
+    size = count * np.dtype(dtype).itemsize
+    found = path.stat().st_size if path.is_file() else None
+    if found != size:
+        wrote = "no file" if found is None else f"{found} bytes"
+        raise ConformanceError(f"the reader wrote {wrote}, expected {size} bytes")
+    return np.fromfile(path, dtype)
+
+
+def as_command(words: Sequence[str], timeout: float) -> Command:
+    """Raises ConformanceError without words."""
+    if not words:
+        raise ConformanceError("no COMMAND; give it after --: rna-conform -- COMMAND")
+    return Command(tuple(words), timeout)

@@ -1,0 +1,37 @@
+"""The SDK as a reader program: `rna-conform -- python -m rna_sdk.conformance.reader`.
+
+It has no rays, and so no visibility; `rna_render.conformance_reader` has.
+"""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.conformance.reader_program import run_reader
+from rna_sdk.package.issues import Severity
+from rna_sdk.package.validator import validate
+
+
+def evaluate(package: str, tier: str, queries: NDArray[np.float32]) -> NDArray[np.float32]:
+    """(n, 6) by the runtime for (n, 13) queries."""
+    from rna_sdk.runtime import SurfaceAsset, load
+
+    position, axis, h, wo, wi = np.split(queries, (3, 6, 7, 10), axis=1)
+    asset = load(package, tier)
+    if isinstance(asset, SurfaceAsset):
+        return np.hstack(asset.evaluate(position, axis, wo, wi))
+    return np.hstack(asset.evaluate(position, axis, h[:, 0], wo, wi))
+
+
+def check(package: str) -> tuple[bool, list[str]]:
+    """Whether the package is valid, and the codes of its issues."""
+    issues = validate(package)
+    valid = all(issue.severity is not Severity.ERROR for issue in issues)
+    return valid, [issue.code for issue in issues]
+
+
+if __name__ == "__main__":
+    sys.exit(run_reader(evaluate=evaluate, validate=check))

@@ -1,0 +1,63 @@
+"""What reader programs in Python share: their command line, and files in and out.
+
+The protocol is that of spec/conformance/README.md.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.errors import ConformanceError, RnaError
+
+Evaluate = Callable[[str, str, NDArray[np.float32]], NDArray[np.float32]]
+"""(package, tier, queries (n, 13)) -> (n, 6)."""
+Visibility = Callable[[str, bytes], NDArray[np.bool_]]
+"""(package, hit records) -> (n,) whether each is visible."""
+Validate = Callable[[str], tuple[bool, list[str]]]
+"""package -> whether it is valid, and the codes of its issues."""
+
+
+def run_reader(
+    arguments: Sequence[str] | None = None,
+    *,
+    evaluate: Evaluate | None = None,
+    visibility: Visibility | None = None,
+    validate: Validate | None = None,
+) -> int:
+    """The exit status of the program; a level is had if its function is given."""
+    level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
+    try:
+        if level == "levels" and not rest:
+            had = {"evaluate": evaluate, "visibility": visibility, "validate": validate}
+            print("\n".join(name for name, function in had.items() if function))
+        elif level == "evaluate" and evaluate and len(rest) == 4:
+            package, tier, queries, results = rest
+            rows = np.fromfile(queries, "<f4").reshape(-1, 13).astype(np.float32)
+            _write(results, evaluate(package, tier, rows).astype("<f4").tobytes())
+        elif level == "visibility" and visibility and len(rest) == 3:
+            package, hits, picks = rest
+            seen = visibility(package, Path(hits).read_bytes())
+            _write(picks, (~seen).astype(np.uint8).tobytes())
+        elif level == "validate" and validate and len(rest) == 1:
+            valid, codes = validate(rest[0])
+            print("\n".join(codes))
+            return 0 if valid else 1
+        else:
+            raise ConformanceError(f"no such call of a reader: {' '.join([level, *rest])}")
+    except (RnaError, OSError, ValueError) as error:
+        print("error: " + "; ".join(str(error).splitlines()), file=sys.stderr)
+        return 2
+    return 0
+
+
+def _write(path: str, data: bytes) -> None:
+    """Whole or not at all."""
+    temporary = Path(path).with_name(f".{Path(path).name}.{os.getpid()}.partial")
+    temporary.write_bytes(data)
+    os.replace(temporary, path)

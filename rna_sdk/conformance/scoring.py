@@ -1,0 +1,127 @@
+"""What a reader's answers are worth: each case of the kit against what it expects."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.conformance import program as reader
+from rna_sdk.conformance.kit import EvaluateCase, Kit, RowClass, ValidateCase, VisibilityCase
+from rna_sdk.conformance.program import Program
+from rna_sdk.errors import ConformanceError
+
+
+@dataclass(frozen=True)
+class Score:
+    """How a case went.
+
+    Attributes:
+        level, package, tier: which case; tier is "" where there is none.
+        rows, right: how many rows there are, and how many are within their tolerance.
+        passed: the verdict.
+        in_tolerances, absolute: the largest difference over all rows, the latter of outputs; 0
+            where a level has none, infinite where an answer is not finite or negative.
+        note: what is wrong, one line; "" if nothing is.
+    """
+
+    level: str
+    package: str
+    tier: str
+    rows: int
+    right: int
+    passed: bool
+    in_tolerances: float = 0.0
+    absolute: float = 0.0
+    note: str = ""
+
+
+Case = EvaluateCase | VisibilityCase | ValidateCase
+
+
+def cases(kit: Kit, level: str) -> list[Case]:
+    """The cases of the level."""
+    return list(getattr(kit, level))
+
+
+def score(program: Program, kit: Kit, case: Case) -> Score:
+    """How the reader did; one that fails, or answers what cannot be read, has no row right."""
+    try:
+        if isinstance(case, EvaluateCase):
+            return _evaluate(program, case, kit.int8_share)
+        if isinstance(case, VisibilityCase):
+            return _visibility(program, case)
+        return _validate(program, case)
+    except ConformanceError as error:
+        return replace(_nothing(case), note=str(error))
+
+
+def _nothing(case: Case) -> Score:
+    name = case.package.stem
+    if isinstance(case, EvaluateCase):
+        return Score("evaluate", name, case.tier, len(case.expected), 0, False)
+    if isinstance(case, VisibilityCase):
+        return Score("visibility", name, "", len(case.picks), 0, False)
+    return Score("validate", name, "", 1, 0, False)
+
+
+def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
+    found = reader.evaluate(program, case.package, case.tier, case.queries)
+    difference = np.where(np.isfinite(found), np.abs(found - case.expected), np.inf)
+    difference[found < 0] = np.inf
+    units = _units(difference, case.tolerance)
+    wrong = units.max(axis=1) > 1
+    by_a_step = np.all(difference <= case.tolerance + case.step, axis=1)
+    few = case.step > 0 and int(np.sum(wrong)) <= int8_share * len(found)
+    within = not wrong.any() or (few and bool(by_a_step[wrong].all()))
+    row = int(units.max(axis=1).argmax())
+    return Score(
+        *("evaluate", case.package.stem, case.tier, len(found), int(np.sum(~wrong)), within),
+        *(float(units.max()), float(difference.max())),
+        note="" if within else _worst(case, found, row),
+    )
+
+
+def _units(difference: NDArray[np.float64], tolerance: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Differences in tolerances; where that is 0 none is 0, and any is infinite."""
+    exact = np.where(difference > 0, np.inf, 0.0)
+    return np.divide(difference, tolerance, out=exact, where=tolerance > 0)
+
+
+def _worst(case: EvaluateCase, found: NDArray[np.float64], row: int) -> str:
+    def shown(values: NDArray[np.float64]) -> str:
+        return " ".join(f"{value:.6g}" for value in values)
+
+    return (
+        f"row {row} ({_class_of(case.classes, row)}): found {shown(found[row])}, "
+        f"expected {shown(case.expected[row])}"
+    )
+
+
+def _visibility(program: Program, case: VisibilityCase) -> Score:
+    found = reader.visibility(program, case.package, case.hits)
+    wrong = np.flatnonzero(found != case.picks)
+    note = ""
+    if len(wrong):
+        row, names = wrong[0], ("visible", "shadowed")
+        where = ", ".join(sorted({_class_of(case.classes, int(k)) for k in wrong}))
+        pick = names[found[row]] if found[row] < 2 else str(found[row])
+        note = f"row {row}: found {pick}, expected {names[case.picks[row]]}; wrong in: {where}"
+    rows = len(found)
+    return Score("visibility", case.package.stem, "", rows, rows - len(wrong), not note, note=note)
+
+
+def _validate(program: Program, case: ValidateCase) -> Score:
+    valid, codes = reader.validate(program, case.package)
+    passed = valid == case.valid and (case.code is None or case.code in codes)
+    note = ""
+    if not passed:
+        names = {True: "valid", False: "invalid"}
+        expected = " ".join(filter(None, (names[case.valid], case.code)))
+        note = f"found {' '.join((names[valid], *codes[:4]))}, expected {expected}"
+    return Score("validate", case.package.stem, "", 1, int(passed), passed, note=note)
+
+
+def _class_of(classes: tuple[RowClass, ...], row: int) -> str:
+    return next(c.name for c in classes if c.first <= row < c.first + c.rows)

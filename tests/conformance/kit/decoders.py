@@ -1,0 +1,247 @@
+"""Decoders of the kit: random layers, in float32 or in int8, their float64 reading, their file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from rna_sdk.runtime import onnx_bytes as pb
+
+LARGEST_INPUT = 65504.0
+TOP = 5.0  # the largest log of a colour
+UNIT = 0.05  # what a log near 0 counts in
+
+
+def short(values: np.ndarray, bits: int = 12) -> np.ndarray:
+    """Rounded to so many bits, in float32: products of two are exact, and hardly any difference
+    between two machines' libraries shows in the file."""
+    fraction, exponent = np.frexp(np.asarray(values, np.float64))
+    return np.ldexp(np.round(fraction * 2.0**bits), exponent - bits).astype(np.float32)
+
+
+@dataclass(frozen=True)
+class Layer:
+    """Of float32: weight (inputs, outputs), bias (outputs,)."""
+
+    weight: np.ndarray
+    bias: np.ndarray
+
+
+@dataclass(frozen=True)
+class Int8Layer:
+    """weight (inputs, outputs) int8, scale (outputs,) float32, bias (outputs,) int32, in units of
+    input_scale * scale; input_scale: what a step of the uint8 inputs means."""
+
+    weight: np.ndarray
+    scale: np.ndarray
+    bias: np.ndarray
+    input_scale: np.float32
+
+
+@dataclass(frozen=True)
+class Decoder:
+    """Float64 reading and file of the same numbers.
+
+    ends: what the last layer's outputs become transport by: a factor, or a matrix (outputs, 6).
+    """
+
+    layers: list[Layer]
+    ends: np.ndarray
+
+    def __call__(self, blocks: np.ndarray) -> np.ndarray:
+        """(n, 6) float64 for blocks (n, K) float64."""
+        x = np.clip(blocks, -LARGEST_INPUT, LARGEST_INPUT)
+        for k, layer in enumerate(self.layers):
+            x = np.maximum(x, 0) if k else x
+            x = _product(x, layer.weight) + layer.bias.astype(np.float64)
+        return _closed(x, self.ends)
+
+    def file(self) -> bytes:
+        graph = _Graph()
+        value = graph.node("Clip", "queries", -LARGEST_INPUT, LARGEST_INPUT)
+        for k, layer in enumerate(self.layers):
+            value = graph.node("Relu", value) if k else value
+            value = graph.node("Gemm", value, layer.weight, layer.bias)
+        return _file(graph, value, self.ends, len(self.layers[0].weight))
+
+
+@dataclass(frozen=True)
+class Int8Decoder:
+    """The like in int8; gain and offset (K,) float32 make the columns of the blocks steps."""
+
+    gain: np.ndarray
+    offset: np.ndarray
+    layers: list[Int8Layer]
+    ends: np.ndarray
+
+    def __call__(self, blocks: np.ndarray) -> np.ndarray:
+        return self.from_steps(self.steps(blocks))
+
+    def steps(self, blocks: np.ndarray) -> np.ndarray:
+        """What the first layer multiplies, (n, K) of whole numbers from 0 to 255."""
+        x = np.clip(blocks, -LARGEST_INPUT, LARGEST_INPUT)
+        x = x * self.gain.astype(np.float64) + self.offset.astype(np.float64)
+        return _quantized(x, self.layers[0])
+
+    def from_steps(self, steps: np.ndarray, first: int = 0) -> np.ndarray:
+        """(n, 6) for the inputs of a layer; every sum is one of whole numbers, and exact."""
+        x = _sums(steps, self.layers[first])
+        for layer in self.layers[first + 1 :]:
+            x = _sums(_quantized(x, layer), layer)
+        return _closed(x, self.ends)
+
+    def largest_step(self, blocks: np.ndarray) -> np.ndarray:
+        """(n,) the most that one step of one activation, of any layer, changes an output."""
+        steps, result = self.steps(blocks), np.zeros(len(blocks))
+        expected = self.from_steps(steps)
+        for k, layer in enumerate(self.layers):
+            for column in range(steps.shape[1]):
+                for move in (-1, 1):
+                    moved = steps.copy()
+                    moved[:, column] = np.clip(moved[:, column] + move, 0, 255)
+                    change = np.abs(self.from_steps(moved, k) - expected).max(axis=1)
+                    result = np.maximum(result, change)
+            if k + 1 < len(self.layers):
+                steps = _quantized(_sums(steps, layer), self.layers[k + 1])
+        return result
+
+    def file(self) -> bytes:
+        graph, zero = _Graph(), np.uint8(0)
+        value = graph.node("Clip", "queries", -LARGEST_INPUT, LARGEST_INPUT)
+        value = graph.node("Add", graph.node("Mul", value, self.gain), self.offset)
+        for layer in self.layers:
+            value = graph.node("QuantizeLinear", value, layer.input_scale, zero)
+            value = graph.node("DequantizeLinear", value, layer.input_scale, zero)
+            weight = graph.node("DequantizeLinear", layer.weight, layer.scale, axis=1)
+            scale = layer.input_scale * layer.scale
+            bias = graph.node("DequantizeLinear", layer.bias, scale, axis=0)
+            value = graph.node("Gemm", value, weight, bias)
+        return _file(graph, value, self.ends, len(self.gain))
+
+
+def make_decoder(
+    rng: np.random.Generator,
+    blocks: np.ndarray,
+    widths: tuple[int, ...],
+    mixing: int = 0,
+    first: np.ndarray | None = None,
+) -> Decoder:
+    """Random layers whose outputs on these (n, K) blocks are colours of 0.02 to 2 or so.
+
+    mixing: outputs of the last layer that a matrix makes six colours of; 0 for none. first:
+    (K, outputs), the first layer's weights but for a factor an output.
+    """
+    sizes, layers, x = [blocks.shape[1], *widths, mixing or 6], [], blocks
+    spread = blocks.std(axis=0)
+    spread = np.where(spread > 1e-6, spread, 1)
+    for k in range(len(sizes) - 1):
+        weight = rng.uniform(-1, 1, (sizes[k], sizes[k + 1]))
+        if k == 0:  # as if all columns had the same deviation
+            weight = weight / spread[:, None] if first is None else first
+        last = k == len(sizes) - 2
+        deviation, mean = (0.5, 1.7) if last else (1.0, 0.3)
+        weight = short(weight * (deviation / (x @ weight).std(axis=0)))
+        layers.append(Layer(weight, short(mean - (x @ weight).mean(axis=0))))
+        x = np.maximum(x @ layers[-1].weight + layers[-1].bias, 0)
+    return Decoder(layers, _mixing(rng, mixing) if mixing else np.float32(UNIT))
+
+
+def make_int8_decoder(decoder: Decoder, blocks: np.ndarray, largest: int = 64) -> Int8Decoder:
+    """The decoder in integers, calibrated on blocks (n, K); weights to +-largest.
+
+    Up to 64, the products of two weights with uint8 add up to less than 2^15.
+    """
+    gain, offset = entry_steps(blocks)
+    weights = [layer.weight.astype(np.float64) for layer in decoder.layers]
+    biases = [layer.bias.astype(np.float64) for layer in decoder.layers]
+    weights[0] = weights[0] / gain[:, None]
+    biases[0] = biases[0] - offset @ weights[0]
+    layers: list[Int8Layer] = []
+    scale, x = np.float32(1), blocks * gain + offset
+    for weight, bias in zip(weights, biases, strict=True):
+        weight_scale = short(np.abs(weight).max(axis=0) / largest)
+        steps = np.clip(np.round(weight / weight_scale), -largest, largest).astype(np.int8)
+        unit = np.float64(scale) * weight_scale
+        layers.append(Int8Layer(steps, weight_scale, np.round(bias / unit).astype(np.int32), scale))
+        x = _sums(_quantized(x, layers[-1]), layers[-1])
+        scale = np.float32(short(np.maximum(x, 0).max() / 255.0))
+    return Int8Decoder(gain, offset, layers, decoder.ends)
+
+
+def entry_steps(blocks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Gain and offset, (K,) float32, that spread the columns of blocks over 0 to 255."""
+    low, high = np.percentile(blocks, [1, 99], axis=0)
+    gain = short(255.0 / np.maximum(high - low, 0.05))
+    return gain, short(-low * gain)
+
+
+def saturating_weights(rng: np.random.Generator, blocks: np.ndarray, outputs: int) -> np.ndarray:
+    """First layer (K, outputs) for `make_decoder`: in int8 at 127, all are +-127, in pairs.
+
+    Of two neighbours of one sign and two large activations the products add up to more than
+    2^15: an engine that adds pairs in 16 bits is wrong.
+    """
+    gain, _ = entry_steps(blocks)
+    signs = np.repeat(rng.choice([-1.0, 1.0], ((len(gain) + 1) // 2, outputs)), 2, axis=0)
+    return signs[: len(gain)] * gain[:, None]
+
+
+def _mixing(rng: np.random.Generator, outputs: int) -> np.ndarray:
+    """(outputs, 6), of 6 as exporters have it: colours from a sum and a part of the other."""
+    if outputs == 6:
+        return short(np.kron([[1.0, 0.25], [0.5, 1.0]], np.eye(3)) * UNIT)
+    return short(rng.uniform(0, 0.5, (outputs, 6)) * UNIT)
+
+
+def _product(x: np.ndarray, weight: np.ndarray) -> np.ndarray:
+    return x @ weight.astype(np.float64)
+
+
+def _sums(steps: np.ndarray, layer: Int8Layer) -> np.ndarray:
+    unit = np.float64(layer.input_scale) * layer.scale
+    return (_product(steps, layer.weight) + layer.bias) * unit
+
+
+def _quantized(x: np.ndarray, layer: Int8Layer) -> np.ndarray:
+    return np.clip(np.rint(x / np.float64(layer.input_scale)), 0, 255)
+
+
+def _closed(x: np.ndarray, ends: np.ndarray) -> np.ndarray:
+    colours = np.exp(np.clip(x, 0.0, TOP)) - 1.0
+    wide = ends.astype(np.float64)
+    return colours @ wide if wide.ndim else colours * wide
+
+
+class _Graph:
+    """Nodes and constants in order."""
+
+    def __init__(self) -> None:
+        self.nodes: list[bytes] = []
+        self.constants: list[bytes] = []
+
+    def node(self, operator: str, *inputs: Any, output: str = "", **attributes: int) -> str:
+        """A node; numbers and arrays among its inputs become constants. The name of its result."""
+        names = [value if isinstance(value, str) else self._constant(value) for value in inputs]
+        output = output or f"v{len(self.nodes)}"
+        self.nodes.append(pb.node(operator, names, output, attributes))
+        return output
+
+    def _constant(self, value: Any) -> str:
+        array = np.float32(value) if isinstance(value, float) else value
+        self.constants.append(pb.tensor(f"c{len(self.constants)}", np.asarray(array)))
+        return f"c{len(self.constants) - 1}"
+
+
+def _file(graph: _Graph, value: str, ends: np.ndarray, columns: int) -> bytes:
+    """The ModelProto from `queries` to `transport`, the closing nodes included."""
+    value = graph.node("Exp", graph.node("Clip", value, 0.0, TOP))
+    value = graph.node("Sub", value, 1.0)
+    graph.node("MatMul" if np.ndim(ends) else "Mul", value, ends, output="transport")
+    fields = [pb.chunk(1, node) for node in graph.nodes]
+    fields += [pb.chunk(2, b"decoder"), *(pb.chunk(5, constant) for constant in graph.constants)]
+    fields += [pb.chunk(11, pb.value("queries", ["N", columns]))]
+    fields += [pb.chunk(12, pb.value("transport", ["N", 6]))]
+    model = pb.integer(1, 8) + pb.chunk(2, b"rna-conformance") + pb.chunk(7, b"".join(fields))
+    return model + pb.chunk(8, pb.opset("", 17))

@@ -1,0 +1,161 @@
+"""The files of the kit: made in memory, written, compared with those that are there."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tests.conformance.kit.assets import PLANS, Answers, Plan, write_asset
+from tests.conformance.kit.broken import broken_packages
+from tests.conformance.kit.hits import make_hits
+
+INDEX = "kit.json"
+BY_HAND = {"README.md"}
+INT8_SHARE = 0.02  # of the rows of an int8 tier may differ by a step
+
+Files = dict[str, bytes]
+
+
+def kit_files() -> Files:
+    """Path below the kit -> content."""
+    files: Files = {}
+    index: dict[str, Any] = {"version": 1, "int8Share": INT8_SHARE}
+    index |= {"evaluate": [], "visibility": [], "validate": []}
+    with tempfile.TemporaryDirectory() as folder:
+        for plan in PLANS:
+            answers = write_asset(plan, Path(folder))
+            package = f"packages/{plan.name}.rna"
+            files[package] = (Path(folder) / f"{plan.name}.rna").read_bytes()
+            for tier, answer in answers.items():
+                index["evaluate"].append(_evaluate_case(files, plan, package, tier, answer))
+            index["visibility"].append(_visibility_case(files, plan, package))
+            index["validate"].append({"package": package, "valid": True, "code": plan.warning})
+        for name, (data, code, valid) in broken_packages(Path(folder)).items():
+            files[f"broken/{name}.rna"] = data
+            index["validate"].append(
+                {"package": f"broken/{name}.rna", "valid": valid, "code": code}
+            )
+    index["files"] = {
+        name: {"size": len(data), "sha256": hashlib.sha256(data).hexdigest()}
+        for name, data in sorted(files.items())
+    }
+    return {**files, INDEX: (_json(index) + "\n").encode()}
+
+
+def _evaluate_case(
+    files: Files, plan: Plan, package: str, tier: str, answers: Answers
+) -> dict[str, Any]:
+    paths = {
+        "queries": f"queries/{plan.name}.{tier}.f32",
+        "blocks": f"blocks/{plan.name}.{tier}.f32",
+        "expected": f"expected/{plan.name}.{tier}.f64",
+    }
+    files[paths["queries"]] = answers.queries.astype("<f4").tobytes()
+    files[paths["blocks"]] = answers.blocks.astype("<f4").tobytes()
+    both = np.concatenate([answers.expected, answers.tolerance], axis=1)
+    files[paths["expected"]] = both.astype("<f8").tobytes()
+    return {
+        "package": package,
+        "tier": tier,
+        "what": plan.what,
+        **paths,
+        "rows": len(answers.queries),
+        "columns": answers.blocks.shape[1],
+        "scale": answers.scale,
+        "step": answers.step,
+        "classes": _classes(answers.classes),
+    }
+
+
+def _visibility_case(files: Files, plan: Plan, package: str) -> dict[str, Any]:
+    hits, picks, classes = make_hits(len(plan.name), plan.geometry)
+    paths = {"hits": f"hits/{plan.name}.bin", "picks": f"picks/{plan.name}.u8"}
+    files[paths["hits"]], files[paths["picks"]] = hits.records(), picks.tobytes()
+    return {
+        "package": package,
+        "what": plan.what,
+        **paths,
+        "rows": len(picks),
+        "classes": _classes(classes),
+    }
+
+
+def _classes(ranges: list[tuple[str, int, int]]) -> list[dict[str, Any]]:
+    return [{"name": name, "first": first, "rows": rows} for name, first, rows in ranges]
+
+
+def _json(index: dict[str, Any]) -> str:
+    """One line a case, a class and a file."""
+    parts = []
+    for key, value in index.items():
+        if isinstance(value, list):
+            lines = ",\n".join("    " + json.dumps(item) for item in value)
+            parts.append(f'  "{key}": [\n{lines}\n  ]')
+        elif isinstance(value, dict):
+            lines = ",\n".join(f"    {json.dumps(k)}: {json.dumps(v)}" for k, v in value.items())
+            parts.append(f'  "{key}": {{\n{lines}\n  }}')
+        else:
+            parts.append(f'  "{key}": {json.dumps(value)}')
+    return "{\n" + ",\n".join(parts) + "\n}"
+
+
+def write_files(folder: Path, files: Files) -> None:
+    """Write the kit to `folder`; what is there of an older one goes."""
+    for path in _present(folder) - set(files):
+        (folder / path).unlink()
+    for name, data in files.items():
+        target = folder / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        temporary = target.with_name(f".{target.name}.{os.getpid()}.partial")
+        temporary.write_bytes(data)
+        os.replace(temporary, target)
+
+
+def differences(folder: Path, files: Files) -> list[str]:
+    """A line for each file that is missing, too much or other than in `files`.
+
+    What float64 libraries round in their own ways may differ in its last bits: expected values,
+    the blocks, and what the index says of them.
+    """
+    present = _present(folder)
+    lines = [f"{name}: missing" for name in sorted(set(files) - present)]
+    lines += [f"{name}: not of the kit" for name in sorted(present - set(files))]
+    for name in sorted(present & set(files)):
+        found, expected = (folder / name).read_bytes(), files[name]
+        if found != expected and not _alike(name, found, expected):
+            lines.append(f"{name}: stale; run python -m tests.conformance.kit")
+    return lines
+
+
+def _present(folder: Path) -> set[str]:
+    files = (path for path in folder.rglob("*") if path.is_file())
+    return {path.relative_to(folder).as_posix() for path in files} - BY_HAND
+
+
+def _alike(name: str, found: bytes, expected: bytes) -> bool:
+    if name == INDEX:
+        return _same_index(json.loads(found), json.loads(expected))
+    if len(found) != len(expected) or not name.startswith(("expected/", "blocks/", "queries/")):
+        return False
+    dtype, close = ("<f8", 1e-6) if name.endswith("f64") else ("<f4", 1e-6)
+    pair = (np.frombuffer(data, dtype) for data in (found, expected))
+    return np.allclose(*pair, rtol=close, atol=close * 1e-3, equal_nan=True)
+
+
+def _same_index(found: Any, expected: Any) -> bool:
+    if isinstance(expected, dict):
+        keys = set(expected) - {"sha256"}
+        same = set(found) - {"sha256"} == keys
+        return same and all(_same_index(found[key], expected[key]) for key in keys)
+    if isinstance(expected, list):
+        same = len(found) == len(expected)
+        return same and all(_same_index(a, b) for a, b in zip(found, expected, strict=True))
+    if isinstance(expected, float):
+        return bool(np.isclose(found, expected, rtol=1e-6))
+    return bool(found == expected)

@@ -1,0 +1,114 @@
+"""Geometry of the kit: small meshes and strands on which visibility can go wrong."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_sdk.package import Curves, Mesh
+from tests.conformance.kit.blocks import unit
+
+
+def ball(rings: int = 6, sectors: int = 9, radius: float = 0.8) -> Mesh:
+    """A sphere of few triangles, smooth shaded: convex, all terminator. Poles are degenerate."""
+    theta = np.linspace(0, np.pi, rings + 1)[:, None]
+    phi = np.linspace(0, 2 * np.pi, sectors, endpoint=False)[None]
+    y = np.cos(theta) + 0 * phi
+    points = np.stack([np.sin(theta) * np.cos(phi), y, np.sin(theta) * np.sin(phi)], axis=2)
+    points[0], points[-1] = (0, 1, 0), (0, -1, 0)
+    return smooth(radius * points, points, wrap=True)
+
+
+def bowl(rings: int = 5, sectors: int = 10) -> Mesh:
+    """An open bowl, smooth shaded, whose normals point inward: its inside sees the far rim."""
+    theta = np.linspace(0.15, 1.6, rings + 1)[:, None]
+    phi = np.linspace(0, 2 * np.pi, sectors, endpoint=False)[None]
+    y = -np.cos(theta) + 0 * phi
+    points = np.stack([np.sin(theta) * np.cos(phi), y, np.sin(theta) * np.sin(phi)], axis=2)
+    return smooth(0.9 * points + (0, 0.3, 0), -points, wrap=True)
+
+
+def smooth(points: np.ndarray, normals: np.ndarray, wrap: bool) -> Mesh:
+    """A grid of (rows, columns, 3) points as triangles; wrap: the last column joins the first."""
+    rows, columns = points.shape[:2]
+    j, i = np.meshgrid(np.arange(rows - 1), np.arange(columns - (not wrap)), indexing="ij")
+    at = lambda row, column: row * columns + column % columns  # noqa: E731
+    a, b, c, d = at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)
+    triangles = np.stack([np.stack([a, b, c], -1), np.stack([a, c, d], -1)], axis=2)
+    return Mesh(
+        points.reshape(-1, 3).astype(np.float32),
+        unit(normals.reshape(-1, 3)).astype(np.float32),
+        None,
+        triangles.reshape(-1, 3).astype(np.uint32),
+    )
+
+
+def flat(*quads: tuple[tuple[float, float, float], ...]) -> Mesh:
+    """Squares of four corners each, counter-clockwise, flat shaded, and open: two sheets have no
+    inside."""
+    corners = np.float32(quads)
+    normals = unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    first = 4 * np.arange(len(quads))[:, None]
+    triangles = first + np.array([0, 1, 2, 0, 2, 3])
+    return Mesh(
+        corners.reshape(-1, 3),
+        np.repeat(normals, 4, axis=0).astype(np.float32),
+        None,
+        triangles.reshape(-1, 3).astype(np.uint32),
+    )
+
+
+def steps() -> Mesh:
+    """Two sheets at a right angle, and a small one that hovers over the floor."""
+    return flat(
+        ((-0.9, -0.5, -0.9), (-0.9, -0.5, 0.9), (0.9, -0.5, 0.9), (0.9, -0.5, -0.9)),
+        ((-0.9, -0.5, -0.9), (0.9, -0.5, -0.9), (0.9, 0.9, -0.9), (-0.9, 0.9, -0.9)),
+        ((-0.3, -0.45, -0.3), (-0.3, -0.45, 0.3), (0.3, -0.45, 0.3), (0.3, -0.45, -0.3)),
+    )
+
+
+def backwards(mesh: Mesh) -> Mesh:
+    """Wound clockwise: geometric normals against those of the corners."""
+    return Mesh(mesh.positions, mesh.normals, None, np.ascontiguousarray(mesh.triangles[:, ::-1]))
+
+
+def with_uvs(mesh: Mesh) -> Mesh:
+    return Mesh(mesh.positions, mesh.normals, np.abs(mesh.positions[:, :2]), mesh.triangles)
+
+
+def placed(mesh: Mesh, scale: float, centre: tuple[float, float, float]) -> Mesh:
+    positions = (mesh.positions * scale + np.array(centre)).astype(np.float32)
+    return Mesh(positions, mesh.normals, None, mesh.triangles)
+
+
+def curls(strands: int, seed: int, points: int = 9, radius: float = 0.05) -> Curves:
+    """Random helices of two turns that taper to a third."""
+    rng, t = np.random.default_rng(seed), np.linspace(0, 1, points)[None, :, None]
+    axis = unit(rng.normal(size=(strands, 3)))[:, None]
+    side = unit(np.cross(axis[:, 0], rng.normal(size=(strands, 3))))[:, None]
+    turn = 4 * np.pi * t
+    circle = np.cos(turn) * side + np.sin(turn) * np.cross(axis, side)
+    path = rng.uniform(-0.3, 0.3, (strands, 1, 3)) + (t - 0.3) * 0.7 * axis + 0.12 * circle
+    radii = radius * rng.uniform(0.5, 1.2, (strands, 1)) * (1 - 0.67 * t[:, :, 0])
+    return joined(list(path), list(radii))
+
+
+def crossings() -> Curves:
+    """Strands that touch, cross and run through each other, and a hairpin: straight and bent."""
+    paths = [
+        [(-0.8, 0, 0), (-0.2, 0, 0), (0.3, 0, 0), (0.8, 0, 0)],  # through the next two
+        [(0, -0.7, 0.05), (0, 0, 0.05), (0, 0.7, 0.05)],
+        [(-0.5, 0.03, -0.7), (-0.5, 0.03, 0.0), (-0.4, 0.03, 0.7)],
+        [(-0.7, -0.5, 0.4), (0.6, -0.5, 0.4), (0.6, -0.25, 0.4), (-0.7, -0.25, 0.4)],  # hairpin
+        [(0.2, 0.6, -0.6), (0.5, 0.3, -0.3), (0.6, 0.0, -0.1)],
+    ]
+    radii = [[0.1] * 4, [0.1, 0.12, 0.06], [0.08, 0.08, 0.05], [0.07] * 4, [0.02, 0.15, 0.04]]
+    return joined([np.array(path) for path in paths], [np.array(r) for r in radii])
+
+
+def joined(paths: list[np.ndarray], radii: list[np.ndarray]) -> Curves:
+    counts = [len(path) for path in paths]
+    return Curves(
+        np.concatenate(paths).astype(np.float32),
+        np.concatenate(radii).astype(np.float32),
+        np.cumsum([0, *counts]).astype(np.uint32),
+    )
