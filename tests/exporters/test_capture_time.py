@@ -69,7 +69,9 @@ def test_validation_images_take_a_quarter_at_most(
 def test_with_time_enough_they_stay_as_they_are(clock: Clock) -> None:
     usual = CaptureSettings.usual("surface")
     settings = planned(usual, TimeLimit(30.0, 0.0), 10.0, SURFACE_RATE, ())
-    assert settings == usual.model_copy(update={"lights": settings.lights})
+    changed = {"lights": settings.lights, "lights_per_shard": settings.lights_per_shard}
+    assert settings == usual.model_copy(update=changed)
+    assert 10 <= settings.lights / settings.lights_per_shard
     assert shrunk(usual, settings) is None
 
 

@@ -45,14 +45,23 @@ def parser() -> argparse.ArgumentParser:
         "rna-capture",
         "Render an asset in all views and lights with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
-        epilog="The same command continues a capture that was stopped. Arguments after -- go to a "
-        "source that is a Python script, or say what a .hair or .tfx does not: "
-        "rna-capture groom.tfx -- --help.",
+        epilog="The same command continues a capture that was stopped.\nArguments after -- go to a "
+        "source that is a Python script, or say what a .hair or .tfx\nfile does not; they are "
+        "listed by: rna-capture groom.tfx -- --help",
     )
-    p.add_argument("source", nargs="?", type=Path, help=f"one of {', '.join(_SUFFIXES)}")
-    p.add_argument("--out", type=Path, help="folder of the dataset")
     p.add_argument(
-        "--setup-blender", action="store_true", help="install Blender's module, then end"
+        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(_SUFFIXES)}"
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        metavar="FOLDER",
+        help="dataset to write, or to go on with (path, needed with a source: no default)",
+    )
+    p.add_argument(
+        "--setup-blender",
+        action="store_true",
+        help="install Blender's module in an environment of its own, then end (default: off)",
     )
     p.add_argument(
         "--for",
@@ -60,13 +69,14 @@ def parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="SCENE",
         help="scene file; only the directions from which it shows and lights the asset are "
-        "captured (default: --domain)",
+        "captured (path, default: --domain)",
     )
     p.add_argument(
         "--minutes",
         type=float,
         help="time budget of the whole command; sets the number of lights, and makes the "
-        "validation images smaller where they would take more than a quarter (float, default none)",
+        "validation images smaller where they would take more than a quarter (float, default: no "
+        "limit)",
     )
     of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
@@ -78,15 +88,17 @@ def parser() -> argparse.ArgumentParser:
             "--" + name.replace("_", "-"),
             type=type(info.default),
             choices=("sphere", "hemisphere") if name == "domain" else None,
-            help=f"{info.description or 'random seed'} ({usual})",
+            help=f"{info.description or 'of the random numbers'} ({usual})",
         )
     p.add_argument(
         "--workers",
         type=int,
         default=default_workers(),
-        help="Blender processes, one thread each (int, default: one a core, %(default)s)",
+        help="Blender processes, one thread each (int, default: one a core, here %(default)s)",
     )
-    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
     return p
 
 

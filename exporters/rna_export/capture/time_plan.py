@@ -13,6 +13,7 @@ LEAST_LIGHTS = 16
 
 _SHARE = 0.25  # of the time, for the validation images
 _LEAST_RESOLUTION, _LEAST_SAMPLES = 48, 16
+_LEAST_SHARD = 8  # lights; a shard that is under way when the time is up is rendered to its end
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ def planned(
     """The settings with as many lights as there is time for at `rate` paths a second.
 
     Validation images that took more than a quarter of it are made smaller, but for what was
-    `asked`. Raises `CaptureError` when fewer than 16 lights are left. opening: seconds until a
+    `asked`, and so are shards, of which there are ten at least. Raises `CaptureError` when fewer than 16 lights are left. opening: seconds until a
     worker can render.
     """
     paths = max(limit.left() - opening, 0.0) * rate
@@ -49,7 +50,8 @@ def planned(
             f"--minutes {limit.minutes:g} leaves time for {max(lights, 0)} lights after the start "
             f"and the validation images, expected at least {LEAST_LIGHTS}: give more minutes"
         )
-    return settings.model_copy(update={"lights": lights})
+    shard = min(settings.lights_per_shard, max(_LEAST_SHARD, lights // 10))
+    return settings.model_copy(update={"lights": lights, "lights_per_shard": shard})
 
 
 def shrunk(before: CaptureSettings, after: CaptureSettings) -> str | None:
