@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import subprocess
 import sys
 import tomllib
+from importlib import import_module
 from importlib.metadata import distribution, packages_distributions
 from pathlib import Path
 
@@ -125,3 +127,25 @@ def test_what_the_base_can_do_it_does() -> None:
     done = run("rna-validate", TOY)
     assert (done.returncode, done.stdout) == (0, f"{TOY}: valid\n")
     assert set(COMMANDS) >= set(EXTRAS)
+
+
+@pytest.mark.parametrize(
+    "module",
+    [
+        "rna_render.cli:_parser",
+        "rna_export.capture.cli:parser",
+        "rna_export.training.cli:parser",
+        "rna_export.fit.cli:parser",
+        "rna_export.compare.cli:parser",
+        "rna_bench.cli:parser",
+    ],
+)
+def test_options_tell_their_default(module: str) -> None:
+    name, function = module.split(":")
+    todo = [getattr(import_module(name), function)()]
+    while todo:
+        for action in todo.pop()._actions:
+            if isinstance(action, argparse._SubParsersAction):
+                todo += action.choices.values()
+            elif action.option_strings and not action.required and action.dest != "help":
+                assert "default" in (action.help or ""), action.option_strings

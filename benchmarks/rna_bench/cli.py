@@ -19,6 +19,7 @@ def parser() -> argparse.ArgumentParser:
         "rna-bench",
         "Measure models of one asset: speed against accuracy, and where the method breaks.",
         frontier.EXAMPLE,
+        epilog="rna-bench COMMAND --help shows the options of a command.",
     )
     commands = p.add_subparsers(required=True, metavar="COMMAND")
     for module in _COMMANDS:
@@ -29,7 +30,9 @@ def parser() -> argparse.ArgumentParser:
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         module.add_options(command)
-        command.add_argument("--debug", action="store_true", help="show the traceback of an error")
+        command.add_argument(
+            "--debug", action="store_true", help="show the traceback of an error (default: off)"
+        )
         command.set_defaults(module=module)
     return p
 

@@ -49,7 +49,12 @@ def _parser() -> argparse.ArgumentParser:
     )
     add = parser.add_argument
     add("scene", metavar="SCENE", type=Path, help="the scene file (YAML)")
-    add("--out", metavar="FILE", type=Path, help="linear EXR with AOVs to write")
+    add(
+        "--out",
+        metavar="FILE",
+        type=Path,
+        help="linear EXR with AOVs to write (default: none, with --preview)",
+    )
     add("--png", metavar="FILE", type=Path, help="sRGB PNG to write beside it (default: none)")
     add(
         "--preview",

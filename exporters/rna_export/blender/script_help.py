@@ -1,6 +1,6 @@
 """Runs a source script with `--help`; exits with 1 if it builds its scene instead of printing it.
 
-    python script_help.py SCRIPT --help
+Arguments: the script, then `--help`.
 """
 
 import os

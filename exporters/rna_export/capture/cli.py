@@ -45,14 +45,23 @@ def parser() -> argparse.ArgumentParser:
         "rna-capture",
         "Render an asset in all views and lights with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
-        epilog="The same command continues a capture that was stopped. Arguments after -- go to a "
-        "source that is a Python script, or say what a .hair or .tfx does not: "
-        "rna-capture groom.tfx -- --help.",
+        epilog="The same command continues a capture that was stopped.\nArguments after -- go to a "
+        "source that is a Python script, or say what a .hair or .tfx\nfile does not; they are "
+        "listed by: rna-capture groom.tfx -- --help",
     )
-    p.add_argument("source", nargs="?", type=Path, help=f"one of {', '.join(_SUFFIXES)}")
-    p.add_argument("--out", type=Path, help="folder of the dataset")
     p.add_argument(
-        "--setup-blender", action="store_true", help="install Blender's module, then end"
+        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(_SUFFIXES)}"
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        metavar="FOLDER",
+        help="dataset to write, or to go on with (path, needed with a source: no default)",
+    )
+    p.add_argument(
+        "--setup-blender",
+        action="store_true",
+        help="install Blender's module in an environment of its own, then end (default: off)",
     )
     p.add_argument(
         "--for",
@@ -60,9 +69,15 @@ def parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="SCENE",
         help="scene file; only the directions from which it shows and lights the asset are "
-        "captured (default: --domain)",
+        "captured (path, default: --domain)",
     )
-    p.add_argument("--minutes", type=float, help="time budget; sets the number of lights")
+    p.add_argument(
+        "--minutes",
+        type=float,
+        help="time budget of the whole command; sets the number of lights, and makes the "
+        "validation images smaller where they would take more than a quarter (float, default: no "
+        "limit)",
+    )
     of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
         info = CaptureSettings.model_fields[name]
@@ -73,15 +88,17 @@ def parser() -> argparse.ArgumentParser:
             "--" + name.replace("_", "-"),
             type=type(info.default),
             choices=("sphere", "hemisphere") if name == "domain" else None,
-            help=f"{info.description or 'random seed'} ({usual})",
+            help=f"{info.description or 'of the random numbers'} ({usual})",
         )
     p.add_argument(
         "--workers",
         type=int,
         default=default_workers(),
-        help="Blender processes, one thread each (int, default: one a core, %(default)s)",
+        help="Blender processes, one thread each (int, default: one a core, here %(default)s)",
     )
-    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
     return p
 
 
@@ -126,12 +143,14 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         return
     _check_source(args.source)
     from rna_export.capture.run import Crew, begin, finish
+    from rna_export.capture.time_plan import TimeLimit
     from rna_export.capture.worker import Source
     from rna_render.scene_file import read_scene
 
     keep_freed_memory()
     asked = _asked(args)
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
+    limit = None if args.minutes is None else TimeLimit(args.minutes)
     python = blender_env.find_python()
     scratch = args.out / "scratch"  # ray images; those of a killed capture go here
     shutil.rmtree(scratch, ignore_errors=True)
@@ -146,8 +165,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             clamps = CaptureSettings(**asked)
         source = Source(args.source, arguments, clamps.clamp_direct, clamps.clamp_indirect)
         if not begun:
-            dataset = begin(source, asked, args.out, crew, args.minutes, print, for_scene)
-        finish(dataset, source, crew)
+            dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
+        finish(dataset, source, crew, limit)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
     print(

@@ -136,8 +136,7 @@ class Dataset:
             part.mkdir(parents=True, exist_ok=True)
         arrays = {k: v for k, v in vars(geometry).items() if v is not None}
         write_arrays(folder / "geometry.safetensors", arrays)
-        text = json.dumps(manifest.model_dump(mode="json", by_alias=True), indent=1) + "\n"
-        write_atomically(folder / "manifest.json", text.encode())
+        _write_manifest(folder, manifest)
         return cls(folder)
 
     def geometry(self) -> Mesh | Curves:
@@ -146,6 +145,20 @@ class Dataset:
         if self.manifest.kind == "fiber":
             return Curves(**arrays)
         return Mesh(**{"uvs": None, **arrays})
+
+    def lights_finished(self) -> int:
+        """From the first one on, without a gap."""
+        settings = self.manifest.settings
+        shards = 0
+        while shards < self.manifest.shards and self.train_path(shards).is_file():
+            shards += 1
+        return min(shards * settings.lights_per_shard, settings.lights)
+
+    def leave_out_lights_from(self, light: int) -> None:
+        """Shorten the plan to the lights before this one."""
+        settings = self.manifest.settings.model_copy(update={"lights": light})
+        self.manifest = self.manifest.model_copy(update={"settings": settings})
+        _write_manifest(self.folder, self.manifest)
 
     def train_path(self, shard: int) -> Path:
         return self.folder / "train" / f"{shard:05d}.safetensors"
@@ -183,6 +196,11 @@ class Dataset:
         samples["radiance"] = halves.mean(axis=0)
         resolution = self.manifest.settings.validation_resolution
         return ValidationView(view, resolution, first["pixel"], samples, halves)
+
+
+def _write_manifest(folder: Path, manifest: CaptureManifest) -> None:
+    text = json.dumps(manifest.model_dump(mode="json", by_alias=True), indent=1) + "\n"
+    write_atomically(folder / "manifest.json", text.encode())
 
 
 def joined(

@@ -37,6 +37,11 @@ class CaptureSettings(DatasetModel):
     lights_per_shard: int = Field(32, gt=0, description="what a stop can lose at most")
     seed: int = 0
 
+    @property
+    def validation_paths(self) -> int:
+        """To trace for one validation image, about: the part that the asset covers is a guess."""
+        return int(0.4 * self.validation_resolution**2 * self.validation_samples)
+
     @classmethod
     def usual(cls, kind: str, **asked: object) -> CaptureSettings:
         """The defaults for a kind of asset, but for what was asked for."""

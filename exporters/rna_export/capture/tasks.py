@@ -67,9 +67,7 @@ class ValidationHalf:
         return dataset.validation_path(self.view, self.half)
 
     def paths_to_trace(self, dataset: Dataset) -> int:
-        settings = dataset.manifest.settings
-        covered = 0.4 * settings.validation_resolution**2  # about; known only after the hits
-        return int(covered * (settings.validation_samples // 2))
+        return dataset.manifest.settings.validation_paths // 2
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings = dataset.manifest.settings
