@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 from evaluate import random_data, random_model, random_tier
-from numba import njit, prange
+from numba import prange
 from numpy.typing import NDArray
 from rays import Rays, camera_rays, random_rays
 from report import publish, report_parser
@@ -32,6 +32,7 @@ from rna_export.export.precision import Precision
 from rna_render import embree_kernels as kernels
 from rna_render.embree import CurveScene
 from rna_render.embree_library import function_address
+from rna_sdk.compiled import compiled
 from rna_sdk.package import (
     Bounds,
     Curves,
@@ -115,7 +116,7 @@ def compare(scene: CurveScene, rays: Rays, repeats: int) -> dict[str, Any]:
     }
 
 
-@njit(parallel=True)
+@compiled(parallel=True, fastmath=())
 def bare(function, scene, origins, directions, t, segment):  # type: ignore[no-untyped-def]
     """Only what it takes to call Embree: one struct a chunk, filled and read ray by ray."""
     n = len(t)

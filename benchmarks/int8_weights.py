@@ -24,9 +24,10 @@ from rna_export.capture.dataset import Dataset, ValidationView
 from rna_export.export.build import calibration_queries
 from rna_export.export.decoder import export_decoder
 from rna_export.export.int8_decoder import WeightScale, int8_decoder, pair_scale
-from rna_export.machine import processor, seconds_of
+from rna_export.machine import seconds_of
 from rna_export.metrics import PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import load_checkpoint
+from rna_sdk.cpu import processor
 from rna_sdk.runtime.decoder import Decoder
 
 

@@ -16,7 +16,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rna_sdk.package.issues import Issue
@@ -38,6 +38,10 @@ class PackageError(RnaError):
         self.path = path
         place = f"{path}: " if path is not None else ""
         super().__init__(place + "\n".join(str(issue) for issue in self.issues))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled by its arguments: by its message alone it could not be made again."""
+        return type(self), (self.issues, self.path)
 
 
 class QueryError(RnaError):

@@ -37,7 +37,8 @@ def parser() -> argparse.ArgumentParser:
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     args = parser().parse_args(argv)
-    return run_command(lambda: args.module.run(args), args.debug, args.module.WHEN_STOPPED)
+    module = args.module
+    return run_command(lambda: module.run(args), args.debug, module.WHEN_STOPPED, "bench")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
-"""Timings: the clock, what they are measured on, and the rate that they are compared with."""
+"""The machine: its cores, the clock, and the rate that timings are compared with."""
 
 from __future__ import annotations
 
-import platform
+import os
 import time
 from collections.abc import Callable
 
@@ -12,13 +12,9 @@ _GEMM_SIZE = 2048
 GEMM_FLOP = 2 * _GEMM_SIZE**3
 
 
-def processor() -> str:
-    """The processor's name."""
-    try:
-        with open("/proc/cpuinfo") as file:
-            return next(line.split(":", 1)[1].strip() for line in file if "model name" in line)
-    except (OSError, StopIteration):
-        return platform.machine()
+def default_workers() -> int:
+    """One a core."""
+    return len(os.sched_getaffinity(0))
 
 
 def matrix_product() -> Callable[[], object]:

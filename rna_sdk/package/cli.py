@@ -19,21 +19,25 @@ VALID, INVALID = 0, 1
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command. Returns 0 when every file is valid, 1 when one is not."""
     options = _parser().parse_args(arguments)
-    reports: dict[str, list[Issue]] = {}
+    status, records = VALID, []
     for path in options.files:
         try:
-            reports[path] = validate(path)
-        except Exception as error:  # a defect of the validator: say so, in one line
+            issues = validate(path)
+        except Exception as error:  # a defect of the validator: say so, in one line, and go on
             if options.debug:
                 raise
             print(f"{path}: internal error, {error!r}; try --debug", file=sys.stderr)
-            return INVALID
-    if options.json:
-        print(json.dumps([_as_json(path, issues) for path, issues in reports.items()], indent=2))
-    else:
-        for path, issues in reports.items():
+            status = INVALID
+            continue
+        if not _is_valid(issues):
+            status = INVALID
+        if options.json:
+            records.append(_as_json(path, issues))
+        else:
             _print_report(path, issues)
-    return VALID if all(map(_is_valid, reports.values())) else INVALID
+    if options.json:
+        print(json.dumps(records, indent=2))
+    return status
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -42,7 +46,9 @@ def _parser() -> argparse.ArgumentParser:
         "Check .rna packages against the format.",
         "rna-validate asset.rna",
         usage=argparse.SUPPRESS,
-        epilog="Exit status: 0 valid, 1 invalid, 2 wrong usage. Codes: spec/ISSUES.md.",
+        epilog="Prints one line for each issue, then `FILE: valid` or `FILE: invalid`; a package "
+        "with\nwarnings alone is valid. Exit status: 0 all valid, 1 one invalid or unreadable, 2 "
+        "wrong usage.\nCodes of issues: spec/ISSUES.md.",
     )
     parser.add_argument(
         "files", nargs="+", metavar="FILE", help="package to check (path), one or more"

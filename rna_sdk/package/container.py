@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import mmap
+import os
 import re
+import stat
 import zlib
 from dataclasses import dataclass
 from os import PathLike
@@ -75,6 +77,10 @@ class Container:
 
 def _map(path: str | PathLike[str]) -> memoryview:
     try:
+        mode = os.stat(path).st_mode  # to open a pipe would wait for a writer
+        if not stat.S_ISREG(mode):
+            found = "a folder" if stat.S_ISDIR(mode) else "a pipe or a device"
+            refuse(Code.FILE_UNREADABLE, 0, found, "a file")
         with open(path, "rb") as file:
             size = file.seek(0, 2)
             if size == 0:

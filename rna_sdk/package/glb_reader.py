@@ -13,7 +13,7 @@ from rna_sdk.package.glb_writer import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAG
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import MAX_GLTF_JSON_BYTES
 from rna_sdk.package.mesh import Mesh
-from rna_sdk.package.strict_json import parse_object, pointer
+from rna_sdk.package.strict_json import model_of, parse_object, pointer
 
 NORMAL_TOLERANCE = 1e-3
 
@@ -61,8 +61,8 @@ def _split(data: memoryview, name: str) -> tuple[gltf.Gltf, memoryview]:
         expected = f"a JSON chunk of at most {MAX_GLTF_JSON_BYTES} bytes"
         refuse(Code.GEOMETRY_CONTAINER, name, f"{json_type!r} of {json_size} bytes", expected)
     bin_size, bin_type = CHUNK.unpack_from(data, bin_start - CHUNK.size)
-    if bin_type != CHUNK_BIN or bin_start + bin_size != len(data) or bin_start % 4:
-        expected = f"a BIN chunk of {len(data) - bin_start} bytes at a multiple of 4"
+    if bin_type != CHUNK_BIN or bin_start + bin_size != len(data) or (bin_start | bin_size) % 4:
+        expected = f"a BIN chunk of {len(data) - bin_start} bytes, from and to a multiple of 4"
         refuse(Code.GEOMETRY_CONTAINER, name, f"{bin_type!r} of {bin_size} bytes", expected)
     document = _document(bytes(data[json_start : json_start + json_size]), name)
     declared = document.buffers[0].byte_length
@@ -73,13 +73,25 @@ def _split(data: memoryview, name: str) -> tuple[gltf.Gltf, memoryview]:
 
 
 def _document(data: bytes, name: str) -> gltf.Gltf:
-    parse_object(data, name, Code.GEOMETRY_CONTAINER)
+    document = parse_object(data, name, Code.GEOMETRY_CONTAINER)
+    _refuse_null(document, name)
     try:
-        return gltf.Gltf.model_validate_json(data, strict=True, by_alias=True, by_name=False)
+        return model_of(gltf.Gltf, document)
     except ValidationError as error:
         first = error.errors()[0]
         where = f"{name}#{pointer(*first['loc'])}"
         refuse(Code.GEOMETRY_PROFILE, where, repr(first["input"]), first["msg"])
+
+
+def _refuse_null(value: Any, name: str, *path: str | int) -> None:
+    """glTF leaves out what has no value; only `extras` are free."""
+    if value is None:
+        refuse(Code.GEOMETRY_PROFILE, f"{name}#{pointer(*path)}", "null", "a value, or no member")
+    is_list = isinstance(value, list)
+    children = enumerate(value) if is_list else value.items() if isinstance(value, dict) else ()
+    for key, child in children:
+        if key != "extras":
+            _refuse_null(child, name, *path, key)
 
 
 def _array(document: gltf.Gltf, blob: memoryview, index: int, kind: gltf.Shape, name: str) -> Any:

@@ -29,6 +29,7 @@ def mesh_to_glb(mesh: Mesh) -> bytes:
         data = np.ascontiguousarray(array, array.dtype.newbyteorder("<")).tobytes()
         views.append(
             gltf.BufferView(
+                buffer=0,
                 byte_offset=len(blob),
                 byte_length=len(data),
                 target=gltf.ELEMENT_ARRAY_BUFFER if is_index else gltf.ARRAY_BUFFER,
@@ -37,9 +38,9 @@ def mesh_to_glb(mesh: Mesh) -> bytes:
         accessors.append(_accessor(i, array, with_range=i == 0))
         blob += data
     document = gltf.Gltf(
-        asset=gltf.Asset(),
-        scenes=(gltf.Scene(),),
-        nodes=(gltf.Node(),),
+        asset=gltf.Asset(version="2.0"),
+        scenes=(gltf.Scene(nodes=(0,)),),
+        nodes=(gltf.Node(mesh=0),),
         meshes=(gltf.GltfMesh(primitives=(_primitive(mesh.uvs is not None),)),),
         accessors=tuple(accessors),
         buffer_views=tuple(views),

@@ -22,22 +22,22 @@ WIDTHS: dict[Shape, int] = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
 
 Count = Annotated[int, Field(ge=1, lt=2**32)]
 Offset = Annotated[int, Field(ge=0, lt=2**32)]
-Index = Annotated[int, Field(ge=0, lt=4)]
+Index = Offset
 
 
 class Asset(Record):
-    version: Literal["2.0"] = "2.0"
+    version: Literal["2.0"]
     generator: str | None = None
     copyright: str | None = None
 
 
 class Scene(Record):
-    nodes: tuple[Literal[0]] = (0,)
+    nodes: tuple[Literal[0]]
     name: str | None = None
 
 
 class Node(Record):
-    mesh: Literal[0] = 0
+    mesh: Literal[0]
     name: str | None = None
 
 
@@ -71,7 +71,7 @@ class Accessor(Record):
 
 
 class BufferView(Record):
-    buffer: Literal[0] = 0
+    buffer: Literal[0]
     byte_offset: Offset = 0
     byte_length: Count
     target: Literal[34962, 34963] | None = None

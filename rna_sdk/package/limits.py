@@ -1,5 +1,7 @@
 """Limits a reader enforces before it touches what a file declares (spec, "Limits")."""
 
+import numpy as np
+
 ALIGNMENT = 64
 """Bytes; every entry's data, and the first tensor inside an entry, starts on a multiple."""
 
@@ -10,11 +12,22 @@ MAX_ENTRIES = 256
 MAX_NAME_BYTES = 200
 MAX_MANIFEST_BYTES = 2**20
 MAX_JSON_DEPTH = 64
+MAX_INTEGER = 2**53 - 1
+"""Up to here every JSON parser has every integer (RFC 7493, section 2.2)."""
+
+MAX_COORDINATE = 1e18
+"""Metres, of the bounds; squares of distances stay finite in float32."""
+
+MIN_EXTENT = 1e-18
+"""Metres, of the bounds along an axis; squares of it stay normal in float32."""
 
 MAX_TIERS = 16
 MAX_CONES = 16
 MAX_RESOLUTION = 4096
 MAX_CHANNELS = 64
+MAX_TEXEL = np.float32(1e18)
+"""Largest magnitude of a value of the planes; keeps sums and squares finite in float32."""
+
 MAX_TENSORS_HEADER_BYTES = 2**16
 MAX_GLTF_JSON_BYTES = 2**16
 MAX_CURVE_POINTS = 2**26

@@ -10,6 +10,8 @@ import math
 from itertools import pairwise
 from typing import Annotated, Any, Literal, get_args
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import (
     BaseModel,
     ConfigDict,
@@ -27,17 +29,25 @@ from rna_sdk.package.container import MANIFEST_NAME, NAME_PATTERN
 from rna_sdk.package.limits import (
     MAX_CHANNELS,
     MAX_CONES,
+    MAX_COORDINATE,
+    MAX_INTEGER,
     MAX_NAME_BYTES,
     MAX_RESOLUTION,
     MAX_TIERS,
+    MIN_EXTENT,
 )
 
 Vector = tuple[float, float, float]
+Coordinate = Annotated[float, Field(ge=-MAX_COORDINATE, le=MAX_COORDINATE)]
+Point = tuple[Coordinate, Coordinate, Coordinate]
 EntryPath = Annotated[str, Field(pattern=f"^{NAME_PATTERN}$", max_length=MAX_NAME_BYTES)]
-Version = Annotated[str, Field(pattern=r"^[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})$")]
+VERSION_PATTERN = r"[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})"
+Version = Annotated[str, Field(pattern=f"^{VERSION_PATTERN}$")]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=64)]
 InputName = Annotated[str, Field(json_schema_extra={"enum": list(INPUT_BLOCKS)})]
 Measure = Annotated[float, Field(ge=0)]
+Count = Annotated[int, Field(ge=0, le=MAX_INTEGER)]
+Positive = Annotated[int, Field(ge=1, le=MAX_INTEGER)]
 Kind = Literal["surface", "fiber"]
 PlanePrecision = Literal["int8", "float16", "float32"]
 DecoderPrecision = Literal["float32", "int8"]
@@ -78,18 +88,28 @@ class Record(BaseModel):
 
 
 class Bounds(Record):
-    """The box the triplane spans."""
+    """The box the triplane spans; readers round its numbers to float32."""
 
-    min: Vector = Field(description="Smallest x, y, z.")
-    max: Vector = Field(description="Largest x, y, z; each greater than that of min.")
+    min: Point = Field(description="Smallest x, y, z.")
+    max: Point = Field(description="Largest x, y, z; each greater than that of min.")
 
     @field_validator("max")
     @classmethod
-    def _has_extent(cls, value: Vector, info: Any) -> Vector:
+    def _has_extent(cls, value: Point, info: Any) -> Point:
         low = info.data.get("min")
-        if low is not None and not all(a < b for a, b in zip(low, value, strict=True)):
-            raise PydanticCustomError("BOUNDS_EMPTY", "each max > min")
+        if low is not None and (_extent(low, value) < MIN_EXTENT).any():
+            raise PydanticCustomError("BOUNDS_EMPTY", f"max - min >= {MIN_EXTENT} in float32")
         return value
+
+    def corners(self) -> NDArray[np.float32]:
+        """(2, 3) float32: min and max as every reader uses them."""
+        return np.array([self.min, self.max], np.float32)
+
+
+def _extent(low: Point, high: Point) -> NDArray[np.float64]:
+    """(3,) from `low` to `high`, once both are rounded to float32."""
+    corners = np.array([low, high], np.float32).astype(np.float64)
+    return np.asarray(corners[1] - corners[0])
 
 
 class Cone(Record):
@@ -124,13 +144,13 @@ class Domain(Record):
 class Units(Record):
     """Units of the package."""
 
-    length: Literal["metre"] = "metre"
+    length: Literal["metre"]
 
 
 class FlipAtHeight(Record):
     """Error of an asset that is seen small."""
 
-    height: int = Field(ge=1, description="Height of the validation images, pixels.")
+    height: Positive = Field(description="Height of the validation images, pixels.")
     flip: Measure = Field(description="Mean FLIP at that height.")
 
 
@@ -140,7 +160,7 @@ class Validation(Record):
     psnr: float = Field(description="Peak signal-to-noise ratio, dB.")
     flip: Measure = Field(description="Mean FLIP.")
     relative_mse: Measure = Field(description="Mean relative squared error.")
-    images: int = Field(ge=1, description="Number of images compared.")
+    images: Positive = Field(description="Number of images compared.")
     definition: str = Field(description="What exactly was compared, for a person.")
     flip_at_height: tuple[FlipAtHeight, ...] = Field(
         default=(),
@@ -159,9 +179,9 @@ class Validation(Record):
 class Cost(Record):
     """What a query costs."""
 
-    multiply_adds: int = Field(ge=0, description="Multiply-adds of the decoder a query.")
+    multiply_adds: Count = Field(description="Multiply-adds of the decoder a query.")
     ns_per_query: Measure = Field(description="Nanoseconds a query, everything included.")
-    threads: int = Field(ge=1, description="Threads used in the measurement.")
+    threads: Positive = Field(description="Threads used in the measurement.")
     machine: str = Field(description="What it was measured on.")
 
 
@@ -179,7 +199,9 @@ class Tier(Record):
     planes: EntryPath = Field(description="Entry with the triplane.")
     decoder: EntryPath = Field(description="Entry with the ONNX decoder.")
     inputs: tuple[InputName, ...] = Field(
-        min_length=1, description="Input blocks, in the order of the columns of `queries`."
+        min_length=1,
+        description="Input blocks, in the order of the columns of `queries`.",
+        json_schema_extra={"uniqueItems": True},
     )
     resolution: int = Field(ge=1, le=MAX_RESOLUTION, description="R, texels along a plane's side.")
     channels: int = Field(ge=1, le=MAX_CHANNELS, description="C, features a texel.")
@@ -207,7 +229,7 @@ class Tier(Record):
 class EntryRecord(Record):
     """Size and hash of one entry."""
 
-    size: int = Field(ge=0, description="Bytes.")
+    size: Count = Field(description="Bytes.")
     sha256: str = Field(pattern="^[0-9a-f]{64}$", description="SHA-256, lower-case hex.")
 
 
@@ -231,7 +253,7 @@ class Manifest(Record):
     kind: Kind = Field(default="surface", description="What the geometry is: a mesh, or curves.")
     bounds: Bounds
     domain: Domain
-    units: Units = Units()
+    units: Units = Units(length="metre")
     geometry: EntryPath = Field(
         default_factory=lambda data: GEOMETRY_ENTRIES[data.get("kind", "surface")],
         description="Entry with the mesh or the curves.",

@@ -12,8 +12,8 @@ from pydantic_core import ErrorDetails
 from rna_sdk.errors import PackageError
 from rna_sdk.package.blocks import blocks_for
 from rna_sdk.package.issues import Code, Issue, refuse
-from rna_sdk.package.manifest import KINDS, REQUIRED_IN_FILE, Manifest
-from rna_sdk.package.strict_json import parse_object, pointer
+from rna_sdk.package.manifest import KINDS, REQUIRED_IN_FILE, VERSION_PATTERN, Manifest
+from rna_sdk.package.strict_json import model_of, parse_object, pointer
 
 READER_VERSION = (1, 0)
 """The format version this reader implements."""
@@ -32,7 +32,7 @@ def parse_manifest(data: bytes) -> Manifest:
     raw = parse_object(data, "", Code.MANIFEST_NOT_JSON)
     _check_readable(raw)
     try:
-        manifest = Manifest.model_validate_json(data, strict=True, by_alias=True, by_name=False)
+        manifest = model_of(Manifest, raw)
     except ValidationError as error:
         raise PackageError(map(_schema_issue, _root_causes(error.errors()))) from None
     # The defaults of missing members would only be found guilty below.
@@ -59,8 +59,8 @@ def _check_readable(raw: dict[str, Any]) -> None:
     """What must hold before the fields of this version mean anything."""
     if raw.get("format") != "rna":
         refuse(Code.FORMAT_UNKNOWN, "/format", json.dumps(raw.get("format")), '"rna"')
-    version = str(raw.get("minReaderVersion", ""))
-    if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", version):
+    version = raw.get("minReaderVersion")
+    if isinstance(version, str) and re.fullmatch(VERSION_PATTERN, version):
         major, minor = map(int, version.split("."))
         if (major, minor) > READER_VERSION:
             expected = "at most {}.{}".format(*READER_VERSION)
@@ -71,7 +71,7 @@ def _check_readable(raw: dict[str, Any]) -> None:
         refuse(Code.KIND_UNSUPPORTED, "/kind", json.dumps(kind), expected)
     required = raw.get("extensionsRequired")
     for i, name in enumerate(required if isinstance(required, list) else []):
-        if name not in KNOWN_EXTENSIONS:
+        if isinstance(name, str) and name not in KNOWN_EXTENSIONS:
             where = pointer("extensionsRequired", i)
             refuse(Code.EXTENSION_REQUIRED, where, json.dumps(name), "a known extension")
 
@@ -88,6 +88,8 @@ def _root_causes(details: list[ErrorDetails]) -> list[ErrorDetails]:
 
 def _schema_issue(detail: ErrorDetails) -> Issue:
     kind = detail["type"]
+    if kind == "missing" and isinstance(detail["loc"][-1], int):
+        kind = "too_short"  # what an array lacks is no member
     code = _SCHEMA_CODES.get(kind, Code.FIELD_VALUE)
     if kind in Code.__members__:
         code = Code[kind]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import sys
 
-from pydantic.json_schema import GenerateJsonSchema
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
+from pydantic_core import core_schema
 
 from rna_sdk.package.generated import generate
 from rna_sdk.package.manifest import REQUIRED_IN_FILE, Manifest
@@ -13,20 +14,38 @@ from rna_sdk.package.manifest import REQUIRED_IN_FILE, Manifest
 SCHEMA_FILE = "schema/manifest.schema.json"
 
 
-class _Untitled(GenerateJsonSchema):
-    """Leaves out titles, which only repeat the names."""
+_NO_LINE_BREAK = {"not": {"pattern": "\n"}}
+"""The `$` of some regular expressions matches before a line break at the end as well."""
+
+
+class _Generator(GenerateJsonSchema):
+    """Leaves out titles, which only repeat the names, and binds all keys of an object."""
 
     def field_title_should_be_set(self, schema: object) -> bool:
         return False
+
+    def str_schema(self, schema: core_schema.StringSchema) -> JsonSchemaValue:
+        result = super().str_schema(schema)
+        return result | _NO_LINE_BREAK if "pattern" in result else result
+
+    def dict_schema(self, schema: core_schema.DictSchema) -> JsonSchemaValue:
+        """Keys of another pattern than that of `patternProperties` would be let through."""
+        result = super().dict_schema(schema)
+        if "patternProperties" in result:
+            ((pattern, values),) = result.pop("patternProperties").items()
+            result["additionalProperties"] = values
+            result["propertyNames"] = {"pattern": pattern, **result.get("propertyNames", {})}
+        return result
 
 
 def manifest_schema() -> str:
     """The schema (draft 2020-12), as the text of the file.
 
-    It covers each field by itself. What spans fields (names that must be unique, paths that
-    must be declared, bounds with an extent) is the validator's.
+    It covers each field by itself. What spans fields or numbers (tier names that must be unique,
+    blocks for the kind, paths and extensions that must be declared, bounds with an extent, axes
+    of unit length, heights that descend) is the validator's.
     """
-    schema = Manifest.model_json_schema(by_alias=True, schema_generator=_Untitled)
+    schema = Manifest.model_json_schema(by_alias=True, schema_generator=_Generator)
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "RNA 1.0 manifest.json",

@@ -1,13 +1,20 @@
-"""JSON without the usual leniencies: UTF-8, unique keys, finite numbers, bounded depth."""
+"""JSON without the usual leniencies: UTF-8, unique keys, finite numbers, bounded depth.
+
+Numbers are their values, however they are spelt: `8.0` and `8e0` are the integer 8.
+"""
 
 from __future__ import annotations
 
 import json
 import math
-from typing import Any
+from typing import Any, TypeVar
+
+from pydantic import BaseModel
 
 from rna_sdk.package.issues import Code, refuse
-from rna_sdk.package.limits import MAX_JSON_DEPTH
+from rna_sdk.package.limits import MAX_INTEGER, MAX_JSON_DEPTH
+
+Model = TypeVar("Model", bound=BaseModel)
 
 
 def parse_object(data: bytes, where: str, malformed: Code) -> dict[str, Any]:
@@ -34,16 +41,23 @@ def parse_object(data: bytes, where: str, malformed: Code) -> dict[str, Any]:
         value = float(text)
         if not math.isfinite(value):
             refuse(Code.JSON_NOT_FINITE, where, text, "a finite number")
-        return value
+        is_integer = value.is_integer() and abs(value) <= MAX_INTEGER
+        return int(value) if is_integer else value
+
+    def whole(text: str) -> int:
+        finite(text)
+        return int(text)
 
     try:
         value = json.loads(
             data.decode("utf-8"),
             object_pairs_hook=unique,
             parse_float=finite,
+            parse_int=whole,
             parse_constant=finite,
         )
         depth = _depth(value)
+        json.dumps(value, ensure_ascii=False).encode()  # fails for half a surrogate pair
     except (ValueError, RecursionError) as error:
         refuse(malformed, where, error, "a JSON object in UTF-8")
     if not isinstance(value, dict):
@@ -51,6 +65,16 @@ def parse_object(data: bytes, where: str, malformed: Code) -> dict[str, Any]:
     if depth > MAX_JSON_DEPTH:
         refuse(malformed, where, f"nesting {depth} deep", f"at most {MAX_JSON_DEPTH}")
     return value
+
+
+def model_of(model: type[Model], value: dict[str, Any]) -> Model:
+    """The model with the members of a JSON object from `parse_object`; no value is converted.
+
+    Raises:
+        pydantic.ValidationError: the object does not fit the model.
+    """
+    text = json.dumps(value)
+    return model.model_validate_json(text, strict=True, by_alias=True, by_name=False)
 
 
 def _depth(value: Any) -> int:

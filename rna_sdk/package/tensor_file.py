@@ -100,6 +100,8 @@ def tensors_from_bytes(
         PackageError: with the first issue of `codes` or JSON_* issue found.
     """
     header, start = _read_header(data, name, codes)
+    if not isinstance(header.get("__metadata__", {}), dict):
+        refuse(codes.tensors, f"{name}#/__metadata__", header["__metadata__"], "an object")
     if set(header) - {"__metadata__"} != set(forms):
         refuse(codes.tensors, name, sorted(header), sorted(forms))
     arrays: dict[str, NDArray[Any]] = {}
@@ -129,6 +131,8 @@ def _read_header(data: memoryview, name: str, codes: TensorCodes) -> tuple[dict[
         expected = f"at most {MAX_TENSORS_HEADER_BYTES}, inside the file"
         refuse(codes.header, name, f"a header of {size} bytes", expected)
     start = _LENGTH.size + size
+    if bytes(data[_LENGTH.size : _LENGTH.size + 1]) != b"{":
+        refuse(codes.header, name, bytes(data[_LENGTH.size : start])[:1], "a header from { on")
     return parse_object(bytes(data[_LENGTH.size : start]), name, codes.header), start
 
 

@@ -14,7 +14,7 @@ from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.runtime.asset import Asset, FiberAsset, SurfaceAsset, load
 from rna_sdk.runtime.domain import in_region
 from rna_sdk.runtime.offset_across import offset_across
-from rna_sdk.runtime.tiers import choose_tier, expected_error
+from rna_sdk.runtime.tiers import choose_tier, expected_error, is_no_worse
 from rna_sdk.runtime.transforms import Transform
 
 __all__ = [
@@ -27,6 +27,7 @@ __all__ = [
     "choose_tier",
     "expected_error",
     "in_region",
+    "is_no_worse",
     "load",
     "offset_across",
 ]

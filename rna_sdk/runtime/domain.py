@@ -22,9 +22,10 @@ def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.boo
         return np.ones(len(directions), bool)
     if region == "hemisphere":
         return directions[:, 1] >= 0.0
-    axes = np.array([cone.axis for cone in region], np.float32)
+    axes = np.array([cone.axis for cone in region])
+    axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     cosines = np.cos([cone.half_angle for cone in region]).astype(np.float32)
-    return np.asarray((directions @ axes.T >= cosines - _ROUNDING).any(axis=1))
+    return np.asarray((directions @ axes.T.astype(np.float32) >= cosines - _ROUNDING).any(axis=1))
 
 
 _ROUNDING = np.float32(1e-6)

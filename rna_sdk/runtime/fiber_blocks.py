@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from rna_sdk.runtime.compiled import compiled
+from rna_sdk.compiled import compiled
 from rna_sdk.runtime.vectors import Vector, clamped, cross, dot, log2
 
 ETA = 1.55

@@ -12,8 +12,8 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
+from rna_sdk.compiled import compiled
 from rna_sdk.package.protobuf import Message
-from rna_sdk.runtime.compiled import compiled
 from rna_sdk.runtime.int8_layers import numbers
 
 _VECTOR = types.Array(types.float32, 1, "C", readonly=True)

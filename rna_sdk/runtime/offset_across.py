@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.runtime.arguments import vectors
-from rna_sdk.runtime.compiled import compiled
-from rna_sdk.runtime.vectors import Rows, clamped, cross, dot, unit
 
 
 def offset_across(
@@ -25,19 +21,11 @@ def offset_across(
     Raises:
         QueryError: an argument is not an (n, 3) float32 array, or they differ in n.
     """
+    from rna_sdk.runtime.row_kernels import fill_offsets  # numba loads when it is used
+
     normals = vectors("normals", normals)
     tangents = vectors("tangents", tangents, len(normals))
     wo = vectors("wo", wo, len(normals))
     h = np.empty(len(normals), np.float32)
-    _fill_offsets(normals, tangents, wo, h)
+    fill_offsets(normals, tangents, wo, h)
     return h
-
-
-@compiled()
-def _fill_offsets(normals: Rows, tangents: Rows, wo: Rows, h: NDArray[np.float32]) -> None:
-    for i in range(len(h)):
-        across = cross(unit(tangents, i), unit(wo, i))
-        length = math.sqrt(dot(across, across))
-        offset = dot(unit(normals, i), across)
-        known = length > 1e-6 and offset - offset == 0.0  # false for any NaN
-        h[i] = clamped(offset / length) if known else 0.0

@@ -6,7 +6,7 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.runtime.compiled import compiled
+from rna_sdk.compiled import compiled
 
 _ROWS = numba.types.float32[:, ::1]
 _LARGEST = np.float32(np.finfo(np.float32).max)

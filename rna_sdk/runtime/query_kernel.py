@@ -15,8 +15,8 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
+from rna_sdk.compiled import compiled
 from rna_sdk.package.blocks import INPUT_BLOCKS
-from rna_sdk.runtime.compiled import compiled
 from rna_sdk.runtime.fiber_blocks import fiber_blocks
 from rna_sdk.runtime.surface_blocks import half_vector, highlight, learned_normal
 from rna_sdk.runtime.texels import prefetch_texels, relative, triplane_footprint, weighted_texel_sum
@@ -80,7 +80,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         resolution  int
         box         (2, 3) float64, lower corner and 1 / extent of the bounds
         columns     int64, of `block_columns`
-        positions, axes, h, wo, wi  as in `tiles.Batch`
+        positions, axes, h, wo, wi  as in `Batch`
         queries     (n, K) float32, written
         valid       (n,) bool, written: False where an argument is NaN or infinite or a
                     direction has no length; such a row of `queries` is zero

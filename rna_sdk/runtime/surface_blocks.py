@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rna_sdk.runtime.compiled import compiled
+from rna_sdk.compiled import compiled
 from rna_sdk.runtime.vectors import Vector, cross, dot, log2
 
 BEND = 0.1

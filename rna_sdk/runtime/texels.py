@@ -13,7 +13,7 @@ from numba import types
 from numba.extending import intrinsic
 from numpy.typing import NDArray
 
-from rna_sdk.runtime.compiled import compiled
+from rna_sdk.compiled import compiled
 from rna_sdk.runtime.vectors import Vector
 
 

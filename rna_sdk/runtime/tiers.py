@@ -10,6 +10,8 @@ import numpy as np
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, Tier
 
+_SAME_PSNR = 0.1  # dB
+
 
 def choose_tier(
     package: Package,
@@ -71,6 +73,11 @@ def expected_error(tier: Tier, pixels: float | None = None) -> float:
         return validation.flip
     heights = [math.log(at.height) for at in table]
     return float(np.interp(math.log(max(height, 1.0)), heights, [at.flip for at in table]))
+
+
+def is_no_worse(tier: Tier, other: Tier) -> bool:
+    """Whether the tier's recorded PSNR is that of the other, to within 0.1 dB, or more."""
+    return tier.validation is not None and _psnr(tier) >= _psnr(other) - _SAME_PSNR
 
 
 def _cheapest(

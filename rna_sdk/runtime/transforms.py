@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from rna_sdk.errors import QueryError
 from rna_sdk.runtime.arguments import vectors
-from rna_sdk.runtime.compiled import compiled
 
 _TOLERANCE = 1e-5
 """Largest departure from a rotation, of its entries; matrices often come from float32."""
@@ -93,22 +92,9 @@ def _mapped(
     after: NDArray[np.float64],
 ) -> NDArray[np.float32]:
     """linear @ (v - before) + after for each row v, in float64, rounded to float32."""
+    from rna_sdk.runtime.row_kernels import map_rows  # numba loads when it is used
+
     source = vectors("values", values)
     result = np.empty_like(source)
-    _map_rows(source, linear, before, after, result)
+    map_rows(source, linear, before, after, result)
     return result
-
-
-@compiled()
-def _map_rows(
-    values: NDArray[np.float32],
-    linear: NDArray[np.float64],
-    before: NDArray[np.float64],
-    after: NDArray[np.float64],
-    result: NDArray[np.float32],
-) -> None:
-    for i in range(len(values)):
-        x, y, z = values[i, 0] - before[0], values[i, 1] - before[1], values[i, 2] - before[2]
-        for k in range(3):
-            total = linear[k, 0] * x + linear[k, 1] * y + linear[k, 2] * z
-            result[i, k] = np.float32(total + after[k])

@@ -14,11 +14,11 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from itertools import islice
 from typing import Protocol
 
-import numba
 import numpy as np
 
 from rna_render.film import Layers
 from rna_render.sampling import Sampler
+from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
 
 # Rays in a band: at most BAND, so that a stop is noticed soon, and no fewer than SMALL_BAND if the
 # image has them, so that each step has more to do than to start.
@@ -41,11 +41,11 @@ def rendered_bands(
     one more waits, so that no thread idles while the caller takes what is finished; a caller that
     stops early waits for those under way, and the rest is not begun.
     """
-    threads = numba.get_num_threads()
+    threads = kernel_threads()
     bands = _bands(count, threads)
     work = ((band, sampler, band is bands[-1]) for sampler in samplers for band in bands)
     # Numba's number of threads is each thread's own.
-    workers = ThreadPoolExecutor(threads, "rna-band", numba.set_num_threads, (1,))
+    workers = ThreadPoolExecutor(threads, "rna-band", limit_kernel_threads, (1,))
     under_way: deque[tuple[Future[Layers], bool]] = deque()
     try:
         while True:

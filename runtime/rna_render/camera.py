@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.scene_model import CameraModel
+from rna_sdk.compiled import compiled
 
 
 class Camera:
@@ -63,7 +64,7 @@ def _unit(vector: np.ndarray) -> np.ndarray:
     return vector / np.linalg.norm(vector)
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _directions(pixels, u, width, corner, step_x, step_y, result):
     for i in prange(len(pixels)):
         x = pixels[i] % width + u[i, 0]

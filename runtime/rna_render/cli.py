@@ -34,7 +34,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
     _check_usage(parser, options)
-    return run_command(lambda: _run(options), options.debug, "the image under way was not written")
+    stopped = "the image under way was not written"
+    return run_command(lambda: _run(options), options.debug, stopped, "render")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -191,21 +192,20 @@ def _use_threads(count: int | None) -> int:
     # libgomp's threads spin while they have nothing to do, and take the cores from ONNX Runtime's.
     # It reads this when numba loads it.
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
-    import numba
+    from rna_sdk.kernel_threads import limit_kernel_threads
 
-    threads = min(count or numba.config.NUMBA_NUM_THREADS, numba.config.NUMBA_NUM_THREADS)
-    numba.set_num_threads(threads)
-    return threads
+    return limit_kernel_threads(count)
 
 
 def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
     from rna_render.render import load_world
-    from rna_render.terminal import Interrupt, render_with_bar, tell_tiers
+    from rna_render.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
 
     scene = scene_file.scene
     output.check()
     world = load_world(scene_file)
     tell_tiers(scene_file, world)
+    tell_costs(scene_file, world)
     with Interrupt() as interrupt:
         film = render_with_bar(
             scene_file,

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 from llvmlite import ir
-from numba import cfunc, types
+from numba import types
 from numba.extending import intrinsic
 
 from rna_render.embree_kernels import RAY_DIRECTION, RAY_ID
+from rna_sdk.compiled import callback
 
 # RTCFilterFunctionNArguments as 64-bit words, and RTCHit in a packet of one as 32-bit words.
 FILTER_VALID, FILTER_USER_DATA, FILTER_RAY, FILTER_HIT = 0, 1, 3, 4
@@ -54,7 +55,7 @@ def _store_zero_u32(typing_context, address):
     return types.void(types.uintp), codegen
 
 
-@cfunc(types.void(types.uintp), cache=True)
+@callback(types.uintp)
 def _refuse_own_instance(arguments):
     """RTCFilterFunctionN: refuse a hit on the instance that the ray's id names."""
     ray = _load_u64(arguments + FILTER_RAY * 8)
@@ -63,7 +64,7 @@ def _refuse_own_instance(arguments):
         _store_zero_u32(_load_u64(arguments + FILTER_VALID * 8))
 
 
-@cfunc(types.void(types.uintp), cache=True)
+@callback(types.uintp)
 def _refuse_own_strand(arguments):
     """RTCFilterFunctionN: refuse a hit from inside, and one on the strand the ray's id names.
 

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import numpy as np
 from llvmlite import ir
-from numba import njit, prange, types
+from numba import prange, types
 from numba.extending import intrinsic
+
+from rna_sdk.compiled import compiled
 
 # RTCRayHit as 32-bit words (rtcore_ray.h): RTCRay, then RTCHit; 16-byte aligned, 96 bytes.
 RAY_ORIGIN, RAY_TNEAR, RAY_DIRECTION, RAY_TIME = 0, 3, 4, 7
@@ -43,7 +45,7 @@ def call_embree(typing_context, function, scene, ray, arguments):
     return signature, codegen
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _ray_block(words):
     """BLOCK structs of `words` float32 each, on an address that Embree's loads may use."""
     block = np.empty(BLOCK * words + ALIGNMENT // 4, np.float32)
@@ -51,7 +53,7 @@ def _ray_block(words):
     return block[skip : skip + BLOCK * words].reshape(BLOCK, words)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _set_ray(ray, bits, origin, direction, tnear, tfar, mask, ray_id):
     """Fill the RTCRay; a ray that is not finite or has no direction gets an empty interval."""
     size = np.float32(0.0)
@@ -69,7 +71,7 @@ def _set_ray(ray, bits, origin, direction, tnear, tfar, mask, ray_id):
     bits[RAY_FLAGS] = 0
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _store_normal(ray, ng):
     """Normalise Embree's Ng, of any length, in float64: squares of tiny ones leave float32."""
     x, y, z = ray[HIT_NORMAL], ray[HIT_NORMAL + 1], ray[HIT_NORMAL + 2]
@@ -79,7 +81,7 @@ def _store_normal(ray, ng):
     ng[0], ng[1], ng[2] = x * scale, y * scale, z * scale
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def intersect(
     function,
     scene,
@@ -142,7 +144,7 @@ def intersect(
                     ng[i] = 0.0
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def occluded(function, scene, arguments, ray_id, mask, origins, directions, tnear, tfar, result):
     """Whether anything is hit between tnear and tfar.
 

@@ -8,10 +8,11 @@ point, with an error of a few units in the last place however far the ray came f
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.embree import CurveScene
 from rna_render.rays import check_numbers, vectors
+from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
 
 
@@ -77,7 +78,7 @@ def visible(
     return ~scene.occluded_by_others(scene.strands[segment], positions, wi, tfar)
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _hit_points(points, radii, first, segment, u, normals, result):
     for i in prange(len(segment)):
         a = first[segment[i]]
@@ -88,7 +89,7 @@ def _hit_points(points, radii, first, segment, u, normals, result):
             result[i, axis] = centre + radius * normals[i, axis]
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _tangents(points, first, segment, result):
     for i in prange(len(segment)):
         a = first[segment[i]]

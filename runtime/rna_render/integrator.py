@@ -18,7 +18,6 @@ from threading import Lock
 from typing import Literal
 
 import numpy as np
-from numba import njit
 
 from rna_render.camera import Camera
 from rna_render.film import Layers
@@ -31,6 +30,7 @@ from rna_render.sampling import Sampler
 from rna_render.shadow_catcher import caught_light
 from rna_render.tracing import ClosestHits
 from rna_render.world import Vertices, World
+from rna_sdk.compiled import compiled
 
 # Paths are ended at random from this many points on.
 FIRST_ROULETTE = 2
@@ -314,7 +314,7 @@ def _share(pdf: np.ndarray, other: np.ndarray) -> np.ndarray:
     return (1.0 / (1.0 + np.square(ratio))).astype(np.float32)[:, None]
 
 
-@njit(cache=True, nogil=True)
+@compiled(fastmath=())
 def _add_rows(target, row, values):
     """target[row, :3] += values, where a row may be there more than once."""
     for i in range(len(row)):

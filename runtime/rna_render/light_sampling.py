@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.lights import Light, LightSamples, LightSelection
 from rna_render.path_numbers import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, PathNumbers
 from rna_render.world import Vertices, World
+from rna_sdk.compiled import compiled
 
 # A shadow ray ends this part of its length before the light, which is a surface itself.
 SHORTER = np.float32(1.0 - 2.0**-13)
@@ -110,7 +111,7 @@ class LightSampling:
         return self._world.scene.occluded(origin, direction, length, own)
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _aim(x_world, row, wi_world, distance, origin, direction, length):
     """Directions and lengths of rays that go from their origins to just before the lights.
 

@@ -12,7 +12,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
+
+from rna_sdk.compiled import compiled
 
 UNIFORM, COSINE, MIRROR, CONE, FORWARD = range(5)
 
@@ -62,13 +64,13 @@ class LobeMixture:
         return shares / shares.sum(), self.mirror_kappa, self.cone_scale, self.forward_kappa
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _unit_or(x, y, z, otherwise):
     length = np.sqrt(x * x + y * y + z * z)
     return (x / length, y / length, z / length) if length > 0.5 else otherwise
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _about(axis, cosine, phi):
     """The direction at that cosine to a unit axis, and that azimuth."""
     x, y, z = axis
@@ -85,25 +87,25 @@ def _about(axis, cosine, phi):
     )
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _fisher_cosine(u, kappa):
     """Cosine to the axis of a von Mises-Fisher direction; Jakob, Numerically stable sampling of
     the von Mises-Fisher distribution on S2 (2012)."""
     return max(-1.0, 1.0 + np.log(u + (1.0 - u) * np.exp(-2.0 * kappa)) / kappa)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _fisher_pdf(cosine, kappa):
     """Density per steradian at that cosine to the axis."""
     return kappa * np.exp(kappa * (cosine - 1.0)) / (2.0 * np.pi * (1.0 - np.exp(-2.0 * kappa)))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _logistic(x):
     return 1.0 / (1.0 + np.exp(-x))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _cone_sine(u, middle, scale):
     """Sine of inclination: logistic about `middle`, cut off at -1 and 1."""
     low, high = _logistic((-1.0 - middle) / scale), _logistic((1.0 - middle) / scale)
@@ -111,7 +113,7 @@ def _cone_sine(u, middle, scale):
     return min(1.0, max(-1.0, middle + scale * np.log(p / (1.0 - p))))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _cone_pdf(sine, middle, scale):
     """Density per steradian; solid angle is d(sine) d(azimuth)."""
     low, high = _logistic((-1.0 - middle) / scale), _logistic((1.0 - middle) / scale)
@@ -119,7 +121,7 @@ def _cone_pdf(sine, middle, scale):
     return p * (1.0 - p) / (scale * (high - low) * 2.0 * np.pi)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _frame(n, tangents, wo, i):
     """Viewer, normal turned to it, tangent, and mirror direction, in float64."""
     o = np.float64(wo[i, 0]), np.float64(wo[i, 1]), np.float64(wo[i, 2])
@@ -140,12 +142,12 @@ def _frame(n, tangents, wo, i):
     return o, normal, tangent, mirror
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample(shares, mirror_kappa, cone_scale, forward_kappa, n, tangents, wo, u, wi):
     for i in prange(len(n)):
         o, normal, tangent, mirror = _frame(n, tangents, wo, i)
@@ -173,7 +175,7 @@ def _sample(shares, mirror_kappa, cone_scale, forward_kappa, n, tangents, wo, u,
             wi[i, axis] = direction[axis] / length
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _pdf(shares, mirror_kappa, cone_scale, forward_kappa, n, tangents, wo, wi, pdf):
     for i in prange(len(n)):
         o, normal, tangent, mirror = _frame(n, tangents, wo, i)

@@ -10,7 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
+
+from rna_sdk.compiled import compiled
 
 
 @dataclass(frozen=True)
@@ -34,7 +36,7 @@ class Sampler:
         return points.reshape(-1, 2)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _hash(x):
     """A 32-bit mix: "lowbias32" of C. Wellons, Prospecting for Hash Functions (2018)."""
     x = np.uint32(x)
@@ -43,7 +45,7 @@ def _hash(x):
     return np.uint32(x ^ (x >> np.uint32(16)))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _reverse_bits(x):
     x = np.uint32(((x >> np.uint32(1)) & 0x55555555) | ((x & 0x55555555) << np.uint32(1)))
     x = np.uint32(((x >> np.uint32(2)) & 0x33333333) | ((x & 0x33333333) << np.uint32(2)))
@@ -52,7 +54,7 @@ def _reverse_bits(x):
     return np.uint32((x >> np.uint32(16)) | (x << np.uint32(16)))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _owen_scramble(x, seed):
     """Nested uniform scramble of the bits of x.
 
@@ -67,7 +69,7 @@ def _owen_scramble(x, seed):
     return _reverse_bits(x)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _second_sobol_dimension(index):
     """Bits of the second Sobol' coordinate; the first is `_reverse_bits`.
 
@@ -83,7 +85,7 @@ def _second_sobol_dimension(index):
     return np.uint32(x ^ ((x & np.uint32(0x55555555)) << np.uint32(1)))
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _scrambled_sobol(pixels, first_sample, dimension, seed, points):
     image_key = _hash(_hash(seed) + np.uint32(dimension))
     for i in prange(len(pixels)):

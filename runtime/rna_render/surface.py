@@ -10,10 +10,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.embree import TriangleScene
 from rna_render.rays import check_numbers, vectors
+from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
 
 # An origin moves off the surface by this part of the largest coordinate in its space: some thirty
@@ -183,7 +184,7 @@ def _check_hits(triangles, triangle, u, v):
         raise QueryError(f"{len(triangle)} triangles, but {len(u)} u and {len(v)} v")
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _interpolate(values, triangles, triangle, u, v, normalise, result):
     for i in prange(len(triangle)):
         a, b, c = triangles[triangle[i]]
@@ -196,7 +197,7 @@ def _interpolate(values, triangles, triangle, u, v, normalise, result):
         result[i, 0], result[i, 1], result[i, 2] = x * scale, y * scale, z * scale
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _geometric_normals(positions, triangles, triangle, result):
     for i in prange(len(triangle)):
         a, b, c = triangles[triangle[i]]
@@ -211,7 +212,7 @@ def _geometric_normals(positions, triangles, triangle, result):
         result[i, 0], result[i, 1], result[i, 2] = x * scale, y * scale, z * scale
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _lifts(positions, normals, triangles, triangle, u, v, result):
     for i in prange(len(triangle)):
         corners = triangles[triangle[i]]
@@ -229,7 +230,7 @@ def _lifts(positions, normals, triangles, triangle, u, v, result):
                 result[i, axis] -= weights[k] * min(height, 0.0) * normals[corner, axis]
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _leave(x, n, ng, lift, directions, step, result):
     for i in prange(len(x)):
         above, above_plane, alike = np.float64(0.0), np.float64(0.0), np.float64(0.0)

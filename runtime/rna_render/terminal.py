@@ -13,6 +13,7 @@ from rna_render.domain_watch import warn_of_extrapolation
 from rna_render.film import Film
 from rna_render.render import make_integrator, render
 from rna_render.scene_file import SceneFile
+from rna_render.tier_costs import cost_lines
 from rna_render.world import World
 
 
@@ -46,6 +47,12 @@ def tell_tiers(scene_file: SceneFile, world: World) -> None:
         names = Counter(asset.tier.name for asset in world.things[:count])
         told = ", ".join(f"{number} {name}" for name, number in names.most_common())
         print(f"tiers of {count} assets: {told}", file=sys.stderr)
+
+
+def tell_costs(scene_file: SceneFile, world: World) -> None:
+    """Print what a query of each asset's tier costs on this processor."""
+    for line in cost_lines(scene_file, world):
+        print(line, file=sys.stderr)
 
 
 def render_with_bar(

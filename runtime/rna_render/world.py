@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.bodies import Thing, make_body
 from rna_render.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
@@ -16,6 +16,7 @@ from rna_render.materials import MeshObject
 from rna_render.points import Points, Role
 from rna_render.surface import OFFSET
 from rna_render.tracing import ClosestHits
+from rna_sdk.compiled import compiled
 from rna_sdk.runtime.transforms import Transform
 
 
@@ -203,7 +204,7 @@ def _transformed(
     return result
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _transform(linear, shift, instance, vectors, result):
     for i in prange(len(instance)):
         k = instance[i]
@@ -214,7 +215,7 @@ def _transform(linear, shift, instance, vectors, result):
             result[i, row] = value
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _step_off(points, normals, instance, step, row, directions, result):
     for i in prange(len(row)):
         at = row[i]

@@ -24,7 +24,10 @@ def avx2_environment(folder: Path) -> dict[str, str]:
     home.mkdir()
     packages.mkdir()
     (home / ".embree4").write_text("isa=avx2\n")
-    (home / ".cache").symlink_to(Path.home() / ".cache")
+    cache = home / ".cache" / "rna-sdk"
+    cache.mkdir(parents=True)
+    for blender in (Path.home() / ".cache" / "rna-sdk").glob("blender-*"):
+        (cache / blender.name).symlink_to(blender)
     paths = [str(make_avx2_onnxruntime(packages)), os.environ.get("PYTHONPATH", "")]
     return {
         **os.environ,

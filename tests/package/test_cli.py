@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.package import cli
+from rna_sdk.package import Code, Issue, cli, validate
 from tests.package.corpus.content_cases import mesh_outside_the_bounds
 from tests.package.corpus.manifest_cases import wrong_hash
 
@@ -82,3 +82,32 @@ def test_defect_is_one_line_unless_debug(
     assert capsys.readouterr().err.count("\n") == 1
     with pytest.raises(RuntimeError, match="defect"):
         cli.main([str(tiny), "--debug"])
+
+
+@pytest.mark.parametrize("options", [[], ["--json"]])
+def test_a_defect_takes_no_other_report_along(
+    tiny: Path,
+    broken: Path,
+    options: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def defect_of_one(path: str) -> list[Issue]:
+        if path == "defect.rna":
+            raise RuntimeError("defect")
+        return validate(path)
+
+    monkeypatch.setattr(cli, "validate", defect_of_one)
+    assert cli.main([*options, str(tiny), "defect.rna", str(broken)]) == 1
+    told = capsys.readouterr()
+    assert told.err.startswith("defect.rna: internal error")
+    if options:
+        assert [report["file"] for report in json.loads(told.out)] == [str(tiny), str(broken)]
+    else:
+        lines = told.out.splitlines()
+        assert lines[0] == f"{tiny}: valid" and lines[-1] == f"{broken}: invalid"
+
+
+def test_what_is_found_is_shown_as_printable_text() -> None:
+    issue = Issue.of(Code.PLANES_DTYPE, "features/a", "\ud800 \x1b[31m café\n", "F16")
+    assert issue.found == r"\ud800 \x1b[31m café\n"

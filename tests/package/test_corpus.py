@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -40,9 +41,20 @@ def test_every_code_has_a_case() -> None:
     assert {case.code for case in CASES} | OUTSIDE_THE_CORPUS == set(Code.__members__)
 
 
-def test_missing_file_and_folder(tmp_path: Path) -> None:
-    for path in (tmp_path / "absent.rna", tmp_path):
-        assert [issue.code for issue in validate(path)] == ["FILE_UNREADABLE"]
+def test_missing_file_folder_and_device(tmp_path: Path) -> None:
+    for path, found in (
+        (tmp_path / "absent.rna", "No such file or directory"),
+        (tmp_path, "a folder"),
+        ("/dev/null", "a pipe or a device"),
+    ):
+        (issue,) = validate(path)
+        assert (issue.code, issue.found) == ("FILE_UNREADABLE", found)
+
+
+def test_pipe_is_refused_and_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.rna")
+    (issue,) = validate(tmp_path / "pipe.rna")
+    assert (issue.code, issue.found) == ("FILE_UNREADABLE", "a pipe or a device")
 
 
 def test_file_too_large_is_not_read(tmp_path: Path) -> None:

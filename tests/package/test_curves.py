@@ -145,7 +145,7 @@ def test_kind_and_geometry_stand_in_the_file(fiber_entries: dict[str, bytes]) ->
         (lambda h: h["points"].update(shape=[10**30, 3]), "points/shape"),
         (lambda h: h["points"].update(data_offsets=[False, 108]), "points/data_offsets"),
         (lambda h: h["radii"].update(shape={"0": 9}), "radii/shape"),
-        (lambda h: h["radii"].update(data_offsets=[108.0, 144.0]), "radii/data_offsets"),
+        (lambda h: h["radii"].update(data_offsets=[108, 144.5]), "radii/data_offsets"),
         (lambda h: h["offsets"].pop("data_offsets"), "offsets/data_offsets"),
     ],
 )

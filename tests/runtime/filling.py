@@ -11,7 +11,7 @@ from tests.package.builders import make_tier
 from tests.runtime.points import FiberPoints, Points
 
 BOUNDS = Bounds(min=(-1.0, -2.0, 0.1), max=(0.5, 1.0, 0.9))
-CORNERS = np.array([BOUNDS.min, BOUNDS.max])
+CORNERS = BOUNDS.corners()
 
 
 def filled(

@@ -35,6 +35,14 @@ def test_a_cone_without_width_holds_its_axis() -> None:
     assert in_region((cone,), axis[None].astype(np.float32)).all()
 
 
+@pytest.mark.parametrize(
+    ("length", "angle", "within"), [(0.9991, 0.01, True), (1.0009, 0.04, False)]
+)
+def test_the_length_of_an_axis_changes_nothing(length: float, angle: float, within: bool) -> None:
+    cone = Cone(axis=(0.0, length, 0.0), half_angle=0.02)
+    assert in_region((cone,), tilted(angle)).tolist() == [within]
+
+
 def test_sphere_and_hemisphere() -> None:
     down = np.float32([[0, -1, 0], [0, 1, 0], [1, 0, 0]])
     assert in_region("sphere", down).tolist() == [True, True, True]

@@ -34,7 +34,7 @@ def test_equals_the_package_evaluated_by_hand(asset_path: Callable[..., Path], k
     reference = fiber_queries_reference if kind == "fiber" else queries_reference
     with Package.open(path) as package:
         tier = package.manifest.tiers[0]
-        bounds = np.array([package.manifest.bounds.min, package.manifest.bounds.max])
+        bounds = package.manifest.bounds.corners()
         queries = reference(package.planes(tier.name), bounds, tier.inputs, *points)
         session = ort.InferenceSession(
             bytes(package.decoder(tier.name)), providers=["CPUExecutionProvider"]

@@ -126,8 +126,31 @@ def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str
     assert not views[0].flags.writeable
 
 
-def test_the_runtime_loads_no_trainer_and_no_renderer() -> None:
-    heavy = ("torch", "lightning", "onnx", "bpy", "rna_render", "rna_export")
-    code = f"import sys, rna_sdk.runtime; sys.exit(str([m for m in {heavy} if m in sys.modules]))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+TRAINER_OR_RENDERER = ("torch", "lightning", "onnx", "bpy", "rna_render", "rna_export")
+ENGINES = ("numba", "llvmlite", "onnxruntime")
+PACKAGE_ALONE = (*ENGINES, "rna_sdk.runtime")
+
+
+@pytest.mark.parametrize(
+    ("code", "unused"),
+    [
+        ("import rna_sdk.package", PACKAGE_ALONE),
+        ("import rna_sdk.package as p; p.Package.open(path).planes('small')", PACKAGE_ALONE[:2]),
+        ("import rna_sdk.runtime", ENGINES),
+        (
+            "import rna_sdk.runtime as r; r.Transform([[1.0 * (i == k) for k in range(4)]"
+            " for i in range(4)])",
+            ENGINES,
+        ),
+        ("import rna_sdk.runtime as r; r.load(path)", ()),
+    ],
+)
+def test_nothing_is_loaded_before_it_is_used(
+    tiers_path: Path, code: str, unused: tuple[str, ...]
+) -> None:
+    found = f"sys.exit(str([m for m in {TRAINER_OR_RENDERER + unused} if m in sys.modules]))"
+    program = f"import sys; path = sys.argv[1]; {code}; {found}"
+    done = subprocess.run(
+        [sys.executable, "-c", program, tiers_path], capture_output=True, text=True
+    )
     assert done.stderr.strip() == "[]"

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from rna_export.capture.run import default_workers
+from rna_export.machine import default_workers
 from rna_sdk.errors import CaptureError
 
 NAME = "stability"

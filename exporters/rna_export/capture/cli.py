@@ -7,19 +7,20 @@ import hashlib
 import shutil
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
-from rna_export.capture import blender_env
-from rna_export.capture.dataset import CaptureSettings, Dataset
-from rna_export.capture.run import Crew, begin, default_workers, finish, scene_of
-from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.worker import Source
+from rna_export.capture import blender_env, source_help
+from rna_export.capture.settings import CaptureSettings
+from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
-from rna_render.scene_file import SceneFile, read_scene
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
+
+if TYPE_CHECKING:
+    from rna_export.capture.dataset import Dataset
+    from rna_render.scene_file import SceneFile
 
 _GO_ON = "run the same command again to continue"
 _SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".hair", ".tfx", ".py")
@@ -45,7 +46,8 @@ def parser() -> argparse.ArgumentParser:
         "Render an asset in all views and lights with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
         epilog="The same command continues a capture that was stopped. Arguments after -- go to a "
-        "source that is a Python script, or say what a .hair or .tfx does not: try -- --help.",
+        "source that is a Python script, or say what a .hair or .tfx does not: "
+        "rna-capture groom.tfx -- --help.",
     )
     p.add_argument("source", nargs="?", type=Path, help=f"one of {', '.join(_SUFFIXES)}")
     p.add_argument("--out", type=Path, help="folder of the dataset")
@@ -88,6 +90,8 @@ def main(argv: list[str] | None = None) -> int:
     own, arguments = split_script_arguments(argv)
     options = parser()
     args = options.parse_args(own)
+    if args.source is not None and source_help.is_asked(arguments):
+        return run_command(lambda: source_help.show(args.source), args.debug, _GO_ON, "capture")
     if not args.setup_blender and (args.source is None or args.out is None):
         options.error("a source and --out are needed (or --setup-blender)")
     if args.minutes is not None and args.lights is not None:
@@ -95,7 +99,7 @@ def main(argv: list[str] | None = None) -> int:
     if args.for_scene is not None and args.domain is not None:
         options.error("--for finds the domain: give it or --domain")
     _check_numbers(args, options)
-    return run_command(lambda: _run(args, arguments), args.debug, _GO_ON)
+    return run_command(lambda: _run(args, arguments), args.debug, _GO_ON, "capture")
 
 
 def _asked(args: argparse.Namespace) -> dict[str, Any]:
@@ -121,6 +125,10 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         print(f"Blender {blender_env.BPY_VERSION} is ready: {blender_env.set_up()}")
         return
     _check_source(args.source)
+    from rna_export.capture.run import Crew, begin, finish
+    from rna_export.capture.worker import Source
+    from rna_render.scene_file import read_scene
+
     keep_freed_memory()
     asked = _asked(args)
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
@@ -158,6 +166,8 @@ def _check_source(source: Path) -> None:
 
 def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) -> Dataset:
     """The dataset begun in `out`, if it was begun with the same source and settings."""
+    from rna_export.capture.dataset import Dataset
+
     dataset = Dataset(out)
     manifest = dataset.manifest
     sha = hashlib.sha256(source.read_bytes()).hexdigest()
@@ -173,6 +183,9 @@ def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) 
 
 def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
     """Refuse to go on for a scene that asks for other directions."""
+    from rna_export.capture.run import scene_of
+    from rna_export.capture.scene_domain import scene_domain
+
     manifest = dataset.manifest
     if for_scene is None:
         return

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import queue
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -18,11 +17,12 @@ from tqdm import tqdm
 
 import rna_sdk
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.dataset import CaptureManifest, Dataset
 from rna_export.capture.directions import light_direction
 from rna_export.capture.fiber_scene import FiberScene
 from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.surface_scene import SHARPEST, SurfaceScene
+from rna_export.capture.settings import SHARPEST, CaptureSettings
+from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
@@ -135,55 +135,80 @@ def finish(dataset: Dataset, source: Source, crew: Crew) -> None:
     missing = [task for task in all_tasks(dataset) if not task.path(dataset).is_file()]
     if not missing:
         return
-    todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = queue.SimpleQueue()
-    for task in missing:
-        todo.put(task)
     total = sum(task.paths_to_trace(dataset) for task in missing)
-    failures: list[Exception] = []
-    stop = threading.Event()
     scene = scene_of(dataset.geometry(), dataset.manifest.settings.sharpest)
     with tqdm(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
-        threads = [
-            threading.Thread(
-                target=_work,
-                args=(dataset, source, scene, crew, str(k), todo, bar, stop, failures),
-            )
-            for k in range(crew.workers)
-        ]
+        shift = _Shift(dataset, scene, source, crew, bar)
+        for task in missing:
+            shift.todo.put(task)
+        shift.work()
+    if shift.failures:
+        raise shift.failures[0]
+
+
+@dataclass
+class _Shift:
+    """Threads that render tasks, each with a Blender process of its own.
+
+    stop: when set, no task is begun. failures: what ended the shift before its time.
+    """
+
+    dataset: Dataset
+    scene: AssetScene
+    source: Source
+    crew: Crew
+    bar: tqdm
+    todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = field(
+        default_factory=queue.SimpleQueue
+    )
+    stop: threading.Event = field(default_factory=threading.Event)
+    failures: list[Exception] = field(default_factory=list)
+    workers: list[BlenderWorker] = field(default_factory=list)
+
+    def work(self) -> None:
+        """Until nothing is left to do, or to the first failure; Ctrl-C ends the processes."""
+        names = map(str, range(self.crew.workers))
+        threads = [threading.Thread(target=self._work, args=(name,)) for name in names]
         for thread in threads:
             thread.start()
         try:
             while any(thread.is_alive() for thread in threads):
                 time.sleep(0.2)
         finally:
-            stop.set()
-            for thread in threads:
-                thread.join()
-    if failures:
-        raise failures[0]
+            self.stop.set()
+            while any(thread.is_alive() for thread in threads):
+                for worker in self.workers:
+                    worker.kill()  # again and again: one may be starting
+                time.sleep(0.05)
 
+    def _work(self, name: str) -> None:
+        try:
+            worker = self.crew.worker(self.source, name)
+            self.workers.append(worker)
+            with worker:
+                done = 0
+                while not self.stop.is_set():
+                    try:
+                        task = self.todo.get_nowait()
+                    except queue.Empty:
+                        return
+                    if done and done % _TASKS_A_PROCESS == 0:
+                        worker.restart()
+                    self._run(task, worker)
+                    done += 1
+        except Exception as error:  # reported by the main thread
+            self.failures.append(error)
+            self.stop.set()
 
-def _work(dataset, source, scene, crew, name, todo, bar, stop, failures) -> None:
-    try:
-        with crew.worker(source, name) as worker:
-            done = 0
-            while not stop.is_set():
-                try:
-                    task = todo.get_nowait()
-                except queue.Empty:
-                    return
-                if done and done % _TASKS_A_PROCESS == 0:
-                    worker.restart()
-                try:
-                    task.run(dataset, scene, worker)
-                except CaptureError:  # Blender may die of its own; a second failure is ours
-                    worker.restart()
-                    task.run(dataset, scene, worker)
-                done += 1
-                bar.update(task.paths_to_trace(dataset))
-    except Exception as error:  # reported by the main thread
-        failures.append(error)
-        stop.set()
+    def _run(self, task: TrainingShard | ValidationHalf, worker: BlenderWorker) -> None:
+        try:
+            task.run(self.dataset, self.scene, worker)
+        except CaptureError:  # Blender may die of its own; a second failure is ours
+            if self.stop.is_set():
+                return
+            worker.restart()
+            task.run(self.dataset, self.scene, worker)
+        self.bar.update(task.paths_to_trace(self.dataset))
 
 
 def _paths_a_second(
@@ -247,8 +272,3 @@ def _size(geometry: Mesh | Curves) -> str:
     if isinstance(geometry, Curves):
         return f"{len(geometry.offsets) - 1:,} strands, {len(geometry.points):,} points"
     return f"{len(geometry.triangles):,} triangles"
-
-
-def default_workers() -> int:
-    """One a core."""
-    return len(os.sched_getaffinity(0))

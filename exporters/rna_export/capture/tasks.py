@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import CaptureSettings, Dataset, joined, write_arrays
+from rna_export.capture.dataset import Dataset, joined, write_arrays
 from rna_export.capture.directions import directions_in, light_direction
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_render.camera import Camera

@@ -7,7 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from rna_export.compare.views import CAMERAS
+from rna_export.compare.cameras import CAMERAS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 
 
@@ -64,15 +64,15 @@ def main(argv: list[str] | None = None) -> int:
         options.error(
             f"argument --cycles-samples: expected at least 2, found {args.cycles_samples}"
         )
-    return run_command(lambda: _run(args, arguments), args.debug, "nothing was written")
+    return run_command(lambda: _run(args, arguments), args.debug, "nothing was written", "train")
 
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture import blender_env
-    from rna_export.capture.run import default_workers
     from rna_export.capture.worker import BlenderWorker, Source
     from rna_export.compare.page import write_page
     from rna_export.compare.run import compare
+    from rna_export.machine import default_workers
     from rna_sdk.errors import CaptureError
     from rna_sdk.runtime import load
 

@@ -18,10 +18,11 @@ from rna_export.export.decoder import check_decoder, check_int8_decoder, export_
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import MAX_LOSS, Precision, stored_planes
 from rna_export.export.small_images import flip_at_heights
-from rna_export.machine import processor, seconds_of
+from rna_export.machine import seconds_of
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import score, shade
+from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
 from rna_sdk.package import (
     Agreement,

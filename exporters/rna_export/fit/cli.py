@@ -6,10 +6,13 @@ import argparse
 import math
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from rna_export.fit.goal import Goal
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
+
+if TYPE_CHECKING:
+    from rna_export.fit.goal import Goal
 
 
 def parser() -> argparse.ArgumentParser:
@@ -61,11 +64,14 @@ def parser() -> argparse.ArgumentParser:
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     args = parser().parse_args(argv)
-    return run_command(lambda: _run(args), args.debug, "run the same command again to continue")
+    go_on = "run the same command again to continue"
+    return run_command(lambda: _run(args), args.debug, go_on, "train")
 
 
 def goal_of(args: argparse.Namespace) -> Goal:
     """What the options ask for."""
+    from rna_export.fit.goal import Goal
+
     if args.max_error is not None:
         return Goal("max_error", args.max_error)
     if args.min_psnr is not None:

@@ -65,7 +65,8 @@ def main(argv: list[str] | None = None) -> int:
         value = getattr(args, name)
         if value is not None and not value > 0:
             options.error(f"argument --{name}: expected more than 0, found {value:g}")
-    return run_command(lambda: _run(args), args.debug, "run the same command again to continue")
+    go_on = "run the same command again to continue"
+    return run_command(lambda: _run(args), args.debug, go_on, "train")
 
 
 def _run(args: argparse.Namespace) -> None:

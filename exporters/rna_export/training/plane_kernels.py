@@ -7,12 +7,14 @@ whatever the number of threads. `triplane.py` holds the PyTorch twins.
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
-_compiled = njit(cache=True, parallel=True, fastmath={"contract", "reassoc"})
+from rna_sdk.compiled import compiled
+
+_FASTMATH = ("contract", "reassoc")
 
 
-@njit(cache=True, inline="always")
+@compiled(fastmath=_FASTMATH)
 def _footprint(coordinate, resolution):
     """First texel of two and the weight of the second, for a coordinate in [0, 1]."""
     texel = min(
@@ -22,7 +24,7 @@ def _footprint(coordinate, resolution):
     return first, texel - np.float32(first)
 
 
-@_compiled
+@compiled(parallel=True, fastmath=_FASTMATH)
 def gather(planes, p, features):
     """features (n, C) = sum over planes (3, R, R, C) of bilinear lookups at p (n, 3) in [0, 1]."""
     resolution, channels = planes.shape[1], planes.shape[3]
@@ -39,7 +41,7 @@ def gather(planes, p, features):
                 features[i, c] += top * (1 - v) + low * v
 
 
-@_compiled
+@compiled(parallel=True, fastmath=_FASTMATH)
 def scatter(gradient, p, planes):
     """The transpose of `gather`: adds gradient (n, C) into planes (3, R, R, C)."""
     resolution, channels = planes.shape[1], planes.shape[3]
@@ -60,7 +62,7 @@ def scatter(gradient, p, planes):
                     planes[k, r, column + 1, c] += g * u
 
 
-@_compiled
+@compiled(parallel=True, fastmath=_FASTMATH)
 def blur_columns(planes, kernel, out):
     """out[k, r, c] = sum over d of kernel[d] planes[k, r, c + d - radius]; zero outside."""
     size, channels, radius = planes[0, 0].size, planes.shape[3], len(kernel) // 2
@@ -76,7 +78,7 @@ def blur_columns(planes, kernel, out):
                 result[i] += kernel[d] * source[i]
 
 
-@_compiled
+@compiled(parallel=True, fastmath=_FASTMATH)
 def blur_rows(planes, kernel, out):
     """As `blur_columns`, along the rows."""
     resolution, radius = planes.shape[1], len(kernel) // 2

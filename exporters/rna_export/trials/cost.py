@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
-from rna_export.machine import GEMM_FLOP, matrix_product, processor, seconds_of
+from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
+from rna_sdk.cpu import processor
 from rna_sdk.runtime import Asset, load
 from rna_sdk.runtime.arguments import thread_count
 

@@ -114,15 +114,15 @@ class _Process:
 
 def _begin(dataset: Path, crew: Crew) -> None:
     import lightning  # its own log handler comes with it
-    import numba
     import torch
 
     from rna_export.memory import keep_freed_memory
+    from rna_sdk.kernel_threads import limit_kernel_threads
 
     keep_freed_memory()
     logging.getLogger(lightning.pytorch.__name__).setLevel(logging.WARNING)
     torch.set_num_threads(crew.threads)
-    numba.set_num_threads(min(crew.threads, numba.config.NUMBA_NUM_THREADS))
+    limit_kernel_threads(crew.threads)
     _Process.dataset, _Process.device = Dataset(dataset), crew.device
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.lights.base import InfiniteLight, Light, LightSamples
 from rna_render.lights.directions import cone_direction, luminance, unit
 from rna_render.lights.models import DirectionalModel
+from rna_sdk.compiled import compiled
 
 # Radians from the axis to the rim. Below it float32 directions no longer tell the rim apart.
 MIN_ANGLE = 1e-5
@@ -83,7 +84,7 @@ class SunLight(InfiniteLight):
         return np.where(inside[:, None], self._radiance, np.float32(0.0)), pdf
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample_cone(axis, one_minus_cosine, u, wi_world):
     for i in prange(len(wi_world)):
         wi = cone_direction(axis[0], axis[1], axis[2], one_minus_cosine, u[i, 0], u[i, 1])

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from rna_sdk.compiled import compiled
 
 # Rec. ITU-R BT.709-6, item 3.2: luminance of linear RGB.
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
@@ -42,7 +43,7 @@ def unit(vector: np.ndarray) -> np.ndarray:
     return vector / np.linalg.norm(vector)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def cone_direction(x, y, z, one_minus_cosine, u1, u2):
     """A direction within a cone about the unit axis (x, y, z), uniform for u in [0, 1)^2.
 
@@ -64,7 +65,7 @@ def cone_direction(x, y, z, one_minus_cosine, u1, u2):
     )
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def flat_pdf(point, normal, both_sides, per_area, x, d):
     """Density per steradian of the direction d, seen from x, of points of a plane.
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.embree import DiscScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.lights.models import DiskModel
+from rna_sdk.compiled import compiled
 
 
 class DiskLight(AreaLight):
@@ -29,7 +30,7 @@ class DiskLight(AreaLight):
         _disk_pdf(self.world_from_object, self.area, x_world, d_world, pdf)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def concentric(u1, u2):
     """A uniform point of the unit disk; neighbours stay neighbours.
 
@@ -45,7 +46,7 @@ def concentric(u1, u2):
     return radius * np.cos(phi), radius * np.sin(phi)
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample_disk(frame, radius, area, x_world, u, wi_world, distance, pdf):
     normal, middle = frame[:3, 2], frame[:3, 3]
     for i in prange(len(x_world)):
@@ -60,7 +61,7 @@ def _sample_disk(frame, radius, area, x_world, u, wi_world, distance, pdf):
         pdf[i] = flat_pdf(middle, normal, False, 1.0 / area, x_world[i], wi_world[i])
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _disk_pdf(frame, area, x_world, d_world, pdf):
     normal, middle = frame[:3, 2], frame[:3, 3]
     for i in prange(len(x_world)):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.lights.base import InfiniteLight, LightSamples
 from rna_render.lights.directions import cone_direction, luminance
 from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.models import EnvironmentModel
+from rna_sdk.compiled import compiled
 
 _SPHERE_PDF = np.float32(1.0 / (4.0 * np.pi))
 
@@ -66,7 +67,7 @@ class EnvironmentImageLight(InfiniteLight):
         return radiance * self._scale, pdf
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample_sphere(u, wi_world):
     for i in prange(len(wi_world)):
         wi = cone_direction(0.0, 0.0, 1.0, 2.0, u[i, 0], u[i, 1])

@@ -18,10 +18,11 @@ from __future__ import annotations
 from copy import copy
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.lights.directions import LUMINANCE
 from rna_render.lights.intervals import fill_guide, guide_entry, interval_near, place_within
+from rna_sdk.compiled import compiled
 
 # Samples in one unit of parallel work, which goes through them once for each table: while one
 # sample waits for memory, the next ones already ask for theirs.
@@ -84,18 +85,18 @@ def _empty_vectors(n: int) -> np.ndarray:
     return np.empty((n, 3), np.float32)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _luminance(texel):
     return LUMINANCE[0] * texel[0] + LUMINANCE[1] * texel[1] + LUMINANCE[2] * texel[2]
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _corners(row, column, h, w):
     """Rows and columns of the four texels about a cell."""
     return max(row - 1, 0), min(row, h - 1), column, column + 1 if column < w - 1 else 0
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _accumulate(texels, heights, columns):
     """Running sums, along each row, of the cells' mean luminance times the row's height."""
     h, w, _ = texels.shape
@@ -110,7 +111,7 @@ def _accumulate(texels, heights, columns):
             columns[row, column + 1] = total
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _choose_cells(rows, row_guide, columns, column_guide, u, row, column, places):
     """Row and column of a cell for each u, and a place in the unit square that it leaves."""
     count, w = len(row_guide), column_guide.shape[1]
@@ -127,14 +128,14 @@ def _choose_cells(rows, row_guide, columns, column_guide, u, row, column, places
         places[i, 0] = place_within(cumulative, column[i], value)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _sample_linear(a, b, u):
     """A place in [0, 1) with density in proportion to a line from a to b, neither negative."""
     root = np.sqrt(a * a + u * (b * b - a * a))
     return u * (a + b) / (a + root) if a + root > 0.0 else u
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _gather(texels, row, column, corners):
     """Write the four texels about a cell, (4, 3)."""
     r0, r1, c0, c1 = _corners(row, column, texels.shape[0], texels.shape[1])
@@ -143,7 +144,7 @@ def _gather(texels, row, column, corners):
         corners[2, channel], corners[3, channel] = texels[r1, c0, channel], texels[r1, c1, channel]
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _sample_cell(corners, heights, row, u1, u2):
     """A place in a cell, x and y in [0, 1]."""
     h = len(heights) - 1
@@ -158,12 +159,12 @@ def _sample_cell(corners, heights, row, u1, u2):
     return _sample_linear(l00 + y * (l10 - l00), l01 + y * (l11 - l01), u1), y
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _cap_angle(one_minus_cosine):
     return 2.0 * np.arcsin(np.sqrt(one_minus_cosine / 2.0))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _look_up(corners, heights, w, total, row, x, y, sine, radiance):
     """Write the radiance at a place in a cell; returns the density of its direction.
 
@@ -183,7 +184,7 @@ def _look_up(corners, heights, w, total, row, x, y, sine, radiance):
     return pdf * heights[row] * h / (np.pi * sine) if 0 < row < h else pdf
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample_image(
     texels, turn, heights, rows, row_guide, columns, column_guide, u, d_world, radiance, pdf
 ):
@@ -212,7 +213,7 @@ def _sample_image(
             pdf[i] = _look_up(corners[k], heights, w, rows[h + 1], *place, radiance[i])
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _lookup_image(texels, turn, heights, total, d_world, radiance, pdf):
     h, w, _ = texels.shape
     n = len(pdf)

@@ -3,17 +3,16 @@
 Sums are (k + 1,) float64, from 0, rising. The interval that a number is in comes in the order of
 the numbers: nearby ones stay neighbours, so that well spread ones stay so. An interval of no
 length is never found, unless all that follow have none.
-
-numba's cache does not see changes here when it runs kernels of other files that call these
-functions: delete their cached code (`__pycache__/*.nbi`) after editing this file.
 """
 
 from __future__ import annotations
 
-from numba import njit, prange
+from numba import prange
+
+from rna_sdk.compiled import compiled
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def find_interval(cumulative, value):
     """The interval that a value is in, by bisection."""
     low, high = 0, len(cumulative) - 1
@@ -26,7 +25,7 @@ def find_interval(cumulative, value):
     return low
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def interval_near(cumulative, near, value):
     """The interval that a value is in, in steps from one near it."""
     while near > 0 and cumulative[near] > value:
@@ -36,7 +35,7 @@ def interval_near(cumulative, near, value):
     return near
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def place_within(cumulative, interval, value):
     """Where in its interval a value is, in [0, 1)."""
     length = cumulative[interval + 1] - cumulative[interval]
@@ -44,7 +43,7 @@ def place_within(cumulative, interval, value):
     return min(max(place, 0.0), 1.0 - 1e-16)
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def fill_guide(cumulative, guide):
     """For each row of sums, (r, k + 1), and each i < k an interval near i / k of the last sum.
 
@@ -60,7 +59,7 @@ def fill_guide(cumulative, guide):
             guide[row, i] = interval
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def guide_entry(u, count):
     """Place in a guide of `count` entries for a u in [0, 1)."""
     return min(int(u * count), count - 1)

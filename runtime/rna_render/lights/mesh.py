@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.lights.base import LightSamples, ShapeLight
 from rna_render.lights.directions import flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
 from rna_render.rays import vectors
+from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 
 Emission = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
@@ -95,13 +96,13 @@ class MeshLight(ShapeLight):
         return np.where((pdf > 0.0)[:, None], radiance, np.float32(0.0))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _triangle_pdf(corners, normals, per_area, triangle, x, d):
     """Density of the direction d from x of points on either side of a triangle."""
     return flat_pdf(corners[triangle, 0], normals[triangle], True, per_area[triangle], x, d)
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample_mesh(
     corners, normals, cumulative, per_area, x_world, u, wi_world, distance, triangle, b1, b2, pdf
 ):
@@ -124,7 +125,7 @@ def _sample_mesh(
         pdf[i] = _triangle_pdf(corners, normals, per_area, chosen, x_world[i], wi_world[i])
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _mesh_pdf(corners, normals, per_area, x_world, d_world, primitive, pdf):
     for i in prange(len(x_world)):
         pdf[i] = _triangle_pdf(corners, normals, per_area, primitive[i], x_world[i], d_world[i])

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.lights.base import Light, LightSamples
 from rna_render.lights.directions import luminance, unit
 from rna_render.lights.models import PointModel, SpotModel
 from rna_render.rays import vectors
+from rna_sdk.compiled import compiled
 
 
 class _PointLike(Light):
@@ -70,7 +71,7 @@ class SpotLight(_PointLike):
         super().__init__(model, axis, float(inner), float(outer))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _falloff(cosine, cos_inner, cos_outer):
     """1 within the inner cone, 0 without the outer one."""
     if cosine >= cos_inner:
@@ -81,7 +82,7 @@ def _falloff(cosine, cos_inner, cos_outer):
     return t * t * (3.0 - 2.0 * t)
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _towards(
     position, intensity, axis, cos_inner, cos_outer, x_world, wi_world, distance, irradiance, pdf
 ):

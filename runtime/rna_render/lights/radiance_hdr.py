@@ -10,9 +10,10 @@ import re
 from pathlib import Path
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.limits import MAX_PIXELS_A_SIDE
+from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 
 HDR_MAGIC = b"#?"
@@ -90,7 +91,7 @@ def _positive(text: str) -> float:
         return 0.0
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _decode(data, at, rgbe):
     """Fill rgbe, (h, w, 4) uint8, from the bytes after the header; what is wrong, and its line."""
     height, width, _ = rgbe.shape
@@ -114,7 +115,7 @@ def _decode(data, at, rgbe):
     return _OK, height
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _decode_components(data, at, line):
     """The newer code: the four components one after another, each in runs and dumps."""
     for component in range(4):
@@ -138,7 +139,7 @@ def _decode_components(data, at, line):
     return _OK, at
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _decode_pixels(data, at, line):
     """Flat pixels and the older code: (1, 1, 1, n) repeats the pixel before n << shift times."""
     x, shift = 0, 0
@@ -166,7 +167,7 @@ def _decode_pixels(data, at, line):
     return _OK, at
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _from_rgbe(rgbe, scale, texels):
     """Mantissas m and exponent e: m 2^(e - 136), and 0 for e = 0.
 

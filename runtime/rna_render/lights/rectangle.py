@@ -6,12 +6,13 @@ Ureña, Fajardo and King, An Area-Preserving Parametrization for Spherical Recta
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.embree import TriangleScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.lights.models import RectangleModel
+from rna_sdk.compiled import compiled
 
 # Steradians. The solid angle is a difference of angles, exact to 1e-15; below this it is sampled
 # uniformly over the area instead, which is as good for what looks so small.
@@ -37,7 +38,7 @@ class RectangleLight(AreaLight):
         _rectangle_pdf(self.world_from_object, self._half, x_world, d_world, pdf)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _seen_from(frame, half, x):
     """Edges x0, x1, y0, y1 of the rectangle as seen from x, and x's height over its front."""
     px, py, pz = x[0] - frame[0, 3], x[1] - frame[1, 3], x[2] - frame[2, 3]
@@ -47,7 +48,7 @@ def _seen_from(frame, half, x):
     return -half[0] - a, half[0] - a, -half[1] - b, half[1] - b, height
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _edge_angle(x, y, sign, height):
     """Angle between the planes through x and two edges that meet in a corner, (x, y, -height).
 
@@ -57,7 +58,7 @@ def _edge_angle(x, y, sign, height):
     return np.arctan2(height * np.sqrt(x * x + y * y + height * height), sign * x * y)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _solid_angle(x0, x1, y0, y1, height):
     """Of the rectangle, and the sum k of section 5: 2 pi less the two angles at x0."""
     k = 2.0 * np.pi - _edge_angle(x0, y1, 1.0, height) - _edge_angle(x0, y0, -1.0, height)
@@ -65,7 +66,7 @@ def _solid_angle(x0, x1, y0, y1, height):
     return right - k, k
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _pdf(frame, half, x, d):
     per_area = 1.0 / (4.0 * half[0] * half[1])
     uniform = flat_pdf(frame[:3, 3], frame[:3, 2], False, per_area, x, d)
@@ -76,7 +77,7 @@ def _pdf(frame, half, x, d):
     return uniform if solid_angle < MIN_SOLID_ANGLE else 1.0 / solid_angle
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _point(x0, x1, y0, y1, height, u1, u2):
     """The point that u means, relative to x in the rectangle's axes (section 5 of the paper)."""
     solid_angle, k = _solid_angle(x0, x1, y0, y1, height)
@@ -97,7 +98,7 @@ def _point(x0, x1, y0, y1, height, u1, u2):
     return x, min(max(y, y0), y1)
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample_rectangle(frame, half, x_world, u, wi_world, distance, pdf):
     for i in prange(len(x_world)):
         x0, x1, y0, y1, height = _seen_from(frame, half, x_world[i])
@@ -113,7 +114,7 @@ def _sample_rectangle(frame, half, x_world, u, wi_world, distance, pdf):
         pdf[i] = _pdf(frame, half, x_world[i], wi_world[i])
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _rectangle_pdf(frame, half, x_world, d_world, pdf):
     for i in prange(len(x_world)):
         pdf[i] = _pdf(frame, half, x_world[i], d_world[i])

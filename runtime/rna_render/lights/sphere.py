@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.embree import SphereScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import cone_direction
 from rna_render.lights.models import SphereModel
+from rna_sdk.compiled import compiled
 
 
 class SphereLight(AreaLight):
@@ -29,7 +30,7 @@ class SphereLight(AreaLight):
         _sphere_pdf(self._centre, self._radius, x_world, pdf)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _cone(centre, radius, x):
     """Vector from x to the centre, its length, and 1 - cos of the sphere's angular radius.
 
@@ -43,12 +44,12 @@ def _cone(centre, radius, x):
     return cx, cy, cz, np.sqrt(squared), sin2 / (1.0 + np.sqrt(1.0 - sin2))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _cone_pdf(one_minus_cosine):
     return 1.0 / (2.0 * np.pi * one_minus_cosine) if one_minus_cosine > 0.0 else 0.0
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _sphere_distance(cx, cy, cz, radius, wi):
     """Along the unit wi to the near side of a sphere whose centre is at (cx, cy, cz).
 
@@ -59,7 +60,7 @@ def _sphere_distance(cx, cy, cz, radius, wi):
     return along - np.sqrt(max(0.0, radius * radius - (px * px + py * py + pz * pz)))
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample_sphere(centre, radius, x_world, u, wi_world, distance, pdf):
     for i in prange(len(x_world)):
         cx, cy, cz, length, one_minus_cosine = _cone(centre, radius, x_world[i])
@@ -74,7 +75,7 @@ def _sample_sphere(centre, radius, x_world, u, wi_world, distance, pdf):
             distance[i] = 0.0
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sphere_pdf(centre, radius, x_world, pdf):
     for i in prange(len(x_world)):
         pdf[i] = _cone_pdf(_cone(centre, radius, x_world[i])[4])

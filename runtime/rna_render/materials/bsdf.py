@@ -27,7 +27,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.materials.ggx import (
     MIN_ALPHA,
@@ -40,6 +40,7 @@ from rna_render.materials.ggx import (
     schlick,
     visibility,
 )
+from rna_sdk.compiled import compiled
 
 # A shading normal that faces away from the viewer, as interpolated ones do at silhouettes, is
 # tilted until its cosine with wo is this.
@@ -125,24 +126,24 @@ def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
     return np.arange(len(points)) if row is None else row
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _row(vectors, i):
     return np.float64(vectors[i, 0]), np.float64(vectors[i, 1]), np.float64(vectors[i, 2])
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _unit(a):
     length = np.sqrt(_dot(a, a))
     scale = 1.0 / length if length > 0.0 else 0.0
     return a[0] * scale, a[1] * scale, a[2] * scale
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _turned_normal(n, ng, o):
     """The unit shading normal on wo's side of the surface, with at least MIN_COSINE to wo."""
     side = _dot(ng, o)
@@ -157,7 +158,7 @@ def _turned_normal(n, ng, o):
     return m
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _half_cosines(m, o, i):
     """Cosines of the half vector with the normal and with wo; (0, 0) where there is none."""
     h = (o[0] + i[0], o[1] + i[1], o[2] + i[2])
@@ -167,12 +168,12 @@ def _half_cosines(m, o, i):
     return min(_dot(m, h) / length, 1.0), _dot(o, h) / length
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _coat_albedo(coat_f0, a, b):
     return coat_f0 * a + b if coat_f0 > 0.0 else 0.0
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _specular_share(base, alpha, metallic, coat_f0, table, cos_o):
     """Part of the samples for the microfacets: their part of the albedo, mean of the colours."""
     if metallic == 0.0 and coat_f0 == 0.0:
@@ -185,7 +186,7 @@ def _specular_share(base, alpha, metallic, coat_f0, table, cos_o):
     return specular / (specular + diffuse) if specular > 0.0 else 0.0
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _density(m, o, i, alpha, share):
     nh, _ = _half_cosines(m, o, i)
     density = (1.0 - share) * max(0.0, _dot(m, i)) / np.pi
@@ -194,7 +195,7 @@ def _density(m, o, i, alpha, share):
     return density
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _evaluate(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, wi, result):
     for k in prange(len(wi)):
         p = row[k]
@@ -224,7 +225,7 @@ def _evaluate(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo,
             result[k, c] = f * cos_i
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _sample(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, u, wi):
     for k in prange(len(wi)):
         p = row[k]
@@ -250,7 +251,7 @@ def _sample(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, u
         wi[k, 2] = ix * s[2] + iy * t[2] + iz * z
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _pdf(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, wi, result):
     for k in prange(len(wi)):
         p = row[k]

@@ -3,9 +3,6 @@
 Walter et al., Microfacet Models for Refraction through Rough Surfaces (EGSR 2007); Heitz,
 Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs (JCGT 3(2), 2014).
 Directions are local: the normal is +z. Scalars are float64.
-
-numba's cache does not see changes here when it runs kernels of other files (bsdf.py) that call
-these functions: delete their cached code (`__pycache__/*.nbi`) after editing this file.
 """
 
 from __future__ import annotations
@@ -13,7 +10,9 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
+
+from rna_sdk.compiled import compiled
 
 # Rougher than a mirror by so much that no sample's density leaves float32 (peak 1/(pi alpha^2)).
 MIN_ALPHA = 1e-3
@@ -24,7 +23,7 @@ TABLE_SIZE = 96
 TURN_SAMPLES, OUTWARD_SAMPLES = 24, 48
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def distribution(alpha, nh):
     """D of the half vector's cosine nh > 0, per steradian of half vectors."""
     a2 = alpha * alpha
@@ -32,18 +31,18 @@ def distribution(alpha, nh):
     return a2 / (np.pi * spread * spread)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _root(alpha, cosine):
     return np.sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def visibility(alpha, cos_o, cos_i):
     """G / (4 cos_o cos_i) with Smith's height-correlated G; cosines of at least 0, not both 0."""
     return 0.5 / (cos_i * _root(alpha, cos_o) + cos_o * _root(alpha, cos_i))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def reflected_density(alpha, cos_o, nh):
     """Density of the directions that `sample_reflection` finds, per steradian.
 
@@ -52,7 +51,7 @@ def reflected_density(alpha, cos_o, nh):
     return distribution(alpha, nh) / (2.0 * (cos_o + _root(alpha, cos_o)))
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def sample_reflection(alpha, ox, oy, oz, u1, u2):
     """Reflection of wo at a normal out of those that wo sees; maybe below the horizon.
 
@@ -76,7 +75,7 @@ def sample_reflection(alpha, ox, oy, oz, u1, u2):
     return twice * hx - ox, twice * hy - oy, twice * hz - oz
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def schlick(cosine):
     """(1 - cosine)^5, the weight of grazing reflectance."""
     x = 1.0 - min(max(cosine, 0.0), 1.0)
@@ -106,7 +105,7 @@ def albedo_table() -> tuple[np.ndarray, np.ndarray]:
     return table, mean
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _fill_table(table):
     size = len(table)
     for row in prange(size):
@@ -117,7 +116,7 @@ def _fill_table(table):
             table[row, column, 0], table[row, column, 1] = a, b
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _quadrature(alpha, cos_o):
     sin_o = np.sqrt(1.0 - cos_o * cos_o)
     all_light, grazing = 0.0, 0.0
@@ -138,7 +137,7 @@ def _quadrature(alpha, cos_o):
     return (all_light - grazing) / count, grazing / count
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _place(value, size):
     """Cell of a table's axis, and the place in it; value in [0, 1]."""
     place = value * (size - 1)
@@ -146,7 +145,7 @@ def _place(value, size):
     return cell, place - cell
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def albedo_terms(table, alpha, cosine):
     """A and B of `albedo_table`, bilinear."""
     row, s = _place(np.sqrt(min(alpha, 1.0)), len(table))
@@ -160,7 +159,7 @@ def albedo_terms(table, alpha, cosine):
     return a, b
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def mean_albedo_terms(mean, alpha):
     """Means of A and B over wo, linear."""
     row, s = _place(np.sqrt(min(alpha, 1.0)), len(mean))

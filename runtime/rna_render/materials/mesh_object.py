@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.materials.bsdf import Scattering
 from rna_render.materials.ggx import MIN_ALPHA
 from rna_render.materials.material import Material
 from rna_render.materials.textures import Texture
+from rna_sdk.compiled import compiled
 
 # Luminance of linear sRGB: ITU-R BT.709-6, section 3.2.
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
@@ -139,7 +140,7 @@ def _mean_emission(material: Material) -> np.ndarray:
     return np.asarray(material.emission) * (1.0 if texture is None else texture.mean())
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _interpolate(uvs, triangles, triangle, u, v, result):
     for i in prange(len(triangle)):
         row = triangle[i]

@@ -11,9 +11,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numba import njit, prange
+from numba import prange
 
 from rna_render.srgb import decode_srgb
+from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 
 REPEAT, CLAMP, MIRROR = 0, 1, 2
@@ -74,7 +75,7 @@ def read_texels(source: Path | bytes, name: object) -> np.ndarray:
         raise SceneError(f"cannot read the image: {reason}", file=name) from error
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _wrapped(x, wrap):
     """A coordinate within [0, 1]."""
     if wrap == REPEAT:
@@ -85,7 +86,7 @@ def _wrapped(x, wrap):
     return min(max(x, 0.0), 1.0)
 
 
-@njit(cache=True)
+@compiled(fastmath=())
 def _texels_around(x, size, wrap):
     """The two texels whose centres x is between, and its place between them."""
     place = _wrapped(x, wrap) * size - 0.5
@@ -97,7 +98,7 @@ def _texels_around(x, size, wrap):
     return max(first, 0), min(second, size - 1), rest
 
 
-@njit(cache=True, parallel=True, nogil=True)
+@compiled(parallel=True, fastmath=())
 def _lookup(texels, decode, wrap_u, wrap_v, transform, uv, result):
     height, width = texels.shape[0], texels.shape[1]
     for i in prange(len(uv)):

@@ -167,10 +167,9 @@ class Session:
 
     def _use_threads(self) -> None:
         """Numba's number of threads is each thread's own."""
-        import numba
+        from rna_sdk.kernel_threads import limit_kernel_threads
 
-        if self._threads is not None:
-            numba.set_num_threads(self._threads)
+        limit_kernel_threads(self._threads)
 
     def _next_revision(self, done: int) -> int | None:
         """Wait for a revision other than `done`; None when the session ends."""

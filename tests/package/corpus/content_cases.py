@@ -12,7 +12,7 @@ import numpy as np
 import onnx
 from onnx import TensorProto, helper, numpy_helper
 
-from rna_sdk.package.glb_writer import CHUNK, HEADER, mesh_to_glb, pack_glb
+from rna_sdk.package.glb_writer import CHUNK, CHUNK_BIN, HEADER, mesh_to_glb, pack_glb
 from rna_sdk.package.planes import planes_to_bytes
 from rna_sdk.package.tensor_file import tensors_to_bytes
 from tests.package.builders import (
@@ -76,6 +76,40 @@ def glb_chunk_past_the_end(entries: Entries) -> bytes:
 @case("GEOMETRY_CONTAINER")
 def glb_without_json(entries: Entries) -> bytes:
     return with_entry(entries, MESH, pack_glb(b"no json", bytes(64)))
+
+
+@case("GEOMETRY_CONTAINER")
+def glb_of_an_odd_size(entries: Entries) -> bytes:
+    glb = bytearray(entries[MESH] + b"\0")
+    glb[8:12] = len(glb).to_bytes(4, "little")
+    chunk = bytes(glb).index(CHUNK_BIN) - 4
+    glb[chunk : chunk + 4] = (len(glb) - chunk - CHUNK.size).to_bytes(4, "little")
+    return with_entry(entries, MESH, bytes(glb))
+
+
+@case("GEOMETRY_CONTAINER")
+def glb_with_half_a_surrogate_pair(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["nodes"][0].update(name="\ud800"))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_an_empty_scene(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["scenes"][0].pop("nodes"))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_a_node_without_mesh(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["nodes"][0].pop("mesh"))
+
+
+@case("GEOMETRY_PROFILE")
+def glb_with_a_null(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["asset"].update(generator=None))
+
+
+@case("GEOMETRY_RANGE")
+def glb_accessor_of_no_view(entries: Entries) -> bytes:
+    return with_gltf(entries, lambda g: g["accessors"][0].update(bufferView=4))
 
 
 @case("GEOMETRY_PROFILE")
@@ -182,6 +216,21 @@ def planes_header_no_json(entries: Entries) -> bytes:
 
 
 @case("PLANES_HEADER")
+def planes_header_after_a_space(entries: Entries) -> bytes:
+    data = entries[PLANES]
+    start = 8 + int.from_bytes(data[:8], "little")
+    assert data[start - 1 : start] == b" "
+    moved = data[:8] + b" " + data[8 : start - 1] + data[start:]
+    return with_entry(entries, PLANES, moved)
+
+
+@case("PLANES_TENSOR")
+def planes_with_metadata_that_is_no_object(entries: Entries) -> bytes:
+    tensor = {"dtype": "F16", "shape": [3, 8, 8, 4], "data_offsets": [0, 1536]}
+    return with_planes_header(entries, {"__metadata__": 1, "planes": tensor})
+
+
+@case("PLANES_HEADER")
 def planes_cut_short(entries: Entries) -> bytes:
     return with_entry(entries, PLANES, entries[PLANES][:-2])
 
@@ -268,6 +317,18 @@ def planes_with_nan(entries: Entries) -> bytes:
 
 
 @case("PLANES_NOT_FINITE")
+def planes_too_large_for_sums(entries: Entries) -> bytes:
+    planes = make_planes(precision="float32")
+    planes[0, 0, 0, 0] = 1.001e18
+    return with_entry(
+        entries,
+        PLANES,
+        planes_to_bytes(planes),
+        lambda m: m["tiers"][0].update(planePrecision="float32"),
+    )
+
+
+@case("PLANES_NOT_FINITE")
 def planes_with_infinity(entries: Entries) -> bytes:
     planes = make_planes()
     planes[0, 0, 0, 0] = -np.inf
@@ -306,6 +367,13 @@ def decoder_with_two_graphs(entries: Entries) -> bytes:
 @case("DECODER_NOT_ONNX")
 def decoder_of_countless_fields(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, entries[DECODER] + b"\x28\x01" * 300_000)
+
+
+@case("DECODER_NOT_ONNX")
+def decoder_with_a_size_named_in_no_utf8(entries: Entries) -> bytes:
+    data = entries[DECODER]
+    assert data.count(b"\x12\x01N") == 2
+    return with_entry(entries, DECODER, data.replace(b"\x12\x01N", b"\x12\x01\xb7"))
 
 
 @case("DECODER_VERSION")
@@ -437,6 +505,14 @@ def decoder_nodes_out_of_order(entries: Entries) -> bytes:
         nodes = list(model.graph.node)
         del model.graph.node[:]
         model.graph.node.extend(reversed(nodes))
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_GRAPH")
+def decoder_with_a_constant_named_twice(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        model.graph.initializer.append(model.graph.initializer[0])
 
     return with_decoder(entries, edit)
 

@@ -99,7 +99,7 @@ def curves_of_negative_size(entries: Entries) -> bytes:
 
 @case("GEOMETRY_PROFILE", kind="fiber")
 def curves_with_a_fraction_in_a_shape(entries: Entries) -> bytes:
-    return with_header(entries, lambda h: h["radii"].update(shape=[9.0]))
+    return with_header(entries, lambda h: h["radii"].update(shape=[9.5]))
 
 
 @case("GEOMETRY_PROFILE", kind="fiber")

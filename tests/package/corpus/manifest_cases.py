@@ -61,6 +61,11 @@ def duplicate_key(entries: Entries) -> bytes:
     return with_text(entries, '"kind": "surface"', '"kind": "surface", "kind": "surface"')
 
 
+@case("JSON_DUPLICATE_KEY")
+def duplicate_key_in_other_words(entries: Entries) -> bytes:
+    return with_text(entries, '"extras": {}', '"extras": {"a": 1, "\\u0061": 2}')
+
+
 @case("JSON_NOT_FINITE")
 def nan_in_the_manifest(entries: Entries) -> bytes:
     return with_text(entries, "-1.0", "NaN")
@@ -69,6 +74,16 @@ def nan_in_the_manifest(entries: Entries) -> bytes:
 @case("JSON_NOT_FINITE")
 def number_too_large(entries: Entries) -> bytes:
     return with_text(entries, '"extras": {}', '"extras": {"x": 1e999}')
+
+
+@case("JSON_NOT_FINITE")
+def integer_of_400_digits(entries: Entries) -> bytes:
+    return with_text(entries, '"extras": {}', f'"extras": {{"x": {"9" * 400}}}')
+
+
+@case("JSON_NOT_FINITE")
+def integer_of_5000_digits(entries: Entries) -> bytes:
+    return with_text(entries, '"extras": {}', f'"extras": {{"x": -{"9" * 5000}}}')
 
 
 @case("FORMAT_UNKNOWN")
@@ -140,6 +155,11 @@ def number_as_text(entries: Entries) -> bytes:
 
 
 @case("FIELD_VALUE")
+def list_for_an_extension(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(extensionsRequired=[["rna_x"]]))
+
+
+@case("FIELD_VALUE")
 def malformed_version(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m.update(minReaderVersion="one"))
 
@@ -157,7 +177,7 @@ def resolution_over_the_limit(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m["tiers"][0].update(resolution=10**9))
 
 
-@case("FIELD_VALUE")
+@case("MANIFEST_NOT_JSON")
 def unpaired_surrogate(entries: Entries) -> bytes:
     return with_text(entries, '"tetrahedron"', '"\\ud800"')
 
@@ -194,6 +214,62 @@ def too_many_cones(entries: Entries) -> bytes:
 def axis_that_is_not_unit(entries: Entries) -> bytes:
     cone = {"axis": [0, 0, 2], "halfAngle": 0.1}
     return with_manifest(entries, lambda m: m["domain"].update(wi=[cone]))
+
+
+@case("BOUNDS_EMPTY")
+def bounds_alike_in_float32(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["bounds"]["max"].__setitem__(1, -1 + 2.0**-26))
+
+
+@case("BOUNDS_EMPTY")
+def bounds_of_a_tiny_extent(entries: Entries) -> bytes:
+    box = {"min": [-1, -1, 0], "max": [1, 1, 9e-19]}
+    return with_manifest(entries, lambda m: m.update(bounds=box))
+
+
+@case("FIELD_VALUE")
+def bounds_beyond_the_limit(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["bounds"]["max"].__setitem__(1, 1.1e18))
+
+
+@case("FIELD_MISSING")
+def units_without_a_length(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(units={}))
+
+
+@case("FIELD_VALUE")
+def tier_without_input_blocks(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["tiers"][0].update(inputs=[]))
+
+
+@case("FIELD_VALUE")
+def version_with_a_leading_zero(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(version="01.0"))
+
+
+@case("FIELD_VALUE")
+def reader_version_with_a_line_break(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.0\n"))
+
+
+@case("FIELD_VALUE")
+def reader_version_that_is_a_number(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(minReaderVersion=2.0))
+
+
+@case("VERSION_TOO_NEW")
+def minor_version_of_two_digits(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.10"))
+
+
+@case("FIELD_VALUE")
+def extras_that_are_null(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(extras=None))
+
+
+@case("FIELD_VALUE")
+def size_past_every_integer(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m["entries"][PLANES].update(size=2**53))
 
 
 @case("BOUNDS_EMPTY")

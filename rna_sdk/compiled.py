@@ -1,0 +1,145 @@
+"""How every kernel of the project is compiled, and when its code on disk is out of date."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from functools import cache, cached_property
+from hashlib import sha256
+from inspect import unwrap
+from pathlib import Path
+from types import CodeType, FunctionType
+from typing import Any, TypeVar
+
+import numba
+import numpy as np
+from numba.core.caching import FunctionCache
+from numba.core.ccallback import CFunc
+
+from rna_sdk.kernel_threads import launch_kernel_threads
+
+Kernel = TypeVar("Kernel", bound=Callable[..., object])
+
+
+def compiled(
+    *signature: numba.types.Type, parallel: bool = False, fastmath: tuple[str, ...] = ("contract",)
+) -> Callable[[Kernel], Kernel]:
+    """Decorator: compile for these argument types, or for whatever comes where none are given.
+
+    parallel: share loops over `prange` among numba's threads. fastmath: liberties of LLVM's; by
+    default fused multiply-add alone, so NaN and infinity keep their meaning.
+
+    Kernels let other Python threads run, keep their code on disk for the next process, and
+    divide as IEEE 754 has it. The code on disk is renewed when anything that is compiled into
+    it changes, in whatever file.
+    """
+    cache_type: Any = _ParallelCache if parallel else _SourcesCache
+    jit: Any = numba.njit(
+        nogil=True, error_model="numpy", parallel=parallel, fastmath=set(fastmath)
+    )
+
+    def compile_kernel(function: Kernel) -> Kernel:
+        kernel: Any = jit(function)
+        kernel._cache = cache_type(function)
+        if signature:
+            kernel.compile(numba.void(*signature))
+            kernel.disable_compile()
+        result: Kernel = kernel
+        return result
+
+    return compile_kernel
+
+
+def callback(*signature: numba.types.Type) -> Callable[[Kernel], Any]:
+    """Decorator: compile a C function of these argument types; `address` is where it starts.
+
+    Its code on disk is renewed as that of `compiled` is.
+    """
+    cache_type: Any = _SourcesCache
+
+    def compile_callback(function: Kernel) -> Any:
+        result: Any = CFunc(function, (signature, numba.void), {}, {})
+        result._cache = cache_type(function)
+        result.compile()
+        return result
+
+    return compile_callback
+
+
+class _SourcesCache(FunctionCache):
+    """Numba's cache on disk, renewed when a source or a constant of the kernel changes.
+
+    A kernel holds a compiled copy of what it calls and names in other files; numba's own cache
+    is renewed when the kernel's own file changes, and would go on with the old copy. Numba has
+    no setting for this; `tests/test_compiled.py` watches that its internals still answer to it.
+    """
+
+    @cached_property
+    def _sources(self) -> str:
+        return _digest_of_sources(self._py_func)
+
+    def _index_key(self, signature: Any, codegen: Any) -> tuple[Any, ...]:
+        key = super()._index_key(signature, codegen)  # type: ignore[no-untyped-call]
+        return (*key, self._sources)
+
+
+class _ParallelCache(_SourcesCache):
+    """Launches numba's threads before numba itself would, and in a safe way."""
+
+    def load_overload(self, signature: Any, target_context: Any) -> Any:
+        launch_kernel_threads()
+        return super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
+
+
+def _digest_of_sources(kernel: FunctionType) -> str:
+    """Of the files of all functions that `kernel` reaches, of the constants they name, of this."""
+    reached, pending = {kernel}, [kernel]
+    parts = {_digest_of_file(__file__)}
+    while pending:
+        function = pending.pop()
+        parts.add(_digest_of_file(function.__code__.co_filename))
+        for name, value in _named_values(function):
+            if isinstance(value, _CONSTANTS):
+                parts.add(f"{name} = {value!r}".encode())
+            elif isinstance(value, np.ndarray):
+                parts.add(f"{name} = {value.dtype.str}{value.shape}".encode() + value.tobytes())
+            elif (called := _source_of(value)) is not None and called not in reached:
+                reached.add(called)
+                pending.append(called)
+    return sha256(b"\0".join(sorted(parts))).hexdigest()
+
+
+_CONSTANTS = (bool, int, float, complex, str, bytes, tuple, np.generic)
+_LIBRARIES = sys.stdlib_module_names | {"numba", "numpy", "llvmlite"}
+
+
+@cache
+def _digest_of_file(path: str) -> bytes:
+    return sha256(Path(path).read_bytes()).digest()
+
+
+def _source_of(value: object) -> FunctionType | None:
+    """The function behind a kernel, an intrinsic or a function; None for a library's, or none."""
+    function = unwrap(value) if callable(value) else None
+    if not isinstance(function, FunctionType):
+        return None
+    return None if function.__module__.partition(".")[0] in _LIBRARIES else function
+
+
+def _named_values(function: FunctionType) -> Iterator[tuple[str, object]]:
+    """The globals and closed-over variables that the code names, and attributes of modules."""
+    if function.__closure__:
+        for name, cell in zip(function.__code__.co_freevars, function.__closure__, strict=True):
+            yield name, cell.cell_contents
+    names = _names(function.__code__)
+    values = [(name, function.__globals__[name]) for name in names & function.__globals__.keys()]
+    for name, value in values:
+        yield name, value
+        if isinstance(value, type(sys)) and value.__name__.partition(".")[0] not in _LIBRARIES:
+            yield from ((f"{name}.{n}", getattr(value, n)) for n in names & vars(value).keys())
+
+
+def _names(code: CodeType) -> set[str]:
+    """Of globals and attributes, in this code and in the functions defined inside it."""
+    inside = [constant for constant in code.co_consts if isinstance(constant, CodeType)]
+    return set(code.co_names).union(*map(_names, inside))

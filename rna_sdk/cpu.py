@@ -1,0 +1,28 @@
+"""The processor that this process runs on."""
+
+from __future__ import annotations
+
+import platform
+from functools import cache
+from hashlib import sha256
+
+
+def processor() -> str:
+    """The processor's name."""
+    return _cpuinfo("model name") or platform.processor() or platform.machine()
+
+
+@cache
+def processor_key() -> str:
+    """Differs between processors of one name whose instructions differ."""
+    flags = " ".join(sorted(_cpuinfo("flags").split()))
+    return f"{processor()}, {sha256(flags.encode()).hexdigest()[:12]}"
+
+
+def _cpuinfo(name: str) -> str:
+    """A member of the first processor in Linux's list; "" where there is none."""
+    try:
+        with open("/proc/cpuinfo") as file:
+            return next(line.split(":", 1)[1].strip() for line in file if line.startswith(name))
+    except (OSError, StopIteration):
+        return ""

@@ -1,0 +1,71 @@
+"""What queries cost on the processor at hand: measured once, then kept in the user's cache."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+import time
+from collections.abc import Callable
+from hashlib import sha256
+from pathlib import Path
+
+import numpy as np
+
+import rna_sdk
+from rna_sdk.cpu import processor_key
+
+_REPEATS = 5
+
+
+def kept_cost(measure: Callable[[], float], *what: object) -> float:
+    """The number that `measure` gave for `what` on this processor and these versions before.
+
+    measure: called where it is not known yet. what: repeatable descriptions of what is measured.
+    """
+    import onnxruntime  # loads with the first asset, not with this module
+
+    versions = rna_sdk.__version__, onnxruntime.__version__
+    key = sha256(repr((processor_key(), versions, what)).encode()).hexdigest()
+    known = _read()
+    if key not in known:
+        known = {**known, key: measure()}
+        _write(known)
+    return known[key]
+
+
+def median_seconds(action: Callable[[], object]) -> float:
+    """Of several calls, after one that warms caches."""
+    action()
+    seconds = []
+    for _ in range(_REPEATS):
+        start = time.perf_counter()
+        action()
+        seconds.append(time.perf_counter() - start)
+    return float(np.median(seconds))
+
+
+def _file() -> Path:
+    cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    return cache / "rna-sdk" / "costs.json"
+
+
+def _read() -> dict[str, float]:
+    """What is kept; nothing where the file is missing or damaged."""
+    try:
+        known = json.loads(_file().read_text())
+        return {str(key): float(value) for key, value in known.items()}
+    except (OSError, ValueError, AttributeError, TypeError):
+        return {}
+
+
+def _write(known: dict[str, float]) -> None:
+    """Replace the file; where it cannot be written, the next process measures again."""
+    path = _file()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as file:
+            json.dump(known, file)
+        os.replace(file.name, path)
+    except OSError:
+        pass

@@ -1,0 +1,51 @@
+"""Small packages in the decoder profile, for the C host: any width, precision and kind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rna_sdk.package import Tier, TierData, write_package
+from tests.conformance.kit.decoders import make_decoder, make_int8_decoder
+from tests.package.builders import (
+    make_curves,
+    make_manifest,
+    make_mesh,
+    make_planes,
+    make_tier,
+)
+
+SURFACE_INPUTS = (
+    *("features", "position", "normal", "wo", "wi"),
+    *("half_vector", "highlight", "learned_normal"),
+)
+FIBER_INPUTS = ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_lobes")
+
+
+def make_profile_tier(name: str, kind: str, **changes: Any) -> Tier:
+    """A tier with every block of the kind."""
+    return make_tier(
+        name, inputs=SURFACE_INPUTS if kind == "surface" else FIBER_INPUTS, **changes
+    )
+
+
+def write_profile_package(
+    path: Path, *tiers: Tier, kind: str = "surface", widths: tuple[int, ...] = (8,)
+) -> Path:
+    """Write a package of `kind` with these tiers: random planes, and random layers of `widths`."""
+    data = {tier.name: _tier_data(tier, widths) for tier in tiers}
+    geometry = make_curves() if kind == "fiber" else make_mesh()
+    write_package(path, make_manifest(*tiers, kind=kind), geometry, data)
+    return path
+
+
+def _tier_data(tier: Tier, widths: tuple[int, ...]) -> TierData:
+    rng = np.random.default_rng(len(tier.name) + sum(widths))
+    queries = np.clip(rng.normal(0, 0.6, (400, tier.query_width)), -2, 2)
+    decoder = make_decoder(rng, queries, widths, mixing=len(widths) > 1)
+    is_int8 = tier.decoder_precision == "int8"
+    file = (make_int8_decoder(decoder, queries) if is_int8 else decoder).file()
+    planes = make_planes(tier.resolution, tier.channels, tier.plane_precision)
+    return TierData(planes, file)

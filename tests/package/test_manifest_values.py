@@ -1,0 +1,258 @@
+"""One table of values: reader, schema and text of the spec agree on each."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from rna_sdk.package import PackageError, validate
+from rna_sdk.package.manifest_reader import parse_manifest
+from rna_sdk.package.schema import manifest_schema
+from tests.package.corpus.content_cases import with_gltf
+from tests.package.corpus.curve_cases import with_header
+
+SPEC = Path(__file__).parents[2] / "spec" / "RNA-1.0.md"
+TEXT = re.sub(r"\s+", " ", SPEC.read_text(encoding="utf-8"))
+
+PLANES_SIZE = "/entries/features~1small.safetensors/size"
+VALIDATION = '{"psnr": 30, "flip": 0.1, "relativeMse": 0.1, "images": 1, "definition": ""'
+COST = '{"nsPerQuery": 1, "threads": 1, "machine": "", "multiplyAdds": '
+CONE = '[{"axis": [0, 1, 0], "halfAngle": '
+
+REQUIRED = 'Members of the manifest are required unless "optional" stands with them.'
+LISTED = "A member that is not listed is an error."
+WHOLE = "`8`, `8.0` and `8e0` are the same."
+LARGEST = "from -(2^53 - 1) to 2^53 - 1"
+CONVERTED = '`"8"`, `true` and `null` are no numbers.'
+NULL = '`null` is a value only where "null" stands in a table'
+NOT_RECORDED = "Left out and null mean the same: not recorded."
+FINITE = "It must be finite: `1e400` is an error"
+PATTERN = 'A pattern matches the whole string: `"1.0\\n"` does not match'
+VERSION = 'but not `"01.0"`, `"1.00"` or `"1"`'
+DECIDES = 'a 1.0 reader takes `"1.7"` and `"2.0"`, if `minReaderVersion` is `"1.0"`'
+COORDINATE = "each number from -1e18 to 1e18"
+EXTENT = "On every axis `max - min` is at least 1e-18"
+ROUNDED = "A reader rounds the six numbers to binary32"
+BLOCKS = "one block at least, each at most once"
+TWICE = "may be empty, and a name that is there twice counts once"
+NAMES = "matches `[A-Za-z0-9][A-Za-z0-9._-]*` with at most 64 characters"
+EMPTY = "A string may be empty unless that is excluded"
+HALF_ANGLE = "`halfAngle` from 0 to the binary64 3.141592653589793"
+AXIS = "`axis` of length 1 within 0.001"
+ENTRY = "`digest` the SHA-256 (FIPS 180-4) of the data as 64 lower-case hex digits"
+HEIGHTS = "each height below the one before"
+TABLE_OF_ERRORS = "Where the array is left out or empty, `flip` of `validation` is the error"
+FREE = "and within `extras`, `extensions` and the two free objects"
+CHARACTERS = "and hold any character, U+0000 included"
+
+# Where, the JSON put there, the code of the reader, the sentence; a "*" before the code marks what
+# spans values, which no schema sees.
+VALUES = [
+    ("/units", "{}", "FIELD_MISSING", REQUIRED),
+    ("/units", "null", "FIELD_VALUE", NULL),
+    ("/units", '{"length": "metre", "mass": "kilogram"}', "FIELD_UNKNOWN", LISTED),
+    ("/tiers/0/resolution", "8.0", "", WHOLE),
+    ("/tiers/0/resolution", "0.8e1", "", WHOLE),
+    ("/tiers/0/resolution", "8.5", "FIELD_VALUE", WHOLE),
+    ("/tiers/0/resolution", '"8"', "FIELD_VALUE", CONVERTED),
+    ("/tiers/0/resolution", "true", "FIELD_VALUE", CONVERTED),
+    ("/tiers/0/resolution", "-0", "FIELD_VALUE", "`-0` is 0"),
+    (PLANES_SIZE, "1536.0", "", WHOLE),
+    (PLANES_SIZE, "1e3", "", WHOLE),
+    (PLANES_SIZE, "-0.0", "", "`-0` is 0"),
+    (PLANES_SIZE, "-1", "FIELD_VALUE", "`size` is an integer of at least 0"),
+    (PLANES_SIZE, "9007199254740991", "", LARGEST),
+    (PLANES_SIZE, "9007199254740992", "FIELD_VALUE", LARGEST),
+    (PLANES_SIZE, "9007199254740993.0", "FIELD_VALUE", LARGEST),
+    (PLANES_SIZE, "1e30", "FIELD_VALUE", LARGEST),
+    ("/tiers/0/cost", COST + "1e3}", "", WHOLE),
+    ("/tiers/0/cost", COST + "1e16}", "FIELD_VALUE", LARGEST),
+    ("/tiers/0/inputs", "[]", "FIELD_VALUE", BLOCKS),
+    ("/tiers/0/inputs", '["wo", "wo"]', "INPUT_UNKNOWN", BLOCKS),
+    ("/tiers/0/inputs", '["h"]', "*INPUT_KIND", "only blocks for the `kind`"),
+    ("/tiers/0/name", '"a\\n"', "FIELD_VALUE", PATTERN),
+    ("/tiers/0/validation", "null", "", NOT_RECORDED),
+    ("/tiers/0/cost", "null", "", NOT_RECORDED),
+    ("/tiers/0/agreement", "null", "", NOT_RECORDED),
+    ("/tiers/0/validation", VALIDATION + "}", "", EMPTY),
+    ("/tiers/0/validation", VALIDATION + ', "flipAtHeight": []}', "", TABLE_OF_ERRORS),
+    ("/tiers/0/validation", VALIDATION + ', "flipAtHeight": null}', "FIELD_VALUE", NULL),
+    (
+        "/tiers/0/validation",
+        VALIDATION + ', "flipAtHeight": [{"height": 8, "flip": 1}, {"height": 8, "flip": 1}]}',
+        "*FIELD_VALUE",
+        HEIGHTS,
+    ),
+    ("/version", '"1.10"', "", VERSION),
+    ("/version", '"2.0"', "", DECIDES),
+    ("/version", '"01.0"', "FIELD_VALUE", VERSION),
+    ("/version", '"1.00"', "FIELD_VALUE", VERSION),
+    ("/version", '"1"', "FIELD_VALUE", VERSION),
+    ("/version", '" 1.0"', "FIELD_VALUE", PATTERN),
+    ("/version", '"1.0\\n"', "FIELD_VALUE", PATTERN),
+    ("/version", "1.0", "FIELD_VALUE", "A **version** is a string"),
+    ("/minReaderVersion", '"01.1"', "FIELD_VALUE", "One that is no version is a wrong value"),
+    ("/minReaderVersion", '"1.1\\n"', "FIELD_VALUE", PATTERN),
+    ("/minReaderVersion", '"1.10"', "*VERSION_TOO_NEW", "1.10 is greater than 1.9"),
+    ("/extensionsUsed", "[]", "", TWICE),
+    ("/extensionsUsed", '["A", "A"]', "", TWICE),
+    ("/extensionsUsed", '["A\\n"]', "FIELD_VALUE", PATTERN),
+    ("/extensionsUsed", '[""]', "FIELD_VALUE", NAMES),
+    ("/extensionsUsed", json.dumps(["A" * 65]), "FIELD_VALUE", NAMES),
+    ("/extensionsUsed", "null", "FIELD_VALUE", NULL),
+    ("/extensionsRequired", "null", "FIELD_VALUE", NULL),
+    ("/extensionsRequired", "[1]", "FIELD_VALUE", NAMES),
+    ("/extensionsRequired", "[]", "", TWICE),
+    ("/extensions", "null", "FIELD_VALUE", NULL),
+    ("/extensions", '{"a b": 1}', "FIELD_VALUE", NAMES),
+    ("/extras", "null", "FIELD_VALUE", NULL),
+    ("/extras", '{"a": [null, 1e300, 12345678901234567890]}', "", FREE),
+    ("/name", '""', "FIELD_VALUE", "string, not empty"),
+    ("/name", '"a\\u0000b"', "", CHARACTERS),
+    ("/generator", '""', "", EMPTY),
+    ("/provenance/source", '""', "", EMPTY),
+    ("/provenance/capture", "null", "FIELD_VALUE", NULL),
+    ("/bounds/min", "[-1, -1]", "FIELD_VALUE", '`{"min": [x, y, z], "max": [x, y, z]}`'),
+    ("/bounds/min", "[-1, -1, -1, -1]", "FIELD_VALUE", '`{"min": [x, y, z], "max": [x, y, z]}`'),
+    ("/bounds/min/0", "-0", "", "`-0` is 0"),
+    ("/bounds/min/0", "-1e-400", "", "A number is the binary64 nearest to its text"),
+    ("/bounds/min/0", "-1e18", "", COORDINATE),
+    ("/bounds/min/0", "-1.1e18", "FIELD_VALUE", COORDINATE),
+    ("/extras", '{"a": 1e400}', "*JSON_NOT_FINITE", FINITE),
+    ("/bounds/min/0", "1", "*BOUNDS_EMPTY", EXTENT),
+    ("/bounds/min/0", "0.9999999999", "*BOUNDS_EMPTY", ROUNDED),
+    ("/bounds/min/0", "0.9999999", "", ROUNDED),
+    ("/domain/wo", CONE + "3.14159265358979323846}]", "", HALF_ANGLE),
+    ("/domain/wo", CONE + "3.1415927}]", "FIELD_VALUE", HALF_ANGLE),
+    ("/domain/wo", CONE + "0}]", "", HALF_ANGLE),
+    ("/domain/wo", '[{"axis": [0, 1.0009, 0], "halfAngle": 1}]', "", AXIS),
+    ("/domain/wo", '[{"axis": [0, 1.0011, 0], "halfAngle": 1}]', "*FIELD_VALUE", AXIS),
+    ("/entries/features~1small.safetensors/sha256", json.dumps("A" * 64), "FIELD_VALUE", ENTRY),
+    ("/entries/features~1small.safetensors/sha256", json.dumps("a" * 65), "FIELD_VALUE", ENTRY),
+    ("/entries/a b", '{"size": 1, "sha256": ""}', "FIELD_VALUE", "**Names** are ASCII and match"),
+    ("/geometry", '"geometry/mesh.glb\\n"', "FIELD_VALUE", PATTERN),
+]
+
+
+def with_value(manifest: bytes, where: str, value: str) -> str:
+    """The manifest's text with the JSON `value` at a pointer."""
+    *path, last = (part.replace("~1", "/") for part in where[1:].split("/"))
+    document = node = json.loads(manifest)
+    for part in path:
+        node = node[int(part) if isinstance(node, list) else part]
+    node[int(last) if isinstance(node, list) else last] = "@"
+    return json.dumps(document).replace('"@"', value)
+
+
+def codes_of(text: str) -> set[str]:
+    try:
+        parse_manifest(text.encode())
+    except PackageError as error:
+        return {issue.code for issue in error.issues}
+    return set()
+
+
+@pytest.fixture(scope="module")
+def schema() -> Any:
+    return jsonschema.Draft202012Validator(json.loads(manifest_schema()))
+
+
+@pytest.mark.parametrize(("where", "value", "code", "sentence"), VALUES)
+def test_reader_schema_and_text_agree(
+    where: str, value: str, code: str, sentence: str, entries: dict[str, bytes], schema: Any
+) -> None:
+    text = with_value(entries["manifest.json"], where, value)
+    is_valid, codes = code == "", codes_of(text)
+    assert codes == (set() if is_valid else {code.removeprefix("*")})
+    assert schema.is_valid(json.loads(text)) == (is_valid or code.startswith("*"))
+    assert sentence in TEXT
+
+
+def test_spelling_of_a_number_changes_nothing(entries: dict[str, bytes]) -> None:
+    plain, spelt = (
+        parse_manifest(with_value(entries["manifest.json"], PLANES_SIZE, size).encode())
+        for size in ("1500", "1.5e3")
+    )
+    assert plain == spelt
+    assert type(spelt.entries["features/small.safetensors"].size) is int
+
+
+def test_integers_of_other_files_follow_the_same_rule(
+    entries: dict[str, bytes], fiber_entries: dict[str, bytes], tmp_path: Path
+) -> None:
+    path = tmp_path / "spelt.rna"
+    for data in (
+        with_gltf(entries, lambda g: g["accessors"][0].update(count=12.0, componentType=5126.0)),
+        with_gltf(entries, lambda g: g["nodes"][0].update(mesh=0.0)),
+        with_header(fiber_entries, lambda h: h["radii"].update(shape=[9.0])),
+    ):
+        path.write_bytes(data)
+        assert validate(path) == []
+
+
+def test_bounds_are_rounded_for_every_reader(entries: dict[str, bytes]) -> None:
+    manifest = parse_manifest(with_value(entries["manifest.json"], "/bounds/min/0", "0.1").encode())
+    corners = manifest.bounds.corners()
+    assert (corners.dtype, corners.shape) == ("float32", (2, 3))
+    assert corners[0, 0] == 0.100000001490116119384765625
+
+
+SPANNING = {
+    *(
+        "BOUNDS_EMPTY",
+        "INPUT_KIND",
+        "VERSION_TOO_NEW",
+        "EXTENSION_REQUIRED",
+        "EXTENSION_UNDECLARED",
+    ),
+    *("REFERENCE_MISSING", "ENTRY_UNREFERENCED"),
+}
+"""Codes about more than one value, which no schema gives."""
+
+SWAPS = [
+    *("null", "true", "0", "-0.0", "1", "1.0", "1.5", "-1", "1e3", "2e18", "-1e300", "1e16"),
+    *('""', '"a"', '"A_b.c-1"', '"a\\n"', '"1.0"', '"\\u0000"', '"geometry/mesh.glb"', '"metre"'),
+    *("[]", "[0]", "[1, 2, 3]", '["a"]', '["wi"]', "[null]", "[[]]"),
+    *("{}", '{"a": 1}', '{"wo": "sphere", "wi": "sphere"}', '{"length": "metre"}'),
+]
+
+
+def places(value: Any, where: str = "") -> list[str]:
+    """Pointers to all values inside `value`."""
+    if not isinstance(value, dict | list):
+        return [where] if where else []
+    children = value.items() if isinstance(value, dict) else enumerate(value)
+    inside = [
+        place
+        for key, child in children
+        for place in places(child, f"{where}/{str(key).replace('/', '~1')}")
+    ]
+    return [where, *inside] if where else inside
+
+
+def test_reader_and_schema_agree_wherever_a_value_stands(
+    entries: dict[str, bytes], schema: Any
+) -> None:
+    manifest = json.loads(entries["manifest.json"])
+    heights = [{"height": 8, "flip": 0.5}]
+    manifest["tiers"][0] |= {
+        "validation": json.loads(VALIDATION + "}") | {"flipAtHeight": heights},
+        "cost": json.loads(COST + "1}"),
+        "agreement": {"maxAbsolute": 0, "maxRelative": 0},
+    }
+    manifest["domain"]["wi"] = json.loads(CONE + "1}]")
+    data = json.dumps(manifest).encode()
+    assert codes_of(data.decode()) == set()
+    for where in places(manifest):
+        for value in SWAPS:
+            text = with_value(data, where, value)
+            codes = codes_of(text)
+            of_the_axis = where.startswith("/domain/wi/0/axis") and codes == {"FIELD_VALUE"}
+            if not of_the_axis:
+                expected = codes <= SPANNING
+                assert schema.is_valid(json.loads(text)) == expected, (where, value, codes)

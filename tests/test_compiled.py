@@ -1,0 +1,159 @@
+"""The kernels' code on disk, and the threads of parallel kernels."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+REPOSITORY = Path(__file__).parent.parent
+
+HELPERS = """
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic
+from rna_sdk.compiled import compiled
+
+CONSTANT = {constant}
+
+@compiled()
+def called(x):
+    return x + {called}
+
+@compiled()
+def called_by_name_of_the_module(x):
+    return x + {called_by_name_of_the_module}
+
+@intrinsic
+def generated(typing_context, x):
+    def generate(context, builder, signature, arguments):
+        return builder.fadd(arguments[0], ir.Constant(ir.DoubleType(), _generated()))
+    return types.float64(types.float64), generate
+
+def _generated():
+    return {generated}
+"""
+KERNEL = """
+import numba
+import numpy as np
+import helpers
+from numba import prange
+from helpers import CONSTANT, called, generated
+from rna_sdk.compiled import callback, compiled
+
+@compiled({options})
+def fill(numbers):
+    for i in prange(len(numbers)):
+        numbers[i] = CONSTANT + called(0.0) + generated(0.0)
+        numbers[i] += helpers.called_by_name_of_the_module(0.0)
+
+@callback(numba.types.CPointer(numba.types.float64))
+def told(numbers):
+    numbers[0] = CONSTANT
+
+numbers = np.empty(1)
+fill(numbers)
+print(numbers[0], sum(fill.stats.cache_hits.values()), told._cache_hits)
+"""
+NUMBERS = {"constant": 1.0, "called": 2.0, "called_by_name_of_the_module": 4.0, "generated": 8.0}
+
+
+class Program:
+    """KERNEL and HELPERS in a folder, run in a process of its own."""
+
+    def __init__(self, folder: Path, options: str) -> None:
+        self._folder = folder
+        (folder / "kernel.py").write_text(KERNEL.format(options=options))
+
+    def run(self, **numbers: float) -> list[float]:
+        """What `fill` gives, and whether it and `told` came from disk."""
+        (self._folder / "helpers.py").write_text(HELPERS.format(**{**NUMBERS, **numbers}))
+        return [float(word) for word in run([sys.executable, "kernel.py"], self._folder).split()]
+
+
+def run(command: list[str], folder: Path, **environment: str) -> str:
+    done = subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, env={**os.environ, **environment}
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize("options", ["", "parallel=True", "numba.types.float64[::1]"])
+def test_code_comes_from_disk_until_a_helper_changes(tmp_path: Path, options: str) -> None:
+    program = Program(tmp_path, options)
+    assert [program.run(), program.run()] == [[15.0, 0, 0], [15.0, 1, 1]]
+    assert [program.run(called=3.0), program.run(called=3.0)] == [[16.0, 0, 1], [16.0, 1, 1]]
+
+
+@pytest.mark.parametrize("changed", NUMBERS)
+def test_a_change_of_anything_compiled_in_is_seen(tmp_path: Path, changed: str) -> None:
+    program = Program(tmp_path, "")
+    program.run()
+    result, from_disk, _ = program.run(**{changed: 100.0})
+    assert (result, from_disk) == (115.0 - NUMBERS[changed], 0)
+
+
+def test_all_kernels_are_compiled_in_one_way() -> None:
+    folders = ["rna_sdk", "runtime", "exporters", "benchmarks", "examples"]
+    uses = re.compile(r"\b(jit|njit|cfunc|vectorize|guvectorize)\b")
+    files = [file for folder in folders for file in (REPOSITORY / folder).rglob("*.py")]
+    assert [str(f) for f in files if uses.search(f.read_text())] == [
+        str(REPOSITORY / "rna_sdk" / "compiled.py")
+    ]
+
+
+SIDE_BY_SIDE = """
+import sys
+from concurrent.futures import ThreadPoolExecutor
+import numba
+import numpy as np
+from numba import prange
+from rna_sdk.compiled import compiled
+from rna_sdk.errors import RnaError
+{before}
+@compiled(parallel=True)
+def fill(numbers):
+    for i in prange(len(numbers)):
+        numbers[i] = np.sqrt(i)
+
+try:
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(fill, [np.empty(100_000) for _ in range(200)]))
+    print(numba.threading_layer())
+except RnaError as error:
+    print(error)
+"""
+
+
+@pytest.mark.parametrize("layer", ["default", "workqueue", "omp"])
+def test_parallel_kernels_may_run_side_by_side(tmp_path: Path, layer: str) -> None:
+    (tmp_path / "kernels.py").write_text(SIDE_BY_SIDE.format(before=""))
+    told = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER=layer)
+    assert told.strip() in ("omp", "tbb")
+
+
+NO_SAFE_LAYER = """
+for module in ("tbbpool", "omppool"):
+    sys.modules["numba.np.ufunc." + module] = None
+"""
+UNSAFE_RUNS = """
+numba.get_num_threads()
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "expected"),
+    [(NO_SAFE_LAYER, "pip install tbb"), (UNSAFE_RUNS, "NUMBA_THREADING_LAYER=threadsafe")],
+    ids=["none", "unsafe"],
+)
+def test_without_safe_threads_one_line_says_what_to_do(
+    tmp_path: Path, before: str, expected: str
+) -> None:
+    (tmp_path / "kernels.py").write_text(SIDE_BY_SIDE.format(before=before))
+    told = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER="workqueue")
+    assert expected in told and len(told.splitlines()) == 1
