@@ -93,8 +93,9 @@ def test_a_command_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None
     assert capsys.readouterr().err == (
         "error: cannot start ./no-such-reader: No such file or directory\n"
     )
-    assert cli.main([]) == 1
-    assert "no COMMAND" in capsys.readouterr().err
+    with pytest.raises(SystemExit) as usage:
+        cli.main([])
+    assert usage.value.code == 2 and "no COMMAND" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
