@@ -24,7 +24,7 @@ def evaluate(path, tier_name, x, axis, h, wo, wi):
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
         planes = read_planes(archive.read(tier["planes"]))
         nodes, constants = read_decoder(archive.read(tier["decoder"]))
-    low, high = (np.array(manifest["bounds"][corner]) for corner in ("min", "max"))
+    low, high = (np.float32(manifest["bounds"][corner]) for corner in ("min", "max"))
     # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
     rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
     rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)

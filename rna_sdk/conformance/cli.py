@@ -13,7 +13,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from rna_sdk.conformance.kit import LEVELS, Kit, find_kit, load_kit
-from rna_sdk.conformance.program import Program, as_command, claimed_levels
+from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.scoring import Score, cases, score
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import ConformanceError
@@ -24,12 +24,15 @@ _TABLE = "{:<10} {:<24} {:<11} {:>5} {:>6}  {:>10} {:>9}  {}"
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command. Returns 0 when every level that was run passes, 1 when one does not."""
     own, words = split_script_arguments(arguments)
-    options = _parser().parse_args(own)
+    parser = _parser()
+    options = parser.parse_args(own)
+    if not words:
+        parser.error("no COMMAND; give it after --, as in: rna-conform -- ./my-reader")
     return run_command(lambda: _run(options, words), options.debug, "no verdict")
 
 
 def _run(options: argparse.Namespace, words: tuple[str, ...]) -> int:
-    program = as_command(words, options.timeout)
+    program = Command(words, options.timeout)
     kit = load_kit(Path(options.kit) if options.kit else find_kit())
     levels = claimed_levels(program)
     missing = [level for level in options.level or () if level not in levels]

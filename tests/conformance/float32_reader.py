@@ -35,6 +35,7 @@ class Formulas:
     rows_upside_down: bool = False
     h_clamped: bool = True
     subnormal_texels: bool = True
+    rounded_bounds: bool = True
 
 
 def evaluate(
@@ -50,7 +51,8 @@ def evaluate(
         planes[np.abs(planes) < F(2.0**-14)] = 0
     directions = queries[:, 3:6], queries[:, 7:10], queries[:, 10:13]
     rows = np.isfinite(queries).all(axis=1) & np.all([d.any(axis=1) for d in directions], axis=0)
-    low, high = (np.array(manifest["bounds"][corner]) for corner in ("min", "max"))
+    dtype = F if formulas.rounded_bounds else np.float64
+    low, high = (np.array(manifest["bounds"][corner], dtype) for corner in ("min", "max"))
     p = np.clip((queries[rows, :3] - low) / (high - low), 0, 1).astype(F)
     axis, wo, wi = (unit(d[rows]) for d in directions)
     h = queries[rows, 6]

@@ -35,7 +35,7 @@ def test_a_table_and_a_verdict_of_the_minimal_host(capsys: pytest.CaptureFixture
 def shell_reader(tmp_path: Path) -> tuple[str, ...]:
     """The arguments that run a validator to which everything is valid: a shell, for its speed."""
     script = tmp_path / "reader"
-    script.write_text("#!/bin/sh\ntest $1 = levels && echo validate\nexit 0\n")
+    script.write_text("#!/bin/sh\nif test $1 = levels; then echo validate; exit; fi\nexit 0\n")
     script.chmod(0o755)
     return "--", str(script)
 
@@ -47,6 +47,19 @@ def test_a_validator_to_which_everything_is_valid_fails(
     out = capsys.readouterr().out
     assert "wrong_crc" in out and "found valid, expected invalid ZIP_CRC" in out
     assert "surface-float32" not in out
+
+
+def test_without_an_engine_the_profile_is_what_counts(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A reader to which everything is valid, with that warning."""
+    words = shell_reader(tmp_path)
+    script = Path(words[1])
+    script.write_text(script.read_text().replace("exit 0", "echo DECODER_PROFILE"))
+    assert cli.main(["--json", *words]) == 1
+    scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}
+    assert scores["decoder_that_mixes_rows"]["passed"]
+    assert not scores["decoder_opset_too_new"]["passed"]
 
 
 def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -80,8 +93,9 @@ def test_a_command_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None
     assert capsys.readouterr().err == (
         "error: cannot start ./no-such-reader: No such file or directory\n"
     )
-    assert cli.main([]) == 1
-    assert "no COMMAND" in capsys.readouterr().err
+    with pytest.raises(SystemExit) as usage:
+        cli.main([])
+    assert usage.value.code == 2 and "no COMMAND" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -38,8 +38,10 @@ def planned(
     """The settings with as many lights as there is time for at `rate` paths a second.
 
     Validation images that took more than a quarter of it are made smaller, but for what was
-    `asked`, and so are shards, of which there are ten at least. Raises `CaptureError` when fewer
-    than 16 lights are left. opening: seconds until a worker can render.
+    `asked`, and so are shards, of which there are ten at least.
+
+    opening: seconds until a worker can render. Raises `CaptureError` when fewer than 16 lights are
+    left.
     """
     paths = max(limit.left() - opening, 0.0) * rate
     settings = _with_smaller_images(settings, _SHARE * paths, asked)

@@ -62,11 +62,12 @@ class Plan:
 
     @property
     def bounds(self) -> np.ndarray:
-        return np.array([self.low, self.high])
+        """(2, 3) float64, rounded to float32 as readers have them."""
+        return np.array([self.low, self.high], np.float32).astype(np.float64)
 
 
 ONE = (-1.0,) * 3, (1.0,) * 3
-HERE = (3.0, -0.7, 0.5), 0.02
+HERE = (3.0, -0.7, 0.5), 0.002
 
 PLANS = (
     Plan(
@@ -107,7 +108,7 @@ PLANS = (
         (TierPlan("one", ("learned_normal", *SURFACE), 1, 1),),
     ),
     Plan(
-        *("surface-tiny", "bounds of 0.02 m far from the origin, two channels, four layers"),
+        *("surface-tiny", "bounds of 2 mm far from the origin, two channels, four layers"),
         shapes.placed(shapes.ball(5, 8), HERE[1] / 2, HERE[0]),
         *(tuple(c + s * HERE[1] / 2 for c in HERE[0]) for s in (-1, 1)),
         (TierPlan("two", SURFACE_ALL, 7, 2, "float16", widths=(16, 12, 8)),),
