@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
+from time import monotonic
 
 from rna_export.training.presets import LOSSES, PRESETS, Preset
 from rna_sdk.console import command_parser, run_command
@@ -92,6 +93,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(args: argparse.Namespace) -> None:
+    begun = monotonic()  # the imports take seconds
     import torch
 
     from rna_export.capture.dataset import Dataset
@@ -106,7 +108,7 @@ def _run(args: argparse.Namespace) -> None:
         device = "cuda" if torch.cuda.is_available() else "cpu"
     dataset = Dataset(args.dataset)
     preset = _chosen(args, dataset.manifest.kind)
-    run = Run(dataset, preset, args.preset, args.out, args.seed, args.minutes, device)
+    run = Run(dataset, preset, args.preset, args.out, args.seed, args.minutes, begun, device)
     best = train(run)
     print(
         f"wrote {best}, {args.out / 'curves.png'}, {args.out / 'validation'}\n"

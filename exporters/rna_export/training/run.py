@@ -38,7 +38,8 @@ class Run:
     preset_name: str
     out: Path
     seed: int = 0
-    minutes: float | None = None  # of wall time, all of `train`; replaces the preset's steps
+    minutes: float | None = None  # by the clock; replaces the preset's steps
+    begun: float | None = None  # when the minutes began, of `time.monotonic`; None: with `train`
     device: str = "cpu"
     validations: int = 10  # over the run; the best checkpoint is one of as many
 
@@ -50,7 +51,7 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     run's device, for callers that train on them several times. Raises `TrainingError` when the
     checkpoint belongs to another run.
     """
-    begun = monotonic()
+    begun = monotonic() if run.begun is None else run.begun
     bounds = padded_bounds(run.dataset)
     if table is None:
         table = SampleTable(run.dataset.training_samples(), device=run.device)
@@ -144,7 +145,7 @@ def _trainer(
 
     callbacks = [checkpoints, _Bar(pace), Curves()]
     if isinstance(pace, TimePace):
-        callbacks.append(Timekeeper(pace, run.validations))
+        callbacks.insert(0, Timekeeper(pace, run.validations))
         steps = done if pace.progress(done) >= 1.0 else -1
         interval = NEVER
     else:
