@@ -17,10 +17,10 @@ from PIL import Image
 from report import publish
 
 from rna_export.capture import blender_env
-from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.compare.run import Pair, judge, render_cycles, render_ours
 from rna_export.compare.views import shots_of
+from rna_export.machine import default_workers
 from rna_export.metrics import PSNR_DEFINITION, to_png
 from rna_render.world import Placement, World
 from rna_sdk.console import split_script_arguments

@@ -25,10 +25,10 @@ from equality import equal_error
 from report import publish, report_parser
 
 from rna_export.capture import blender_env
-from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.compare.run import Timed, render_ours
 from rna_export.compare.views import FOV_Y, Shot, shots_of
+from rna_export.machine import default_workers
 from rna_export.metrics import PSNR_DEFINITION, psnr_without_noise
 from rna_render.world import Placement, World
 from rna_sdk.console import split_script_arguments

@@ -28,8 +28,8 @@ from report import publish, report_parser
 
 from rna_bench.beside_cycles import CyclesScene
 from rna_export.capture.blender_env import find_python
-from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.machine import default_workers
 from rna_export.metrics import IRRADIANCE, flip
 from rna_render.render import load_world, make_integrator, render
 from rna_render.scene_file import SceneFile

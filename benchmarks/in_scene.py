@@ -28,8 +28,8 @@ from report import publish
 from rna_bench.beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
 from rna_bench.stage import Stage
 from rna_export.capture import blender_env
-from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.machine import default_workers
 from rna_export.metrics import FLIP_DEFINITION
 from rna_render.scene_model import Scene
 from rna_sdk.console import split_script_arguments

@@ -23,8 +23,8 @@ from rna_bench.beside_cycles import EXPOSURE_DEFINITION
 from rna_bench.near_light import near_lights
 from rna_bench.stage import Stage
 from rna_export.capture import blender_env
-from rna_export.capture.run import default_workers
 from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.machine import default_workers
 from rna_sdk.console import split_script_arguments
 from rna_sdk.runtime import load
 

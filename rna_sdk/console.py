@@ -40,25 +40,38 @@ def split_script_arguments(arguments: Sequence[str] | None) -> tuple[list[str], 
     return given[:end], tuple(given[end + 1 :])
 
 
-def run_command(command: Callable[[], int | None], debug: bool, when_stopped: str) -> int:
+def run_command(
+    command: Callable[[], int | None], debug: bool, when_stopped: str, extra: str | None = None
+) -> int:
     """The exit status of `command`: what it returns, or 0 for None.
 
     1 after an RnaError, which is printed as one line, or with its traceback if `debug`;
     INTERRUPTED after Ctrl-C, where `when_stopped` is printed. A warning is one line, too.
+
+    extra: of the distribution, which installs what `command` imports beyond the base; where a
+    module is missing, the line says how to get it.
     """
     try:
         with warnings.catch_warnings():
             warnings.showwarning = _print_warning
             return command() or 0
     except RnaError as error:
-        if debug:
-            traceback.print_exc()
-        else:
-            print("error: " + "; ".join(str(error).splitlines()), file=sys.stderr)
-        return 1
+        return _fail(str(error), debug)
+    except ModuleNotFoundError as error:
+        if extra is None or error.name is None or error.name.startswith("rna_"):
+            raise
+        return _fail(f"no module {error.name!r}: pip install 'rna-sdk[{extra}]'", debug)
     except KeyboardInterrupt:
         print(f"stopped; {when_stopped}", file=sys.stderr)
         return INTERRUPTED
+
+
+def _fail(message: str, debug: bool) -> int:
+    if debug:
+        traceback.print_exc()
+    else:
+        print("error: " + "; ".join(message.splitlines()), file=sys.stderr)
+    return 1
 
 
 def _print_warning(message: Warning | str, *_place: object, **_more: object) -> None:

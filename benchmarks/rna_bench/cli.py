@@ -19,6 +19,7 @@ def parser() -> argparse.ArgumentParser:
         "rna-bench",
         "Measure models of one asset: speed against accuracy, and where the method breaks.",
         frontier.EXAMPLE,
+        epilog="rna-bench COMMAND --help shows the options of a command.",
     )
     commands = p.add_subparsers(required=True, metavar="COMMAND")
     for module in _COMMANDS:
@@ -29,7 +30,9 @@ def parser() -> argparse.ArgumentParser:
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         module.add_options(command)
-        command.add_argument("--debug", action="store_true", help="show the traceback of an error")
+        command.add_argument(
+            "--debug", action="store_true", help="show the traceback of an error (default: off)"
+        )
         command.set_defaults(module=module)
     return p
 
@@ -37,7 +40,8 @@ def parser() -> argparse.ArgumentParser:
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     args = parser().parse_args(argv)
-    return run_command(lambda: args.module.run(args), args.debug, args.module.WHEN_STOPPED)
+    module = args.module
+    return run_command(lambda: module.run(args), args.debug, module.WHEN_STOPPED, "bench")
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ def evaluate(path, tier_name, x, axis, h, wo, wi):
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
         planes = read_planes(archive.read(tier["planes"]))
         nodes, constants = read_decoder(archive.read(tier["decoder"]))
-    low, high = (np.array(manifest["bounds"][corner]) for corner in ("min", "max"))
+    low, high = (np.float32(manifest["bounds"][corner]) for corner in ("min", "max"))
     # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
     rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
     rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
@@ -118,7 +118,7 @@ def unit(v):
 
 
 def read_decoder(model):
-    """Nodes and constants. 6: an ONNX model has a graph (field 7), with nodes (1), constants (5)."""
+    """Nodes, and constants by name. 6: field 7 of an ONNX model is a graph of both (1 and 5)."""
     graph, nodes, constants = dict(fields(model))[7], [], {}
     for number, message in fields(graph):
         part = dict(fields(message)) if number in (1, 5) else {}

@@ -1,7 +1,8 @@
-"""Timings: the clock, what they are measured on, and the rate that they are compared with."""
+"""The machine: its cores, the clock, and the rate that timings are compared with."""
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Callable
 
@@ -9,6 +10,11 @@ import numpy as np
 
 _GEMM_SIZE = 2048
 GEMM_FLOP = 2 * _GEMM_SIZE**3
+
+
+def default_workers() -> int:
+    """One a core."""
+    return len(os.sched_getaffinity(0))
 
 
 def matrix_product() -> Callable[[], object]:

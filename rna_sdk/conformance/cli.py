@@ -7,13 +7,13 @@ import json
 import math
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict
 from pathlib import Path
 
 from rna_sdk.conformance.kit import LEVELS, Kit, find_kit, load_kit
-from rna_sdk.conformance.program import Program, as_command, claimed_levels
+from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.scoring import Score, cases, score
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import ConformanceError
@@ -24,12 +24,15 @@ _TABLE = "{:<10} {:<24} {:<11} {:>5} {:>6}  {:>10} {:>9}  {}"
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command. Returns 0 when every level that was run passes, 1 when one does not."""
     own, words = split_script_arguments(arguments)
-    options = _parser().parse_args(own)
+    parser = _parser()
+    options = parser.parse_args(own)
+    if not words:
+        parser.error("no COMMAND; give it after --, as in: rna-conform -- ./my-reader")
     return run_command(lambda: _run(options, words), options.debug, "no verdict")
 
 
 def _run(options: argparse.Namespace, words: tuple[str, ...]) -> int:
-    program = as_command(words, options.timeout)
+    program = Command(words, options.timeout)
     kit = load_kit(Path(options.kit) if options.kit else find_kit())
     levels = claimed_levels(program)
     missing = [level for level in options.level or () if level not in levels]
@@ -37,11 +40,12 @@ def _run(options: argparse.Namespace, words: tuple[str, ...]) -> int:
         raise ConformanceError(
             f"--level {missing[0]}: the reader says that it has {', '.join(levels)}"
         )
-    scores = run_levels(program, kit, options.level or levels, options.jobs)
+    running = run_levels(program, kit, options.level or levels, options.jobs)
     if options.json:
+        scores = list(running)
         print(json.dumps([_as_json(one) for one in scores], indent=2))
     else:
-        print_table(scores)
+        scores = print_table(running)
     return 0 if all(one.passed for one in scores) else 1
 
 
@@ -82,28 +86,37 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def run_levels(program: Program, kit: Kit, levels: Sequence[str], jobs: int = 1) -> list[Score]:
-    """The scores of all cases of these levels, in the order of the kit."""
+def run_levels(program: Program, kit: Kit, levels: Sequence[str], jobs: int = 1) -> Iterator[Score]:
+    """The scores of all cases of these levels, in the order of the kit, as they come."""
     every = [case for level in LEVELS if level in levels for case in cases(kit, level)]
-    with ThreadPoolExecutor(max(1, jobs)) as pool:
-        return list(pool.map(lambda case: score(program, kit, case), every))
+    pool = ThreadPoolExecutor(max(1, jobs))
+    try:
+        yield from pool.map(lambda case: score(program, kit, case), every)
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
-def print_table(scores: list[Score]) -> None:
-    """A line a case (of the level `validate`, for failures alone), and the verdict a level."""
+def print_table(scores: Iterable[Score]) -> list[Score]:
+    """A line a case (of the level `validate`, for failures alone), and the verdict a level.
+
+    Returns the scores.
+    """
     print(_TABLE.format("level", "package", "tier", "rows", "right", "tolerances", "absolute", ""))
+    printed = []
     for one in scores:
+        printed.append(one)
         if one.level != "validate" or not one.passed:
-            print(_line(one))
+            print(_line(one), flush=True)
     print()
     for level in LEVELS:
-        own = [one for one in scores if one.level == level]
+        own = [one for one in printed if one.level == level]
         if own:
             passed = sum(one.passed for one in own)
             verdict = "pass" if passed == len(own) else "FAIL"
             largest = max(one.in_tolerances for one in own)
             tail = f", largest difference {largest:.3g} tolerances" if level == "evaluate" else ""
             print(f"{level}: {verdict}, {passed} of {len(own)} cases{tail}")
+    return printed
 
 
 def _line(one: Score) -> str:

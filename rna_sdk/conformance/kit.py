@@ -57,11 +57,16 @@ class VisibilityCase:
 
 @dataclass(frozen=True)
 class ValidateCase:
-    """A package, whether it is valid, and the code among its issues, if there is one."""
+    """A package, whether it is valid, and the code among its issues, if there is one.
+
+    Attributes:
+        needs_engine: a reader that has no ONNX engine may find it valid with DECODER_PROFILE.
+    """
 
     package: Path
     valid: bool
     code: str | None
+    needs_engine: bool
 
 
 @dataclass(frozen=True)
@@ -110,7 +115,12 @@ def load_kit(folder: Path) -> Kit:
         tuple(_evaluate_case(folder, record) for record in index["evaluate"]),
         tuple(_visibility_case(folder, record) for record in index["visibility"]),
         tuple(
-            ValidateCase(folder / record["package"], record["valid"], record["code"])
+            ValidateCase(
+                folder / record["package"],
+                record["valid"],
+                record["code"],
+                record["needsEngine"],
+            )
             for record in index["validate"]
         ),
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import tempfile
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
@@ -112,10 +111,3 @@ def _read(path: Path, dtype: str, count: int) -> NDArray[Any]:
         wrote = "no file" if found is None else f"{found} bytes"
         raise ConformanceError(f"the reader wrote {wrote}, expected {size} bytes")
     return np.fromfile(path, dtype)
-
-
-def as_command(words: Sequence[str], timeout: float) -> Command:
-    """Raises ConformanceError without words."""
-    if not words:
-        raise ConformanceError("no COMMAND; give it after --: rna-conform -- COMMAND")
-    return Command(tuple(words), timeout)

@@ -115,6 +115,8 @@ def _visibility(program: Program, case: VisibilityCase) -> Score:
 def _validate(program: Program, case: ValidateCase) -> Score:
     valid, codes = reader.validate(program, case.package)
     passed = valid == case.valid and (case.code is None or case.code in codes)
+    if case.needs_engine and valid:
+        passed = "DECODER_PROFILE" in codes
     note = ""
     if not passed:
         names = {True: "valid", False: "invalid"}

@@ -25,7 +25,7 @@ def evaluate(package: str, tier: str, queries: NDArray[np.float32]) -> NDArray[n
     with Package.open(package) as opened:
         box, stored = opened.manifest.bounds, opened.planes(tier)
         planes = stored.decoded() if isinstance(stored, Int8Planes) else stored
-        place = planes, np.array([box.min, box.max]), opened.tier(tier).inputs
+        place = planes, np.array([box.min, box.max], np.float32), opened.tier(tier).inputs
         at, t, o, i = position[valid], axis[valid], wo[valid], wi[valid]
         if opened.manifest.kind == "surface":
             inputs = queries_reference(*place, at, t, o, i)

@@ -154,7 +154,11 @@ def _check_widths(model: Model, tier: Tier) -> None:
     operands have, but for Concat, whose result is at most their sum.
     """
     bounds = {"": 1, INPUT_NAME: tier.query_width}
-    bounds.update((tensor.name, _width(tensor)) for tensor in model.initializers)
+    for tensor in model.initializers:
+        if tensor.name in bounds:
+            where = f"{tier.decoder}#{tensor.name}"
+            refuse(Code.DECODER_GRAPH, where, "a name made twice", "each value made once")
+        bounds[tensor.name] = _width(tensor)
     for i, node in enumerate(model.nodes):
         where = f"{tier.decoder}#/graph/node/{i}"
         missing = [name for name in node.inputs if name not in bounds]

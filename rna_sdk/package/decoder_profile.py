@@ -1,8 +1,8 @@
 """The decoder profile: the form that a host can run without an ONNX engine (RNA-1.0, 6.4).
 
-    float32: Clip, Gemm, Relu, ..., Gemm, Clip, Exp, Sub, and Mul or MatMul
-    int8:    Clip, Mul, Add, then QuantizeLinear, DequantizeLinear and Gemm for each layer,
-             Clip, Exp, Sub, and Mul or MatMul
+float32: Clip, Gemm, Relu, ..., Gemm, Clip, Exp, Sub, and Mul or MatMul
+int8:    Clip, Mul, Add, then QuantizeLinear, DequantizeLinear and Gemm for each layer,
+         Clip, Exp, Sub, and Mul or MatMul
 """
 
 from __future__ import annotations

@@ -96,7 +96,7 @@ class Code(Enum):
     PLANES_DTYPE = (Severity.ERROR, "A tensor's dtype is not that of the tier's planePrecision.")
     PLANES_SHAPE = (Severity.ERROR, "The tensors' shapes are not those of the tier.")
     PLANES_ALIGNMENT = (Severity.ERROR, "The tensor data does not start on a 64-byte boundary.")
-    PLANES_NOT_FINITE = (Severity.ERROR, "The planes or their scales hold NaN or infinite values.")
+    PLANES_NOT_FINITE = (Severity.ERROR, "The planes hold NaN, or values beyond 1e18.")
 
     # decoders/*.onnx
     DECODER_TOO_LARGE = (Severity.ERROR, "The decoder is larger than allowed.")
@@ -140,14 +140,21 @@ class Issue:
     @classmethod
     def of(cls, code: Code, where: str | int, found: object, expected: object) -> Issue:
         """The issue with this code, its severity and sentence taken from the table."""
-        found_text, expected_text = str(found)[:200], str(expected)[:200]
-        return cls(code.name, code.severity, where, code.meaning, found_text, expected_text)
+        return cls(code.name, code.severity, where, code.meaning, _shown(found), _shown(expected))
 
     def __str__(self) -> str:
         where = self.pointer_or_offset
         place = f"byte {where}" if isinstance(where, int) else where or "manifest.json"
         text = f"{self.severity.value} {self.code} at {place}: {self.message}"
         return f"{text} Found {self.found}; expected {self.expected}."
+
+
+def _shown(value: object) -> str:
+    """As text of at most 200 characters that any terminal may get: others are escaped."""
+    text = str(value)[:200]
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
 
 
 def refuse(code: Code, where: str | int, found: object, expected: object) -> NoReturn:

@@ -1,5 +1,7 @@
 """Limits a reader enforces before it touches what a file declares (spec, "Limits")."""
 
+import numpy as np
+
 ALIGNMENT = 64
 """Bytes; every entry's data, and the first tensor inside an entry, starts on a multiple."""
 
@@ -23,6 +25,9 @@ MAX_TIERS = 16
 MAX_CONES = 16
 MAX_RESOLUTION = 4096
 MAX_CHANNELS = 64
+MAX_TEXEL = np.float32(1e18)
+"""Largest magnitude of a value of the planes; keeps sums and squares finite in float32."""
+
 MAX_TENSORS_HEADER_BYTES = 2**16
 MAX_GLTF_JSON_BYTES = 2**16
 MAX_CURVE_POINTS = 2**26

@@ -88,6 +88,8 @@ def _root_causes(details: list[ErrorDetails]) -> list[ErrorDetails]:
 
 def _schema_issue(detail: ErrorDetails) -> Issue:
     kind = detail["type"]
+    if kind == "missing" and isinstance(detail["loc"][-1], int):
+        kind = "too_short"  # what an array lacks is no member
     code = _SCHEMA_CODES.get(kind, Code.FIELD_VALUE)
     if kind in Code.__members__:
         code = Code[kind]

@@ -115,5 +115,11 @@ def _value(value: Message) -> Value:
     return Value(
         name=value.text(1),
         dtype=tensor.integer(1),
-        dims=tuple(dim.integer(1) if dim.has(1) else None for dim in dims),
+        dims=tuple(map(_size, dims)),
     )
+
+
+def _size(dim: Message) -> int | None:
+    """None for one that is free; its name, which engines read, is UTF-8 or refused."""
+    dim.text(2)
+    return dim.integer(1) if dim.has(1) else None

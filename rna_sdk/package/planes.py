@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.limits import MAX_TEXEL
 from rna_sdk.package.manifest import Tier
 from rna_sdk.package.tensor_file import (
     TensorCodes,
@@ -80,14 +81,15 @@ def planes_from_bytes(data: memoryview, tier: Tier) -> Planes:
 
 def check_finite(planes: Planes, name: str) -> None:
     """Raises PackageError (PLANES_NOT_FINITE), in little memory beside the planes."""
+    expected = f"numbers within {MAX_TEXEL:g}"
     if isinstance(planes, Int8Planes):
-        if not np.isfinite(planes.scales).all():
-            refuse(Code.PLANES_NOT_FINITE, f"{name}#/{SCALES}", planes.scales.tolist(), "finite")
+        if not (np.abs(planes.scales) <= MAX_TEXEL / 128).all():
+            refuse(Code.PLANES_NOT_FINITE, f"{name}#/{SCALES}", planes.scales.tolist(), expected)
         return
     rows = planes.reshape(-1, *planes.shape[2:])
     for start in range(0, len(rows), _ROWS_AT_ONCE):
-        finite = np.isfinite(rows[start : start + _ROWS_AT_ONCE])
-        if not finite.all():
-            at = start + int(np.argmin(finite.all(axis=(1, 2))))
+        good = np.abs(rows[start : start + _ROWS_AT_ONCE]) <= MAX_TEXEL
+        if not good.all():
+            at = start + int(np.argmin(good.all(axis=(1, 2))))
             plane, row = divmod(at, planes.shape[1])
-            refuse(Code.PLANES_NOT_FINITE, name, f"one in plane {plane}, row {row}", "none")
+            refuse(Code.PLANES_NOT_FINITE, name, f"one in plane {plane}, row {row}", expected)

@@ -5,14 +5,13 @@ from __future__ import annotations
 from os import PathLike
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rna_sdk.package import Package, Tier
 from rna_sdk.package.manifest import Kind
 from rna_sdk.runtime.arguments import results, scalars, thread_count, vectors
+from rna_sdk.runtime.batch import Batch, Rows
+from rna_sdk.runtime.costs import kept_cost, median_seconds
 from rna_sdk.runtime.tiers import choose_tier
-
-Rows = NDArray[np.float32]
 
 _MEASURED_ROWS = 32_768
 
@@ -89,14 +88,9 @@ class Asset:
         user's cache for as long as processor, package and versions stay the same. The manifest's
         `tier.cost` is what another machine took.
         """
-        from rna_sdk.runtime.costs import kept_cost
-
         return kept_cost(self._measure_ns_per_query, *self._digests, self.threads)
 
     def _measure_ns_per_query(self) -> float:
-        from rna_sdk.runtime.costs import median_seconds
-        from rna_sdk.runtime.tiles import Batch
-
         rng = np.random.default_rng(0)
         low, high = self.bounds
         positions = rng.uniform(low, high, (_MEASURED_ROWS, 3)).astype(np.float32)
@@ -109,9 +103,7 @@ class Asset:
     def _evaluate(
         self, positions: Rows, axes: Rows, h: Rows, wo: object, wi: object, out: object
     ) -> tuple[Rows, Rows]:
-        """The first three as in `tiles.Batch`; the others checked here."""
-        from rna_sdk.runtime.tiles import Batch
-
+        """The first three as in `Batch`; the others checked here."""
         count = len(positions)
         wo = vectors("wo", wo, count)
         wi = vectors("wi", wi, count)

@@ -11,7 +11,6 @@ from hashlib import sha256
 from pathlib import Path
 
 import numpy as np
-import onnxruntime
 
 import rna_sdk
 from rna_sdk.cpu import processor_key
@@ -24,6 +23,8 @@ def kept_cost(measure: Callable[[], float], *what: object) -> float:
 
     measure: called where it is not known yet. what: repeatable descriptions of what is measured.
     """
+    import onnxruntime  # loads with the first asset, not with this module
+
     versions = rna_sdk.__version__, onnxruntime.__version__
     key = sha256(repr((processor_key(), versions, what)).encode()).hexdigest()
     known = _read()

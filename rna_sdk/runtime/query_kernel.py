@@ -80,7 +80,7 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         resolution  int
         box         (2, 3) float64, lower corner and 1 / extent of the bounds
         columns     int64, of `block_columns`
-        positions, axes, h, wo, wi  as in `tiles.Batch`
+        positions, axes, h, wo, wi  as in `Batch`
         queries     (n, K) float32, written
         valid       (n,) bool, written: False where an argument is NaN or infinite or a
                     direction has no length; such a row of `queries` is zero

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,11 +11,10 @@ from numpy.typing import NDArray
 
 from rna_sdk.package import Bounds, Int8Planes, Planes, Tier
 from rna_sdk.package.manifest import Kind
+from rna_sdk.runtime.batch import Batch, Rows
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.output_kernel import split_transport
 from rna_sdk.runtime.query_kernel import block_columns, query_kernel
-
-Rows = NDArray[np.float32]
 
 _ROW_STEP = 16
 """The decoder always sees a multiple of this many rows: vector instructions then leave no
@@ -24,24 +22,6 @@ remainder, whose elements a library may compute by another formula with other ro
 
 _SMALLEST_TILE = 256
 """Rows; below this a call of the decoder costs more than its work."""
-
-
-@dataclass(frozen=True)
-class Batch:
-    """The arrays of one evaluation, each (n, 3) float32 but for h; the last two are written.
-
-    Attributes:
-        axes: normals of a surface, tangents of fibers.
-        h: (n,) float32, offsets across fibers; (0,) for a surface, which has none.
-    """
-
-    positions: Rows
-    axes: Rows
-    h: Rows
-    wo: Rows
-    wi: Rows
-    visible: Rows
-    shadowed: Rows
 
 
 class QueryFiller:

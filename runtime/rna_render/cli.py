@@ -34,7 +34,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = _parser()
     options = parser.parse_args(arguments)
     _check_usage(parser, options)
-    return run_command(lambda: _run(options), options.debug, "the image under way was not written")
+    stopped = "the image under way was not written"
+    return run_command(lambda: _run(options), options.debug, stopped, "render")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -48,7 +49,12 @@ def _parser() -> argparse.ArgumentParser:
     )
     add = parser.add_argument
     add("scene", metavar="SCENE", type=Path, help="the scene file (YAML)")
-    add("--out", metavar="FILE", type=Path, help="linear EXR with AOVs to write")
+    add(
+        "--out",
+        metavar="FILE",
+        type=Path,
+        help="linear EXR with AOVs to write (default: none, with --preview)",
+    )
     add("--png", metavar="FILE", type=Path, help="sRGB PNG to write beside it (default: none)")
     add(
         "--preview",

@@ -9,8 +9,6 @@ import sys
 
 import numpy as np
 
-from rna_render import fiber, surface
-from rna_render.embree import CurveScene, TriangleScene
 from rna_sdk.conformance.reader import check, evaluate
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Mesh, Package
@@ -18,6 +16,10 @@ from rna_sdk.package import Mesh, Package
 
 def visibility(package: str, records: bytes) -> np.ndarray:
     """(n,) bool: whether the asset leaves the rays of n hits free."""
+    # Here, since two hundred runs only check a package.
+    from rna_render import fiber, surface
+    from rna_render.embree import CurveScene, TriangleScene
+
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
     numbers, primitive = words.view("<f4").astype(np.float32), words[:, 0].astype(np.int32)
     with Package.open(package) as opened:

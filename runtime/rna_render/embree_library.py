@@ -10,6 +10,7 @@ from __future__ import annotations
 import ctypes
 import functools
 import importlib.util
+import os
 import weakref
 from collections.abc import Sequence
 from pathlib import Path
@@ -90,14 +91,22 @@ def function_address(name: str) -> int:
     return ctypes.cast(getattr(library(), name), _pointer).value or 0
 
 
+CONFIG_VARIABLE = "RNA_EMBREE_CONFIG"
+"""Environment variable of settings for Embree (API documentation, rtcNewDevice): `isa=avx2` takes
+its kernels for a processor without AVX-512, and `isa=sse4.2` those for one without AVX."""
+
+
 class Device:
     """An Embree device; it lives as long as an object that was made with it."""
 
     def __init__(self) -> None:
         embree = library()
-        self.handle = embree.rtcNewDevice(None)
+        config = os.environ.get(CONFIG_VARIABLE, "")
+        self.handle = embree.rtcNewDevice(config.encode())
         if not self.handle:
-            raise SceneError(f"Embree made no device (error {embree.rtcGetDeviceError(None)})")
+            code = embree.rtcGetDeviceError(None)
+            settings = f" with {CONFIG_VARIABLE}={config}" if config else ""
+            raise SceneError(f"Embree made no device{settings} (error {code})")
         _release_with(self, "rtcReleaseDevice", self.handle)
 
     def check(self, doing: str) -> None:

@@ -120,7 +120,7 @@ class Film:
             ("XYZ", "position.", total.position_world / hits),
         ]
         result = {
-            prefix + letter: self._plane(values[:, column].astype(np.float32))
+            prefix + letter: self._plane(_float32(values[:, column]))
             for letters, prefix, values in named
             for column, letter in enumerate(letters)
         }
@@ -142,3 +142,9 @@ class Film:
 
     def _plane(self, values: np.ndarray) -> np.ndarray:
         return np.ascontiguousarray(values.reshape(self.height, self.width))
+
+
+def _float32(values: np.ndarray) -> np.ndarray:
+    """Variances are squares: those of light near the largest number stay finite, too."""
+    largest = np.finfo(np.float32).max
+    return np.clip(values, -largest, largest).astype(np.float32)

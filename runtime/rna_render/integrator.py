@@ -198,7 +198,7 @@ class Integrator:
         if self._clamp is None or depth < 2:
             return radiance
         largest = np.maximum(radiance.max(axis=1, keepdims=True), np.float32(1e-30))
-        return radiance * np.minimum(self._clamp / largest, np.float32(1.0))
+        return radiance * (np.minimum(self._clamp, largest) / largest)
 
     def _add(self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray) -> None:
         """Add radiance from lights to paths."""

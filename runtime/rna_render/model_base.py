@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
-Vector = tuple[float, float, float]
-Quaternion = tuple[float, float, float, float]
-Nonnegative = Annotated[float, Field(ge=0)]
-Positive = Annotated[float, Field(gt=0)]
+from rna_render.limits import MAX_NUMBER, MIN_LENGTH
+
+Number = Annotated[float, Field(ge=-MAX_NUMBER, le=MAX_NUMBER)]
+Vector = tuple[Number, Number, Number]
+Quaternion = tuple[Number, Number, Number, Number]
+Nonnegative = Annotated[float, Field(ge=0, le=MAX_NUMBER)]
+Positive = Annotated[float, Field(gt=0, le=MAX_NUMBER)]
+Length = Annotated[float, Field(ge=MIN_LENGTH, le=MAX_NUMBER)]
 Share = Annotated[float, Field(ge=0, le=1)]
 Rgb = tuple[Nonnegative, Nonnegative, Nonnegative]
 Albedo = tuple[Share, Share, Share]
+
+
+def is_short(vector: tuple[float, ...]) -> bool:
+    """Whether it is zero, or too short to have a direction."""
+    return math.hypot(*vector) < MIN_LENGTH
 
 
 class Model(BaseModel):
@@ -35,8 +45,8 @@ class TransformModel(Model):
         description="The rotation as x, y, z, w (the order of glTF), of any length but zero; "
         "instead of rotation_deg.",
     )
-    scale: float = Field(
-        default=1.0, gt=0, description="Uniform scale; it changes no radiance, only the size."
+    scale: Length = Field(
+        default=1.0, description="Uniform scale; it changes no radiance, only the size."
     )
 
     @field_validator("scale", mode="before")
@@ -51,7 +61,7 @@ class TransformModel(Model):
     @field_validator("quaternion")
     @classmethod
     def _has_length(cls, value: Quaternion | None) -> Quaternion | None:
-        if value is not None and not any(value):
+        if value is not None and is_short(value):
             raise ValueError("must not be zero")
         return value
 

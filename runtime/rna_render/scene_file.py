@@ -134,8 +134,17 @@ def _message(detail: ErrorDetails) -> str:
     if detail["type"] == "extra_forbidden":
         return "is not a known key"
     message = detail["msg"].removeprefix("Value error, ").replace("Input should be", "must be")
+    bounds = [value for value in detail.get("ctx", {}).values() if isinstance(value, float)]
+    if bounds and detail["type"] in _BOUNDS:  # pydantic writes 1e18 with all its zeros
+        message = f"must be {_BOUNDS[detail['type']]} {bounds[0]:g}"
     simple = isinstance(detail["input"], str | int | float)
     return f"{message}, found {detail['input']!r}" if simple else message
+
+
+_BOUNDS = {
+    "greater_than_equal": "greater than or equal to",
+    "less_than_equal": "less than or equal to",
+}
 
 
 def _line(lines: dict[Key, int], key: Key) -> int:

@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 from rna_render.lights.models import LightModel
 from rna_render.limits import MAX_DEPTH, MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
 from rna_render.materials.models import DiffuseModel, MaterialModel
-from rna_render.model_base import Model, Positive, TransformModel, Vector
+from rna_render.model_base import Length, Model, Number, Positive, TransformModel, Vector, is_short
 
 PixelCount = Annotated[int, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
 
@@ -45,7 +45,7 @@ class CameraModel(Model):
     def _has_axes(self) -> CameraModel:
         forward = np.subtract(self.look_at, self.position)
         side = np.linalg.norm(np.cross(forward, self.up))
-        if not np.any(forward):
+        if is_short(tuple(forward)):
             raise ValueError("position and look_at are the same point")
         if side <= 1e-6 * np.linalg.norm(forward) * np.linalg.norm(self.up):
             raise ValueError("up must not be zero or along the line of sight")
@@ -67,8 +67,8 @@ class ObjectModel(Model):
 class GroundModel(Model):
     """A square, level plane."""
 
-    height: float = Field(default=0.0, description="Its y.")
-    size: Positive = Field(default=100.0, description="Length of its sides, metres.")
+    height: Number = Field(default=0.0, description="Its y.")
+    size: Length = Field(default=100.0, description="Length of its sides, metres.")
     material: MaterialModel = Field(
         default=DiffuseModel(type="diffuse"), description="What it is made of; grey if left out."
     )
@@ -77,7 +77,7 @@ class GroundModel(Model):
 class TurnModel(Model):
     """A turn about +y, spread over the frames."""
 
-    degrees: float = Field(
+    degrees: Number = Field(
         default=360.0,
         description="How far in all; positive is counter-clockwise seen from above.",
     )

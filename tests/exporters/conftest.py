@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -16,15 +18,14 @@ OpenWorker = Callable[..., BlenderWorker]
 @pytest.fixture
 def open_worker(blender_python: Path, tmp_path: Path) -> Iterator[OpenWorker]:
     """Opens a worker on a file, or on the text of a script; ends it after the test."""
-    workers: list[BlenderWorker] = []
+    opened = count()
 
     def open_(scene: Path | str, *arguments: str) -> BlenderWorker:
-        name = f"scene{len(workers)}"
+        name = f"scene{next(opened)}"
         path = write_scene(tmp_path, name, scene) if isinstance(scene, str) else scene
         source = Source(path, arguments)
-        workers.append(BlenderWorker(blender_python, source, tmp_path / "scratch", 1, name))
-        return workers[-1]
+        worker = BlenderWorker(blender_python, source, tmp_path / "scratch", 1, name)
+        return workers.enter_context(worker)
 
-    yield open_
-    for worker in workers:
-        worker.close()
+    with ExitStack() as workers:
+        yield open_

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset, write_arrays
+from rna_export.capture.dataset import CaptureManifest, Dataset, write_arrays
+from rna_export.capture.settings import CaptureSettings
 from rna_export.training.presets import PRESETS, Preset
 from tests.render.assets import sphere, unit_vectors
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.dataset import CaptureManifest, Dataset
 from rna_export.capture.run import weld
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard
 from tests.exporters.conftest import OpenWorker

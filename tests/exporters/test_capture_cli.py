@@ -11,7 +11,8 @@ import pytest
 
 from rna_export.capture import blender_env
 from rna_export.capture.cli import main
-from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.settings import CaptureSettings
 from rna_sdk.errors import CaptureError
 from tests.render.assets import sphere
 
@@ -193,3 +194,31 @@ def test_an_environment_that_was_not_finished_is_not_taken(
     python.symlink_to(sys.executable)  # pip was stopped before bpy was there
     with pytest.raises(CaptureError, match="--setup-blender"):
         blender_env.find_python()
+
+
+def test_help_of_a_groom_needs_no_file_no_folder_and_no_blender(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
+    monkeypatch.setenv(blender_env.VARIABLE, "/nowhere/python")
+    assert main([str(tmp_path / "groom.tfx"), "--", "--help"]) == 0
+    text = capsys.readouterr().out
+    assert "rna-capture groom.hair --out groom.rays --" in text and "--melanin" in text
+
+
+@pytest.mark.blender
+@pytest.mark.parametrize(
+    ("body", "status", "told"),
+    [
+        ("import argparse, rna_hair; argparse.ArgumentParser().parse_args()", 0, "usage: asset.py"),
+        ("pass", 1, "the script has no --help of its own"),
+    ],
+)
+def test_help_of_a_script_is_its_own(body: str, status: int, told: str, source: Path, capfd):
+    source.write_text(body)
+    assert main([str(source), "--", "--help"]) == status
+    said = capfd.readouterr()
+    assert told in said.out + said.err
+
+
+def test_what_takes_no_arguments_says_so(tmp_path: Path, capsys) -> None:
+    assert "nothing can follow --" in refusal(capsys, tmp_path / "a.gltf", "--", "-h")

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
+from rna_export.capture.blender_env import VARIABLE
 from rna_export.capture.dataset import Dataset
 from tests.exporters.scenes import write_scene
 
@@ -40,8 +41,14 @@ def uninterrupted(source: Path, tmp_path_factory: pytest.TempPathFactory) -> Pat
     return out
 
 
-def capture(source: Path, out: Path, workers: int) -> subprocess.Popen[str]:
-    """`rna-capture` in a session of its own, as from a terminal; output goes to a file."""
+def capture(
+    source: Path, out: Path, workers: int, python: Path | None = None
+) -> subprocess.Popen[str]:
+    """`rna-capture` in a session of its own, as from a terminal; output goes to a file.
+
+    python: Blender's interpreter; None takes the usual one.
+    """
+    environment = {**os.environ, **({VARIABLE: str(python)} if python else {})}
     command = [sys.executable, "-m", "rna_export.capture.cli", str(source), "--out", str(out)]
     with out.with_suffix(".log").open("w") as log:
         return subprocess.Popen(
@@ -50,6 +57,7 @@ def capture(source: Path, out: Path, workers: int) -> subprocess.Popen[str]:
             stderr=log,
             text=True,
             start_new_session=True,
+            env=environment,
         )
 
 
@@ -113,16 +121,27 @@ def test_kill_minus_9_keeps_finished_shards(
     assert not list(out.rglob("*.part")) and not (out / "scratch").exists()
 
 
+def counted(python: Path, folder: Path) -> tuple[Path, Path]:
+    """An interpreter that is `python`, and the file to which it adds a line at each start."""
+    starts, script = folder / "starts", folder / "python"
+    script.write_text(f'#!/bin/sh\necho started >> "{starts}"\nexec "{python}" "$@"\n')
+    script.chmod(0o755)
+    return script, starts
+
+
 def test_ctrl_c_stops_soon_and_can_be_continued(
-    source: Path, uninterrupted: Path, tmp_path: Path
+    source: Path, uninterrupted: Path, blender_python: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "ball.rays"
-    process = capture(source, out, workers=2)
+    python, starts = counted(blender_python, tmp_path)
+    process = capture(source, out, workers=2, python=python)
     wait_for_shards(process, out, 2)
+    before = starts.read_text()
     os.killpg(process.pid, signal.SIGINT)  # a terminal sends it to the whole group
     assert process.wait(timeout=30) == 130
     log = out.with_suffix(".log").read_text()
     assert "run the same command again" in log and "Traceback" not in log
+    assert starts.read_text() == before, "Blender was started anew"
     stopped = state(out)
     assert sum(name.startswith("train/") for name in stopped) < SHARDS
 

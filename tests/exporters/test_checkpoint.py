@@ -1,16 +1,19 @@
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import torch
 
 from rna_export.capture.dataset import Dataset
 from rna_export.training import run as run_module
-from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.checkpoint import load_checkpoint, load_progress
 from rna_export.training.run import Run, train
-from rna_sdk.errors import ExportError
+from rna_sdk.errors import ExportError, TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
 
 
@@ -61,31 +64,86 @@ def test_a_checkpoint_runs_no_code(checkpoint: Path, tmp_path: Path) -> None:
     assert not (tmp_path / "made").exists()
 
 
+@pytest.fixture(params=["export", "continue"])
+def refuses(request: pytest.FixtureRequest) -> Callable[[Path], None]:
+    """That the reader of rna-export, or of a run that goes on, refuses a file in one line."""
+    load, error = {
+        "export": (load_checkpoint, ExportError),
+        "continue": (load_progress, TrainingError),
+    }[request.param]
+
+    def check(path: Path) -> None:
+        with pytest.raises(error, match=re.escape(str(path))) as caught:
+            load(path)
+        assert len(str(caught.value).splitlines()) == 1
+
+    return check
+
+
 @pytest.mark.parametrize(
     "damage",
     [
         lambda s: s.pop("hyper_parameters"),
         lambda s: s["hyper_parameters"].pop("seed"),
+        lambda s: s["hyper_parameters"].update(seed="three"),
         lambda s: s["hyper_parameters"]["preset"]["model"].update(width=17),
         lambda s: s["hyper_parameters"]["preset"]["model"].update(inputs=["magic"]),
         lambda s: s["state_dict"].pop("model.decoder.0.weight"),
+        lambda s: s["state_dict"].update({3: torch.zeros(1)}),
+        lambda s: s.update(state_dict=[1]),
         lambda s: s["hyper_parameters"]["capture"].update(surprise=1),
     ],
-    ids=["no record", "no seed", "another width", "unknown input", "a weight less", "manifest"],
+    ids=[
+        *("no record", "no seed", "no number", "another width", "unknown input"),
+        *("a weight less", "a weight without a name", "no weights", "manifest"),
+    ],
 )
-def test_a_damaged_checkpoint_is_refused(checkpoint: Path, tmp_path: Path, damage) -> None:
+def test_a_damaged_checkpoint_is_refused(
+    checkpoint: Path,
+    tmp_path: Path,
+    damage: Callable[[dict[str, Any]], None],
+    refuses: Callable[[Path], None],
+) -> None:
     saved = torch.load(checkpoint, weights_only=True)
     damage(saved)
     torch.save(saved, tmp_path / "bad.ckpt")
-    with pytest.raises(ExportError, match=r"bad\.ckpt"):
-        load_checkpoint(tmp_path / "bad.ckpt")
+    refuses(tmp_path / "bad.ckpt")
 
 
 @pytest.mark.parametrize("content", [b"", b"not a checkpoint", b"PK\x03\x04 half a zip"])
-def test_another_file_is_refused(tmp_path: Path, content: bytes) -> None:
+def test_another_file_is_refused(
+    tmp_path: Path, content: bytes, refuses: Callable[[Path], None]
+) -> None:
     (tmp_path / "x.ckpt").write_bytes(content)
-    with pytest.raises(ExportError, match=r"x\.ckpt"):
-        load_checkpoint(tmp_path / "x.ckpt")
+    refuses(tmp_path / "x.ckpt")
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.99])
+def test_a_checkpoint_cut_short_is_refused(
+    checkpoint: Path, tmp_path: Path, share: float, refuses: Callable[[Path], None]
+) -> None:
+    data = checkpoint.read_bytes()
+    (tmp_path / "cut.ckpt").write_bytes(data[: int(share * len(data))])
+    refuses(tmp_path / "cut.ckpt")
+
+
+def test_another_object_is_refused(tmp_path: Path, refuses: Callable[[Path], None]) -> None:
+    torch.save([1, 2], tmp_path / "list.ckpt")
+    refuses(tmp_path / "list.ckpt")
+
+
+def test_a_model_alone_cannot_be_trained_on(checkpoint: Path, tmp_path: Path) -> None:
+    saved = torch.load(checkpoint, weights_only=True)
+    del saved["optimizer_states"]
+    torch.save(saved, tmp_path / "last.ckpt")
+    with pytest.raises(TrainingError, match="optimizer_states"):
+        load_progress(tmp_path / "last.ckpt")
+
+
+def test_a_run_tells_of_a_damaged_checkpoint_of_its_own(dataset: Dataset, tmp_path: Path) -> None:
+    (tmp_path / "last.ckpt").write_bytes(b"damaged")
+    with pytest.raises(TrainingError, match=r"last\.ckpt.*delete it"):
+        train(Run(dataset, tiny(steps=10), "small", tmp_path))
 
 
 def test_no_file_is_refused(tmp_path: Path) -> None:

@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import SAMPLE_FIELDS, CaptureSettings
+from rna_export.capture.dataset import SAMPLE_FIELDS
 from rna_export.capture.fiber_scene import FiberScene
 from rna_export.capture.run import Crew, begin, finish
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import Source
 from rna_sdk.package import Curves

@@ -126,7 +126,6 @@ def test_tfx_file(open_worker: OpenWorker, tmp_path: Path) -> None:
         ("--melanin 2", "--melanin: found 2, expected 0 to 1"),
         ("--radius 0", "--radius: found 0"),
         ("--colour 1", "expected 3 arguments"),
-        ("--help", "How the strands of a .hair or .tfx file look"),
     ],
 )
 def test_bad_arguments_are_named(

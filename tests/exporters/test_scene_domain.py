@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.dataset import CaptureManifest, Dataset
 from rna_export.capture.scene_domain import MARGIN, scene_domain
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import all_tasks
 from rna_export.capture.worker import RenderedRays

@@ -77,8 +77,9 @@ def test_an_interpreter_without_bpy_is_refused(tmp_path: Path) -> None:
     import sys
 
     scene = write_scene(tmp_path, "scene", "add(CUBE, SIDES)")
-    with pytest.raises(CaptureError, match="ended without an answer"):
-        BlenderWorker(Path(sys.executable), Source(scene), tmp_path, 1)
+    worker = BlenderWorker(Path(sys.executable), Source(scene), tmp_path, 1)
+    with pytest.raises(CaptureError, match="ended without an answer"), worker:
+        pass
 
 
 def test_axes_of_the_worker_are_those_of_the_sdk(open_worker: OpenWorker) -> None:

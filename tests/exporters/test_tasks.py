@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.worker import RenderedRays

@@ -167,7 +167,7 @@ def test_another_run_in_the_same_folder_is_refused(
     dataset: Dataset, trained: Path, change: dict[str, int]
 ) -> None:
     ((name, value),) = change.items()
-    with pytest.raises(TrainingError, match=rf"{name} .*found {value}"):
+    with pytest.raises(TrainingError, match=rf"{name}.* found {value}"):
         train(plan(dataset, trained, **change))
 
 
@@ -175,12 +175,6 @@ def test_another_dataset_in_the_same_folder_is_refused(trained: Path, tmp_path: 
     other = make_dataset(tmp_path / "other.rays", seed=5)
     with pytest.raises(TrainingError, match="another dataset"):
         train(plan(other, trained))
-
-
-def test_minutes_set_the_number_of_steps(dataset: Dataset, tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setattr(run_module, "_seconds_a_step", lambda *_, **__: 0.06)
-    train(Run(dataset, tiny(), "small", tmp_path, minutes=0.033))
-    assert 30 <= torch.load(tmp_path / "last.ckpt", weights_only=True)["global_step"] <= 33
 
 
 def test_the_last_step_is_in_the_last_checkpoint(dataset: Dataset, tmp_path: Path) -> None:

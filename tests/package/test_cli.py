@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.package import Issue, cli, validate
+from rna_sdk.package import Code, Issue, cli, validate
 from tests.package.corpus.content_cases import mesh_outside_the_bounds
 from tests.package.corpus.manifest_cases import wrong_hash
 
@@ -106,3 +106,8 @@ def test_a_defect_takes_no_other_report_along(
     else:
         lines = told.out.splitlines()
         assert lines[0] == f"{tiny}: valid" and lines[-1] == f"{broken}: invalid"
+
+
+def test_what_is_found_is_shown_as_printable_text() -> None:
+    issue = Issue.of(Code.PLANES_DTYPE, "features/a", "\ud800 \x1b[31m café\n", "F16")
+    assert issue.found == r"\ud800 \x1b[31m café\n"

@@ -195,7 +195,7 @@ def test_negative_values_are_nothing_and_others_stay(tmp_path):
     assert read_environment(tmp_path / "filtered.exr")[0, 0].tolist() == [0, 2, 3]
 
 
-@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf, 3e38])
 def test_values_that_are_not_finite_are_refused(value, tmp_path):
     channels = planes(R=1, G=2, B=3)
     channels["B"][0, :3] = value

@@ -385,6 +385,7 @@ def errors(folder: Path) -> dict[str, tuple[Path, str, dict | None]]:
     case("empty.obj", "", "no triangles")
     case("points.obj", "v 0 0 0\nv 1 0 0\n", "no triangles")
     case("words.obj", "v 0 0 zero\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "cannot be read as .obj")
+    (case("huge.obj", "v 0 0 1e20\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "at most 1e\\+18"),)
     case("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "positions must be finite")
     case("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "cannot be read|outside")
     case("noise.ply", b"\x00\x01\x02", "cannot be read as .ply")

@@ -77,7 +77,11 @@ def test_a_row_that_cannot_be_filled_is_zero() -> None:
 def test_length_of_directions_does_not_count() -> None:
     points = random_fiber_points(100)
     scaled = FiberPoints(
-        points.positions, points.tangents * 2**20, points.h, points.wo * 2.0**-60, points.wi * 2**60
+        points.positions,
+        points.tangents * 2.0**20,
+        points.h,
+        points.wo * 2.0**-60,
+        points.wi * 2.0**60,
     )
     np.testing.assert_array_equal(filled(PLANES, scaled, ALL)[0], filled(PLANES, points, ALL)[0])
 

@@ -27,7 +27,7 @@ def test_length_of_vectors_does_not_count() -> None:
     points = random_points(200)
     h = offset_across(points.normals, points.wo, points.wi)
     assert np.abs(h).max() > 0.9
-    scaled = offset_across(points.normals * 2**40, points.wo * 2.0**-20, points.wi * 2**10)
+    scaled = offset_across(points.normals * 2.0**40, points.wo * 2.0**-20, points.wi * 2.0**10)
     np.testing.assert_array_equal(scaled, h)
 
 

@@ -109,7 +109,7 @@ def test_length_of_directions_does_not_count() -> None:
     planes = make_planes(8, 4)
     points = random_points(100)
     scaled = Points(
-        points.positions, points.normals * 2**20, points.wo * 2.0**-60, points.wi * 2**60
+        points.positions, points.normals * 2.0**20, points.wo * 2.0**-60, points.wi * 2.0**60
     )
     expected, _ = filled(planes, points, INPUTS)
     queries, valid = filled(planes, scaled, INPUTS)

@@ -14,6 +14,7 @@ from tests.avx2.masked import missing
 
 HERE = Path(__file__).parent
 
+
 @pytest.fixture(scope="module")
 def environment(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, str]:
     if reason := missing():

@@ -15,30 +15,35 @@ _PARTS = ("train", "cost", "cycles", "chart")
 
 def add_options(p: argparse.ArgumentParser) -> None:
     """The options of the command."""
-    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
-    p.add_argument("--out", type=Path, required=True, help="folder for models, records and page")
+    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote (path)")
+    p.add_argument(
+        "--out", type=Path, required=True, help="folder for models, records and page (path)"
+    )
     p.add_argument(
         "--short",
         action="store_true",
-        help="about 20 models, briefly trained: within 40 minutes on 2 cores",
+        help="about 20 models, briefly trained: within 40 minutes on 2 cores (default: off)",
     )
-    p.add_argument("--steps", type=int, help="of each training (default: 40,000; short: 5,000)")
+    p.add_argument(
+        "--steps", type=int, help="of each training (int, default: 40,000; short: 5,000)"
+    )
     p.add_argument(
         "--source",
         type=Path,
-        help="what was captured, for Cycles on the same chart (default: without Cycles)",
+        help="what was captured, for Cycles on the same chart (path, default: without Cycles)",
     )
     p.add_argument(
         "--only",
         choices=_PARTS,
-        help="one part of the work: timings, for one, mean something on an idle machine alone",
+        help="one part of the work: timings, for one, mean something on an idle machine alone "
+        "(default: all)",
     )
     p.add_argument(
         "--trials",
         nargs="+",
         metavar="NAME",
         help="train these of the grid alone: models, or groups of them (ours, paper, ablation, "
-        "and the tables: architecture, channels, ...)",
+        "and the tables: architecture, channels, ...; default: all)",
     )
     p.add_argument(
         "--device",
@@ -47,7 +52,9 @@ def add_options(p: argparse.ArgumentParser) -> None:
         help="for trainings (default: %(default)s, the GPU if there is one)",
     )
     p.add_argument(
-        "--workers", type=int, help="trainings side by side (default: one a core, one for a GPU)"
+        "--workers",
+        type=int,
+        help="trainings side by side (int, default: one a core, one for a GPU)",
     )
 
 

@@ -14,9 +14,10 @@ from safetensors.numpy import load_file
 
 from rna_export.capture import blender_env
 from rna_export.capture.dataset import Dataset, ValidationView
-from rna_export.capture.run import default_workers, scene_of
+from rna_export.capture.run import scene_of
 from rna_export.capture.tasks import ValidationHalf
 from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.machine import default_workers
 from rna_export.trials.scores import ModelScores, judge, write_strips
 
 _NOISE = 7  # names noise that neither half of the references has

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from rna_export.capture.run import default_workers
+from rna_export.machine import default_workers
 from rna_sdk.errors import CaptureError
 
 NAME = "stability"
@@ -34,32 +34,51 @@ CASE_NAMES = (
 def add_options(p: argparse.ArgumentParser) -> None:
     """The options of the command."""
     p.add_argument(
-        "dataset", nargs="?", type=Path, help="of the asset; without it, the suite's own alone"
+        "dataset", nargs="?", type=Path, help="of the asset (path, default: the suite's own alone)"
     )
-    p.add_argument("--package", type=Path, help="of the asset (default: one is trained)")
-    p.add_argument("--tier", help="of the package (default: its first)")
-    p.add_argument("--source", type=Path, help="what the asset was captured from, for Cycles")
-    p.add_argument("--out", type=Path, required=True, help="folder of results, runs and captures")
-    p.add_argument("--work", type=Path, help="folder of runs and captures (default: OUT/work)")
+    p.add_argument("--package", type=Path, help="of the asset (path, default: one is trained)")
+    p.add_argument("--tier", help="of the package (text, default: its first)")
     p.add_argument(
-        "--cases", nargs="+", choices=CASE_NAMES, metavar="CASE", help=", ".join(CASE_NAMES)
+        "--source",
+        type=Path,
+        help="what the asset was captured from (path, default: without Cycles)",
+    )
+    p.add_argument(
+        "--out", type=Path, required=True, help="folder of results, runs and captures (path)"
+    )
+    p.add_argument(
+        "--work", type=Path, help="folder of runs and captures (path, default: OUT/work)"
+    )
+    p.add_argument(
+        "--cases",
+        nargs="+",
+        choices=CASE_NAMES,
+        metavar="CASE",
+        help=", ".join(CASE_NAMES) + " (default: all)",
     )
     p.add_argument(
         "--steps",
         type=int,
         default=3000,
-        help="of each training, sharp's three times as many (int, default %(default)s)",
+        help="of each training, sharp's three times as many (int, default: %(default)s)",
     )
     p.add_argument(
         "--workers",
         type=int,
         default=default_workers(),
-        help="Blender processes (int, default: one a core, %(default)s)",
+        help="Blender processes (int, default: one a core, here %(default)s)",
     )
-    p.add_argument("--short", action="store_true", help="an eighth of everything: a try")
-    p.add_argument("--again", action="store_true", help="measure finished cases again")
     p.add_argument(
-        "--redraw", type=Path, metavar="JSON", help="only draw the results of an earlier run"
+        "--short", action="store_true", help="an eighth of everything: a try (default: off)"
+    )
+    p.add_argument(
+        "--again", action="store_true", help="measure finished cases again (default: off)"
+    )
+    p.add_argument(
+        "--redraw",
+        type=Path,
+        metavar="JSON",
+        help="draw the results of an earlier run alone (path, default: measure)",
     )
 
 

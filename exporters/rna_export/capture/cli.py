@@ -7,19 +7,20 @@ import hashlib
 import shutil
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
-from rna_export.capture import blender_env
-from rna_export.capture.dataset import CaptureSettings, Dataset
-from rna_export.capture.run import Crew, begin, default_workers, finish, scene_of
-from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.worker import Source
+from rna_export.capture import blender_env, source_help
+from rna_export.capture.settings import CaptureSettings
+from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
-from rna_render.scene_file import SceneFile, read_scene
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
+
+if TYPE_CHECKING:
+    from rna_export.capture.dataset import Dataset
+    from rna_render.scene_file import SceneFile
 
 _GO_ON = "run the same command again to continue"
 _SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".hair", ".tfx", ".py")
@@ -44,13 +45,23 @@ def parser() -> argparse.ArgumentParser:
         "rna-capture",
         "Render an asset in all views and lights with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
-        epilog="The same command continues a capture that was stopped. Arguments after -- go to a "
-        "source that is a Python script, or say what a .hair or .tfx does not: try -- --help.",
+        epilog="The same command continues a capture that was stopped.\nArguments after -- go to a "
+        "source that is a Python script, or say what a .hair or .tfx\nfile does not; they are "
+        "listed by: rna-capture groom.tfx -- --help",
     )
-    p.add_argument("source", nargs="?", type=Path, help=f"one of {', '.join(_SUFFIXES)}")
-    p.add_argument("--out", type=Path, help="folder of the dataset")
     p.add_argument(
-        "--setup-blender", action="store_true", help="install Blender's module, then end"
+        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(_SUFFIXES)}"
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        metavar="FOLDER",
+        help="dataset to write, or to go on with (path, needed with a source: no default)",
+    )
+    p.add_argument(
+        "--setup-blender",
+        action="store_true",
+        help="install Blender's module in an environment of its own, then end (default: off)",
     )
     p.add_argument(
         "--for",
@@ -58,9 +69,15 @@ def parser() -> argparse.ArgumentParser:
         type=Path,
         metavar="SCENE",
         help="scene file; only the directions from which it shows and lights the asset are "
-        "captured (default: --domain)",
+        "captured (path, default: --domain)",
     )
-    p.add_argument("--minutes", type=float, help="time budget; sets the number of lights")
+    p.add_argument(
+        "--minutes",
+        type=float,
+        help="time budget of the whole command; sets the number of lights, and makes the "
+        "validation images smaller where they would take more than a quarter (float, default: no "
+        "limit)",
+    )
     of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
         info = CaptureSettings.model_fields[name]
@@ -71,15 +88,17 @@ def parser() -> argparse.ArgumentParser:
             "--" + name.replace("_", "-"),
             type=type(info.default),
             choices=("sphere", "hemisphere") if name == "domain" else None,
-            help=f"{info.description or 'random seed'} ({usual})",
+            help=f"{info.description or 'of the random numbers'} ({usual})",
         )
     p.add_argument(
         "--workers",
         type=int,
         default=default_workers(),
-        help="Blender processes, one thread each (int, default: one a core, %(default)s)",
+        help="Blender processes, one thread each (int, default: one a core, here %(default)s)",
     )
-    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
     return p
 
 
@@ -88,6 +107,8 @@ def main(argv: list[str] | None = None) -> int:
     own, arguments = split_script_arguments(argv)
     options = parser()
     args = options.parse_args(own)
+    if args.source is not None and source_help.is_asked(arguments):
+        return run_command(lambda: source_help.show(args.source), args.debug, _GO_ON, "capture")
     if not args.setup_blender and (args.source is None or args.out is None):
         options.error("a source and --out are needed (or --setup-blender)")
     if args.minutes is not None and args.lights is not None:
@@ -95,7 +116,7 @@ def main(argv: list[str] | None = None) -> int:
     if args.for_scene is not None and args.domain is not None:
         options.error("--for finds the domain: give it or --domain")
     _check_numbers(args, options)
-    return run_command(lambda: _run(args, arguments), args.debug, _GO_ON)
+    return run_command(lambda: _run(args, arguments), args.debug, _GO_ON, "capture")
 
 
 def _asked(args: argparse.Namespace) -> dict[str, Any]:
@@ -121,9 +142,15 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         print(f"Blender {blender_env.BPY_VERSION} is ready: {blender_env.set_up()}")
         return
     _check_source(args.source)
+    from rna_export.capture.run import Crew, begin, finish
+    from rna_export.capture.time_plan import TimeLimit
+    from rna_export.capture.worker import Source
+    from rna_render.scene_file import read_scene
+
     keep_freed_memory()
     asked = _asked(args)
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
+    limit = None if args.minutes is None else TimeLimit(args.minutes)
     python = blender_env.find_python()
     scratch = args.out / "scratch"  # ray images; those of a killed capture go here
     shutil.rmtree(scratch, ignore_errors=True)
@@ -138,8 +165,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             clamps = CaptureSettings(**asked)
         source = Source(args.source, arguments, clamps.clamp_direct, clamps.clamp_indirect)
         if not begun:
-            dataset = begin(source, asked, args.out, crew, args.minutes, print, for_scene)
-        finish(dataset, source, crew)
+            dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
+        finish(dataset, source, crew, limit)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
     print(
@@ -158,6 +185,8 @@ def _check_source(source: Path) -> None:
 
 def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) -> Dataset:
     """The dataset begun in `out`, if it was begun with the same source and settings."""
+    from rna_export.capture.dataset import Dataset
+
     dataset = Dataset(out)
     manifest = dataset.manifest
     sha = hashlib.sha256(source.read_bytes()).hexdigest()
@@ -173,6 +202,9 @@ def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) 
 
 def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
     """Refuse to go on for a scene that asks for other directions."""
+    from rna_export.capture.run import scene_of
+    from rna_export.capture.scene_domain import scene_domain
+
     manifest = dataset.manifest
     if for_scene is None:
         return

@@ -17,12 +17,9 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field
-from pydantic.alias_generators import to_camel
 from safetensors.numpy import load_file, save
 
-from rna_export.capture.surface_scene import SHARPEST
-from rna_export.capture.worker import CLAMP_DIRECT, CLAMP_INDIRECT
+from rna_export.capture.settings import CaptureSettings, DatasetModel
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Domain, Mesh
 from rna_sdk.runtime import Asset
@@ -45,50 +42,7 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
 _NO_QUERY = ("radiance", "direct", "visible", "pixel")
 
 
-class _Model(BaseModel):
-    model_config = ConfigDict(
-        extra="forbid", frozen=True, alias_generator=to_camel, populate_by_name=True
-    )
-
-
-class CaptureSettings(_Model):
-    """What was asked for; with the source, enough to repeat the capture."""
-
-    samples: int = Field(16, gt=0, description="paths a view ray")
-    rays: int = Field(4096, gt=0, description="view rays a light direction")
-    lights: int = Field(2000, gt=0, description="light directions, one small render each")
-    domain: str = Field("sphere", pattern="^(sphere|hemisphere)$", description="of wo and of wi")
-    sharpest: float = Field(
-        SHARPEST, gt=0, le=0.8, description="roughness of the smoothest material of a surface"
-    )
-    clamp_direct: float = Field(
-        CLAMP_DIRECT, description="Cycles' clamp of direct light (the paper's)"
-    )
-    clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' clamp of indirect light")
-    validation_views: int = Field(8, ge=1, description="whole images kept from training")
-    validation_resolution: int = Field(160, gt=0, description="their width and height, pixels")
-    validation_samples: int = Field(512, ge=2, description="paths a pixel, in two halves")
-    lights_per_shard: int = Field(32, gt=0, description="what a stop can lose at most")
-    seed: int = 0
-
-    @classmethod
-    def usual(cls, kind: str, **asked: object) -> CaptureSettings:
-        """The defaults for a kind of asset, but for what was asked for."""
-        return cls(**{**(_FIBER_DEFAULTS if kind == "fiber" else {}), **asked})
-
-
-# Hair's paths are dear and noisy: more points, of fewer paths, teach more (docs/decisions.md).
-_FIBER_DEFAULTS = {
-    "samples": 2,
-    "rays": 16384,
-    "lights": 1500,
-    "validation_resolution": 128,
-    "validation_samples": 256,
-    "lights_per_shard": 8,
-}
-
-
-class CaptureManifest(_Model):
+class CaptureManifest(DatasetModel):
     """`manifest.json` of a dataset."""
 
     name: str
@@ -182,8 +136,7 @@ class Dataset:
             part.mkdir(parents=True, exist_ok=True)
         arrays = {k: v for k, v in vars(geometry).items() if v is not None}
         write_arrays(folder / "geometry.safetensors", arrays)
-        text = json.dumps(manifest.model_dump(mode="json", by_alias=True), indent=1) + "\n"
-        write_atomically(folder / "manifest.json", text.encode())
+        _write_manifest(folder, manifest)
         return cls(folder)
 
     def geometry(self) -> Mesh | Curves:
@@ -192,6 +145,20 @@ class Dataset:
         if self.manifest.kind == "fiber":
             return Curves(**arrays)
         return Mesh(**{"uvs": None, **arrays})
+
+    def lights_finished(self) -> int:
+        """From the first one on, without a gap."""
+        settings = self.manifest.settings
+        shards = 0
+        while shards < self.manifest.shards and self.train_path(shards).is_file():
+            shards += 1
+        return min(shards * settings.lights_per_shard, settings.lights)
+
+    def leave_out_lights_from(self, light: int) -> None:
+        """Shorten the plan to the lights before this one."""
+        settings = self.manifest.settings.model_copy(update={"lights": light})
+        self.manifest = self.manifest.model_copy(update={"settings": settings})
+        _write_manifest(self.folder, self.manifest)
 
     def train_path(self, shard: int) -> Path:
         return self.folder / "train" / f"{shard:05d}.safetensors"
@@ -229,6 +196,11 @@ class Dataset:
         samples["radiance"] = halves.mean(axis=0)
         resolution = self.manifest.settings.validation_resolution
         return ValidationView(view, resolution, first["pixel"], samples, halves)
+
+
+def _write_manifest(folder: Path, manifest: CaptureManifest) -> None:
+    text = json.dumps(manifest.model_dump(mode="json", by_alias=True), indent=1) + "\n"
+    write_atomically(folder / "manifest.json", text.encode())
 
 
 def joined(

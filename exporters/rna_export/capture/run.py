@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import queue
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -18,12 +17,14 @@ from tqdm import tqdm
 
 import rna_sdk
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import CaptureManifest, CaptureSettings, Dataset
+from rna_export.capture.dataset import CaptureManifest, Dataset
 from rna_export.capture.directions import light_direction
 from rna_export.capture.fiber_scene import FiberScene
 from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.surface_scene import SHARPEST, SurfaceScene
+from rna_export.capture.settings import SHARPEST, CaptureSettings
+from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
+from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_render.scene_file import SceneFile
@@ -79,16 +80,19 @@ def begin(
     asked: dict[str, Any],
     out: Path,
     crew: Crew,
-    minutes: float | None,
+    limit: TimeLimit | None,
     say: Callable[[str], None],
     for_scene: SceneFile | None = None,
 ) -> Dataset:
     """Open the source once: export the geometry, measure the speed, fix and write the plan.
 
-    `asked`: settings, by name, that are not to be the usual ones of the asset's kind. `minutes`
-    replaces the number of lights by as many as fit. `for_scene` limits views and lights to its own.
+    `asked`: settings, by name, that are not to be the usual ones of the asset's kind. `limit`
+    replaces the number of lights by as many as fit, and may make the validation images smaller.
+    `for_scene` limits views and lights to its own.
     """
+    start = time.monotonic()
     with crew.worker(source, "probe") as worker:
+        opening = time.monotonic() - start
         fibers = worker.kind == "fiber"
         geometry = worker.export_curves() if fibers else weld(worker.export_corners())
         settings = CaptureSettings.usual(worker.kind, **asked)
@@ -97,8 +101,10 @@ def begin(
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         rate = _paths_a_second(scene, settings, domain, worker) * crew.workers
         opened = worker.opened
-    if minutes is not None:
-        settings = settings.model_copy(update={"lights": _lights_in(minutes, rate, settings)})
+    if limit is not None:
+        usual, settings = settings, planned(settings, limit, opening, rate, asked)
+        if note := shrunk(usual, settings):
+            say(note)
     low, high = geometry.box()
     manifest = CaptureManifest(
         name=source.path.stem,
@@ -128,62 +134,112 @@ def scene_of(geometry: Mesh | Curves, sharpest: float = SHARPEST) -> AssetScene:
     return SurfaceScene(geometry, sharpest)
 
 
-def finish(dataset: Dataset, source: Source, crew: Crew) -> None:
-    """Render every task whose file is missing. Ctrl-C loses only the tasks under way."""
+def finish(
+    dataset: Dataset,
+    source: Source,
+    crew: Crew,
+    limit: TimeLimit | None = None,
+    say: Callable[[str], None] = print,
+) -> None:
+    """Render every task whose file is missing. Ctrl-C loses only the tasks under way.
+
+    When the time of `limit` is up, the lights that are left are taken out of the plan.
+    """
     for unfinished in dataset.folder.glob("*/*.part"):
         unfinished.unlink()
     missing = [task for task in all_tasks(dataset) if not task.path(dataset).is_file()]
     if not missing:
         return
-    todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = queue.SimpleQueue()
-    for task in missing:
-        todo.put(task)
     total = sum(task.paths_to_trace(dataset) for task in missing)
-    failures: list[Exception] = []
-    stop = threading.Event()
     scene = scene_of(dataset.geometry(), dataset.manifest.settings.sharpest)
     with tqdm(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
-        threads = [
-            threading.Thread(
-                target=_work,
-                args=(dataset, source, scene, crew, str(k), todo, bar, stop, failures),
-            )
-            for k in range(crew.workers)
-        ]
+        shift = _Shift(dataset, scene, source, crew, bar, limit)
+        for task in missing:
+            shift.todo.put(task)
+        shift.work()
+    if shift.failures:
+        raise shift.failures[0]
+    lights, there = dataset.manifest.settings.lights, dataset.lights_finished()
+    if there < lights:
+        dataset.leave_out_lights_from(there)
+        say(f"the time is up: {there:,} of {lights:,} lights, which make a whole dataset")
+
+
+@dataclass
+class _Shift:
+    """Threads that render tasks, each with a Blender process of its own.
+
+    stop: when set, no task is begun. failures: what ended the shift before its time.
+    """
+
+    dataset: Dataset
+    scene: AssetScene
+    source: Source
+    crew: Crew
+    bar: tqdm
+    limit: TimeLimit | None
+    todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = field(
+        default_factory=queue.SimpleQueue
+    )
+    stop: threading.Event = field(default_factory=threading.Event)
+    failures: list[Exception] = field(default_factory=list)
+    workers: list[BlenderWorker] = field(default_factory=list)
+
+    def work(self) -> None:
+        """Until nothing is left to do, or to the first failure; Ctrl-C ends the processes."""
+        names = map(str, range(self.crew.workers))
+        threads = [threading.Thread(target=self._work, args=(name,)) for name in names]
         for thread in threads:
             thread.start()
         try:
             while any(thread.is_alive() for thread in threads):
                 time.sleep(0.2)
         finally:
-            stop.set()
-            for thread in threads:
-                thread.join()
-    if failures:
-        raise failures[0]
+            self.stop.set()
+            while any(thread.is_alive() for thread in threads):
+                for worker in self.workers:
+                    worker.kill()  # again and again: one may be starting
+                time.sleep(0.05)
 
+    def _work(self, name: str) -> None:
+        try:
+            worker = self.crew.worker(self.source, name)
+            self.workers.append(worker)
+            with worker:
+                done, took = 0, 0.0
+                while not self.stop.is_set():
+                    try:
+                        task = self.todo.get_nowait()
+                    except queue.Empty:
+                        return
+                    if self._is_too_late(task, took):
+                        return
+                    begun = time.monotonic()
+                    if done and done % _TASKS_A_PROCESS == 0:
+                        worker.restart()
+                    self._run(task, worker)
+                    took = time.monotonic() - begun
+                    done += 1
+        except Exception as error:  # reported by the main thread
+            self.failures.append(error)
+            self.stop.set()
 
-def _work(dataset, source, scene, crew, name, todo, bar, stop, failures) -> None:
-    try:
-        with crew.worker(source, name) as worker:
-            done = 0
-            while not stop.is_set():
-                try:
-                    task = todo.get_nowait()
-                except queue.Empty:
-                    return
-                if done and done % _TASKS_A_PROCESS == 0:
-                    worker.restart()
-                try:
-                    task.run(dataset, scene, worker)
-                except CaptureError:  # Blender may die of its own; a second failure is ours
-                    worker.restart()
-                    task.run(dataset, scene, worker)
-                done += 1
-                bar.update(task.paths_to_trace(dataset))
-    except Exception as error:  # reported by the main thread
-        failures.append(error)
-        stop.set()
+    def _is_too_late(self, task: TrainingShard | ValidationHalf, took: float) -> bool:
+        """Whether there is no time for half of the task, if it takes as long as the last one."""
+        if self.limit is None or isinstance(task, ValidationHalf):
+            return False
+        first = task.index * self.dataset.manifest.settings.lights_per_shard
+        return first >= LEAST_LIGHTS and self.limit.left() < took / 2.0
+
+    def _run(self, task: TrainingShard | ValidationHalf, worker: BlenderWorker) -> None:
+        try:
+            task.run(self.dataset, self.scene, worker)
+        except CaptureError:  # Blender may die of its own; a second failure is ours
+            if self.stop.is_set():
+                return
+            worker.restart()
+            task.run(self.dataset, self.scene, worker)
+        self.bar.update(task.paths_to_trace(self.dataset))
 
 
 def _paths_a_second(
@@ -199,18 +255,6 @@ def _paths_a_second(
         worker.render_rays(rays.origins, rays.directions, wi, settings.samples, k)
         seconds.append(time.perf_counter() - start)
     return settings.rays * settings.samples / float(np.mean(seconds[1:]))
-
-
-def _lights_in(minutes: float, rate: float, settings: CaptureSettings) -> int:
-    validation = 0.4 * settings.validation_resolution**2 * settings.validation_samples
-    left = minutes * 60.0 * rate - validation * settings.validation_views
-    lights = int(left / (settings.rays * settings.samples))
-    if lights < 16:
-        raise CaptureError(
-            f"--minutes {minutes:g} leaves time for {max(lights, 0)} lights after the validation "
-            "images, expected at least 16: give more minutes or smaller validation images"
-        )
-    return lights
 
 
 def _plan(dataset: Dataset, geometry: Mesh | Curves, rate: float) -> str:
@@ -247,8 +291,3 @@ def _size(geometry: Mesh | Curves) -> str:
     if isinstance(geometry, Curves):
         return f"{len(geometry.offsets) - 1:,} strands, {len(geometry.points):,} points"
     return f"{len(geometry.triangles):,} triangles"
-
-
-def default_workers() -> int:
-    """One a core."""
-    return len(os.sched_getaffinity(0))

@@ -9,11 +9,11 @@ import trimesh
 
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.directions import around, reflect
+from rna_export.capture.settings import SHARPEST
 from rna_render.embree import TriangleScene
 from rna_render.surface import SurfacePoints, geometric_normals, visible
 from rna_sdk.package import Mesh
 
-SHARPEST = 0.14  # roughness
 _WIDEST = 0.8  # alpha of GGX
 
 

@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import CaptureSettings, Dataset, joined, write_arrays
+from rna_export.capture.dataset import Dataset, joined, write_arrays
 from rna_export.capture.directions import directions_in, light_direction
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_render.camera import Camera
@@ -66,9 +67,7 @@ class ValidationHalf:
         return dataset.validation_path(self.view, self.half)
 
     def paths_to_trace(self, dataset: Dataset) -> int:
-        settings = dataset.manifest.settings
-        covered = 0.4 * settings.validation_resolution**2  # about; known only after the hits
-        return int(covered * (settings.validation_samples // 2))
+        return dataset.manifest.settings.validation_paths // 2
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
         settings = dataset.manifest.settings

@@ -14,10 +14,9 @@ import numpy as np
 import OpenEXR
 
 from rna_export.capture.axes import from_blender, to_blender
+from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
-
-CLAMP_DIRECT, CLAMP_INDIRECT = 20.0, 10.0  # of radiance; the paper, section 4.1
 
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
 
@@ -48,7 +47,7 @@ class RenderedRays:
 
 
 class BlenderWorker:
-    """Stock Cycles in a process of its own, holding one opened source.
+    """Stock Cycles in a process of its own, holding one opened source; for a `with` statement.
 
     Raises `CaptureError` when Blender cannot start, cannot load the source or fails to render.
     """
@@ -59,10 +58,11 @@ class BlenderWorker:
         self._renders = 0
         self._samples: int | None = None  # of the last render
         self._holds_scene = False  # what `render_scene` made of the source
-        folder.mkdir(parents=True, exist_ok=True)
-        self._start()
+        self._process: subprocess.Popen[str] | None = None
 
     def __enter__(self) -> BlenderWorker:
+        self._folder.mkdir(parents=True, exist_ok=True)
+        self._start()
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -76,6 +76,7 @@ class BlenderWorker:
             stdout=subprocess.PIPE,
             stderr=self._log,
             text=True,
+            process_group=0,  # Ctrl-C is for us; half a render would look like a whole one
         )
         try:
             self.opened = self._ask(
@@ -90,9 +91,14 @@ class BlenderWorker:
             self.close()
             raise
 
+    def kill(self) -> None:
+        """End the process, if there is one: what another thread asks of it raises CaptureError."""
+        if self._process is not None:
+            self._process.kill()
+
     def close(self) -> None:
         """End the process; safe to call twice."""
-        self._process.kill()
+        self.kill()
         self._process.wait()
         for stream in (self._process.stdin, self._process.stdout, self._log):
             with contextlib.suppress(BrokenPipeError):  # a request that never reached it

@@ -7,7 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from rna_export.compare.views import CAMERAS
+from rna_export.compare.cameras import CAMERAS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 
 
@@ -18,31 +18,31 @@ def parser() -> argparse.ArgumentParser:
         "Render a package and its original with Cycles, and write a page with both.",
         "rna-compare helmet.rna helmet.gltf --out compare/helmet",
         epilog="Three cameras (one a close-up; for fibers a fourth, at single strands) x three "
-        "lights. Arguments after -- go to a source "
-        "that is a Python script.",
+        "lights.\nArguments after -- go to a source that is a Python script.",
     )
-    p.add_argument("package", type=Path, help="the .rna file")
-    p.add_argument("source", type=Path, help="what it was captured from")
-    p.add_argument("--out", type=Path, required=True, help="folder for the page")
-    p.add_argument("--tier", help="tier of the package (default: its first)")
+    p.add_argument("package", type=Path, help="the .rna file (path)")
+    p.add_argument("source", type=Path, help="what it was captured from (path)")
+    p.add_argument("--out", type=Path, required=True, help="folder for the page (path)")
+    p.add_argument("--tier", help="tier of the package (text, default: its first)")
     p.add_argument(
-        "--samples", type=int, default=16, help="ours a pixel (int, default %(default)s)"
+        "--samples", type=int, default=16, help="ours a pixel (int, default: %(default)s)"
     )
     p.add_argument(
         "--cycles-samples",
         type=int,
         default=256,
-        help="a pixel, at least 2: half of them in each of two renders (int, default %(default)s)",
+        help="Cycles' a pixel, at least 2: half of them in each of two renders (int, default: "
+        "%(default)s)",
     )
     p.add_argument(
-        "--resolution", type=int, default=384, help="pixels a side (int, default %(default)s)"
+        "--resolution", type=int, default=384, help="pixels a side (int, default: %(default)s)"
     )
     p.add_argument(
         "--turn",
         type=float,
         default=0.0,
         metavar="DEG",
-        help="turn the cameras about +Y, if the asset's front is not +Z (default 0)",
+        help="turn the cameras about +Y, if the asset's front is not +Z (float, default: 0)",
     )
     p.add_argument(
         "--cameras",
@@ -51,7 +51,9 @@ def parser() -> argparse.ArgumentParser:
         default=CAMERAS,
         help="of the standard ones (default: all; strands is there for fibers only)",
     )
-    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
     return p
 
 
@@ -64,15 +66,15 @@ def main(argv: list[str] | None = None) -> int:
         options.error(
             f"argument --cycles-samples: expected at least 2, found {args.cycles_samples}"
         )
-    return run_command(lambda: _run(args, arguments), args.debug, "nothing was written")
+    return run_command(lambda: _run(args, arguments), args.debug, "nothing was written", "train")
 
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture import blender_env
-    from rna_export.capture.run import default_workers
     from rna_export.capture.worker import BlenderWorker, Source
     from rna_export.compare.page import write_page
     from rna_export.compare.run import compare
+    from rna_export.machine import default_workers
     from rna_sdk.errors import CaptureError
     from rna_sdk.runtime import load
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_export.compare.cameras import ORBITS
 from rna_render.camera import Camera
 from rna_render.lights.models import DirectionalModel
 from rna_render.scene_model import AssetModel, CameraModel, Scene
@@ -14,11 +15,6 @@ from rna_sdk.runtime import Asset, FiberAsset
 
 FOV_Y = np.radians(30.0)
 _LIGHTS = {"key": (40.0, 45.0), "side": (-80.0, 20.0), "back": (170.0, 35.0)}  # from the camera
-_CAMERAS = {"front": (35.0, 20.0, 1.0), "behind": (215.0, 30.0, 1.0), "close-up": (20.0, 25.0, 0.3)}
-
-CAMERAS = (*_CAMERAS, "strands")
-"""Their names; only fibers have the last."""
-
 _STRANDS = 16.0  # radii of the thickest strand from the middle of its picture to the edge
 
 
@@ -27,7 +23,7 @@ class Shot:
     """One picture of a comparison; world space is the asset's object space."""
 
     number: int  # among all standard ones; Cycles' seeds follow from it
-    camera_name: str  # one of CAMERAS
+    camera_name: str  # one of cameras.CAMERAS
     light_name: str
     eye: np.ndarray  # (3,)
     target: np.ndarray  # (3,)
@@ -82,7 +78,7 @@ def shots(geometry: Mesh | Curves, resolution: int, turn_deg: float) -> list[Sho
     low, high = positions.min(axis=0), positions.max(axis=0)
     centre = (low + high) / 2
     radius = float(np.linalg.norm(positions - centre, axis=1).max())
-    cameras = dict(_CAMERAS)
+    cameras = dict(ORBITS)
     if fibers:
         cameras["strands"] = (*cameras["close-up"][:2], _STRANDS * geometry.radii.max() / radius)
     result = []

@@ -58,7 +58,7 @@ def parser() -> argparse.ArgumentParser:
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     args = parser().parse_args(argv)
-    return run_command(lambda: _run(args), args.debug, "nothing was written")
+    return run_command(lambda: _run(args), args.debug, "nothing was written", "train")
 
 
 def _run(args: argparse.Namespace) -> None:

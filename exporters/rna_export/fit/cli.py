@@ -6,10 +6,13 @@ import argparse
 import math
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from rna_export.fit.goal import Goal
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
+
+if TYPE_CHECKING:
+    from rna_export.fit.goal import Goal
 
 
 def parser() -> argparse.ArgumentParser:
@@ -18,27 +21,31 @@ def parser() -> argparse.ArgumentParser:
         "rna-fit",
         "Find, train and export the cheapest model that meets a limit on its error.",
         "rna-fit helmet.rays/ --max-error 0.02 --out helmet.rna",
-        epilog="Trainings are kept beside the package: the same command goes on after a stop, and "
+        epilog="Trainings are kept beside the package: the same command goes on after a stop,\nand "
         "another limit takes less time.",
     )
-    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
+    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote (path)")
     limit = p.add_mutually_exclusive_group(required=True)
     limit.add_argument(
         "--max-error",
         type=_positive,
         metavar="FLIP",
-        help="mean FLIP of the validation images, as packages record it (float)",
+        help="mean FLIP of the validation images, as packages record it (float, no default: one "
+        "of the three limits is needed)",
     )
-    limit.add_argument("--min-psnr", type=_positive, metavar="DB", help="of those images (float)")
+    limit.add_argument(
+        "--min-psnr", type=_positive, metavar="DB", help="of those images (float, no default)"
+    )
     limit.add_argument(
         "--budget-us",
         type=_positive,
         metavar="US",
-        help="microseconds a query on all cores of this machine: the best model within it (float)",
+        help="microseconds a query on all cores of this machine: the best model within it "
+        "(float, no default)",
     )
-    p.add_argument("--out", type=Path, required=True, help="the package to write")
+    p.add_argument("--out", type=Path, required=True, help="the package to write (path)")
     p.add_argument(
-        "--work", type=Path, help="folder for trainings and the page (default: OUT with .fit)"
+        "--work", type=Path, help="folder for trainings and the page (path, default: OUT with .fit)"
     )
     p.add_argument(
         "--steps", type=int, default=40_000, help="of the final training (int, default %(default)s)"
@@ -48,24 +55,40 @@ def parser() -> argparse.ArgumentParser:
         choices=("short", "full"),
         help="what to choose from, as rna-bench frontier (default: full on a GPU, else short)",
     )
-    p.add_argument("--device", choices=("auto", "cpu", "cuda"), default="auto")
-    p.add_argument("--workers", type=int, help="trainings side by side (default: one a core)")
-    p.add_argument("--source", help="name, author and address of the original model")
     p.add_argument(
-        "--license", default="NOASSERTION", help="SPDX expression (default: %(default)s)"
+        "--device",
+        choices=("auto", "cpu", "cuda"),
+        default="auto",
+        help="for trainings (default: %(default)s, the GPU if there is one)",
     )
-    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    p.add_argument(
+        "--workers",
+        type=int,
+        help="trainings side by side (int, default: one a core, one for a GPU)",
+    )
+    p.add_argument(
+        "--source", help="name, author and address of the original model (text, default: none)"
+    )
+    p.add_argument(
+        "--license", default="NOASSERTION", help="SPDX expression (text, default: %(default)s)"
+    )
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
     return p
 
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     args = parser().parse_args(argv)
-    return run_command(lambda: _run(args), args.debug, "run the same command again to continue")
+    go_on = "run the same command again to continue"
+    return run_command(lambda: _run(args), args.debug, go_on, "train")
 
 
 def goal_of(args: argparse.Namespace) -> Goal:
     """What the options ask for."""
+    from rna_export.fit.goal import Goal
+
     if args.max_error is not None:
         return Goal("max_error", args.max_error)
     if args.min_psnr is not None:

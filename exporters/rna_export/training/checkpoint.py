@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import pickle
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import torch
 
 from rna_export.capture.dataset import CaptureManifest
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
-from rna_sdk.errors import ExportError
+from rna_sdk.errors import ExportError, TrainingError
 
 
 @dataclass(frozen=True)
@@ -35,23 +35,45 @@ def load_checkpoint(path: Path) -> Trained:
     if not path.is_file():
         raise ExportError(f"{path}: no such file")
     try:
-        saved = torch.load(path, map_location="cpu", weights_only=True)
-        record = saved["hyper_parameters"]
-        preset = Preset.model_validate(record["preset"])
-        weights = {k.removeprefix("model."): v for k, v in saved["state_dict"].items()}
-        bounds = torch.stack([weights["triplane.low"], weights["triplane.high"]])
-        model = NeuralAsset(preset.model, bounds)
-        model.load_state_dict(weights)
-        capture = CaptureManifest.model_validate(record["capture"])
-        made = record["preset_name"], record["steps"], record["seed"]
-        dataset = Path(record["dataset"])
-    except (
-        KeyError,
-        TypeError,
-        ValueError,
-        RuntimeError,
-        EOFError,
-        pickle.UnpicklingError,
-    ) as error:
-        raise ExportError(f"{path}: not a checkpoint of rna-train: {error}") from error
-    return Trained(model.eval(), preset, *made, capture, dataset)
+        return _trained(torch.load(path, map_location="cpu", weights_only=True))
+    except Exception as error:  # whatever torch and the models make of damaged bytes
+        raise ExportError(f"{path}: not a checkpoint of rna-train: {_summary(error)}") from error
+
+
+def load_progress(path: Path) -> dict[str, Any]:
+    """The checkpoint of `rna-train` that a stopped run goes on from, as it was saved.
+
+    Raises `TrainingError` when no run can go on from the file.
+    """
+    try:
+        saved: dict[str, Any] = torch.load(path, map_location="cpu", weights_only=True)
+        _trained(saved)
+        if missing := _PROGRESS - saved.keys():
+            raise KeyError(", ".join(sorted(missing)))
+    except Exception as error:  # as above
+        raise TrainingError(
+            f"{path}: no checkpoint that rna-train can continue: {_summary(error)}; delete it to "
+            "train anew, or choose another --out"
+        ) from error
+    return saved
+
+
+_PROGRESS = {"global_step", "loops", "optimizer_states", "lr_schedulers"}
+"""What Lightning continues from, besides the model."""
+
+
+def _trained(saved: dict[str, Any]) -> Trained:
+    record = saved["hyper_parameters"]
+    preset = Preset.model_validate(record["preset"])
+    weights = {k.removeprefix("model."): v for k, v in saved["state_dict"].items()}
+    bounds = torch.stack([weights["triplane.low"], weights["triplane.high"]])
+    model = NeuralAsset(preset.model, bounds)
+    model.load_state_dict(weights)
+    capture = CaptureManifest.model_validate(record["capture"])
+    made = record["preset_name"], int(record["steps"]), int(record["seed"])
+    return Trained(model.eval(), preset, *made, capture, Path(record["dataset"]))
+
+
+def _summary(error: Exception) -> str:
+    """The first line: torch and pydantic go on with advice that does not fit here."""
+    return f"{type(error).__name__}: {(str(error).splitlines() or [''])[0]}"

@@ -20,18 +20,25 @@ def parser() -> argparse.ArgumentParser:
         "rna-train helmet.rays/ --preset small --out runs/helmet --minutes 10",
         epilog="The same command continues a training that was stopped.",
     )
-    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
-    p.add_argument("--out", type=Path, required=True, help="folder for checkpoints, curves, images")
+    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote (path)")
     p.add_argument(
-        "--preset", choices=PRESETS["surface"], default="small", help="(default: %(default)s)"
+        "--out",
+        type=Path,
+        required=True,
+        metavar="FOLDER",
+        help="for checkpoints, curves and images, or a run to go on with (path, required)",
+    )
+    p.add_argument(
+        "--preset", choices=PRESETS["surface"], default="small", help="model (default: %(default)s)"
     )
     p.add_argument(
         "--inputs",
         nargs="+",
         choices=INPUT_BLOCKS,
         metavar="BLOCK",
-        help="decoder inputs instead of the preset's, to try what one is worth: "
-        + ", ".join(INPUT_BLOCKS),
+        help="decoder inputs, to try what one is worth: "
+        + ", ".join(INPUT_BLOCKS)
+        + " (default: the preset's)",
     )
     p.add_argument(
         "--loss",
@@ -41,19 +48,34 @@ def parser() -> argparse.ArgumentParser:
     )
     length = p.add_mutually_exclusive_group()
     length.add_argument(
-        "--minutes", type=float, help="length of the run (default: the preset's steps)"
+        "--minutes",
+        type=float,
+        help="length of the run by the clock, with loading and validations (float, default: the "
+        "preset's steps)",
     )
-    length.add_argument("--steps", type=int, help="length, rounded up to a multiple of 10")
+    length.add_argument(
+        "--steps",
+        type=int,
+        help="length, rounded up to a multiple of 10 (int, default: "
+        f"{PRESETS['surface']['small'].training.steps:,}, of the paper's presets "
+        f"{PRESETS['surface']['paper-small'].training.steps:,})",
+    )
     p.add_argument(
-        "--seed", type=int, default=0, help="a seed repeats a run (default: %(default)s)"
+        "--seed",
+        type=int,
+        default=0,
+        help="of the random numbers; the same one repeats a run of --steps on the CPU (int, "
+        "default: %(default)s)",
     )
     p.add_argument(
         "--device",
         choices=("auto", "cpu", "cuda"),
         default="auto",
-        help="(default: %(default)s, the GPU if there is one)",
+        help="for the training (default: %(default)s, the GPU if there is one)",
     )
-    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
     return p
 
 
@@ -65,7 +87,8 @@ def main(argv: list[str] | None = None) -> int:
         value = getattr(args, name)
         if value is not None and not value > 0:
             options.error(f"argument --{name}: expected more than 0, found {value:g}")
-    return run_command(lambda: _run(args), args.debug, "run the same command again to continue")
+    go_on = "run the same command again to continue"
+    return run_command(lambda: _run(args), args.debug, go_on, "train")
 
 
 def _run(args: argparse.Namespace) -> None:

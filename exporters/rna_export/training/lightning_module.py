@@ -13,6 +13,7 @@ from torch import Tensor
 from rna_export.capture.dataset import ValidationView
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
+from rna_export.training.pace import Pace, StepPace
 from rna_export.training.presets import Preset
 from rna_export.training.samples import columns
 from rna_export.training.validation import score, shade, write_images
@@ -27,7 +28,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         bounds: Tensor,
         ceiling: float,
         unit: float,
-        steps: int,
+        pace: Pace,
         fields: dict[str, int],
         views: list[ValidationView],
         out: Path,
@@ -38,13 +39,19 @@ class NeuralAssetTraining(lightning.LightningModule):
         self.model = NeuralAsset(preset.model, bounds)
         self.model.ceiling.fill_(ceiling)
         self.model.unit.fill_(unit)
-        self._config, self._steps, self._fields = preset.training, steps, fields
+        self._config, self._pace, self._fields = preset.training, pace, fields
         self._views, self._out = views, out
 
     @property
     def progress(self) -> float:
         """How much of the run is done, 0 to 1."""
-        return self.global_step / self._steps
+        return self._pace.progress(self.global_step)
+
+    def on_save_checkpoint(self, checkpoint: dict[str, Any]) -> None:
+        """Add how far a run is whose steps are not known before its end."""
+        if not isinstance(self._pace, StepPace):
+            checkpoint["pace"] = self._pace.state()
+            checkpoint["hyper_parameters"]["steps"] = self.global_step
 
     def training_step(self, rows: Tensor, _: int) -> Tensor:
         # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
@@ -72,7 +79,7 @@ class NeuralAssetTraining(lightning.LightningModule):
         return {"optimizer": optimizer, "lr_scheduler": {"scheduler": rate, "interval": "step"}}
 
     def _rate(self, step: int) -> float:
-        progress = min(step / self._steps, 1.0)
+        progress = self._pace.progress(step)
         if self._config.schedule == "halving":
             return 0.5 ** min(int(5.0 * progress), 4)
         return 0.5 * (1.0 + math.cos(math.pi * progress)) + 1e-3

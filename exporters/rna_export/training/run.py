@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import csv
 import shutil
-import time
 import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 import lightning
-import numpy as np
 import torch
 from lightning.pytorch.callbacks import Callback, ModelCheckpoint, TQDMProgressBar
 from lightning.pytorch.callbacks.progress.tqdm_progress import Tqdm
@@ -19,16 +18,15 @@ from lightning.pytorch.loggers import CSVLogger
 from torch.utils.data import DataLoader
 
 from rna_export.capture.dataset import Dataset
+from rna_export.training.checkpoint import load_progress
 from rna_export.training.curves import draw_curves
 from rna_export.training.lightning_module import NeuralAssetTraining
-from rna_export.training.losses import sample_loss
-from rna_export.training.model import NeuralAsset
 from rna_export.training.noise import with_fitting_loss
+from rna_export.training.pace import Pace, StepPace, TimePace, length, resumed
 from rna_export.training.presets import Preset
-from rna_export.training.samples import SampleTable, columns
+from rna_export.training.samples import SampleTable
+from rna_export.training.timekeeper import NEVER, Timekeeper
 from rna_sdk.errors import TrainingError
-
-_MEASURED_SECONDS = 5.0  # to find how many steps fit into --minutes
 
 
 @dataclass(frozen=True)
@@ -40,7 +38,7 @@ class Run:
     preset_name: str
     out: Path
     seed: int = 0
-    minutes: float | None = None  # replaces the preset's steps by as many as fit
+    minutes: float | None = None  # of wall time, all of `train`; replaces the preset's steps
     device: str = "cpu"
     validations: int = 10  # over the run; the best checkpoint is one of as many
 
@@ -52,6 +50,7 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     run's device, for callers that train on them several times. Raises `TrainingError` when the
     checkpoint belongs to another run.
     """
+    begun = monotonic()
     bounds = padded_bounds(run.dataset)
     if table is None:
         table = SampleTable(run.dataset.training_samples(), device=run.device)
@@ -63,24 +62,24 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     saved = _continued(last, run)
     done = int(saved["global_step"]) if saved else 0
     table = table.shuffled(run.preset.training.batch, run.seed, done)
-    steps = int(saved["hyper_parameters"]["steps"]) if saved else _steps(run, table, bounds)
-    print(_plan(run, len(table), steps))
+    pace = _pace(run, begun, saved)
+    print(_plan(run, len(table), pace))
     torch.manual_seed(run.seed)
     module = NeuralAssetTraining(
         run.preset,
         bounds,
         ceiling,
         unit,
-        steps,
+        pace,
         table.fields,
         run.dataset.validation_views(),
         run.out,
-        _record(run, steps),
+        _record(run, pace),
     )
     checkpoints = ModelCheckpoint(
         run.out, "{step}-{psnr:.2f}", monitor="psnr", mode="max", save_top_k=3, save_last=True
     )
-    trainer = _trainer(run, steps, checkpoints, _earlier_curves(run.out, done))
+    trainer = _trainer(run, pace, done, checkpoints, _earlier_curves(run.out, done))
     loader = DataLoader(table, batch_size=None)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", module="lightning|torch")
@@ -107,14 +106,30 @@ def padded_bounds(dataset: Dataset) -> torch.Tensor:
 
 
 class _Bar(TQDMProgressBar):
-    """One bar for the run; the short validations show none."""
+    """One bar for the run, as long as it will be; the short validations show none."""
+
+    def __init__(self, pace: Pace):
+        super().__init__(refresh_rate=20)
+        self._pace = pace
+
+    def on_train_batch_end(
+        self, trainer: lightning.Trainer, module: Any, outputs: Any, batch: Any, index: int
+    ) -> None:
+        progress = self._pace.progress(trainer.global_step)
+        if isinstance(self._pace, TimePace) and progress > 0.0:
+            self.train_progress_bar.total = round((index + 1) / progress)
+        super().on_train_batch_end(trainer, module, outputs, batch, index)
 
     def init_validation_tqdm(self) -> Any:
         return Tqdm(disable=True)
 
 
 def _trainer(
-    run: Run, steps: int, checkpoints: ModelCheckpoint, earlier: list[dict[str, float]]
+    run: Run,
+    pace: Pace,
+    done: int,
+    checkpoints: ModelCheckpoint,
+    earlier: list[dict[str, float]],
 ) -> lightning.Trainer:
     logger = CSVLogger(run.out, name="", version="", flush_logs_every_n_steps=500)
     with warnings.catch_warnings():
@@ -127,51 +142,44 @@ def _trainer(
                 trainer.logger.save()
                 draw_curves(run.out)
 
+    callbacks = [checkpoints, _Bar(pace), Curves()]
+    if isinstance(pace, TimePace):
+        callbacks.append(Timekeeper(pace, run.validations))
+        steps = done if pace.progress(done) >= 1.0 else -1
+        interval = NEVER
+    else:
+        steps, interval = pace.steps, max(1, pace.steps // run.validations)
     return lightning.Trainer(
         accelerator=run.device if run.device == "cpu" else "gpu",
         devices=1,
+        max_epochs=-1,
         max_steps=steps,
-        val_check_interval=max(1, steps // run.validations),
+        val_check_interval=interval,
         check_val_every_n_epoch=None,
         num_sanity_val_steps=0,
-        callbacks=[checkpoints, _Bar(refresh_rate=20), Curves()],
+        callbacks=callbacks,
         logger=logger,
         log_every_n_steps=20,
         enable_model_summary=False,
     )
 
 
-def _steps(run: Run, table: SampleTable, bounds: torch.Tensor) -> int:
-    if run.minutes is None:
-        return run.validations * -(-run.preset.training.steps // run.validations)
-    seconds = 0.2 * _seconds_a_step(run, table, bounds, run.preset.training.blur)
-    seconds += 0.8 * _seconds_a_step(run, table, bounds, blur=1.0)
-    return run.validations * max(1, int(60.0 * run.minutes / seconds / run.validations))
+def _pace(run: Run, begun: float, saved: dict[str, Any] | None) -> Pace:
+    """Of the run, or of what is left of it."""
+    if run.minutes is not None:
+        return resumed(run.minutes, begun, saved)
+    if saved is not None:
+        return StepPace(int(saved["hyper_parameters"]["steps"]))
+    return StepPace(run.validations * -(-run.preset.training.steps // run.validations))
 
 
-def _seconds_a_step(run: Run, table: SampleTable, bounds: torch.Tensor, blur: float) -> float:
-    """Measured on a model that is thrown away, once caches and thread pools are warm."""
-    model = NeuralAsset(run.preset.model, bounds).to(run.device)
-    optimizer = torch.optim.Adam(model.parameters(), fused=True)
-    begun, ends = time.perf_counter(), []
-    for rows in table:
-        optimizer.zero_grad()
-        loss = sample_loss(model, columns(rows, table.fields), blur)
-        loss.backward()
-        optimizer.step()
-        loss.item()
-        ends.append(time.perf_counter() - begun)
-        if len(ends) > 8 and ends[-1] > _MEASURED_SECONDS:
-            return float(np.median(np.diff(ends[len(ends) // 2 :])))
-    raise AssertionError("batches never end")
-
-
-def _record(run: Run, steps: int) -> dict[str, Any]:
+def _record(run: Run, pace: Pace) -> dict[str, Any]:
     """What a checkpoint says of its run: enough to repeat it."""
     return {
         "preset_name": run.preset_name,
         "seed": run.seed,
-        "steps": steps,
+        "steps": pace.steps if isinstance(pace, StepPace) else None,
+        "minutes": run.minutes,
         "dataset": str(run.dataset.folder.resolve()),
         "capture": run.dataset.manifest.model_dump(mode="json", by_alias=True),
     }
@@ -181,14 +189,18 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
     """The checkpoint to go on from, if there is one; `TrainingError` when it is of another run."""
     if not last.is_file():
         return None
-    saved = torch.load(last, map_location="cpu", weights_only=True)
+    saved = load_progress(last)
     begun, preset = saved["hyper_parameters"], run.preset.model_dump(mode="json")
     begun_preset = Preset.model_validate(begun["preset"]).model_dump(mode="json")
     capture = run.dataset.manifest.model_dump(mode="json", by_alias=True)
     for what, before, now in (
         ("preset", begun["preset_name"], run.preset_name),
         ("seed", begun["seed"], run.seed),
-        ("steps", begun["preset"]["training"]["steps"], run.preset.training.steps),
+        (
+            "length",
+            length(begun.get("minutes"), begun["preset"]["training"]["steps"]),
+            length(run.minutes, run.preset.training.steps),
+        ),
         ("model or training", begun_preset, preset),
         ("dataset", begun["capture"], capture),
     ):
@@ -205,12 +217,15 @@ def _earlier_curves(folder: Path, done: int) -> list[dict[str, float]]:
     path = folder / "metrics.csv"
     if not path.is_file():
         return []
-    with path.open(newline="") as file:
-        rows = [{k: float(v) for k, v in row.items() if v} for row in csv.DictReader(file)]
-    return [{**row, "step": int(row["step"])} for row in rows if row["step"] < done]
+    try:
+        with path.open(newline="") as file:
+            rows = [{k: float(v) for k, v in row.items() if v} for row in csv.DictReader(file)]
+        return [{**row, "step": int(row["step"])} for row in rows if row["step"] < done]
+    except (KeyError, TypeError, ValueError) as error:
+        raise TrainingError(f"{path}: not the curves of rna-train: {error!r}") from error
 
 
-def _plan(run: Run, samples: int, steps: int) -> str:
+def _plan(run: Run, samples: int, pace: Pace) -> str:
     model, training = run.preset.model, run.preset.training
     loss = (
         "losses of direct and scattered light"
@@ -220,6 +235,12 @@ def _plan(run: Run, samples: int, steps: int) -> str:
     return (
         f"{run.preset_name}: {model.hidden_layers} x {model.width}, planes 3 x "
         f"{model.resolution}^2 x {model.channels}, inputs {', '.join(model.inputs)}\n"
-        f"{samples / 1e6:.2f} M samples, {steps:,} steps of {training.batch:,} = "
-        f"{steps * training.batch / samples:.1f} epochs, {loss}"
+        f"{samples / 1e6:.2f} M samples, {_length(run, samples, pace)}, {loss}"
     )
+
+
+def _length(run: Run, samples: int, pace: Pace) -> str:
+    batch = run.preset.training.batch
+    if isinstance(pace, TimePace):
+        return f"{run.minutes:g} minutes of steps of {batch:,}"
+    return f"{pace.steps:,} steps of {batch:,} = {pace.steps * batch / samples:.1f} epochs"

@@ -6,10 +6,9 @@ import time
 from pathlib import Path
 
 import numpy as np
-import torch
 
 from rna_export.capture.dataset import Dataset, ValidationView, write_atomically
-from rna_export.training.checkpoint import Trained, load_checkpoint
+from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
 from rna_export.training.run import Run, train
 from rna_export.training.samples import SampleTable
 from rna_export.training.validation import shade
@@ -103,7 +102,7 @@ def steps_done(folder: Path) -> int:
     path = folder / "last.ckpt"
     if not path.is_file():
         return 0
-    return int(torch.load(path, map_location="cpu", weights_only=True)["global_step"])
+    return int(load_progress(path)["global_step"])
 
 
 def _measure_packages(

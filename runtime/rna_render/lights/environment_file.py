@@ -10,6 +10,7 @@ import numpy as np
 from rna_render.images import read_exr
 from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.radiance_hdr import HDR_MAGIC, read_hdr
+from rna_render.limits import MAX_NUMBER
 from rna_sdk.errors import SceneError
 
 # First bytes of the file: OpenEXR file layout, "Magic Number".
@@ -50,9 +51,12 @@ def read_environment(path: Path) -> np.ndarray:
         texels = read_hdr(path)
     else:
         raise SceneError("is neither an EXR nor a Radiance HDR image", file=path)
-    bad = np.count_nonzero(~np.isfinite(texels).all(axis=2))
+    usable = np.isfinite(texels) & (texels <= MAX_NUMBER)
+    bad = np.count_nonzero(~usable.all(axis=2))
     if bad:
-        raise SceneError(f"has {bad} texels that are not finite numbers", file=path)
+        raise SceneError(
+            f"has {bad} texels that are not finite numbers of at most {MAX_NUMBER:g}", file=path
+        )
     return np.maximum(texels, np.float32(0.0), out=texels)
 
 

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import Field, field_validator, model_validator
 
-from rna_render.model_base import Model, Positive, Rgb, Vector
+from rna_render.limits import MIN_LENGTH
+from rna_render.model_base import Length, Model, Number, Rgb, Vector, is_short
 
 Angle = Annotated[float, Field(ge=0, le=180)]
 
 
 def _check_aim(position: Vector, look_at: Vector) -> None:
-    if position == look_at:
+    if math.dist(position, look_at) < MIN_LENGTH:
         raise ValueError("position and look_at are the same point")
 
 
@@ -33,7 +35,7 @@ class _DirectedModel(_LightModel):
     @field_validator("direction")
     @classmethod
     def _has_length(cls, value: Vector) -> Vector:
-        if not any(value):
+        if is_short(value):
             raise ValueError("must not be zero")
         return value
 
@@ -101,7 +103,7 @@ class RectangleModel(AreaModel):
     position: Vector = Field(description="Its middle.")
     look_at: Vector = Field(description="A point straight before it.")
     up: Vector = Field(default=(0.0, 1.0, 0.0), description="Where its height points to.")
-    size: tuple[Positive, Positive] = Field(description="Width and height, metres.")
+    size: tuple[Length, Length] = Field(description="Width and height, metres.")
 
     @model_validator(mode="after")
     def _has_axes(self) -> RectangleModel:
@@ -119,7 +121,7 @@ class DiskModel(AreaModel):
     type: Literal["disk"] = Field(description="`disk`")
     position: Vector = Field(description="Its middle.")
     look_at: Vector = Field(description="A point straight before it.")
-    radius: Positive = Field(description="Metres.")
+    radius: Length = Field(description="Metres.")
 
     @model_validator(mode="after")
     def _has_aim(self) -> DiskModel:
@@ -132,7 +134,7 @@ class SphereModel(AreaModel):
 
     type: Literal["sphere"] = Field(description="`sphere`")
     position: Vector = Field(description="Its middle.")
-    radius: Positive = Field(description="Metres.")
+    radius: Length = Field(description="Metres.")
 
 
 class EnvironmentModel(_LightModel):
@@ -146,9 +148,9 @@ class EnvironmentModel(_LightModel):
         default=None,
         description="An equirectangular image, EXR or HDR, relative to the scene file. Its middle "
         "is seen in direction -z, its upper edge is +y, its right half lies towards +x. Negative "
-        "values count as 0; values that are not finite are refused.",
+        "values count as 0; values that are not finite, or above 1e18, are refused.",
     )
-    rotation_deg: float = Field(
+    rotation_deg: Number = Field(
         default=0.0, description="Turns the image about +y, counter-clockwise seen from above."
     )
     visible_to_camera: bool = Field(

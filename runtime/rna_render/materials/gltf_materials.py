@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from rna_render.limits import MAX_NUMBER
 from rna_render.materials.gltf_container import GltfContainer
 from rna_render.materials.material import Material, reflectance_of_ior
 from rna_render.materials.textures import (
@@ -115,5 +116,6 @@ def _check(material: Material) -> None:
     shares = np.array([*material.base_color, material.metallic, material.roughness])
     if not (np.all(shares >= 0) and np.all(shares <= 1)):
         raise ValueError("a material has a factor outside [0, 1]")
-    if not (np.isfinite(material.emission).all() and min(material.emission) >= 0):
-        raise ValueError("a material has an emission below 0, or not finite")
+    emission = np.array(material.emission)
+    if not (np.all(emission >= 0) and np.all(emission <= MAX_NUMBER)):
+        raise ValueError(f"a material has an emission outside [0, {MAX_NUMBER:g}]")

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_render.limits import MAX_NUMBER
 from rna_render.materials.material import Material
 from rna_render.materials.mesh_object import MeshObject
 from rna_sdk.errors import SceneError
@@ -95,8 +96,8 @@ def _checked(path: Path, part: Part, materials: Sequence[Material]) -> Part:
     count = len(positions)
     if triangles.min() < 0 or triangles.max() >= count:
         raise SceneError(f"a triangle has a vertex outside [0, {count})", file=path)
-    if not np.isfinite(positions).all():
-        raise SceneError("positions must be finite in float32", file=path)
+    if not (np.abs(positions) <= MAX_NUMBER).all():
+        raise SceneError(f"positions must be finite and at most {MAX_NUMBER:g}", file=path)
     uvs = part.uvs
     if uvs is not None:
         with np.errstate(over="ignore"):

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_render.limits import MAX_NUMBER
 from rna_render.materials.material import Material, reflectance_of_ior
 from rna_render.materials.mesh_parts import MeshFile, Part, fans
 from rna_render.materials.models import DiffuseModel
@@ -139,8 +140,8 @@ def _colour(data: dict[str, str], key: str, default: float) -> tuple[float, floa
         raise ValueError(f"{key} of a material is not a colour") from error
     red, green, blue = values if len(values) == 3 else values[:1] * 3
     limit = 1.0 if key == "kd" else np.inf
-    if not all(0 <= value < np.inf for value in (red, green, blue)):
-        raise ValueError(f"{key} of a material is below 0, or not finite")
+    if not all(0 <= value <= MAX_NUMBER for value in (red, green, blue)):
+        raise ValueError(f"{key} of a material is outside [0, {MAX_NUMBER:g}]")
     return min(red, limit), min(green, limit), min(blue, limit)
 
 

@@ -12,11 +12,12 @@ from rna_sdk.package.writer import write_package
 from tests.conformance.kit import decoders, shapes
 from tests.conformance.kit.blocks import Points, decoder_inputs, moved_blocks
 from tests.conformance.kit.decoders import Decoder, Int8Decoder, short
+from tests.conformance.kit.oddities import make_odd
 from tests.conformance.kit.queries import ORDINARY, Maker, make_queries, valid_rows
 from tests.package.builders import make_manifest, make_tier
 
 PART_OF_SCALE = 1e-4  # tolerance of a well-conditioned row
-SIGN_PATTERNS = 16
+SIGN_PATTERNS = 32
 _CALIBRATION_ROWS = 600
 
 SURFACE = ("features", "position", "normal", "wo", "wi", "half_vector")
@@ -39,8 +40,10 @@ class TierPlan:
     planes: str = "float16"
     int8: str = ""
     widths: tuple[int, ...] = (16, 16)
-    mixing: bool = False
+    mixing: int = 0  # outputs that a matrix makes colours of; 0: a factor does
     loud: bool = False  # texels beyond the Clip of the decoder's inputs
+    faint: bool = False  # a channel of texels that float16 holds as subnormal numbers
+    shares_planes: bool = False  # with the tier before
 
 
 @dataclass(frozen=True)
@@ -59,11 +62,12 @@ class Plan:
 
     @property
     def bounds(self) -> np.ndarray:
-        return np.array([self.low, self.high])
+        """(2, 3) float64, rounded to float32 as readers have them."""
+        return np.array([self.low, self.high], np.float32).astype(np.float64)
 
 
 ONE = (-1.0,) * 3, (1.0,) * 3
-HERE = (3.0, -0.7, 0.5), 0.02
+HERE = (3.0, -0.7, 0.5), 0.002
 
 PLANS = (
     Plan(
@@ -71,13 +75,13 @@ PLANS = (
         *(shapes.ball(), *ONE),
         (
             TierPlan("small", SURFACE, 6, 4, "float32"),
-            TierPlan("hq", SURFACE_ALL, 9, 5, "float32", widths=(24, 16, 16), mixing=True),
+            TierPlan("hq", SURFACE_ALL, 9, 5, "float32", widths=(24, 16, 16), mixing=6),
         ),
     ),
     Plan(
         *("surface-clip", "features beyond the decoder's first Clip, colours beyond its second"),
         *(shapes.steps(), *ONE),
-        (TierPlan("loud", SURFACE, 16, 2, "float32", loud=True),),
+        (TierPlan("loud", SURFACE, 16, 2, "float32", widths=(), loud=True),),
     ),
     Plan(
         *("surface-float16", "float16 planes, every block of surfaces, self-shadowing"),
@@ -89,13 +93,14 @@ PLANS = (
         *(shapes.steps(), *ONE),
         (
             TierPlan("small-int8", SURFACE, 8, 4, "int8", "plain"),
-            TierPlan("small", SURFACE, 8, 4, "int8"),
+            TierPlan("small", SURFACE, 8, 4, "int8", shares_planes=True),
         ),
     ),
     Plan(
         *("surface-int8-saturating", "int8 weights that 16-bit sums of pairs cannot hold"),
         *(shapes.steps(), *ONE),
         (TierPlan("small-int8", SURFACE, 8, 4, "float16", "saturating"),),
+        "DECODER_SATURATION",
     ),
     Plan(
         *("surface-one-texel", "R = 1, one channel, wound clockwise, narrow and long bounds"),
@@ -103,28 +108,34 @@ PLANS = (
         (TierPlan("one", ("learned_normal", *SURFACE), 1, 1),),
     ),
     Plan(
-        *("surface-tiny", "two channels, bounds of 0.02 m far from the origin, three layers"),
+        *("surface-tiny", "bounds of 2 mm far from the origin, two channels, four layers"),
         shapes.placed(shapes.ball(5, 8), HERE[1] / 2, HERE[0]),
         *(tuple(c + s * HERE[1] / 2 for c in HERE[0]) for s in (-1, 1)),
         (TierPlan("two", SURFACE_ALL, 7, 2, "float16", widths=(16, 12, 8)),),
+    ),
+    Plan(
+        *("surface-odd", "a manifest, planes and container as no exporter writes them; subnormals"),
+        *(shapes.with_uvs(shapes.ball(4, 7)), *ONE),
+        (TierPlan("odd", SURFACE, 5, 3, "float16", faint=True),),
+        "EXTENSION_UNKNOWN",
     ),
     Plan(
         *("fiber-float16", "float16 planes, every block of fibers, two tiers"),
         *(shapes.curls(7, 3), *ONE),
         (
             TierPlan("small", FIBER, 8, 4),
-            TierPlan("hq", FIBER_ALL, 12, 6, widths=(24, 16), mixing=True),
+            TierPlan("hq", FIBER_ALL, 12, 6, widths=(24, 15), mixing=9),
         ),
     ),
     Plan(
         *("fiber-int8", "int8 planes and decoder; strands that touch, cross and double back"),
         *(shapes.crossings(), *ONE),
-        (TierPlan("small-int8", FIBER, 8, 4, "int8", "plain", mixing=True),),
+        (TierPlan("small-int8", FIBER, 8, 4, "int8", "plain", (13, 10), mixing=6),),
     ),
     Plan(
         *("fiber-one-channel", "float32 planes, R = 1, one channel, no features among the inputs"),
         *(shapes.curls(2, 5), *ONE),
-        (TierPlan("one", ("h", "fiber_lobes", "fiber_angles"), 1, 1, "float32", widths=(12,)),),
+        (TierPlan("one", ("h", "fiber_lobes", "fiber_angles"), 1, 1, "float32", widths=(13, 7)),),
     ),
 )
 
@@ -153,11 +164,12 @@ def write_asset(plan: Plan, folder: Path) -> dict[str, Answers]:
     answers: dict[str, Answers] = {}
     for number, tier in enumerate(plan.tiers):
         rng = np.random.default_rng([len(plan.name), number, *plan.name.encode()])
-        planes, values = _planes(rng, tier)
+        if not tier.shares_planes:
+            planes, values = _planes(rng, tier)
         decoder = _decoder(rng, plan, tier, values)
         data[tier.name] = TierData(planes, decoder.file())
-        precision = "int8" if tier.int8 else "float32"
-        records.append(_record(tier, precision))
+        shared = records[-1].planes if tier.shares_planes else None
+        records.append(_record(tier, shared or f"features/{tier.name}.safetensors"))
         seed = int(rng.integers(2**32))
         answers[tier.name] = _answers(seed, plan, tier, values, decoder)
     manifest = make_manifest(
@@ -169,18 +181,22 @@ def write_asset(plan: Plan, folder: Path) -> dict[str, Answers]:
         bounds=Bounds(min=plan.low, max=plan.high),
         provenance=Provenance(source="tests/conformance/kit/assets.py", tool="numpy"),
     )
-    write_package(folder / f"{plan.name}.rna", manifest, plan.geometry, data)
+    path = folder / f"{plan.name}.rna"
+    write_package(path, manifest, plan.geometry, data)
+    if plan.name == "surface-odd":
+        make_odd(path)
     return answers
 
 
-def _record(tier: TierPlan, precision: str) -> Tier:
+def _record(tier: TierPlan, planes: str) -> Tier:
     return make_tier(
         tier.name,
+        planes=planes,
         inputs=tier.inputs,
         resolution=tier.resolution,
         channels=tier.channels,
         plane_precision=tier.planes,
-        decoder_precision=precision,
+        decoder_precision="int8" if tier.int8 else "float32",
     )
 
 
@@ -195,6 +211,8 @@ def _planes(rng: np.random.Generator, tier: TierPlan) -> tuple[np.ndarray | Int8
     values = short(rng.uniform(-1, 1, shape)).astype(tier.planes)
     if tier.resolution == 1:  # features that sum to -10: q of (1, 0, 0) has no length
         values[:, 0, 0, 0] = -4, -3, -3
+    if tier.faint:
+        values[..., 1] *= values.dtype.type(2.0**-16)
     if tier.loud:
         values[0, 0, 0, 0], values[1, -1, -1, 1] = 1e6, -1e6
     return values, values.astype(np.float64)

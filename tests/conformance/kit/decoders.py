@@ -125,25 +125,27 @@ def make_decoder(
     rng: np.random.Generator,
     blocks: np.ndarray,
     widths: tuple[int, ...],
-    mixing: bool = False,
+    mixing: int = 0,
     first: np.ndarray | None = None,
 ) -> Decoder:
     """Random layers whose outputs on these (n, K) blocks are colours of 0.02 to 2 or so.
 
-    mixing: with a matrix at the end. first: (K, outputs), the first layer's weights but for a
-    factor an output.
+    mixing: outputs of the last layer that a matrix makes six colours of; 0 for none. first:
+    (K, outputs), the first layer's weights but for a factor an output.
     """
-    sizes, layers, x = [blocks.shape[1], *widths, 6], [], blocks
+    sizes, layers, x = [blocks.shape[1], *widths, mixing or 6], [], blocks
+    spread = blocks.std(axis=0)
+    spread = np.where(spread > 1e-6, spread, 1)
     for k in range(len(sizes) - 1):
         weight = rng.uniform(-1, 1, (sizes[k], sizes[k + 1]))
         if k == 0:  # as if all columns had the same deviation
-            weight = weight / blocks.std(axis=0).clip(0.05)[:, None] if first is None else first
+            weight = weight / spread[:, None] if first is None else first
         last = k == len(sizes) - 2
         deviation, mean = (0.5, 1.7) if last else (1.0, 0.3)
         weight = short(weight * (deviation / (x @ weight).std(axis=0)))
         layers.append(Layer(weight, short(mean - (x @ weight).mean(axis=0))))
         x = np.maximum(x @ layers[-1].weight + layers[-1].bias, 0)
-    return Decoder(layers, _mixing() if mixing else np.float32(UNIT))
+    return Decoder(layers, _mixing(rng, mixing) if mixing else np.float32(UNIT))
 
 
 def make_int8_decoder(decoder: Decoder, blocks: np.ndarray, largest: int = 64) -> Int8Decoder:
@@ -186,10 +188,11 @@ def saturating_weights(rng: np.random.Generator, blocks: np.ndarray, outputs: in
     return signs[: len(gain)] * gain[:, None]
 
 
-def _mixing() -> np.ndarray:
-    """From (the sum of the colours, shadowed): visible is the sum and a part of the other."""
-    parts = np.array([[1.0, 0.25], [0.5, 1.0]])
-    return np.kron(parts, np.eye(3)).astype(np.float32) * np.float32(UNIT)
+def _mixing(rng: np.random.Generator, outputs: int) -> np.ndarray:
+    """(outputs, 6), of 6 as exporters have it: colours from a sum and a part of the other."""
+    if outputs == 6:
+        return short(np.kron([[1.0, 0.25], [0.5, 1.0]], np.eye(3)) * UNIT)
+    return short(rng.uniform(0, 0.5, (outputs, 6)) * UNIT)
 
 
 def _product(x: np.ndarray, weight: np.ndarray) -> np.ndarray:

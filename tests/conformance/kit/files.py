@@ -35,12 +35,10 @@ def kit_files() -> Files:
             for tier, answer in answers.items():
                 index["evaluate"].append(_evaluate_case(files, plan, package, tier, answer))
             index["visibility"].append(_visibility_case(files, plan, package))
-            index["validate"].append({"package": package, "valid": True, "code": plan.warning})
+            index["validate"].append(_validate_case(package, True, plan.warning))
         for name, (data, code, valid) in broken_packages(Path(folder)).items():
             files[f"broken/{name}.rna"] = data
-            index["validate"].append(
-                {"package": f"broken/{name}.rna", "valid": valid, "code": code}
-            )
+            index["validate"].append(_validate_case(f"broken/{name}.rna", valid, code))
     index["files"] = {
         name: {"size": len(data), "sha256": hashlib.sha256(data).hexdigest()}
         for name, data in sorted(files.items())
@@ -84,6 +82,11 @@ def _visibility_case(files: Files, plan: Plan, package: str) -> dict[str, Any]:
         "rows": len(picks),
         "classes": _classes(classes),
     }
+
+
+def _validate_case(package: str, valid: bool, code: str | None) -> dict[str, Any]:
+    needs_engine = code in ("DECODER_LOAD", "DECODER_RESULT")
+    return {"package": package, "valid": valid, "code": code, "needsEngine": needs_engine}
 
 
 def _classes(ranges: list[tuple[str, int, int]]) -> list[dict[str, Any]]:

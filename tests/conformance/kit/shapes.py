@@ -71,6 +71,10 @@ def backwards(mesh: Mesh) -> Mesh:
     return Mesh(mesh.positions, mesh.normals, None, np.ascontiguousarray(mesh.triangles[:, ::-1]))
 
 
+def with_uvs(mesh: Mesh) -> Mesh:
+    return Mesh(mesh.positions, mesh.normals, np.abs(mesh.positions[:, :2]), mesh.triangles)
+
+
 def placed(mesh: Mesh, scale: float, centre: tuple[float, float, float]) -> Mesh:
     positions = (mesh.positions * scale + np.array(centre)).astype(np.float32)
     return Mesh(positions, mesh.normals, None, mesh.triangles)

@@ -317,6 +317,18 @@ def planes_with_nan(entries: Entries) -> bytes:
 
 
 @case("PLANES_NOT_FINITE")
+def planes_too_large_for_sums(entries: Entries) -> bytes:
+    planes = make_planes(precision="float32")
+    planes[0, 0, 0, 0] = 1.001e18
+    return with_entry(
+        entries,
+        PLANES,
+        planes_to_bytes(planes),
+        lambda m: m["tiers"][0].update(planePrecision="float32"),
+    )
+
+
+@case("PLANES_NOT_FINITE")
 def planes_with_infinity(entries: Entries) -> bytes:
     planes = make_planes()
     planes[0, 0, 0, 0] = -np.inf
@@ -355,6 +367,13 @@ def decoder_with_two_graphs(entries: Entries) -> bytes:
 @case("DECODER_NOT_ONNX")
 def decoder_of_countless_fields(entries: Entries) -> bytes:
     return with_entry(entries, DECODER, entries[DECODER] + b"\x28\x01" * 300_000)
+
+
+@case("DECODER_NOT_ONNX")
+def decoder_with_a_size_named_in_no_utf8(entries: Entries) -> bytes:
+    data = entries[DECODER]
+    assert data.count(b"\x12\x01N") == 2
+    return with_entry(entries, DECODER, data.replace(b"\x12\x01N", b"\x12\x01\xb7"))
 
 
 @case("DECODER_VERSION")
@@ -486,6 +505,14 @@ def decoder_nodes_out_of_order(entries: Entries) -> bytes:
         nodes = list(model.graph.node)
         del model.graph.node[:]
         model.graph.node.extend(reversed(nodes))
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_GRAPH")
+def decoder_with_a_constant_named_twice(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        model.graph.initializer.append(model.graph.initializer[0])
 
     return with_decoder(entries, edit)
 

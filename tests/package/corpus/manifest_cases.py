@@ -155,6 +155,11 @@ def number_as_text(entries: Entries) -> bytes:
 
 
 @case("FIELD_VALUE")
+def list_for_an_extension(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(extensionsRequired=[["rna_x"]]))
+
+
+@case("FIELD_VALUE")
 def malformed_version(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m.update(minReaderVersion="one"))
 

@@ -14,7 +14,8 @@ from rna_bench.stability.workshop import ASSETS, Workshop
 from rna_export.capture.dataset import Dataset, queries_of
 from rna_export.capture.directions import frame, light_direction
 from rna_export.capture.run import scene_of
-from rna_export.capture.surface_scene import SHARPEST, SurfaceScene
+from rna_export.capture.settings import SHARPEST
+from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.metrics import psnr
@@ -193,7 +194,7 @@ def lobe_shape(half: np.ndarray, lobe: np.ndarray, suffix: str) -> dict[str, flo
     """
     value = lobe.mean(axis=1, dtype=np.float64)
     above = value - value.min()
-    area = float(np.trapezoid(above, np.degrees(half)))
+    area = float(np.sum(np.diff(np.degrees(half)) * (above[1:] + above[:-1])) / 2.0)
     width = area / above.max() if above.max() > 0.0 else 0.0
     return {f"peak{suffix}": float(value.max()), f"width_deg{suffix}": float(width)}
 

@@ -1,0 +1,39 @@
+"""What can follow `--` on the command line of a source: its own `--help`."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+from rna_export.capture.blender_env import find_python
+from rna_sdk.errors import CaptureError
+
+GROOMS = (".hair", ".tfx")
+
+_SCRIPT_HELP = Path(__file__).parent.parent / "blender" / "script_help.py"
+
+
+def is_asked(arguments: tuple[str, ...]) -> bool:
+    """Whether the arguments after `--` ask for help."""
+    return bool({"-h", "--help"} & set(arguments))
+
+
+def show(source: Path) -> None:
+    """Print the source's options; a script, which must exist, runs in Blender to tell its own."""
+    suffix = source.suffix.lower()
+    if suffix in GROOMS:
+        from rna_export.blender.groom_options import parser
+
+        parser().print_help()
+    elif suffix == ".py":
+        if not source.is_file():
+            raise CaptureError(f"{source}: no such file")
+        _show_script(source)
+    else:
+        raise CaptureError(f"{source}: nothing can follow --, only for .py, {', '.join(GROOMS)}")
+
+
+def _show_script(source: Path) -> None:
+    command = [str(find_python()), str(_SCRIPT_HELP), str(source.resolve()), "--help"]
+    if subprocess.run(command).returncode != 0:
+        raise CaptureError(f"{source}: the script has no --help of its own")

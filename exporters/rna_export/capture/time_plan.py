@@ -1,0 +1,91 @@
+"""What a capture of so many minutes can hold: smaller validation images, then lights."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, field
+from time import monotonic
+
+from rna_export.capture.settings import CaptureSettings
+from rna_sdk.errors import CaptureError
+
+LEAST_LIGHTS = 16
+
+_SHARE = 0.25  # of the time, for the validation images
+_LEAST_RESOLUTION, _LEAST_SAMPLES = 48, 16
+_LEAST_SHARD = 8  # lights; a shard that is under way when the time is up is rendered to its end
+
+
+@dataclass(frozen=True)
+class TimeLimit:
+    """Minutes from now on, for all of a capture."""
+
+    minutes: float
+    begun: float = field(default_factory=monotonic)
+
+    def left(self) -> float:
+        """Seconds."""
+        return 60.0 * self.minutes - (monotonic() - self.begun)
+
+
+def planned(
+    settings: CaptureSettings,
+    limit: TimeLimit,
+    opening: float,
+    rate: float,
+    asked: Collection[str],
+) -> CaptureSettings:
+    """The settings with as many lights as there is time for at `rate` paths a second.
+
+    Validation images that took more than a quarter of it are made smaller, but for what was
+    `asked`, and so are shards, of which there are ten at least.
+
+    opening: seconds until a worker can render. Raises `CaptureError` when fewer than 16 lights are
+    left.
+    """
+    paths = max(limit.left() - opening, 0.0) * rate
+    settings = _with_smaller_images(settings, _SHARE * paths, asked)
+    left = paths - settings.validation_views * settings.validation_paths
+    lights = int(left / (settings.rays * settings.samples))
+    if lights < LEAST_LIGHTS:
+        raise CaptureError(
+            f"--minutes {limit.minutes:g} leaves time for {max(lights, 0)} lights after the start "
+            f"and the validation images, expected at least {LEAST_LIGHTS}: give more minutes"
+        )
+    shard = min(settings.lights_per_shard, max(_LEAST_SHARD, lights // 10))
+    return settings.model_copy(update={"lights": lights, "lights_per_shard": shard})
+
+
+def shrunk(before: CaptureSettings, after: CaptureSettings) -> str | None:
+    """What became of the validation images, for the user; None if they are as they were."""
+    if before.validation_paths == after.validation_paths:
+        return None
+    return (
+        f"validation images of {_image(after)} instead of {_image(before)}, "
+        f"to leave {1.0 - _SHARE:.0%} of the minutes to training"
+    )
+
+
+def _image(settings: CaptureSettings) -> str:
+    side = settings.validation_resolution
+    return f"{side}x{side} with {settings.validation_samples} paths a pixel"
+
+
+def _with_smaller_images(
+    settings: CaptureSettings, most_paths: float, asked: Collection[str]
+) -> CaptureSettings:
+    """Fewer pixels and fewer paths a pixel, each by the same factor as far as both may shrink."""
+    factor = most_paths / (settings.validation_views * settings.validation_paths)
+    if factor >= 1.0:
+        return settings
+    side, samples = settings.validation_resolution, settings.validation_samples
+    if "validation_resolution" not in asked:
+        both = "validation_samples" not in asked
+        smaller = side * factor ** (0.25 if both else 0.5)
+        side = min(side, max(_LEAST_RESOLUTION, 8 * int(smaller / 8)))
+        settings = settings.model_copy(update={"validation_resolution": side})
+    if "validation_samples" not in asked:
+        factor = most_paths / (settings.validation_views * settings.validation_paths)
+        samples = min(samples, max(_LEAST_SAMPLES, 2 * int(samples * factor / 2)))
+        settings = settings.model_copy(update={"validation_samples": samples})
+    return settings

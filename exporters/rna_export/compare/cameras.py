@@ -1,0 +1,9 @@
+"""The standard cameras of a comparison; a file of its own, so that --help loads nothing more."""
+
+from __future__ import annotations
+
+ORBITS = {"front": (35.0, 20.0, 1.0), "behind": (215.0, 30.0, 1.0), "close-up": (20.0, 25.0, 0.3)}
+"""Name -> azimuth and elevation in degrees, and the part of the asset's size that is shown."""
+
+CAMERAS = (*ORBITS, "strands")
+"""All names; only fibers have the last."""

@@ -1,0 +1,45 @@
+"""Print the lowest versions that pyproject.toml names, as constraints for pip.
+
+python scripts/lowest_versions.py > lowest.txt
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+import tomllib
+from pathlib import Path
+
+_INSTEAD = {"torch": "2.13.0"}
+"""Versions that are taken instead of the lowest, whose only builds hold gigabytes of CUDA."""
+
+_REQUIREMENT = re.compile(r"(?P<name>[\w.-]+)>=(?P<version>[\w.]+)")
+
+
+def pins(requirements: list[str]) -> list[str]:
+    """`name==version` of each `name>=version`, sorted. Raises ValueError for any other form."""
+    found = []
+    for requirement in requirements:
+        if requirement.startswith("rna-sdk["):
+            continue  # the extras that an extra holds
+        match = _REQUIREMENT.fullmatch(requirement)
+        if match is None:
+            raise ValueError(f"pyproject.toml: found {requirement!r}, expected name>=version")
+        name = match["name"]
+        found.append(f"{name}=={_INSTEAD.get(name, match['version'])}")
+    return sorted(found, key=str.lower)
+
+
+def main() -> None:
+    """Print them."""
+    path = Path(__file__).parent.parent / "pyproject.toml"
+    project = tomllib.loads(path.read_text())["project"]
+    extras = project["optional-dependencies"].values()
+    try:
+        print("\n".join(pins(project["dependencies"] + [r for extra in extras for r in extra])))
+    except ValueError as error:
+        sys.exit(f"error: {error}")
+
+
+if __name__ == "__main__":
+    main()

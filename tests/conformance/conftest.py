@@ -1,0 +1,60 @@
+"""The kit, and readers to run on it within this process."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import io
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from rna_sdk.conformance.kit import Kit, load_kit
+from rna_sdk.conformance.program import Answer
+from rna_sdk.conformance.reader_program import run_reader
+from tests.conftest import REPOSITORY
+
+KIT = REPOSITORY / "spec" / "conformance"
+MINIMAL = REPOSITORY / "examples" / "hosts" / "minimal.py"
+
+
+@pytest.fixture(scope="session")
+def kit() -> Kit:
+    return load_kit(KIT)
+
+
+@pytest.fixture(scope="session")
+def minimal() -> ModuleType:
+    """The minimal host as a module."""
+    spec = importlib.util.spec_from_file_location("minimal_host", MINIMAL)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@dataclass(frozen=True)
+class InProcess:
+    """Functions as a reader program: the same protocol, without a process a call."""
+
+    evaluate: Callable[[str, str, np.ndarray], np.ndarray] | None = None
+    visibility: Callable[[str, bytes], np.ndarray] | None = None
+    validate: Callable[[str], tuple[bool, list[str]]] | None = None
+
+    def run(self, *arguments: str) -> Answer:
+        out, errors = io.StringIO(), io.StringIO()
+        had = {"evaluate": self.evaluate, "visibility": self.visibility, "validate": self.validate}
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
+            status = run_reader(arguments, **had)
+        return Answer(status, out.getvalue(), errors.getvalue())
+
+
+@pytest.fixture
+def folder_of_kit(tmp_path: Path) -> Path:
+    """A copy of the kit's index alone, to be damaged."""
+    (tmp_path / "kit.json").write_bytes((KIT / "kit.json").read_bytes())
+    return tmp_path

@@ -1,0 +1,162 @@
+"""`rna-conform`: its table, its verdicts, and what it says of readers that cannot be run."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rna_sdk.conformance import cli, kit
+from tests.conformance.conftest import KIT, MINIMAL
+
+MINIMAL_COMMAND = "--", sys.executable, str(MINIMAL)
+
+
+def reader(tmp_path: Path, body: str) -> tuple[str, ...]:
+    """The arguments that run a Python program with this body; `call` is its arguments."""
+    script = tmp_path / "reader.py"
+    script.write_text(f"import sys, time\ncall = sys.argv[1:]\n{body}\n")
+    return "--", sys.executable, str(script)
+
+
+def test_a_table_and_a_verdict_of_the_minimal_host(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(list(MINIMAL_COMMAND)) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].split()[:6] == ["level", "package", "tier", "rows", "right", "tolerances"]
+    assert "FAIL" not in "".join(lines)
+    assert lines[-1].startswith(
+        f"evaluate: pass, {len(lines) - 3} of {len(lines) - 3} cases, largest"
+    )
+
+
+def shell_reader(tmp_path: Path) -> tuple[str, ...]:
+    """The arguments that run a validator to which everything is valid: a shell, for its speed."""
+    script = tmp_path / "reader"
+    script.write_text("#!/bin/sh\nif test $1 = levels; then echo validate; exit; fi\nexit 0\n")
+    script.chmod(0o755)
+    return "--", str(script)
+
+
+def test_a_validator_to_which_everything_is_valid_fails(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(shell_reader(tmp_path)) == 1
+    out = capsys.readouterr().out
+    assert "wrong_crc" in out and "found valid, expected invalid ZIP_CRC" in out
+    assert "surface-float32" not in out
+
+
+def test_without_an_engine_the_profile_is_what_counts(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A reader to which everything is valid, with that warning."""
+    words = shell_reader(tmp_path)
+    script = Path(words[1])
+    script.write_text(script.read_text().replace("exit 0", "echo DECODER_PROFILE"))
+    assert cli.main(["--json", *words]) == 1
+    scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}
+    assert scores["decoder_that_mixes_rows"]["passed"]
+    assert not scores["decoder_opset_too_new"]["passed"]
+
+
+def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["--json", "--kit", str(KIT), *shell_reader(tmp_path)]) == 1
+    scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}
+    assert scores["surface-float32"]["passed"] and not scores["wrong_crc"]["passed"]
+    assert scores["wrong_crc"]["note"] == "found valid, expected invalid ZIP_CRC"
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("", "levels: found nothing"),
+        ("print('evaluate\\nfly')", "levels: found fly"),
+        ("sys.exit('no such thing')", "levels: exit status 1: no such thing"),
+        ("time.sleep(60)", "levels: no answer after 1 s"),
+        ("print('validate')", "--level evaluate: the reader says that it has validate"),
+    ],
+)
+def test_readers_that_cannot_be_asked(
+    body: str, message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    call = "--timeout", "1", "--level", "evaluate", *reader(tmp_path, body)
+    assert cli.main(call) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("error: ") and message in error and error.count("\n") == 1
+
+
+def test_a_command_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["--", "./no-such-reader"]) == 1
+    assert capsys.readouterr().err == (
+        "error: cannot start ./no-such-reader: No such file or directory\n"
+    )
+    with pytest.raises(SystemExit) as usage:
+        cli.main([])
+    assert usage.value.code == 2 and "no COMMAND" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("open(call[4], 'wb').write(bytes(10))", "the reader wrote 10 bytes, expected"),
+        ("pass", "the reader wrote no file, expected"),
+        ("print('all is lost', file=sys.stderr); sys.exit(3)", "exit status 3: all is lost"),
+        (
+            "n = len(open(call[3], 'rb').read()) // 52; open(call[4], 'wb').write(bytes(24 * n))",
+            "): found 0 0 0 0 0 0, expected",
+        ),
+        (
+            "n = len(open(call[3], 'rb').read()) // 52\n"
+            "import struct; open(call[4], 'wb').write(struct.pack('<f', float('nan')) * (6 * n))",
+            "found nan nan",
+        ),
+    ],
+)
+def test_wrong_answers_fail_with_a_reason(
+    body: str, message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    indented = body.replace("\n", "\n    ")
+    program = f"if call == ['levels']: print('evaluate')\nelse:\n    {indented}"
+    assert cli.main(reader(tmp_path, program)) == 1
+    lines = capsys.readouterr().out.splitlines()
+    failed = [line for line in lines if "FAIL: " in line]
+    assert len(failed) == len(lines) - 3 and all(message in line for line in failed)
+    assert lines[-1].startswith("evaluate: FAIL, 0 of ")
+
+
+def test_a_kit_that_is_not_whole(folder_of_kit: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    call = ["--kit", str(folder_of_kit), *MINIMAL_COMMAND]
+    assert cli.main(call) == 1
+    assert "cannot be read" in capsys.readouterr().err
+    first = next(iter(json.loads((folder_of_kit / "kit.json").read_text())["files"]))
+    (folder_of_kit / first).parent.mkdir()
+    (folder_of_kit / first).write_bytes(b"other")
+    assert cli.main(call) == 1
+    assert "the kit was changed" in capsys.readouterr().err
+    for text in ("[]", "nonsense", "{}"):
+        (folder_of_kit / "kit.json").write_text(text)
+        assert cli.main(call) == 1
+        assert "kit.json: " in capsys.readouterr().err
+    assert cli.main(["--kit", "/nowhere", *MINIMAL_COMMAND]) == 1
+    assert "no index of a conformance kit" in capsys.readouterr().err
+
+
+def test_an_installed_sdk_asks_for_the_kit(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(kit, "__file__", str(tmp_path / "a" / "b" / "kit.py"))
+    assert cli.main(list(MINIMAL_COMMAND)) == 1
+    assert "pass --kit PATH" in capsys.readouterr().err
+
+
+def test_help_starts_with_a_command_and_imports_little() -> None:
+    code = (
+        "import sys; from rna_sdk.conformance.cli import main\n"
+        "try: main(['--help'])\n"
+        "except SystemExit: print(sorted({'numba', 'onnxruntime', 'pydantic'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert "rna-conform -- ./my-reader" in done.stdout and done.stdout.endswith("[]\n")

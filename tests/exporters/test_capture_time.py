@@ -1,0 +1,128 @@
+"""`--minutes` of a capture: what is planned for them, and that they are kept."""
+
+from __future__ import annotations
+
+from contextlib import nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from rna_export.capture import run as run_module
+from rna_export.capture import time_plan
+from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.run import Crew, finish
+from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.tasks import TrainingShard, ValidationHalf
+from rna_export.capture.time_plan import TimeLimit, planned, shrunk
+from rna_export.capture.worker import Source
+from rna_sdk.errors import CaptureError
+from tests.render.assets import sphere
+
+SURFACE_RATE, FIBER_RATE = 0.15e6, 0.03e6  # paths a second of two slow cores
+
+
+@dataclass
+class Clock:
+    now: float = 0.0
+
+    def __call__(self) -> float:
+        return self.now
+
+    monotonic = __call__
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
+    clock = Clock()
+    monkeypatch.setattr(time_plan, "monotonic", clock)
+    monkeypatch.setattr(run_module.time, "monotonic", clock)
+    return clock
+
+
+def seconds(settings: CaptureSettings, rate: float) -> tuple[float, float]:
+    """Of the validation images, and of training."""
+    images = settings.validation_views * settings.validation_paths
+    return images / rate, settings.lights * settings.rays * settings.samples / rate
+
+
+@pytest.mark.parametrize(
+    ("kind", "minutes", "rate"),
+    [("surface", 5, SURFACE_RATE), ("surface", 1, SURFACE_RATE), ("fiber", 8, FIBER_RATE)],
+)
+def test_validation_images_take_a_quarter_at_most(
+    kind: str, minutes: float, rate: float, clock: Clock
+) -> None:
+    usual = CaptureSettings.usual(kind)
+    assert seconds(usual, rate)[0] > 0.25 * 60.0 * minutes
+    settings = planned(usual, TimeLimit(minutes, 0.0), 10.0, rate, ())
+    images, training = seconds(settings, rate)
+    left = 60.0 * minutes - 10.0
+    assert 0.2 * left < images <= 0.25 * left
+    assert images + training == pytest.approx(left, rel=0.1) and images + training <= left
+    note = shrunk(usual, settings)
+    assert note is not None and f"with {settings.validation_samples} paths a pixel" in note
+    assert settings.validation_resolution < usual.validation_resolution
+    assert settings.validation_samples < usual.validation_samples
+
+
+def test_with_time_enough_they_stay_as_they_are(clock: Clock) -> None:
+    usual = CaptureSettings.usual("surface")
+    settings = planned(usual, TimeLimit(30.0, 0.0), 10.0, SURFACE_RATE, ())
+    changed = {"lights": settings.lights, "lights_per_shard": settings.lights_per_shard}
+    assert settings == usual.model_copy(update=changed)
+    assert 10 <= settings.lights / settings.lights_per_shard
+    assert shrunk(usual, settings) is None
+
+
+@pytest.mark.parametrize("kept", ["validation_resolution", "validation_samples"])
+def test_what_was_asked_for_stays(kept: str, clock: Clock) -> None:
+    usual = CaptureSettings.usual("surface")
+    settings = planned(usual, TimeLimit(5.0, 0.0), 10.0, SURFACE_RATE, (kept,))
+    assert getattr(settings, kept) == getattr(usual, kept)
+    assert seconds(settings, SURFACE_RATE)[0] == pytest.approx(0.25 * 290.0, rel=0.15)
+
+
+def test_too_few_minutes_are_refused(clock: Clock) -> None:
+    with pytest.raises(CaptureError, match=r"--minutes 0\.2 leaves time for 0 lights"):
+        planned(CaptureSettings.usual("fiber"), TimeLimit(0.2, 0.0), 12.0, FIBER_RATE, ())
+
+
+@pytest.fixture
+def dataset(tmp_path: Path) -> Dataset:
+    manifest = CaptureManifest(
+        name="ball",
+        kind="surface",
+        source="ball.py",
+        source_sha256="",
+        settings=CaptureSettings(lights=320, validation_views=1),
+        blender="none",
+        generator="tests",
+        cutouts=False,
+        bounds=((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)),
+    )
+    return Dataset.create(tmp_path / "ball.rays", manifest, sphere(1))
+
+
+@pytest.mark.parametrize(("a_task", "shards"), [(5.0, 10), (10.0, 4), (20.0, 1), (200.0, 1)])
+def test_a_slow_capture_ends_in_time(
+    a_task: float, shards: int, dataset: Dataset, clock: Clock, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def run(task: TrainingShard | ValidationHalf, dataset: Dataset, *_: object) -> None:
+        clock.now += a_task
+        task.path(dataset).write_bytes(b"")
+
+    for kind in (TrainingShard, ValidationHalf):
+        monkeypatch.setattr(kind, "run", run)
+    monkeypatch.setattr(Crew, "worker", lambda *_: nullcontext())
+    said: list[str] = []
+    crew, source = Crew(Path("python"), dataset.folder, 1), Source(Path("ball.py"))
+    monkeypatch.setattr(run_module, "_TASKS_A_PROCESS", 100)
+    finish(dataset, source, crew, TimeLimit(1.0, 0.0), said.append)
+    again = Dataset(dataset.folder)
+    assert again.manifest == dataset.manifest
+    assert again.manifest.shards == shards and again.manifest.settings.lights == 32 * shards
+    assert all(again.train_path(k).is_file() for k in range(shards))
+    assert (said == []) == (shards == 10)
+    finish(again, source, crew, TimeLimit(1.0, clock.now), said.append)
+    assert again.manifest.shards == shards

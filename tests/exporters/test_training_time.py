@@ -1,0 +1,151 @@
+"""`--minutes` of a training: kept whatever steps and validations take, by a clock of the test's."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+import torch
+
+from rna_export.capture.dataset import Dataset
+from rna_export.training import pace as pace_module
+from rna_export.training import run as run_module
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.lightning_module import NeuralAssetTraining
+from rna_export.training.pace import TimePace
+from rna_export.training.run import Run, train
+from rna_sdk.errors import TrainingError
+from tests.exporters.synthetic import make_dataset, tiny
+
+MINUTES = 0.5
+
+
+@dataclass
+class Clock:
+    """Seconds that pass only where the test says so, and what training did meanwhile."""
+
+    now: float = 1000.0
+    fast: float = 0.1  # seconds a step
+    slow: float = 0.4  # while planes are blurred
+    validation: float = 0.5
+    stop_at: float = float("inf")
+    progress: list[float] = field(default_factory=list)
+    rates: list[float] = field(default_factory=list)
+    validated_at: list[float] = field(default_factory=list)
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+    return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
+    """Training on a clock of its own: it loads for 2 s, and its steps are slow while it blurs."""
+    clock = Clock()
+    step, validation = NeuralAssetTraining.training_step, NeuralAssetTraining.validation_step
+    load = Dataset.training_samples
+
+    def loading(self: Dataset) -> Any:
+        clock.now += 2.0
+        return load(self)
+
+    def training_step(self: NeuralAssetTraining, *arguments: Any) -> torch.Tensor:
+        if clock.now > clock.stop_at:
+            raise KeyboardInterrupt
+        clock.progress.append(self.progress)
+        clock.rates.append(self.optimizers().param_groups[0]["lr"])
+        clock.now += clock.slow if self.progress < 0.2 else clock.fast
+        return step(self, *arguments)
+
+    def validation_step(self: NeuralAssetTraining, *arguments: Any) -> None:
+        clock.validated_at.append(self.progress)
+        clock.now += clock.validation
+        validation(self, *arguments)
+
+    monkeypatch.setattr(Dataset, "training_samples", loading)
+    monkeypatch.setattr(NeuralAssetTraining, "training_step", training_step)
+    monkeypatch.setattr(NeuralAssetTraining, "validation_step", validation_step)
+    monkeypatch.setattr(run_module, "draw_curves", lambda _: None)
+    for module in (pace_module, run_module):
+        monkeypatch.setattr(module, "monotonic", clock)
+    return clock
+
+
+def run(dataset: Dataset, out: Path, minutes: float = MINUTES) -> Run:
+    return Run(dataset, tiny(), "small", out, minutes=minutes)
+
+
+def test_the_time_is_kept(dataset: Dataset, clock: Clock, tmp_path: Path) -> None:
+    train(run(dataset, tmp_path))
+    assert clock.now - 1000.0 == pytest.approx(60.0 * MINUTES, rel=0.02)
+    assert clock.validated_at == pytest.approx([0.1 * k for k in range(1, 11)], abs=0.03)
+    assert clock.validated_at[-1] == 1.0
+
+
+def test_the_schedule_ends_as_it_should(dataset: Dataset, clock: Clock, tmp_path: Path) -> None:
+    train(run(dataset, tmp_path))
+    assert clock.progress == sorted(clock.progress) and clock.progress[-1] > 0.99
+    first = tiny().training.learning_rate
+    assert clock.rates[0] == pytest.approx(first, rel=0.01)
+    assert clock.rates[-1] < 0.003 * first
+
+
+def test_a_checkpoint_says_how_many_steps_it_took(
+    dataset: Dataset, clock: Clock, tmp_path: Path
+) -> None:
+    train(run(dataset, tmp_path))
+    assert load_checkpoint(tmp_path / "last.ckpt").steps == len(clock.progress)
+    saved = torch.load(tmp_path / "last.ckpt", weights_only=True)
+    assert saved["global_step"] == len(clock.progress)
+    assert saved["hyper_parameters"]["minutes"] == MINUTES
+
+
+def test_a_stopped_run_takes_the_rest_of_its_time(
+    dataset: Dataset, clock: Clock, tmp_path: Path
+) -> None:
+    clock.stop_at = 1000.0 + 20.0
+    with pytest.raises(KeyboardInterrupt):
+        train(run(dataset, tmp_path))
+    saved = torch.load(tmp_path / "last.ckpt", weights_only=True)["pace"]
+    begun, clock.stop_at = clock.now, float("inf")
+    clock.progress.clear()
+    train(run(dataset, tmp_path))
+    assert clock.now - begun == pytest.approx(60.0 * MINUTES - saved["spent"], rel=0.03)
+    assert clock.progress[0] == saved["progress"]
+    assert len(clock.validated_at) >= 10 and clock.validated_at[-1] == 1.0
+
+
+def test_a_finished_run_stays_as_it_is(dataset: Dataset, clock: Clock, tmp_path: Path) -> None:
+    best = train(run(dataset, tmp_path)).read_bytes()
+    steps = len(clock.progress)
+    assert train(run(dataset, tmp_path)).read_bytes() == best
+    assert len(clock.progress) == steps
+
+
+def test_another_length_is_refused(dataset: Dataset, clock: Clock, tmp_path: Path) -> None:
+    clock.fast, clock.slow = 2.0, 2.0
+    train(run(dataset, tmp_path))
+    with pytest.raises(TrainingError, match=r"another length 0\.5 minutes, found 2 minutes"):
+        train(run(dataset, tmp_path, minutes=2.0))
+    with pytest.raises(TrainingError, match=r"another length 0\.5 minutes, found 40 steps"):
+        train(Run(dataset, tiny(), "small", tmp_path))
+
+
+def test_after_a_stall_the_rates_still_come_down(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(now=0.0)
+    monkeypatch.setattr(pace_module, "monotonic", clock)
+    pace = TimePace(100.0, 0.0)
+    seen = []
+    while pace.progress(0) < 1.0:
+        clock.now += 1000.0 if len(seen) == 10 else 0.5
+        pace.advance()
+        seen.append(pace.progress(0))
+    assert max(b - a for a, b in pairwise(seen)) <= 0.02 + 1e-9
+    assert len(seen) < 70

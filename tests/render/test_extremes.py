@@ -1,0 +1,54 @@
+"""The largest numbers that a scene may have give finite images, and say nothing on the way."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_render.cli import main
+from rna_render.images import read_exr
+
+WALL = "v -2 0 -1\nv 2 0 -1\nv 2 2 -1\nv -2 2 -1\nf 1 2 3 4\n"
+SCENE = """\
+objects:
+  - {path: wall.obj, material: {type: diffuse}}
+ground: {size: 1.0e+18, material: {type: coated}}
+camera: {position: [0, 1, 3], look_at: [0, 0, 0], vertical_fov_deg: 90}
+lights:
+  - {type: directional, direction: [0, 1.0e+18, 0], irradiance: [LIGHT, 1, 1]}
+  - {type: point, position: [0, 1.0e-3, 0], intensity: [LIGHT, 1, 1]}
+  - {type: spot, position: [1, 1, 0], look_at: [0, 0, 0], intensity: [LIGHT, 1, 1]}
+  - {type: rectangle, position: [0, 2, 0], look_at: [0, 0, 0], up: [0, 0, 1], size: [1, 1],
+     radiance: [LIGHT, 1, 1]}
+  - {type: disk, position: [0, 2, 1], look_at: [0, 0, 0], radius: 1, radiance: [LIGHT, 1, 1]}
+  - {type: sphere, position: [2, 2, 1], radius: 1, radiance: [LIGHT, 1, 1]}
+  - {type: environment, radiance: [LIGHT, 1, 1]}
+resolution: [12, 8]
+samples: 4
+clamp_indirect: 1.0e+18
+"""
+
+
+def render(folder: Path, text: str) -> int:
+    (folder / "wall.obj").write_text(WALL)
+    (folder / "scene.yaml").write_text(text)
+    return main([str(folder / "scene.yaml"), "--out", str(folder / "out.exr")])
+
+
+def test_the_brightest_lights_give_a_finite_image(tmp_path: Path) -> None:
+    assert render(tmp_path, SCENE.replace("LIGHT", "1.0e+18")) == 0
+    channels, _ = read_exr(tmp_path / "out.exr")
+    for name, values in channels.items():
+        assert np.isfinite(values.astype(np.float64)).all(), name
+    assert channels["R"].max() > 1e17
+
+
+def test_a_light_beyond_float32_is_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert render(tmp_path, SCENE.replace("LIGHT", "1.0e+39", 1).replace("LIGHT", "1")) == 1
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "scene.yaml:6: lights[0].irradiance[0]: must be less than or equal to 1e+18" in line
+    assert not (tmp_path / "out.exr").exists()

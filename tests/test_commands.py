@@ -1,0 +1,151 @@
+"""All console scripts: their --help, and what they say where an extra is not installed."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tomllib
+from importlib import import_module
+from importlib.metadata import distribution, packages_distributions
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+from tests.conftest import REPOSITORY
+
+PROJECT = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]
+COMMANDS = PROJECT["scripts"]
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+
+WITH_BASE_ALONE = """
+import importlib, sys
+from importlib.abc import MetaPathFinder
+
+refused = set(sys.argv[2].split(","))
+
+class Refuse(MetaPathFinder):
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] in refused:
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+
+sys.meta_path.insert(0, Refuse())
+module, function = sys.argv[1].split(":")
+sys.argv = ["command", *sys.argv[3:]]
+sys.exit(getattr(importlib.import_module(module), function)())
+"""
+
+
+def modules_beyond_the_base() -> set[str]:
+    """Top-level modules installed here that the base requirements do not bring."""
+    base, todo = set(), list(PROJECT["dependencies"])
+    while todo:
+        requirement = Requirement(todo.pop())
+        name = canonicalize_name(requirement.name)
+        wanted = requirement.marker is None or requirement.marker.evaluate({"extra": ""})
+        if wanted and name not in base:
+            base.add(name)
+            todo += distribution(name).requires or []
+    return {
+        module
+        for module, owners in packages_distributions().items()
+        if not any(canonicalize_name(owner) in {*base, "rna-sdk"} for owner in owners)
+    }
+
+
+def run(command: str, *arguments: object) -> subprocess.CompletedProcess[str]:
+    """The command in a process that can import the base install alone."""
+    refused = ",".join(sorted(modules_beyond_the_base()))
+    entry = [sys.executable, "-c", WITH_BASE_ALONE, COMMANDS[command], refused]
+    return subprocess.run(
+        [*entry, *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "COLUMNS": "100"},
+    )
+
+
+def test_the_base_is_small() -> None:
+    beyond = modules_beyond_the_base()
+    assert {"torch", "trimesh", "safetensors", "yaml", "embreex", "tqdm"} <= beyond
+    assert not {"numpy", "numba", "onnxruntime", "pydantic"} & beyond
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_help_needs_no_extra_and_begins_with_a_command_to_copy(command: str) -> None:
+    done = run(command, "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    usage, sentence, example = done.stdout.split("\n\n")[:3]
+    assert usage.startswith("usage:") or command == "rna-validate"
+    if command == "rna-validate":
+        sentence, example = usage, sentence
+    assert sentence.endswith(".") and sentence[0].isupper() and "\n" not in sentence
+    assert example.startswith(f"  {command} ")
+
+
+def arguments_that_need(command: str, folder: Path) -> list[object]:
+    """Good usage, which gets as far as the first import beyond the base."""
+    scene, asset = folder / "scene.yaml", folder / "asset.py"
+    scene.write_text("assets: []\n")
+    asset.write_text("")
+    out = folder / "out"
+    return {
+        "rna-run": [scene, "--out", folder / "a.exr"],
+        "rna-capture": [asset, "--out", out],
+        "rna-train": [folder, "--out", out],
+        "rna-export": [folder / "best.ckpt", "--out", folder / "a.rna"],
+        "rna-fit": [folder, "--max-error", "0.1", "--out", folder / "a.rna"],
+        "rna-compare": [TOY, asset, "--out", out],
+        "rna-bench": ["frontier", folder, "--short", "--out", out],
+    }[command]
+
+
+EXTRAS = {
+    "rna-run": "render",
+    "rna-capture": "capture",
+    "rna-train": "train",
+    "rna-export": "train",
+    "rna-fit": "train",
+    "rna-compare": "train",
+    "rna-bench": "bench",
+}
+
+
+@pytest.mark.parametrize(("command", "extra"), EXTRAS.items())
+def test_a_missing_extra_is_one_line(command: str, extra: str, tmp_path: Path) -> None:
+    done = run(command, *arguments_that_need(command, tmp_path))
+    assert done.returncode == 1
+    assert done.stderr.startswith("error: no module ") and done.stderr.count("\n") == 1
+    assert f"pip install 'rna-sdk[{extra}]'" in done.stderr
+    assert extra in PROJECT["optional-dependencies"]
+
+
+def test_what_the_base_can_do_it_does() -> None:
+    done = run("rna-validate", TOY)
+    assert (done.returncode, done.stdout) == (0, f"{TOY}: valid\n")
+    assert set(COMMANDS) >= set(EXTRAS)
+
+
+@pytest.mark.parametrize(
+    "module",
+    [
+        "rna_render.cli:_parser",
+        "rna_export.capture.cli:parser",
+        "rna_export.training.cli:parser",
+        "rna_export.fit.cli:parser",
+        "rna_export.compare.cli:parser",
+        "rna_bench.cli:parser",
+    ],
+)
+def test_options_tell_their_default(module: str) -> None:
+    name, function = module.split(":")
+    todo = [getattr(import_module(name), function)()]
+    while todo:
+        for action in todo.pop()._actions:
+            if isinstance(action, argparse._SubParsersAction):
+                todo += action.choices.values()
+            elif action.option_strings and not action.required and action.dest != "help":
+                assert "default" in (action.help or ""), action.option_strings
