@@ -26,11 +26,10 @@ from itertools import repeat
 from pathlib import Path
 from typing import Any
 
-from tests.hosts.c_host import build
-from tests.hosts.packages import write_fuzz_packages
-
 from rna_sdk.cpu import processor
 from rna_sdk.package import Code, Severity, validate
+from tests.hosts.c_host import build
+from tests.hosts.packages import write_fuzz_packages
 
 FLAGS = "-std=c11 -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 SLOW_SECONDS = 20
