@@ -122,7 +122,7 @@ def print_table(scores: Iterable[Score]) -> list[Score]:
 def _line(one: Score) -> str:
     measured = one.level == "evaluate" and one.in_tolerances > 0
     numbers = [f"{one.in_tolerances:.3g}", f"{one.absolute:.2g}"] if measured else ["", ""]
-    verdict = "pass" if one.passed else f"FAIL: {one.note}"
+    verdict = ": ".join(filter(None, ("pass" if one.passed else "FAIL", one.note)))
     named = one.level, one.package, one.tier
     return _TABLE.format(*named, one.rows, one.right, *numbers, verdict)
 

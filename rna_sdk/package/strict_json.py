@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections import Counter
 from typing import Any, TypeVar
 
 from pydantic import BaseModel
@@ -32,8 +33,8 @@ def parse_object(data: bytes, where: str, malformed: Code) -> dict[str, Any]:
     def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         result = dict(pairs)
         if len(result) < len(pairs):
-            keys = [key for key, _ in pairs]
-            twice = next(key for key in keys if keys.count(key) > 1)
+            counts = Counter(key for key, _ in pairs)
+            twice = next(key for key, count in counts.items() if count > 1)
             refuse(Code.JSON_DUPLICATE_KEY, where, repr(twice), "each key once")
         return result
 

@@ -49,3 +49,21 @@ def _tier_data(tier: Tier, widths: tuple[int, ...]) -> TierData:
     file = (make_int8_decoder(decoder, queries) if is_int8 else decoder).file()
     planes = make_planes(tier.resolution, tier.channels, tier.plane_precision)
     return TierData(planes, file)
+
+
+def write_fuzz_packages(folder: Path) -> list[Path]:
+    """Write packages of 5 to 10 KB below `folder`: kinds, planes and decoders of all sorts."""
+    paths = []
+    for kind in ("surface", "fiber"):
+        for decoder, planes in (
+            ("float32", "float16"),
+            ("float32", "float32"),
+            ("float32", "int8"),
+            ("int8", "float16"),
+            ("int8", "int8"),
+        ):
+            changes = {"decoder_precision": decoder, "plane_precision": planes}
+            tier = make_profile_tier("small", kind, resolution=8, channels=4, **changes)
+            path = folder / f"{kind}-{decoder}-{planes}.rna"
+            paths.append(write_profile_package(path, tier, kind=kind))
+    return paths

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from pathlib import Path
 
 import numpy as np
@@ -108,3 +109,13 @@ def test_random_damage_never_escapes(
             data[at] = rng.integers(256)
         path.write_bytes(content_cases.with_entry(entries, name, bytes(data)))
         validate(path)
+
+
+def test_a_key_twice_among_very_many_is_found_at_once(entries: Entries, tmp_path: Path) -> None:
+    """In a time that grows with their number, not with its square: that took minutes."""
+    keys = ",".join(f'"{i}":0' for i in [*range(90_000), 89_999])
+    path = tmp_path / "keys.rna"
+    path.write_bytes(manifest_cases.with_text(entries, '"extras": {}', f'"extras": {{{keys}}}'))
+    start = time.process_time()
+    assert [issue.code for issue in validate(path)] == ["JSON_DUPLICATE_KEY"]
+    assert time.process_time() - start < 5

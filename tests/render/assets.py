@@ -9,6 +9,9 @@ import trimesh
 
 from rna_sdk.package import Curves, Mesh
 
+LAST_BIT = np.finfo(np.float32).eps
+"""In which distances of hits differ between Embree's kernels for AVX-512, AVX2 and SSE 4.2."""
+
 UP, RIGHT, TOWARDS_US = (0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 
 

@@ -1877,9 +1877,7 @@ static void read_tensor(Wire *wire, Span message, OnnxModel *model) {
             if (once(wire, &seen, &field)) need_text(wire, &field, &tensor->name);
             break;
         case 9:
-            tensor->elsewhere |= tensor->has_raw || field.is_integer;
-            tensor->has_raw = true;
-            tensor->raw = field.is_integer ? (Span){0} : field.bytes;
+            if (once(wire, &seen, &field)) tensor->has_raw = need_bytes(wire, &field, &tensor->raw);
             break;
         case 12: break; /* doc_string */
         case 13: tensor->external = true; break;
