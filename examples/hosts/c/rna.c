@@ -2294,7 +2294,7 @@ static void run_product(const Step *step, const float *restrict x, float *restri
             for (int i = 0; i < OUTPUTS; i++)
                 for (int r = 0; r < GROUP; r++) {
                     float value = sums[i][r] + step->shift[j + i];
-                    y[(j + i) * ROWS + g + r] = value > floor ? value : floor;
+                    y[(j + i) * ROWS + g + r] = value < floor ? floor : value; /* NaN stays */
                 }
         }
 }
@@ -2326,16 +2326,16 @@ static void run_int8_product(const Step *step, float *restrict x, float *restric
             for (int i = 0; i < OUTPUTS; i++)
                 for (int r = 0; r < GROUP; r++) {
                     float value = MULTIPLY_ADD((float)total[i][r], step->scale[j + i], step->shift[j + i]);
-                    y[(j + i) * ROWS + g + r] = value > floor ? value : floor;
+                    y[(j + i) * ROWS + g + r] = value < floor ? floor : value; /* NaN stays */
                 }
         }
 }
 
 /* e^x to some 1e-7; infinity beyond the largest float32. */
 static float exponential(float x) {
-    x = clamp(x, -87.0f, 89.0f);
-    float n = rounded(x * 1.44269504f);
-    float r = MULTIPLY_ADD(n, -0.693145752f, x);
+    float y = clamp(x, -87.0f, 89.0f);
+    float n = rounded(y * 1.44269504f);
+    float r = MULTIPLY_ADD(n, -0.693145752f, y);
     r = MULTIPLY_ADD(n, -1.42860677e-6f, r);
     float p = 1.0f / 5040;
     p = MULTIPLY_ADD(p, r, 1.0f / 720);
@@ -2348,13 +2348,16 @@ static float exponential(float x) {
     uint32_t bits = (uint32_t)((int32_t)n + 126) << 23; /* 2^(n - 1) */
     float power;
     memcpy(&power, &bits, sizeof power);
-    return p * power * 2.0f;
+    return x == x ? p * power * 2.0f : x;
 }
 
 static void run_elementwise(const Step *step, float *x) {
     for (int k = 0; k < step->inputs; k++, x += ROWS) switch (step->kind) {
         case CLIP:
-            for (int r = 0; r < ROWS; r++) x[r] = clamp(x[r], step->low, step->high);
+            for (int r = 0; r < ROWS; r++) { /* NaN stays, to be found in the end */
+                float raised = x[r] < step->low ? step->low : x[r];
+                x[r] = raised > step->high ? step->high : raised;
+            }
             break;
         case MULTIPLY:
             for (int r = 0; r < ROWS; r++) x[r] *= step->values[k];
