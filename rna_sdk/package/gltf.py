@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Annotated, Final, Literal
 
-from pydantic import Field, JsonValue
+from pydantic import AfterValidator, Field, JsonValue
 
 from rna_sdk.package.manifest import Record
 
@@ -23,6 +23,17 @@ WIDTHS: dict[Shape, int] = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
 Count = Annotated[int, Field(ge=1, lt=2**32)]
 Offset = Annotated[int, Field(ge=0, lt=2**32)]
 Index = Offset
+# Not Literal[0] and Literal[False], which each take the other's value.
+Zero = Annotated[int, Field(ge=0, le=0)]
+
+
+def _is_false(value: bool) -> bool:
+    if value:
+        raise ValueError("expected false")
+    return value
+
+
+False_ = Annotated[bool, AfterValidator(_is_false)]
 
 
 class Asset(Record):
@@ -32,12 +43,12 @@ class Asset(Record):
 
 
 class Scene(Record):
-    nodes: tuple[Literal[0]]
+    nodes: tuple[Zero]
     name: str | None = None
 
 
 class Node(Record):
-    mesh: Literal[0]
+    mesh: Zero
     name: str | None = None
 
 
@@ -62,7 +73,7 @@ class Accessor(Record):
     buffer_view: Index
     byte_offset: Offset = 0
     component_type: Literal[5125, 5126]
-    normalized: Literal[False] = False
+    normalized: False_ = False
     count: Count
     type: Shape
     min: tuple[float, ...] | None = None
@@ -71,7 +82,7 @@ class Accessor(Record):
 
 
 class BufferView(Record):
-    buffer: Literal[0]
+    buffer: Zero
     byte_offset: Offset = 0
     byte_length: Count
     target: Literal[34962, 34963] | None = None
@@ -87,7 +98,7 @@ class Gltf(Record):
     """The whole document: one scene, one node, one mesh, one primitive, one buffer."""
 
     asset: Asset
-    scene: Literal[0] = 0
+    scene: Zero = 0
     scenes: tuple[Scene]
     nodes: tuple[Node]
     meshes: tuple[GltfMesh]

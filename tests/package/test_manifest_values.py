@@ -195,6 +195,18 @@ def test_integers_of_other_files_follow_the_same_rule(
         assert validate(path) == []
 
 
+def test_false_is_no_zero_in_a_mesh(entries: dict[str, bytes], tmp_path: Path) -> None:
+    path = tmp_path / "converted.rna"
+    for data in (
+        with_gltf(entries, lambda g: g["bufferViews"][1].update(buffer=False)),
+        with_gltf(entries, lambda g: g.update(scene=False)),
+        with_gltf(entries, lambda g: g["accessors"][0].update(normalized=0)),
+        with_gltf(entries, lambda g: g["accessors"][0].update(normalized=True)),
+    ):
+        path.write_bytes(data)
+        assert [issue.code for issue in validate(path)] == ["GEOMETRY_PROFILE"]
+
+
 def test_bounds_are_rounded_for_every_reader(entries: dict[str, bytes]) -> None:
     manifest = parse_manifest(with_value(entries["manifest.json"], "/bounds/min/0", "0.1").encode())
     corners = manifest.bounds.corners()

@@ -1390,6 +1390,12 @@ static bool are_finite(const float *values, size_t count) {
     return all == 0;
 }
 
+static bool are_within(const float *values, size_t count, float limit) {
+    int beyond = 0;
+    for (size_t i = 0; i < count; i++) beyond |= !(fabsf(values[i]) <= limit); /* NaN, too */
+    return beyond == 0;
+}
+
 static bool halves_are_finite(const uint16_t *values, size_t count) {
     uint16_t all = 0;
     for (size_t i = 0; i < count; i++) all |= (values[i] & 0x7c00u) == 0x7c00u;
@@ -1420,10 +1426,10 @@ static bool read_planes(Span file, Planes *planes, const char *entry, RnaReport 
     planes->scales = (const float *)(const void *)tensors[0].data;
     planes->texels = tensors[1].data;
     size_t count = (size_t)(3 * r * r * c);
-    bool finite = planes->precision == INT8      ? are_finite(planes->scales, (size_t)(3 * c))
-                  : planes->precision == FLOAT16 ? halves_are_finite(planes->texels, count)
-                                                 : are_finite(planes->texels, count);
-    return finite || refuse(report, "PLANES_NOT_FINITE", entry, "finite values", "others");
+    bool good = planes->precision == INT8      ? are_within(planes->scales, (size_t)(3 * c), 1e18f / 128)
+                : planes->precision == FLOAT16 ? halves_are_finite(planes->texels, count)
+                                               : are_within(planes->texels, count, 1e18f);
+    return good || refuse(report, "PLANES_NOT_FINITE", entry, "values within 1e18", "others");
 }
 
 /* Strands of two points and more that share out all points, no two in a row equal. */
@@ -1971,8 +1977,11 @@ static void read_dimension(Wire *wire, Span message, OnnxValue *value) {
     uint64_t seen = 0, size = 0;
     bool known = false;
     Field field;
-    while (next_field(wire, &message, &field))
+    Span name;
+    while (next_field(wire, &message, &field)) {
         if (field.number == 1 && once(wire, &seen, &field)) known = need_integer(wire, &field, &size);
+        if (field.number == 2 && once(wire, &seen, &field)) need_text(wire, &field, &name);
+    }
     if (value->rank < 2) {
         value->dims[value->rank] = size;
         value->symbolic[value->rank] = !known;
@@ -2198,8 +2207,12 @@ static bool check_onnx(Span data, int columns, bool is_int8, OnnxModel *model, V
         return refuse(report, "DECODER_LOAD", entry, "memory for its values", "not enough");
     set_value(values, (Span){0}, 1, -1, -1);
     set_value(values, QUERIES, (uint64_t)columns, -1, -1);
-    for (size_t i = 0; i < model->initializers; i++)
-        set_value(values, model->tensors.at[i].name, model->tensors.at[i].widest, (int)i, -1);
+    for (size_t i = 0; i < model->initializers; i++) {
+        const OnnxTensor *tensor = &model->tensors.at[i];
+        if (find_value(values, tensor->name)->known)
+            return refuse(report, "DECODER_GRAPH", entry, "each value made once", "a name made twice");
+        set_value(values, tensor->name, tensor->widest, (int)i, -1);
+    }
     return check_widths(model, values, entry, report);
 }
 
@@ -2281,7 +2294,7 @@ static void run_product(const Step *step, const float *restrict x, float *restri
             for (int i = 0; i < OUTPUTS; i++)
                 for (int r = 0; r < GROUP; r++) {
                     float value = sums[i][r] + step->shift[j + i];
-                    y[(j + i) * ROWS + g + r] = value > floor ? value : floor;
+                    y[(j + i) * ROWS + g + r] = value < floor ? floor : value; /* NaN stays */
                 }
         }
 }
@@ -2313,16 +2326,16 @@ static void run_int8_product(const Step *step, float *restrict x, float *restric
             for (int i = 0; i < OUTPUTS; i++)
                 for (int r = 0; r < GROUP; r++) {
                     float value = MULTIPLY_ADD((float)total[i][r], step->scale[j + i], step->shift[j + i]);
-                    y[(j + i) * ROWS + g + r] = value > floor ? value : floor;
+                    y[(j + i) * ROWS + g + r] = value < floor ? floor : value; /* NaN stays */
                 }
         }
 }
 
 /* e^x to some 1e-7; infinity beyond the largest float32. */
 static float exponential(float x) {
-    x = clamp(x, -87.0f, 89.0f);
-    float n = rounded(x * 1.44269504f);
-    float r = MULTIPLY_ADD(n, -0.693145752f, x);
+    float y = clamp(x, -87.0f, 89.0f);
+    float n = rounded(y * 1.44269504f);
+    float r = MULTIPLY_ADD(n, -0.693145752f, y);
     r = MULTIPLY_ADD(n, -1.42860677e-6f, r);
     float p = 1.0f / 5040;
     p = MULTIPLY_ADD(p, r, 1.0f / 720);
@@ -2335,13 +2348,16 @@ static float exponential(float x) {
     uint32_t bits = (uint32_t)((int32_t)n + 126) << 23; /* 2^(n - 1) */
     float power;
     memcpy(&power, &bits, sizeof power);
-    return p * power * 2.0f;
+    return x == x ? p * power * 2.0f : x;
 }
 
 static void run_elementwise(const Step *step, float *x) {
     for (int k = 0; k < step->inputs; k++, x += ROWS) switch (step->kind) {
         case CLIP:
-            for (int r = 0; r < ROWS; r++) x[r] = clamp(x[r], step->low, step->high);
+            for (int r = 0; r < ROWS; r++) { /* NaN stays, to be found in the end */
+                float raised = x[r] < step->low ? step->low : x[r];
+                x[r] = raised > step->high ? step->high : raised;
+            }
             break;
         case MULTIPLY:
             for (int r = 0; r < ROWS; r++) x[r] *= step->values[k];
@@ -2716,7 +2732,7 @@ struct RnaAsset {
     Span file;
     bool mapped;
     RnaKind kind;
-    double low[3], high[3]; /* the bounds, rounded to float32 as section 3 asks */
+    float low[3], high[3]; /* the bounds, rounded as section 3 asks */
     RnaMesh mesh;
     RnaCurves curves;
     JsonText manifest; /* what the names live on */
@@ -2767,7 +2783,7 @@ static void load_points(const RnaAsset *asset, const Batch *batch, size_t first,
     normalize(points->wi, total);
     for (int r = 0; r < ROWS; r++) points->valid[r] = total[r] - total[r] == 0;
     for (int k = 0; k < 3; k++) {
-        double low = asset->low[k], scale = 1 / (asset->high[k] - low);
+        double low = asset->low[k], scale = 1 / ((double)asset->high[k] - low);
         for (int r = 0; r < ROWS; r++) {
             points->p[k][r] = limited((points->p[k][r] - low) * scale, 0, 1);
             points->axis[k][r] = points->valid[r] ? points->axis[k][r] : k == 0;
@@ -3068,7 +3084,7 @@ static void read_tier(Container *zip, const Json *record, Tier *tier, RnaReport 
 
 static void warn_outside(const RnaAsset *asset, const float low[3], const float high[3], RnaReport *report) {
     for (int k = 0; k < 3; k++) {
-        double slack = 1e-4 * (asset->high[k] - asset->low[k]);
+        double slack = 1e-4 * ((double)asset->high[k] - asset->low[k]);
         if (low[k] >= asset->low[k] - slack && high[k] <= asset->high[k] + slack) continue;
         warn(report, "GEOMETRY_OUTSIDE", "/bounds", "geometry inside", "%g to %g along %c", low[k], high[k],
              "xyz"[k]);
@@ -3158,7 +3174,7 @@ void rna_close(RnaAsset *asset) {
 
 RnaKind rna_kind(const RnaAsset *asset) { return asset->kind; }
 
-void rna_bounds(const RnaAsset *asset, double low[3], double high[3]) {
+void rna_bounds(const RnaAsset *asset, float low[3], float high[3]) {
     memcpy(low, asset->low, sizeof asset->low);
     memcpy(high, asset->high, sizeof asset->high);
 }

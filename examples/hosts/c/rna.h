@@ -85,7 +85,7 @@ RnaAsset *rna_open_memory(const void *data, size_t size, RnaReport *report);
 void rna_close(RnaAsset *asset);
 
 RnaKind rna_kind(const RnaAsset *asset);
-void rna_bounds(const RnaAsset *asset, double low[3], double high[3]);
+void rna_bounds(const RnaAsset *asset, float low[3], float high[3]);
 const RnaMesh *rna_mesh(const RnaAsset *asset);     /* NULL for fibers */
 const RnaCurves *rna_curves(const RnaAsset *asset); /* NULL for surfaces */
 
