@@ -177,7 +177,7 @@ class _Shift:
     source: Source
     crew: Crew
     bar: tqdm
-    limit: TimeLimit | None
+    limit: TimeLimit | None = None
     todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = field(
         default_factory=queue.SimpleQueue
     )
