@@ -64,7 +64,7 @@ def main() -> int:
     args = _parser().parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        programs = build(folder, "fuzz", "libmutate.so")
+        programs = build(args.build or folder, "fuzz", "libmutate.so")
         packages = write_fuzz_packages(folder)
         started = time.monotonic()
         with ProcessPoolExecutor(args.jobs) as pool:
@@ -191,6 +191,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--mutations", type=int, default=20_000, help="through the C host")
     parser.add_argument("--validate", type=int, default=20_000, help="of them, through Python")
+    parser.add_argument("--build", type=Path, help="folder to compile in (default: temporary)")
     parser.add_argument("--jobs", type=int, default=2, help="processes at a time")
     parser.add_argument("--out", type=Path, help="file for the JSON")
     return parser

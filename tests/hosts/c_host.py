@@ -21,7 +21,7 @@ def compiler() -> str | None:
 def build(folder: Path, *targets: str, arch: str = "-march=x86-64-v3") -> list[Path]:
     """Make the files `targets` of the host's Makefile in `folder`."""
     paths = [folder / target for target in targets]
-    command = ["make", "-s", "-C", str(SOURCES), f"BUILD={folder}", f"ARCH={arch}"]
+    command = ["make", "-s", "-j2", "-C", str(SOURCES), f"BUILD={folder}", f"ARCH={arch}"]
     subprocess.run([*command, *map(str, paths)], check=True)
     return paths
 

@@ -44,7 +44,7 @@ def write_profile_package(
 def _tier_data(tier: Tier, widths: tuple[int, ...]) -> TierData:
     rng = np.random.default_rng(len(tier.name) + sum(widths))
     queries = np.clip(rng.normal(0, 0.6, (400, tier.query_width)), -2, 2)
-    decoder = make_decoder(rng, queries, widths, mixing=len(widths) > 1)
+    decoder = make_decoder(rng, queries, widths, mixing=9 if len(widths) == 2 else 0)
     is_int8 = tier.decoder_precision == "int8"
     file = (make_int8_decoder(decoder, queries) if is_int8 else decoder).file()
     planes = make_planes(tier.resolution, tier.channels, tier.plane_precision)

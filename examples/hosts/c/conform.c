@@ -103,7 +103,8 @@ static void load_vector(const unsigned char *bytes, double v[3]) {
 }
 
 /* 0 visible, 1 shadowed, for a hit record. */
-static unsigned char pick(const Tracer *tracer, bool is_fiber, uint32_t primitive, const unsigned char *record) {
+static unsigned char pick(const Tracer *tracer, bool is_fiber, uint32_t primitive,
+                          const unsigned char *record) {
     double wi[3], position[3];
     if (is_fiber) {
         load_vector(record + 4, position);

@@ -58,11 +58,12 @@ static void evaluate(const RnaAsset *asset, Tally *tally, unsigned long long see
     for (unsigned k = 0; k < 5; k++)
         for (unsigned i = 0; i < 3 * POINTS; i++) in[k][i] = odd_number((unsigned)seed + 1000 * k + i);
     for (int tier = 0; tier < rna_tier_count(asset); tier++) {
-        RnaStatus status = rna_evaluate(asset, tier, POINTS, in[0], in[1], in[2], in[3], in[4], out[0], out[1]);
+        RnaStatus status = rna_evaluate(asset, tier, POINTS, in[0], in[1], in[2], in[3], in[4], out[0],
+                                        out[1]);
         tally->unsupported += status == RNA_UNSUPPORTED_DECODER;
         if (status != RNA_OK && status != RNA_UNSUPPORTED_DECODER) stop(rna_status_text(status), seed);
         for (int i = 0; status == RNA_OK && i < 3 * POINTS; i++)
-            if (!(out[0][i] >= 0 && out[0][i] <= 3.4028235e38f && out[1][i] >= 0 && out[1][i] <= 3.4028235e38f))
+            if (!(isfinite(out[0][i]) && out[0][i] >= 0 && isfinite(out[1][i]) && out[1][i] >= 0))
                 stop("transport that is not finite and >= 0", seed);
         tally->evaluated += status == RNA_OK;
     }
@@ -139,7 +140,8 @@ int main(int argc, char **argv) {
     Tally tally = {0};
     for (unsigned long long seed = first; buffer && seed < last; seed++)
         try_mutation(&packages[seed % (unsigned)count], seed, buffer, &tally, verdicts);
-    printf("{\"mutations\": %llu, \"accepted\": %lu, \"evaluated\": %lu, \"unsupported\": %lu, \"refused\": {",
+    printf("{\"mutations\": %llu, \"accepted\": %lu, \"evaluated\": %lu, \"unsupported\": %lu, "
+           "\"refused\": {",
            last - first, tally.accepted, tally.evaluated, tally.unsupported);
     for (int k = 0; tally.codes[k]; k++)
         printf("%s\"%s\": %lu", k ? ", " : "", tally.codes[k], tally.refused[k]);

@@ -148,9 +148,10 @@ static uint64_t odd_varint(Mutator *m, uint64_t value) {
 }
 
 static void put_odd_bytes(Mutator *m, Output *out, Span bytes) {
-    static const char *const TEXTS[] = {"Relu", "Gemm", "Clip", "Exp", "Sub", "Mul", "MatMul", "Concat", "Add",
-                                        "QuantizeLinear", "DequantizeLinear", "Identity", "Loop", "queries",
-                                        "transport", "ai.onnx", "axis", "c0", "c1", "c2", "v0", "v1", "v2", ""};
+    static const char *const TEXTS[] = {
+        "Relu", "Gemm", "Clip", "Exp", "Sub", "Mul", "MatMul", "Concat", "Add", "QuantizeLinear",
+        "DequantizeLinear", "Identity", "Loop", "queries", "transport", "ai.onnx", "axis", "c0", "c1",
+        "c2", "v0", "v1", "v2", ""};
     uint8_t *copy = malloc(bytes.size + 16);
     Part part = {.data = copy, .size = bytes.size};
     if (!copy) return;

@@ -91,8 +91,9 @@ static void add_hit(const RnaAsset *asset, const Tracer *tracer, const View *vie
 }
 
 /* One line of the picture: linear RGB, width x 3. */
-static RnaStatus render_line(const RnaAsset *asset, const Tracer *tracer, const View *view, const Camera *camera,
-                             int y, int width, int samples, Rows *rows, float *line) {
+static RnaStatus render_line(const RnaAsset *asset, const Tracer *tracer, const View *view,
+                             const Camera *camera, int y, int width, int samples, Rows *rows,
+                             float *line) {
     rows->count = 0;
     for (int x = 0; x < width; x++)
         for (int s = 0; s < samples * samples; s++) {

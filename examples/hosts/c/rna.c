@@ -516,7 +516,8 @@ static const Json *member(const Json *object, const char *name) {
 
 /* Whether it is a number of whole value that a binary64 tells from its neighbours. */
 static bool is_integer(const Json *value) {
-    return value->type == JSON_NUMBER && fabs(value->number) < 0x1p53 && floor(value->number) == value->number;
+    double number = value->number;
+    return value->type == JSON_NUMBER && fabs(number) < 0x1p53 && floor(number) == number;
 }
 
 static bool is_string(const Json *value, const char *text) {
@@ -2390,7 +2391,9 @@ static const float *run_decoder(const Decoder *decoder, float *a, float *b) {
     return a;
 }
 
-static void *aligned(size_t size) { return aligned_alloc(ALIGNMENT, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT); }
+static void *aligned(size_t size) {
+    return aligned_alloc(ALIGNMENT, (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+}
 
 /* A graph on its way to a Decoder. */
 typedef struct Builder {
@@ -2480,7 +2483,9 @@ static Outcome pack_weights(Step *step, const OnnxTensor *weight, bool is_int8) 
     for (size_t j = 0; j < padded; j++)
         for (size_t k = 0; k < inputs; k++) {
             size_t from = k * outputs + j;
-            float value = j >= outputs ? 0 : is_int8 ? (float)(int8_t)weight->raw.at[from] : float_at(weight, from);
+            float value = j >= outputs ? 0
+                          : is_int8    ? (float)(int8_t)weight->raw.at[from]
+                                       : float_at(weight, from);
             step->weights[(j / OUTPUTS * inputs + k) * OUTPUTS + j % OUTPUTS] = value;
         }
     return LOADED;
@@ -2556,7 +2561,8 @@ static Outcome add_int8_product(Builder *b, Step *step, const OnnxNode *quantize
     if ((outcome = pack_weights(step, weight, true)) != LOADED) return outcome;
     if ((outcome = column_floats(b, weight_scale, step->outputs, 1, &step->scale)) != LOADED) return outcome;
     if ((outcome = column_floats(b, bias_scale, step->outputs, 1, &step->shift)) != LOADED) return outcome;
-    if (bias->rank != 1 || bias->dims[0] != (uint64_t)step->outputs || !has_bytes(bias, 4)) return DOES_NOT_FIT;
+    if (bias->rank != 1 || bias->dims[0] != (uint64_t)step->outputs || !has_bytes(bias, 4))
+        return DOES_NOT_FIT;
     for (int i = 0; i < step->outputs; i++) {
         step->scale[i] *= step->step;
         step->shift[i] *= (float)(int32_t)u32_at(bias->raw.at + 4 * i);
@@ -2652,7 +2658,8 @@ static Outcome build_decoder(Builder *b) {
     return b->width == 6 ? LOADED : DOES_NOT_FIT;
 }
 
-/* Rows filled with 0, +-1, +-1e4 and about +-3.4e38, and random ones, give finite results that are not negative. */
+/* Rows filled with 0, +-1, +-1e4 and about +-3.4e38, and random ones, give finite results that are
+ * not negative. */
 static bool check_results(const Decoder *decoder, const char *entry, RnaReport *report) {
     static const float PROBES[] = {0, 1, -1, 1e4f, -1e4f, FLT_MAX, -3.4e38f};
     enum { PROBE_COUNT = sizeof PROBES / sizeof *PROBES };
@@ -2677,7 +2684,8 @@ static bool saturates(const OnnxModel *model) {
     for (size_t i = 0; i < model->initializers; i++) {
         const OnnxTensor *tensor = &model->tensors.at[i];
         size_t inputs = (size_t)tensor->dims[0], outputs = (size_t)tensor->dims[1];
-        if (tensor->type != ONNX_INT8 || tensor->rank != 2 || !tensor->has_raw || !has_bytes(tensor, 1)) continue;
+        if (tensor->type != ONNX_INT8 || tensor->rank != 2 || !tensor->has_raw) continue;
+        if (!has_bytes(tensor, 1)) continue;
         const int8_t *w = (const int8_t *)tensor->raw.at;
         for (size_t k = 0; k < inputs; k += 2)
             for (size_t j = 0; j < outputs; j++) {
@@ -2732,7 +2740,8 @@ struct RnaAsset {
     Span file;
     bool mapped;
     RnaKind kind;
-    float low[3], high[3]; /* the bounds, rounded as section 3 asks */
+    float low[3], high[3]; /* the bounds, rounded as section 3 asks; GCC 12 at -O3 may leave out the
+                              rounding where it is a cast to float and back */
     RnaMesh mesh;
     RnaCurves curves;
     JsonText manifest; /* what the names live on */
@@ -2802,7 +2811,8 @@ static float from_bits(uint32_t bits) {
 /* binary16 to binary32 without branches, nor help of the processor. */
 static float half_value(uint16_t half) {
     uint32_t bits = (uint32_t)(half & 0x7fff) << 13, subnormal = bits < 1u << 23;
-    float value = from_bits(bits + ((112u + subnormal) << 23)) - from_bits(subnormal * 0x38800000u); /* 2^-14 */
+    float excess = from_bits(subnormal * 0x38800000u); /* 2^-14 */
+    float value = from_bits(bits + ((112u + subnormal) << 23)) - excess;
     memcpy(&bits, &value, sizeof bits);
     return from_bits(bits | (uint32_t)(half & 0x8000) << 16);
 }
@@ -2904,7 +2914,10 @@ static float log2_of(float x) {
     float m;
     memcpy(&m, &bits, sizeof m);
     float s = (m - 1) / (m + 1), q = s * s;
-    float series = MULTIPLY_ADD(q, MULTIPLY_ADD(q, MULTIPLY_ADD(q, MULTIPLY_ADD(q, 1.0f / 9, 1.0f / 7), 0.2f), 1.0f / 3), 1.0f);
+    float series = MULTIPLY_ADD(q, 1.0f / 9, 1.0f / 7);
+    series = MULTIPLY_ADD(q, series, 1.0f / 5);
+    series = MULTIPLY_ADD(q, series, 1.0f / 3);
+    series = MULTIPLY_ADD(q, series, 1.0f);
     return MULTIPLY_ADD(2.88539008f * s, series, (float)e);
 }
 
@@ -2932,7 +2945,8 @@ static void find_halfway(const Points *points, double n[3][ROWS], double m[3][RO
 }
 
 /* q: the unit vector along n + 0.1 f, f the first three features. */
-static void find_learned_normal(const Points *points, const float *features, int channels, double q[3][ROWS]) {
+static void find_learned_normal(const Points *points, const float *features, int channels,
+                                double q[3][ROWS]) {
     double none[ROWS] = {0};
     for (int k = 0; k < 3; k++)
         for (int r = 0; r < ROWS; r++)
@@ -3030,7 +3044,8 @@ static void fill_queries(const RnaAsset *asset, const Tier *tier, Points *points
     float aside[MAX_CHANNELS * ROWS];
     float *features = column[FEATURES] >= 0 ? queries + column[FEATURES] * ROWS : aside;
     int at_axis = asset->kind == RNA_FIBER ? column[TANGENT] : column[NORMAL];
-    if (column[FEATURES] >= 0 || column[LEARNED_NORMAL] >= 0) gather_features(&tier->planes, points, features);
+    if (column[FEATURES] >= 0 || column[LEARNED_NORMAL] >= 0)
+        gather_features(&tier->planes, points, features);
     if (column[POSITION] >= 0)
         for (int k = 0; k < 3; k++)
             for (int r = 0; r < ROWS; r++)
@@ -3072,13 +3087,16 @@ static void read_tier(Container *zip, const Json *record, Tier *tier, RnaReport 
     tier->public.flip = measured(record, "validation", "flip");
     tier->planes.resolution = (int)member(record, "resolution")->number;
     tier->planes.channels = (int)member(record, "channels")->number;
-    tier->planes.precision = is_string(precision, "int8") ? INT8 : is_string(precision, "float16") ? FLOAT16 : FLOAT32;
+    tier->planes.precision = is_string(precision, "int8")      ? INT8
+                             : is_string(precision, "float16") ? FLOAT16
+                                                               : FLOAT32;
     int columns = place_blocks(tier, member(record, "inputs"));
     const Entry *entry = find_entry(zip, planes);
     if (entry && entry->intact) read_planes(entry_data(zip, entry), &tier->planes, entry->name, report);
     entry = find_entry(zip, decoder);
     if (entry && entry->intact)
-        read_decoder(entry_data(zip, entry), columns, tier->public.is_int8, &tier->decoder, entry->name, report);
+        read_decoder(entry_data(zip, entry), columns, tier->public.is_int8, &tier->decoder, entry->name,
+                     report);
     tier->public.runs = tier->decoder.runs;
 }
 
@@ -3107,7 +3125,8 @@ static void read_geometry(Container *zip, const Json *root, RnaAsset *asset, Rna
         box_around(asset->mesh.positions, NULL, asset->mesh.vertex_count, corner[0], corner[1]);
     } else {
         if (!read_curves(entry_data(zip, entry), &asset->curves, entry->name, report)) return;
-        box_around(asset->curves.points, asset->curves.radii, asset->curves.point_count, corner[0], corner[1]);
+        box_around(asset->curves.points, asset->curves.radii, asset->curves.point_count, corner[0],
+                   corner[1]);
     }
     warn_outside(asset, corner[0], corner[1], report);
 }
@@ -3179,8 +3198,13 @@ void rna_bounds(const RnaAsset *asset, float low[3], float high[3]) {
     memcpy(high, asset->high, sizeof asset->high);
 }
 
-const RnaMesh *rna_mesh(const RnaAsset *asset) { return asset->kind == RNA_SURFACE ? &asset->mesh : NULL; }
-const RnaCurves *rna_curves(const RnaAsset *asset) { return asset->kind == RNA_FIBER ? &asset->curves : NULL; }
+const RnaMesh *rna_mesh(const RnaAsset *asset) {
+    return asset->kind == RNA_SURFACE ? &asset->mesh : NULL;
+}
+
+const RnaCurves *rna_curves(const RnaAsset *asset) {
+    return asset->kind == RNA_FIBER ? &asset->curves : NULL;
+}
 
 int rna_tier_count(const RnaAsset *asset) { return asset->tiers; }
 

@@ -54,7 +54,8 @@ static void load(const float *from, double to[3]) {
 /* ---------------------------------------------------------------- Triangles */
 
 static void corners_of(const RnaMesh *mesh, uint32_t triangle, double v[3][3]) {
-    for (int k = 0; k < 3; k++) load(&mesh->positions[3 * (size_t)mesh->triangles[3 * (size_t)triangle + (size_t)k]], v[k]);
+    const uint32_t *corner = &mesh->triangles[3 * (size_t)triangle];
+    for (int k = 0; k < 3; k++) load(&mesh->positions[3 * (size_t)corner[k]], v[k]);
 }
 
 /* Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): both sides block, and
@@ -92,10 +93,8 @@ typedef struct Cone {
     double a[3], b[3], ra, rb;
 } Cone;
 
-static uint32_t first_point(const Tracer *tracer, uint32_t segment) { return segment + tracer->strand[segment]; }
-
 static Cone cone_of(const Tracer *tracer, uint32_t segment) {
-    uint32_t i = first_point(tracer, segment);
+    uint32_t i = segment + tracer->strand[segment]; /* its first point */
     Cone cone = {.ra = tracer->curves->radii[i], .rb = tracer->curves->radii[i + 1]};
     load(&tracer->curves->points[3 * (size_t)i], cone.a);
     load(&tracer->curves->points[3 * (size_t)i + 3], cone.b);

@@ -1,0 +1,167 @@
+"""The C host beside the runtime: the same numbers, pictures, and no fault on damaged packages."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import onnx
+import pytest
+
+from rna_sdk.runtime import load
+from tests.hosts.c_host import CAsset, build, compiler
+from tests.hosts.packages import make_profile_tier, write_fuzz_packages, write_profile_package
+from tests.package.builders import read_entries
+from tests.package.corpus.registry import DECODER, with_entry
+
+pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+TOY, CURLS = EXAMPLES / "quickstart" / "toy.rna", EXAMPLES / "fibers" / "curly_ball.rna"
+FUZZED = 3000
+ROWS = 2000
+TOLERANCE = 1e-4  # of the root mean square
+INT8_SHARE = 0.02  # of the rows that may differ by a step
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """The host's programs, for any CPU of this kind."""
+    names = ("librna.so", "conform", "render")
+    paths = build(tmp_path_factory.mktemp("c-host"), *names, arch="")
+    return dict(zip(names, paths, strict=True))
+
+
+def random_rows(kind: str, bounds: np.ndarray, n: int) -> list[np.ndarray]:
+    """Arguments of `evaluate`: positions in and about the bounds, directions of any length."""
+    rng = np.random.default_rng(3)
+    size = bounds[1] - bounds[0]
+    positions = rng.uniform(bounds[0] - 0.1 * size, bounds[1] + 0.1 * size, (n, 3))
+    axes, wo, wi = rng.normal(size=(3, n, 3))
+    h = [rng.uniform(-1.2, 1.2, n)] if kind == "fiber" else []
+    return [a.astype(np.float32) for a in (positions, axes, *h, wo, wi)]
+
+
+def differences(library: Path, package: Path, tier: str) -> np.ndarray:
+    """(n,) largest difference of each row from the runtime, in parts of the root mean square."""
+    asset, other = load(package, tier, threads=1), CAsset(library, package, tier)
+    rows = random_rows(asset.kind, asset.bounds, ROWS)
+    expected = np.concatenate(asset.evaluate(*rows), axis=1)
+    found = np.concatenate(other.evaluate(*rows), axis=1)
+    other.close()
+    scale = np.sqrt(np.mean(expected.astype(np.float64) ** 2))
+    return np.abs(found - expected).max(axis=1) / scale
+
+
+@pytest.mark.parametrize("package", [TOY, CURLS], ids=["toy", "curls"])
+def test_shipped_assets_mean_the_same(package: Path, programs: dict[str, Path]) -> None:
+    assert differences(programs["librna.so"], package, "small").max() < TOLERANCE
+
+
+@pytest.mark.parametrize("kind", ["surface", "fiber"])
+def test_every_precision_means_the_same(
+    kind: str, programs: dict[str, Path], tmp_path: Path
+) -> None:
+    tiers = [
+        make_profile_tier(f"{planes}-{decoder}", kind, channels=channels, **precision)
+        for channels, planes in ((3, "float32"), (8, "float16"), (13, "int8"))
+        for decoder in ("float32", "int8")
+        if (precision := {"plane_precision": planes, "decoder_precision": decoder})
+    ]
+    package = write_profile_package(tmp_path / "all.rna", *tiers, kind=kind, widths=(20, 16))
+    for tier in tiers:
+        difference = differences(programs["librna.so"], package, tier.name)
+        if tier.decoder_precision == "float32":
+            assert difference.max() < TOLERANCE, tier.name
+        else:
+            assert np.mean(difference > TOLERANCE) <= INT8_SHARE, tier.name
+
+
+def test_int8_sums_of_a_wide_layer_are_exact(programs: dict[str, Path], tmp_path: Path) -> None:
+    """More inputs than float32 can sum exactly at once."""
+    tier = make_profile_tier("wide", "surface", decoder_precision="int8")
+    package = write_profile_package(tmp_path / "wide.rna", tier, widths=(1100, 8))
+    difference = differences(programs["librna.so"], package, "wide")
+    assert np.mean(difference > TOLERANCE) <= INT8_SHARE
+
+
+def test_a_row_means_the_same_in_any_batch(programs: dict[str, Path]) -> None:
+    asset = CAsset(programs["librna.so"], TOY, "small")
+    rows = random_rows("surface", np.float32([[0, 0, -0.4], [0.8, 0.4, 0.1]]), 200)
+    whole = np.concatenate(asset.evaluate(*rows), axis=1)
+    for part in (slice(0, 1), slice(47, 49), slice(100, 157)):
+        some = asset.evaluate(*(np.ascontiguousarray(a[part]) for a in rows))
+        np.testing.assert_array_equal(np.concatenate(some, axis=1), whole[part])
+    assert asset.evaluate(*(a[:0] for a in rows))[0].shape == (0, 3)
+    asset.close()
+
+
+def test_a_decoder_that_needs_an_engine_is_named(
+    programs: dict[str, Path], tmp_path: Path
+) -> None:
+    package = tmp_path / "engine.rna"
+    tier = make_profile_tier("small", "surface")
+    entries = read_entries(write_profile_package(package, tier))
+    model = onnx.load_from_string(entries[DECODER])
+    next(node for node in model.graph.node if node.op_type == "Relu").op_type = "Tanh"
+    package.write_bytes(with_entry(entries, DECODER, model.SerializeToString()))
+    validated = run(programs["conform"], "validate", package)
+    assert (validated.returncode, validated.stdout.split()) == (0, ["DECODER_PROFILE"])
+    queries = tmp_path / "queries"
+    np.zeros((3, 13), np.float32).tofile(queries)
+    evaluated = run(programs["conform"], "evaluate", package, "small", queries, tmp_path / "out")
+    assert evaluated.returncode == 2 and "needs an ONNX engine" in evaluated.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def run(*command: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
+
+
+def test_render_makes_a_picture(programs: dict[str, Path], tmp_path: Path) -> None:
+    for package in (TOY, CURLS):
+        path = tmp_path / "picture.ppm"
+        assert run(programs["render"], package, path, 48, 27, 1).returncode == 0
+        data = path.read_bytes()
+        assert data.startswith(b"P6\n48 27\n255\n")
+        pixels = np.frombuffer(data[-48 * 27 * 3 :], np.uint8).reshape(27, 48, 3)
+        assert pixels[0, 0].max() == 0 and pixels[10:17, 18:30].mean() > 20
+
+
+def test_render_names_what_is_wrong(programs: dict[str, Path], tmp_path: Path) -> None:
+    broken = tmp_path / "broken.rna"
+    broken.write_bytes(TOY.read_bytes()[:-1])
+    result = run(programs["render"], broken, tmp_path / "picture.ppm")
+    assert result.returncode == 1 and "ZIP_TRUNCATED" in result.stderr
+
+
+@pytest.fixture(scope="module")
+def fuzzer(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The fuzzer, compiled with sanitizers."""
+    try:
+        return build(tmp_path_factory.mktemp("fuzz"), "fuzz", "libmutate.so")[0]
+    except subprocess.CalledProcessError:
+        pytest.skip("the C compiler has no AddressSanitizer")
+
+
+def test_damaged_packages_under_sanitizers(fuzzer: Path, tmp_path: Path) -> None:
+    packages = write_fuzz_packages(tmp_path)
+    result = run(fuzzer, 0, FUZZED, *packages)
+    assert result.returncode == 0, result.stderr[-4000:]
+    tally = json.loads(result.stdout)
+    assert tally["accepted"] + sum(tally["refused"].values()) == FUZZED
+    assert tally["accepted"] > FUZZED // 10 and tally["evaluated"] > 0
+    assert len(tally["refused"]) > 30
+
+
+def test_fuzz_benchmark_compares_the_verdicts(fuzzer: Path, tmp_path: Path) -> None:
+    out = tmp_path / "fuzz.json"
+    command = [sys.executable, EXAMPLES.parent / "benchmarks" / "fuzz.py", "--jobs", 1]
+    command += ["--mutations", 60, "--validate", 60, "--build", fuzzer.parent, "--out", out]
+    result = run(*command)
+    assert result.returncode == 0, result.stderr
+    report = json.loads(out.read_text())
+    assert (report["mutations"], report["reports"], report["python"]["mutations"]) == (60, 0, 60)
