@@ -45,13 +45,19 @@ def parser() -> argparse.ArgumentParser:
         help="PSNR that a tier may lose against the trained model, dB; the export is refused "
         "beyond it (float, default: %(default)s)",
     )
-    p.add_argument("--source", help="name, author and address of the original model")
+    p.add_argument(
+        "--source",
+        help="name, author and address of the original model (str, "
+        "default: the captured file and its SHA-256)",
+    )
     p.add_argument(
         "--license",
         default="NOASSERTION",
         help="SPDX expression of the asset's terms (default: %(default)s)",
     )
-    p.add_argument("--debug", action="store_true", help="show the traceback of an error")
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
     return p
 
 
