@@ -6,7 +6,9 @@ onnxruntime takes four passes over the queries for it, 38 ns a query; the kernel
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numba import types
@@ -42,7 +44,7 @@ class Entry:
     def quantized(self, queries: NDArray[np.float32]) -> NDArray[np.uint8]:
         """(n, columns) uint8 of `queries`, (n, k) float32, finite."""
         result = np.zeros((len(queries), self.columns), np.uint8)
-        _quantize(queries, self.limits, self.gain, self.offset, result)
+        _quantizer()(queries, self.limits, self.gain, self.offset, result)
         return result
 
 
@@ -71,22 +73,28 @@ def find_entry(graph: Message, start: str, end: str) -> Entry | None:
     return Entry(tuple(places), limits, gain.astype(np.float32), offset.astype(np.float32))
 
 
-@compiled(
-    types.Array(types.float32, 2, "C", readonly=True),
-    _VECTOR,
-    _VECTOR,
-    _VECTOR,
-    types.uint8[:, ::1],
-)
-def _quantize(
-    queries: NDArray[np.float32],
-    limits: NDArray[np.float32],
-    gain: NDArray[np.float32],
-    offset: NDArray[np.float32],
-    result: NDArray[np.uint8],
-) -> None:
-    low, high = limits[0], limits[1]
-    for i in range(len(queries)):
-        for k in range(len(gain)):
-            x = min(max(queries[i, k], low), high) * gain[k] + offset[k]
-            result[i, k] = np.uint8(np.rint(min(max(x, np.float32(0.0)), np.float32(255.0))))
+@cache
+def _quantizer() -> Callable[..., None]:
+    """The kernel, compiled when the first int8 decoder asks for it."""
+
+    @compiled(
+        types.Array(types.float32, 2, "C", readonly=True),
+        _VECTOR,
+        _VECTOR,
+        _VECTOR,
+        types.uint8[:, ::1],
+    )
+    def quantize(
+        queries: NDArray[np.float32],
+        limits: NDArray[np.float32],
+        gain: NDArray[np.float32],
+        offset: NDArray[np.float32],
+        result: NDArray[np.uint8],
+    ) -> None:
+        low, high = limits[0], limits[1]
+        for i in range(len(queries)):
+            for k in range(len(gain)):
+                x = min(max(queries[i, k], low), high) * gain[k] + offset[k]
+                result[i, k] = np.uint8(np.rint(min(max(x, np.float32(0.0)), np.float32(255.0))))
+
+    return quantize

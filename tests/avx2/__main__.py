@@ -20,22 +20,22 @@ from tests.avx2.masked import make_avx2_onnxruntime, missing
 
 def avx2_environment(folder: Path) -> dict[str, str]:
     """The environment of a Python process on such a CPU; `folder`: an empty one, kept meanwhile."""
-    home, packages = folder / "home", folder / "packages"
-    home.mkdir()
+    packages, cache = folder / "packages", folder / "cache" / "rna-sdk"
     packages.mkdir()
-    (home / ".embree4").write_text("isa=avx2\n")
-    cache = home / ".cache" / "rna-sdk"
     cache.mkdir(parents=True)
-    for blender in (Path.home() / ".cache" / "rna-sdk").glob("blender-*"):
+    user_cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    for blender in (user_cache / "rna-sdk").glob("blender-*"):
         (cache / blender.name).symlink_to(blender)
     paths = [str(make_avx2_onnxruntime(packages)), os.environ.get("PYTHONPATH", "")]
     return {
         **os.environ,
-        "HOME": str(home),
+        "XDG_CACHE_HOME": str(cache.parent),  # costs of tiers are measured anew
         "PYTHONPATH": os.pathsep.join(filter(None, paths)),
         "NUMBA_CPU_NAME": "haswell",
         "NUMBA_CPU_FEATURES": "",
         "NUMBA_CACHE_DIR": str(folder / "numba"),
+        "RNA_EMBREE_CONFIG": "isa=avx2",
+        "OPENBLAS_CORETYPE": "Haswell",
         "ATEN_CPU_CAPABILITY": "avx2",
         "ONEDNN_MAX_CPU_ISA": "AVX2",
         "NPY_DISABLE_CPU_FEATURES": "X86_V4 AVX512_ICL AVX512_SPR",
