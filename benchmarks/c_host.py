@@ -19,11 +19,11 @@ from typing import Any
 
 import numpy as np
 from report import publish, report_parser
-from tests.hosts.c_host import CAsset, build
-from tests.hosts.packages import make_profile_tier, write_profile_package
 
 from rna_sdk.cpu import processor
 from rna_sdk.runtime import load
+from tests.hosts.c_host import CAsset, build
+from tests.hosts.packages import make_profile_tier, write_profile_package
 
 LAYERS = 4
 EXAMPLES = Path(__file__).parents[1] / "examples"
