@@ -1,10 +1,12 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
+from safetensors.numpy import load_file
 
 from rna_export.capture.dataset import Dataset, write_arrays, write_atomically
 from rna_sdk.errors import CaptureError
@@ -66,6 +68,46 @@ def test_a_manifest_that_says_something_else_is_refused(dataset: Dataset, change
     path.write_text(json.dumps(json.loads(path.read_text()) | change))
     with pytest.raises(CaptureError, match=next(iter(change))):
         Dataset(dataset.folder)
+
+
+def _cut(path: Path) -> None:
+    path.write_bytes(path.read_bytes()[:-8])
+
+
+def _without_a_field(path: Path) -> None:
+    write_arrays(path, {k: v for k, v in load_file(path).items() if k != "wi"})
+
+
+def _of_other_lengths(path: Path) -> None:
+    arrays = load_file(path)
+    write_arrays(path, {**arrays, "wo": arrays["wo"][:-1]})
+
+
+def _empty(path: Path) -> None:
+    path.write_bytes(b"")
+
+
+@pytest.mark.parametrize("damage", [_cut, _without_a_field, _of_other_lengths, _empty])
+def test_a_damaged_file_is_named(dataset: Dataset, damage: Callable[[Path], None]) -> None:
+    damage(dataset.train_path(1))
+    damage(dataset.validation_path(0, 1))
+    with pytest.raises(CaptureError, match=r"00001\.safetensors: damaged .*delete it"):
+        dataset.training_samples()
+    with pytest.raises(CaptureError, match=r"00-1\.safetensors: damaged .*delete it"):
+        dataset.validation_views()
+
+
+def test_halves_of_other_pixels_are_refused(dataset: Dataset) -> None:
+    path = dataset.validation_path(0, 1)
+    write_arrays(path, {name: values[1:] for name, values in load_file(path).items()})
+    with pytest.raises(CaptureError, match=r"00-1\.safetensors: damaged .*first half"):
+        dataset.validation_views()
+
+
+def test_damaged_geometry_is_named(dataset: Dataset) -> None:
+    _cut(dataset.folder / "geometry.safetensors")
+    with pytest.raises(CaptureError, match=r"geometry\.safetensors: damaged"):
+        dataset.geometry()
 
 
 def test_the_last_shard_may_be_shorter(dataset: Dataset) -> None:

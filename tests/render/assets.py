@@ -9,8 +9,9 @@ import trimesh
 
 from rna_sdk.package import Curves, Mesh
 
-LAST_BIT = np.finfo(np.float32).eps
-"""In which distances of hits differ between Embree's kernels for AVX-512, AVX2 and SSE 4.2."""
+EMBREE_ROUNDING = 4 * np.finfo(np.float32).eps
+"""How far distances of hits on triangles may differ, relatively, between Embree's kernels for
+AVX-512, AVX2, AVX and SSE: test_embree_processors.py."""
 
 UP, RIGHT, TOWARDS_US = (0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 

@@ -12,7 +12,7 @@ import pytest
 from rna_render.embree import TriangleScene
 from rna_render.embree_library import Device, SceneHandle
 from rna_sdk.errors import QueryError, SceneError
-from tests.render.assets import LAST_BIT, sphere, square, unit_vectors
+from tests.render.assets import EMBREE_ROUNDING, sphere, square, unit_vectors
 
 
 def moeller_trumbore(positions, triangles, origins, directions):
@@ -68,7 +68,7 @@ def test_geometry_is_the_place_in_the_list():
     directions = np.array([[0, 1, 0], [0, -1, 0], [0, -1, 0]], np.float32)
     hits = scene.intersect(origins, directions)
     assert hits.geometry.tolist() == [0, 2, -1]
-    np.testing.assert_allclose(hits.t, [1.0, 1.0, np.inf], rtol=LAST_BIT)
+    np.testing.assert_allclose(hits.t, [1.0, 1.0, np.inf], rtol=EMBREE_ROUNDING)
     assert scene.extent == 1.0
 
 

@@ -17,7 +17,7 @@ from rna_render.instances import (
 )
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object
-from tests.render.assets import LAST_BIT, sphere, square, unit_vectors
+from tests.render.assets import EMBREE_ROUNDING, sphere, square, unit_vectors
 
 
 def placed(**transform) -> np.ndarray:
@@ -52,7 +52,7 @@ def test_hits_name_the_instance_in_front():
     directions = np.float32([[0, -1, 0], [0, 1, 0], [0, -1, 0], [0, -1, 0]])
     hits = scene.intersect(origins, directions)
     assert hits.owner.tolist() == [1, 0, 2, -1]
-    np.testing.assert_allclose(hits.t, [1, 1, 0.5, np.inf], rtol=LAST_BIT)
+    np.testing.assert_allclose(hits.t, [1, 1, 0.5, np.inf], rtol=EMBREE_ROUNDING)
     assert hits.primitive[-1] == -1
 
 

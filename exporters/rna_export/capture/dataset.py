@@ -17,10 +17,11 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
+from safetensors import SafetensorError
 from safetensors.numpy import load_file, save
 
 from rna_export.capture.settings import CaptureSettings, DatasetModel
-from rna_sdk.errors import CaptureError
+from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Domain, Mesh
 from rna_sdk.runtime import Asset
 
@@ -141,10 +142,14 @@ class Dataset:
 
     def geometry(self) -> Mesh | Curves:
         """The captured mesh, or the strands: object space, +Y up, metres."""
-        arrays = load_file(self.folder / "geometry.safetensors")
-        if self.manifest.kind == "fiber":
-            return Curves(**arrays)
-        return Mesh(**{"uvs": None, **arrays})
+        path = self.folder / "geometry.safetensors"
+        try:
+            arrays = load_file(path)
+            if self.manifest.kind == "fiber":
+                return Curves(**arrays)
+            return Mesh(**{"uvs": None, **arrays})
+        except (OSError, TypeError, SafetensorError, PackageError) as error:
+            raise CaptureError(_DAMAGED.format(path, error)) from error
 
     def lights_finished(self) -> int:
         """From the first one on, without a gap."""
@@ -176,7 +181,7 @@ class Dataset:
             raise CaptureError(f"{self.folder}: no finished training shard")
         if shards is not None:
             paths = paths[:: -(-len(paths) // shards)]
-        return joined([load_file(path) for path in paths], self.manifest.fields)
+        return joined([_read_arrays(path, self.manifest.fields) for path in paths])
 
     def validation_views(self) -> list[ValidationView]:
         """The finished validation images."""
@@ -190,7 +195,12 @@ class Dataset:
         return all(self.validation_path(view, half).is_file() for half in (0, 1))
 
     def _view(self, view: int) -> ValidationView:
-        first, second = (load_file(self.validation_path(view, half)) for half in (0, 1))
+        names = (*self.manifest.fields, "pixel")
+        first, second = (_read_arrays(self.validation_path(view, h), names) for h in (0, 1))
+        if not np.array_equal(first["pixel"], second["pixel"]):
+            path = self.validation_path(view, 1)
+            reason = "its pixels are not those of the first half"
+            raise CaptureError(_DAMAGED.format(path, reason) + _MADE_AGAIN)
         halves = np.stack([first["radiance"], second["radiance"]])
         samples = {name: first[name] for name in self.manifest.fields}
         samples["radiance"] = halves.mean(axis=0)
@@ -203,11 +213,27 @@ def _write_manifest(folder: Path, manifest: CaptureManifest) -> None:
     write_atomically(folder / "manifest.json", text.encode())
 
 
-def joined(
-    parts: list[dict[str, np.ndarray]], names: Iterable[str] | None = None
-) -> dict[str, np.ndarray]:
-    """The rows of all parts, one array a field; of `names` only, if given."""
-    return {name: np.concatenate([p[name] for p in parts]) for name in names or parts[0]}
+def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    """The rows of all parts, one array a field."""
+    return {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
+
+
+def _read_arrays(path: Path, names: Iterable[str]) -> dict[str, np.ndarray]:
+    """The named arrays of a part, as many rows each. Raises CaptureError if it is damaged."""
+    try:
+        arrays = load_file(path)
+    except (OSError, SafetensorError) as error:
+        raise CaptureError(_DAMAGED.format(path, error) + _MADE_AGAIN) from error
+    missing = [name for name in names if name not in arrays]
+    lengths = {len(values) for values in arrays.values()}
+    if missing or len(lengths) > 1:
+        reason = f"no {', '.join(missing)}" if missing else "its arrays differ in length"
+        raise CaptureError(_DAMAGED.format(path, reason) + _MADE_AGAIN)
+    return {name: arrays[name] for name in names}
+
+
+_DAMAGED = "{}: damaged ({})"
+_MADE_AGAIN = "; delete it, and the same rna-capture makes it again"
 
 
 def write_arrays(path: Path, arrays: dict[str, np.ndarray]) -> None:

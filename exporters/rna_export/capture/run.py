@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 import numpy as np
@@ -90,9 +91,9 @@ def begin(
     replaces the number of lights by as many as fit, and may make the validation images smaller.
     `for_scene` limits views and lights to its own.
     """
-    start = time.monotonic()
+    start = monotonic()
     with crew.worker(source, "probe") as worker:
-        opening = time.monotonic() - start
+        opening = monotonic() - start
         fibers = worker.kind == "fiber"
         geometry = worker.export_curves() if fibers else weld(worker.export_corners())
         settings = CaptureSettings.usual(worker.kind, **asked)
@@ -177,7 +178,7 @@ class _Shift:
     source: Source
     crew: Crew
     bar: tqdm
-    limit: TimeLimit | None
+    limit: TimeLimit | None = None
     todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = field(
         default_factory=queue.SimpleQueue
     )
@@ -214,11 +215,11 @@ class _Shift:
                         return
                     if self._is_too_late(task, took):
                         return
-                    begun = time.monotonic()
+                    begun = monotonic()
                     if done and done % _TASKS_A_PROCESS == 0:
                         worker.restart()
                     self._run(task, worker)
-                    took = time.monotonic() - begun
+                    took = monotonic() - begun
                     done += 1
         except Exception as error:  # reported by the main thread
             self.failures.append(error)

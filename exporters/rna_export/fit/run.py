@@ -21,6 +21,7 @@ from rna_export.trials.packages import PRECISIONS, write_packages
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
+from rna_sdk.errors import TrainingError
 
 
 @dataclass
@@ -80,7 +81,7 @@ def _with_costs(
     """Every trial at every precision, with the cost of its shape: weights do not change it."""
     named = {f"{t.name}/{precision}": (t, precision) for t in trials for precision in PRECISIONS}
     path = work / "costs.json"
-    costs = Costs.model_validate_json(path.read_bytes()) if path.is_file() else None
+    costs = _read_costs(path) if path.is_file() else None
     if costs is None or set(costs.of) != set(named):
         say(f"timing {len(trials)} models with random weights")
         costs = _measured(dataset, trials)
@@ -88,6 +89,13 @@ def _with_costs(
         write_atomically(path, (costs.model_dump_json(indent=1) + "\n").encode())
     candidates = [Candidate(*named[label], cost.ns) for label, cost in costs.of.items()]
     return sorted(candidates, key=lambda c: c.ns), costs
+
+
+def _read_costs(path: Path) -> Costs:
+    try:
+        return Costs.model_validate_json(path.read_bytes())
+    except ValueError as error:
+        raise TrainingError(f"{path}: not the costs of rna-fit: {error}; delete it") from error
 
 
 def _measured(dataset: Dataset, trials: list[Trial]) -> Costs:

@@ -47,6 +47,8 @@ def parser() -> argparse.ArgumentParser:
         help="log; unbiased: noise in the capture does not darken what is learnt, but sharp "
         "highlights come out worse; auto: by the noise (default: the preset's; of ours auto)",
     )
+    lengths = sorted({preset.training.steps for preset in PRESETS["surface"].values()})
+    usual = " or ".join(f"{steps:,}" for steps in lengths)
     length = p.add_mutually_exclusive_group()
     length.add_argument(
         "--minutes",
@@ -57,9 +59,7 @@ def parser() -> argparse.ArgumentParser:
     length.add_argument(
         "--steps",
         type=int,
-        help="length, rounded up to a multiple of 10 (int, default: "
-        f"{PRESETS['surface']['small'].training.steps:,}, of the paper's presets "
-        f"{PRESETS['surface']['paper-small'].training.steps:,})",
+        help=f"length, rounded up to a multiple of 10 (int, default: the preset's, {usual})",
     )
     p.add_argument(
         "--seed",

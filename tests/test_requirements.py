@@ -1,0 +1,49 @@
+"""What pyproject.toml requires: the base of what the SDK imports, and all with a lowest version."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+import tomllib
+
+import pytest
+
+from scripts.lowest_versions import pins
+from tests.conftest import REPOSITORY
+
+PROJECT = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]
+
+
+def imported(folder: str) -> set[str]:
+    """Top-level modules that the files of a folder import."""
+    names = set()
+    for path in (REPOSITORY / folder).rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Import):
+                names |= {alias.name.partition(".")[0] for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and node.module:
+                names.add(node.module.partition(".")[0])
+    return names
+
+
+def test_the_base_requires_what_the_sdk_imports_and_no_more() -> None:
+    required = {pin.partition("==")[0] for pin in pins(PROJECT["dependencies"])}
+    parts = {"llvmlite", "pydantic_core"}  # of numba and of pydantic
+    assert required == imported("rna_sdk") - set(sys.stdlib_module_names) - {"rna_sdk"} - parts
+
+
+def test_every_requirement_has_a_lowest_version() -> None:
+    command = [sys.executable, REPOSITORY / "scripts" / "lowest_versions.py"]
+    said = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    extras = PROJECT["optional-dependencies"].values()
+    wanted = [*PROJECT["dependencies"], *(r for extra in extras for r in extra)]
+    wanted = [r.replace(">=", "==") for r in wanted if not r.startswith("rna-sdk[")]
+    assert set(wanted) - set(said) == {"torch==2.6"}  # taken from a version that is small
+    assert len(said) == len(wanted) and "numpy==1.26" in said
+
+
+@pytest.mark.parametrize("requirement", ["numpy", "numpy~=2.0", "numpy>=1.26,<3"])
+def test_another_form_is_refused(requirement: str) -> None:
+    with pytest.raises(ValueError, match=r"expected name>=version"):
+        pins([requirement])
