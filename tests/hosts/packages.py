@@ -26,9 +26,7 @@ FIBER_INPUTS = ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_l
 
 def make_profile_tier(name: str, kind: str, **changes: Any) -> Tier:
     """A tier with every block of the kind."""
-    return make_tier(
-        name, inputs=SURFACE_INPUTS if kind == "surface" else FIBER_INPUTS, **changes
-    )
+    return make_tier(name, inputs=SURFACE_INPUTS if kind == "surface" else FIBER_INPUTS, **changes)
 
 
 def write_profile_package(

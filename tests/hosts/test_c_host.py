@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import onnx
 import pytest
 
 from rna_sdk.runtime import load
+from tests.conformance.kit.decoders import Int8Decoder, Int8Layer
 from tests.hosts.c_host import CAsset, build, compiler
 from tests.hosts.packages import make_profile_tier, write_fuzz_packages, write_profile_package
 from tests.package.builders import read_entries
@@ -81,11 +83,25 @@ def test_every_precision_means_the_same(
 
 
 def test_int8_sums_of_a_wide_layer_are_exact(programs: dict[str, Path], tmp_path: Path) -> None:
-    """More inputs than float32 can sum exactly at once."""
+    """Sums beyond what float32 holds, of which the bias leaves a few steps."""
     tier = make_profile_tier("wide", "surface", decoder_precision="int8")
-    package = write_profile_package(tmp_path / "wide.rna", tier, widths=(1100, 8))
-    difference = differences(programs["librna.so"], package, "wide")
-    assert np.mean(difference > TOLERANCE) <= INT8_SHARE
+    columns, wide, unit = tier.query_width, 1100, np.float32(0.25)
+    ones, steps = np.ones(columns, np.float32), np.arange(1, 7)
+    weight = (126 + np.arange(wide * 6).reshape(wide, 6) % 2).astype(np.int8)
+    full = Int8Layer(
+        np.zeros((columns, wide), np.int8), np.ones(wide, np.float32), np.full(wide, 300), ones[0]
+    )
+    left = Int8Layer(weight, np.full(6, unit), steps - 255 * weight.sum(axis=0, dtype=int), ones[0])
+    layers = [replace(layer, bias=layer.bias.astype(np.int32)) for layer in (full, left)]
+    file = Int8Decoder(ones, ones, layers, np.float32(1)).file()
+    package = write_profile_package(tmp_path / "wide.rna", tier)
+    # In place of a good decoder: an engine that sums in float32 calls this one inconsistent.
+    package.write_bytes(with_entry(read_entries(package), tier.decoder, file))
+    asset = CAsset(programs["librna.so"], package, "wide")
+    found = asset.evaluate(*random_rows("surface", np.float32([[-1] * 3, [1] * 3]), 60))
+    asset.close()
+    expected = np.broadcast_to(np.exp(steps * unit) - 1, (60, 6))
+    np.testing.assert_allclose(np.concatenate(found, axis=1), expected, rtol=1e-5)
 
 
 def test_a_row_means_the_same_in_any_batch(programs: dict[str, Path]) -> None:
@@ -99,9 +115,7 @@ def test_a_row_means_the_same_in_any_batch(programs: dict[str, Path]) -> None:
     asset.close()
 
 
-def test_a_decoder_that_needs_an_engine_is_named(
-    programs: dict[str, Path], tmp_path: Path
-) -> None:
+def test_a_decoder_that_needs_an_engine_is_named(programs: dict[str, Path], tmp_path: Path) -> None:
     package = tmp_path / "engine.rna"
     tier = make_profile_tier("small", "surface")
     entries = read_entries(write_profile_package(package, tier))

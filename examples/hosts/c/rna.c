@@ -2248,7 +2248,9 @@ typedef struct Step {
     bool relu;            /* of the products */
     float *values;        /* MULTIPLY, ADD: one a column */
     float *weights;       /* products: [outputs / OUTPUTS][inputs][OUTPUTS] */
-    float *scale, *shift; /* products: sum * scale + shift, one an output; scale of INT8_PRODUCT alone */
+    float *bias;          /* PRODUCT: one an output */
+    float *unit;          /* INT8_PRODUCT: (sum + whole_bias) * unit, one an output */
+    double *whole_bias;
 } Step;
 
 typedef struct Decoder {
@@ -2264,8 +2266,9 @@ static void free_decoder(Decoder *decoder) {
     for (int i = 0; i < decoder->count; i++) {
         free(decoder->steps[i].values);
         free(decoder->steps[i].weights);
-        free(decoder->steps[i].scale);
-        free(decoder->steps[i].shift);
+        free(decoder->steps[i].bias);
+        free(decoder->steps[i].unit);
+        free(decoder->steps[i].whole_bias);
     }
     free(decoder->steps);
     *decoder = (Decoder){0};
@@ -2294,7 +2297,7 @@ static void run_product(const Step *step, const float *restrict x, float *restri
             multiply(step->inputs, x + g, step->weights + (size_t)j * (size_t)step->inputs, sums);
             for (int i = 0; i < OUTPUTS; i++)
                 for (int r = 0; r < GROUP; r++) {
-                    float value = sums[i][r] + step->shift[j + i];
+                    float value = sums[i][r] + step->bias[j + i];
                     y[(j + i) * ROWS + g + r] = value < floor ? floor : value; /* NaN stays */
                 }
         }
@@ -2326,7 +2329,8 @@ static void run_int8_product(const Step *step, float *restrict x, float *restric
             }
             for (int i = 0; i < OUTPUTS; i++)
                 for (int r = 0; r < GROUP; r++) {
-                    float value = MULTIPLY_ADD((float)total[i][r], step->scale[j + i], step->shift[j + i]);
+                    double sum = total[i][r] + step->whole_bias[j + i];
+                    float value = (float)(sum * step->unit[j + i]);
                     y[(j + i) * ROWS + g + r] = value < floor ? floor : value; /* NaN stays */
                 }
         }
@@ -2498,11 +2502,9 @@ static Outcome add_product(Builder *b, Step *step, const OnnxNode *node) {
     step->kind = PRODUCT;
     Outcome outcome = pack_weights(step, weight, false);
     if (outcome != LOADED) return outcome;
-    if (is_gemm) return column_floats(b, name_of(b, node, 2), step->outputs, 1, &step->shift);
-    step->shift = aligned(sizeof(float) * (size_t)rounded_up(step->outputs, OUTPUTS));
-    if (!step->shift) return DOES_NOT_FIT;
-    for (int i = 0; i < rounded_up(step->outputs, OUTPUTS); i++) step->shift[i] = 0;
-    return LOADED;
+    if (is_gemm) return column_floats(b, name_of(b, node, 2), step->outputs, 1, &step->bias);
+    step->bias = calloc((size_t)rounded_up(step->outputs, OUTPUTS), sizeof *step->bias);
+    return step->bias ? LOADED : DOES_NOT_FIT;
 }
 
 /* DequantizeLinear of a constant of `type` along `axis`, whose result is `name`; its operands. */
@@ -2534,6 +2536,22 @@ static size_t next_in_chain(const Builder *b, size_t node) {
     return node;
 }
 
+/* The bias as it is stored, in units of the sums. */
+static Outcome add_whole_bias(Builder *b, Step *step, const OnnxTensor *bias, Span scale_name) {
+    float *scale = NULL;
+    Outcome outcome = column_floats(b, scale_name, step->outputs, 1, &scale);
+    bool fits = bias->rank == 1 && bias->dims[0] == (uint64_t)step->outputs && has_bytes(bias, 4);
+    if (outcome == LOADED && !fits) outcome = DOES_NOT_FIT;
+    step->whole_bias = calloc((size_t)rounded_up(step->outputs, OUTPUTS), sizeof *step->whole_bias);
+    if (!step->whole_bias) outcome = DOES_NOT_FIT;
+    for (int i = 0; outcome == LOADED && i < step->outputs; i++) {
+        if (!(fabsf(scale[i] - step->unit[i]) <= 1e-6f * fabsf(step->unit[i]))) outcome = NO_CHAIN;
+        step->whole_bias[i] = (int32_t)u32_at(bias->raw.at + 4 * i);
+    }
+    free(scale);
+    return outcome;
+}
+
 /* QuantizeLinear, DequantizeLinear and a Gemm of dequantized constants: one layer in integers. */
 static Outcome add_int8_product(Builder *b, Step *step, const OnnxNode *quantize) {
     size_t second = next_in_chain(b, b->node + 1), third = next_in_chain(b, second + 1);
@@ -2559,14 +2577,9 @@ static Outcome add_int8_product(Builder *b, Step *step, const OnnxNode *quantize
     step->low = -(float)zero->raw.at[0];
     step->high = 255 + step->low;
     if ((outcome = pack_weights(step, weight, true)) != LOADED) return outcome;
-    if ((outcome = column_floats(b, weight_scale, step->outputs, 1, &step->scale)) != LOADED) return outcome;
-    if ((outcome = column_floats(b, bias_scale, step->outputs, 1, &step->shift)) != LOADED) return outcome;
-    if (bias->rank != 1 || bias->dims[0] != (uint64_t)step->outputs || !has_bytes(bias, 4))
-        return DOES_NOT_FIT;
-    for (int i = 0; i < step->outputs; i++) {
-        step->scale[i] *= step->step;
-        step->shift[i] *= (float)(int32_t)u32_at(bias->raw.at + 4 * i);
-    }
+    if ((outcome = column_floats(b, weight_scale, step->outputs, 1, &step->unit)) != LOADED) return outcome;
+    for (int i = 0; i < step->outputs; i++) step->unit[i] *= step->step;
+    if ((outcome = add_whole_bias(b, step, bias, bias_scale)) != LOADED) return outcome;
     b->node = third;
     b->used += 4;
     return LOADED;
