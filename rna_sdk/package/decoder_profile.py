@@ -10,15 +10,17 @@ from __future__ import annotations
 import math
 from collections import Counter
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rna_sdk.package.limits import OUTPUT_WIDTH
 from rna_sdk.package.onnx_model import Model, Node, Tensor
 from rna_sdk.package.saturation import can_saturate
 
 _FLOAT32, _UINT8, _INT8, _INT32 = 1, 2, 3, 6  # TensorProto.DataType
-_BYTES = {_FLOAT32: 4, _UINT8: 1, _INT8: 1, _INT32: 4}
+_DTYPES = {_FLOAT32: "<f4", _UINT8: "u1", _INT8: "i1", _INT32: "<i4"}
 
 
 class _Outside(Exception):
@@ -40,29 +42,43 @@ def saturating_weights(model: Model) -> list[str]:
         tensor.name
         for tensor in model.initializers
         if tensor.dtype == _INT8 and len(tensor.dims) == 2 and _is_whole(tensor)
-        if can_saturate(np.frombuffer(tensor.raw or b"", np.int8).reshape(tensor.dims))
+        if can_saturate(_numbers(tensor))
     ]
 
 
 def _is_whole(tensor: Tensor) -> bool:
     """Whether the data is raw, and as long as type and shape want it."""
-    if tensor.raw is None or tensor.dtype not in _BYTES:
+    if tensor.raw is None or tensor.dtype not in _DTYPES:
         return False
-    return len(tensor.raw) == math.prod(tensor.dims) * _BYTES[tensor.dtype]
+    return len(tensor.raw) == math.prod(tensor.dims) * np.dtype(_DTYPES[tensor.dtype]).itemsize
 
 
 @dataclass(frozen=True)
 class _Operand:
-    """A constant operand: its type, and its shape, () for a scalar."""
+    """A constant operand: its type, its shape, () for a scalar, and its number, if it is fixed."""
 
     dtype: int
     shape: tuple[int, ...] = ()
+    number: int | None = None
 
     def __str__(self) -> str:
-        return f"a constant of type {self.dtype} {list(self.shape)}"
+        number = "" if self.number is None else f" that is {self.number}"
+        return f"a constant of type {self.dtype} {list(self.shape)}{number}"
+
+    def fits(self, tensor: Tensor) -> bool:
+        """Whether the tensor is such a constant, its data raw."""
+        if not _is_whole(tensor) or (tensor.dtype, tensor.dims) != (self.dtype, self.shape):
+            return False
+        return self.number is None or bool(_numbers(tensor) == self.number)
 
 
-_SCALAR, _ZERO_POINT = _Operand(_FLOAT32), _Operand(_UINT8)
+_SCALAR, _ZERO, _ONE = _Operand(_FLOAT32), _Operand(_FLOAT32, (), 0), _Operand(_FLOAT32, (), 1)
+_ZERO_POINT = _Operand(_UINT8, (), 0)
+
+
+def _numbers(tensor: Tensor) -> NDArray[Any]:
+    """The tensor's data, which is whole."""
+    return np.frombuffer(tensor.raw or b"", _DTYPES[tensor.dtype]).reshape(tensor.dims)
 
 
 class _Walk:
@@ -90,9 +106,9 @@ class _Walk:
             self._take("Mul", _Operand(_FLOAT32, (self._width,)))
             self._take("Add", _Operand(_FLOAT32, (self._width,)))
         self._layers()
-        self._take("Clip", _SCALAR, _SCALAR)
+        self._take("Clip", _ZERO, _SCALAR)
         self._take("Exp")
-        self._take("Sub", _SCALAR)
+        self._take("Sub", _ONE)
         if self._operator == "MatMul":
             self._take("MatMul", _Operand(_FLOAT32, (self._width, OUTPUT_WIDTH)))
         else:
@@ -104,10 +120,14 @@ class _Walk:
 
     def _layers(self) -> None:
         while True:
-            if self._is_int8:
-                self._take("QuantizeLinear", _SCALAR, _ZERO_POINT)
-                self._take("DequantizeLinear", _SCALAR, _ZERO_POINT)
-            self._take_gemm()
+            steps = [
+                self._constants[self._take(operator, _SCALAR, _ZERO_POINT).inputs[1]]
+                for operator in ("QuantizeLinear", "DequantizeLinear")
+                if self._is_int8
+            ]
+            if len({bytes(step.raw or b"") for step in steps}) > 1:
+                raise _Outside(f"two scales before {self._value}, expected one")
+            self._take_gemm(*steps[:1])
             if self._operator == "Clip":
                 return
             if not self._is_int8:
@@ -118,10 +138,11 @@ class _Walk:
         """Of the node that comes next."""
         return self._chain[self._at].operator if self._at < len(self._chain) else "nothing"
 
-    def _take(self, operator: str, *operands: _Operand) -> None:
-        """The next node is this one, of the value and these constants."""
+    def _take(self, operator: str, *operands: _Operand) -> Node:
+        """The next node, which is this one, of the value and these constants."""
         node = self._next(operator)
         self._check_constants(node, node.inputs[1:], operands)
+        return node
 
     def _next(self, operator: str) -> Node:
         """The next node, an `operator` without attributes of the value; its result is the next."""
@@ -136,7 +157,8 @@ class _Walk:
         self._value = node.outputs[0]
         return node
 
-    def _take_gemm(self) -> None:
+    def _take_gemm(self, *step: Tensor) -> None:
+        """step: of int8, the scale of the inputs."""
         node = self._next("Gemm")
         if len(node.inputs) != 3:
             raise _Outside(f"Gemm of {len(node.inputs)} operands, expected 3")
@@ -153,6 +175,10 @@ class _Walk:
             node, weight, (_Operand(weight_type, (self._width, outputs)), *scales)
         )
         self._check_constants(node, bias, (_Operand(bias_type, (outputs,)), *scales))
+        for scale in step:
+            of_weight, of_bias = (self._constants[names[1]] for names in (weight, bias))
+            if not np.array_equal(_numbers(of_bias), _numbers(scale) * _numbers(of_weight)):
+                raise _Outside(f"{of_bias.name}, expected the product of the other two scales")
         self._width = outputs
 
     def _dequantized(self, name: str, axis: int) -> tuple[str, ...]:
@@ -170,6 +196,5 @@ class _Walk:
             raise _Outside(f"{len(names)} constants of {where}, expected {len(operands)}")
         for name, operand in zip(names, operands, strict=True):
             tensor = self._constants.get(name)
-            whole = tensor is not None and _is_whole(tensor)
-            if tensor is None or not whole or _Operand(tensor.dtype, tensor.dims) != operand:
+            if tensor is None or not operand.fits(tensor):
                 raise _Outside(f"{name or 'nothing'} of {where}, expected {operand}, raw")

@@ -59,6 +59,14 @@ def another_constant_type(model: onnx.ModelProto) -> None:
     replace(model, "one", np.ones(1, np.float32))
 
 
+def subtract_another_number(model: onnx.ModelProto) -> None:
+    replace(model, "one", np.float32(2))
+
+
+def let_negative_logarithms_through(model: onnx.ModelProto) -> None:
+    replace(model, "zero", np.float32(-1))
+
+
 def constants_unpacked(model: onnx.ModelProto) -> None:
     (tensor,) = (t for t in model.graph.initializer if t.name == "one")
     tensor.CopyFrom(helper.make_tensor("one", 1, (), [1.0]))
@@ -76,6 +84,8 @@ def a_dangling_dequantizer(model: onnx.ModelProto) -> None:
         read_a_value_twice,
         leave_the_exponential_out,
         another_constant_type,
+        subtract_another_number,
+        let_negative_logarithms_through,
         constants_unpacked,
         a_dangling_dequantizer,
     ],
@@ -89,6 +99,24 @@ def test_other_graphs_leave_it(
 
 def test_a_layer_with_a_zero_point_leaves_it() -> None:
     assert "QuantizeLinear" in (reason(make_int8_decoder_model(18, 8, 2)) or "")
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("z1", np.uint8(1)), ("t1", np.full(8, 0.1, np.float32)), ("step1", np.float32(2))],
+)
+def test_int8_scales_that_do_not_belong_together_leave_it(name: str, value: np.ndarray) -> None:
+    model = make_int8_decoder_model(18, 8, 2, in_profile=True)
+    replace(model, name, value)
+    assert reason(model) is not None
+
+
+def test_two_scales_for_one_value_leave_it() -> None:
+    model = make_int8_decoder_model(18, 8, 2, in_profile=True)
+    model.graph.initializer.append(numpy_helper.from_array(np.float32(0.5), "other"))
+    node = next(n for n in model.graph.node if n.op_type == "DequantizeLinear")
+    node.input[1] = "other"
+    assert "two scales" in (reason(model) or "")
 
 
 def test_saturating_weights_are_named() -> None:

@@ -574,6 +574,28 @@ def decoder_with_another_activation(entries: Entries) -> bytes:
     return with_decoder(entries, edit)
 
 
+@case("DECODER_PROFILE")
+def decoder_that_subtracts_another_number(entries: Entries) -> bytes:
+    def edit(model: onnx.ModelProto) -> None:
+        (one,) = (t for t in model.graph.initializer if t.name == "one")
+        one.CopyFrom(numpy_helper.from_array(np.float32(0.5), "one"))
+
+    return with_decoder(entries, edit)
+
+
+@case("DECODER_PROFILE")
+def int8_decoder_whose_bias_has_a_scale_of_its_own(entries: Entries) -> bytes:
+    model = make_int8_decoder_model(largest=64, in_profile=True)
+    (scale,) = (t for t in model.graph.initializer if t.name == "t1")
+    scale.CopyFrom(numpy_helper.from_array(np.full(6, 0.01, np.float32), "t1"))
+    return with_entry(
+        entries,
+        DECODER,
+        model.SerializeToString(),
+        lambda m: m["tiers"][0].update(decoderPrecision="int8"),
+    )
+
+
 @case("DECODER_SATURATION")
 def decoder_whose_pairs_of_weights_exceed_16_bits(entries: Entries) -> bytes:
     """127 next to 127: 255 * 254 is more than a signed 16-bit number holds."""
