@@ -153,7 +153,7 @@ def varint(message, at):
             return value, at
 
 
-OPERATORS = {  # 6.2: the operators of the decoder profile
+OPERATORS = {  # 6.4: the operators of the decoder profile
     "Clip": np.clip,
     "Gemm": lambda x, weight, bias: x @ weight + bias,
     "MatMul": np.matmul,

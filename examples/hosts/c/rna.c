@@ -2257,7 +2257,7 @@ typedef struct Decoder {
     int columns, widest, count;
     Step *steps;
     bool runs;       /* it is a chain, and loaded */
-    bool in_profile; /* and one of the profile "mlp" */
+    bool in_profile; /* and one of the decoder profile */
 } Decoder;
 
 static int rounded_up(int n, int to) { return (n + to - 1) / to * to; }
@@ -2641,7 +2641,8 @@ static Outcome add_step(Builder *b) {
     return LOADED;
 }
 
-/* Whether the chain is one of the profile "mlp" (section 6.2), by the letters of its steps. */
+/* Whether the chain is one of the decoder profile (section 6.4): the letters of its steps, and the
+ * numbers of the last Clip and of Sub, which are fixed. */
 static bool is_in_profile(const Builder *b) {
     const char *at = b->kinds;
     if (*at++ != 'C') return false;
@@ -2653,7 +2654,8 @@ static bool is_in_profile(const Builder *b) {
         while (*at == '8') at++;
     }
     if (strcmp(at, "CESM") && strcmp(at, "CESX")) return false;
-    return b->plain;
+    const Step *clip = &b->decoder->steps[b->decoder->count - 4], *subtract = clip + 2;
+    return b->plain && clip->low == 0 && subtract->values[0] == -1;
 }
 
 static Outcome build_decoder(Builder *b) {
@@ -2723,7 +2725,7 @@ static void read_decoder(Span data, int columns, bool is_int8, Decoder *decoder,
             refuse(report, "DECODER_LOAD", entry, "constants that fit each other", "others");
         if (outcome == LOADED) decoder->runs = check_results(decoder, entry, report);
         if (outcome != DOES_NOT_FIT && !decoder->in_profile)
-            warn(report, "DECODER_PROFILE", entry, "the decoder profile mlp", "other operators");
+            warn(report, "DECODER_PROFILE", entry, "the decoder profile", "other operators");
         if (outcome != DOES_NOT_FIT && saturates(&model))
             warn(report, "DECODER_SATURATION", entry, "pairs of weights up to 128", "larger ones");
     }
@@ -3269,7 +3271,7 @@ const char *rna_status_text(RnaStatus status) {
     switch (status) {
     case RNA_OK: return "done";
     case RNA_BAD_ARGUMENT: return "an array is missing, or the tier does not exist";
-    case RNA_UNSUPPORTED_DECODER: return "the decoder is outside the profile mlp: it needs an ONNX engine";
+    case RNA_UNSUPPORTED_DECODER: return "the decoder is no chain of the decoder profile: it needs an ONNX engine";
     default: return "out of memory";
     }
 }

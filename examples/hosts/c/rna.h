@@ -42,7 +42,7 @@ typedef enum RnaKind { RNA_SURFACE, RNA_FIBER } RnaKind;
 typedef enum RnaStatus {
     RNA_OK,
     RNA_BAD_ARGUMENT,        /* a NULL array, or no such tier */
-    RNA_UNSUPPORTED_DECODER, /* legal, but not of the profile "mlp": needs an ONNX engine */
+    RNA_UNSUPPORTED_DECODER, /* legal, but no chain of the profile's operators: needs an ONNX engine */
     RNA_OUT_OF_MEMORY
 } RnaStatus;
 
