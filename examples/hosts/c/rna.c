@@ -1884,7 +1884,8 @@ static void read_tensor(Wire *wire, Span message, OnnxModel *model) {
             if (once(wire, &seen, &field)) need_text(wire, &field, &tensor->name);
             break;
         case 9:
-            if (once(wire, &seen, &field)) tensor->has_raw = need_bytes(wire, &field, &tensor->raw);
+            if (once(wire, &seen, &field)) tensor->has_raw = !field.is_integer;
+            tensor->raw = field.bytes;
             break;
         case 12: break; /* doc_string */
         case 13: tensor->external = true; break;
@@ -1894,12 +1895,16 @@ static void read_tensor(Wire *wire, Span message, OnnxModel *model) {
 }
 
 static void read_attribute(Wire *wire, Span message, OnnxModel *model, OnnxNode *node) {
-    uint64_t floats = 0, integers = 0, strings = 0, value = 0;
+    uint64_t floats = 0, integers = 0, strings = 0, value = 0, item, seen = 0;
     Span name = {0};
     Field field;
     while (next_field(wire, &message, &field)) switch (field.number) {
-        case 1: name = field.is_integer ? (Span){0} : field.bytes; break;
-        case 3: value = field.is_integer ? field.integer : 0; break;
+        case 1:
+            if (once(wire, &seen, &field)) need_text(wire, &field, &name);
+            break;
+        case 3:
+            if (once(wire, &seen, &field)) need_integer(wire, &field, &value);
+            break;
         case 5:
         case 10: {
             Span tensor;
@@ -1914,7 +1919,7 @@ static void read_attribute(Wire *wire, Span message, OnnxModel *model, OnnxNode 
         case 8:
             if (field.is_integer) integers++;
             while (!field.is_integer && field.bytes.size) {
-                if (!(spend(wire) && take_varint(wire, &field.bytes, &value))) return;
+                if (!(spend(wire) && take_varint(wire, &field.bytes, &item))) return;
                 integers++;
             }
             break;
