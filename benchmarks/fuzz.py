@@ -78,14 +78,23 @@ def main() -> int:
             checked = [chunk for chunk in chunks if chunk[0] < args.validate]
             shared = repeat(programs[1]), repeat(packages), repeat(folder)
             verdicts = Verdicts()
+            report = _report(tallies, verdicts, seconds, args.jobs)
             for part in pool.map(run_validator, *shared, checked):
                 verdicts.add(part)
-    report = _report(tallies, verdicts, seconds, args.jobs)
+                report = _report(tallies, verdicts, seconds, args.jobs)
+                _write(report, args.out)  # what there is, should the run be stopped
     print(json.dumps(report, indent=1))
     if args.out:
-        args.out.write_text(json.dumps(report, indent=1) + "\n")
+        _write(report, args.out)
         print(f"wrote {args.out}", file=sys.stderr)
     return int(report["reports"] > 0 or bool(verdicts.failures))
+
+
+def _write(report: dict[str, Any], out: Path | None) -> None:
+    if out is not None:
+        part = out.with_suffix(".part")
+        part.write_text(json.dumps(report, indent=1) + "\n")
+        part.replace(out)
 
 
 def run_c_host(
