@@ -42,7 +42,9 @@ TENSOR_TYPES = frozenset({1, 2, 3, 6, 7, 9, 10})
 DEFAULT_DOMAINS = frozenset({"", "ai.onnx"})
 
 _PROBES = (0.0, 1.0, -1.0, 1e4, -1e4, float(np.finfo(np.float32).max), -3.4e38)
-_RANDOM_ROWS = 9
+_RANDOM_ROWS = 17
+_INT8_SHARE = 0.75
+"""Of the rows of an int8 decoder that must be the same in another order, and alone."""
 
 
 def check_decoder(data: memoryview, tier: Tier) -> list[Issue]:
@@ -202,7 +204,8 @@ def _check_results(data: bytes, tier: Tier) -> None:
             return result
 
         run(queries[:0])
-        transport, permuted, single = run(queries), run(queries[order]), run(queries[-1:])
+        transport, permuted = run(queries), run(queries[order])
+        alone = np.concatenate([run(queries[k : k + 1]) for k in range(len(queries))])
     except PackageError:
         raise
     except Exception as error:  # the engine's exceptions share no narrower base
@@ -212,9 +215,11 @@ def _check_results(data: bytes, tier: Tier) -> None:
         row = int(np.argmin(good))
         found = f"{transport[row].tolist()} for inputs that begin with {queries[row, 0]:g}"
         refuse(Code.DECODER_RESULT, tier.decoder, found, "finite and >= 0 for any finite input")
-    for rows, result in ((order, permuted), ([-1], single)):
-        if not np.allclose(result, transport[rows], rtol=1e-3, atol=1e-5):
-            found = "a row that depends on the others, or on its place"
+    # Sums of int8 halfway between two steps may round another way in a batch of another size.
+    enough = 1.0 if tier.decoder_precision == "float32" else _INT8_SHARE
+    for result, expected in ((permuted, transport[order]), (alone, transport)):
+        if np.isclose(result, expected, rtol=1e-3, atol=1e-5).all(axis=1).mean() < enough:
+            found = "rows that depend on others, or on their place"
             refuse(Code.DECODER_RESULT, tier.decoder, found, "rows that depend on themselves alone")
 
 
