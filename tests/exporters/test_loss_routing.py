@@ -9,6 +9,7 @@ import torch
 
 from rna_export.capture.dataset import SAMPLE_FIELDS
 from rna_export.training.lightning_module import NeuralAssetTraining
+from rna_export.training.pace import StepPace
 from rna_export.training.presets import PRESETS
 from tests.exporters.synthetic import tiny
 
@@ -23,7 +24,7 @@ def gradient_of_the_outputs(
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS[kind]
     module = NeuralAssetTraining(
-        tiny(preset, kind, loss="log"), BOUNDS, 1.0, 1.0, 100, fields, [], Path(), {}
+        tiny(preset, kind, loss="log"), BOUNDS, 1.0, 1.0, StepPace(100), fields, [], Path(), {}
     )
     monkeypatch.setattr(module, "log", lambda *_, **__: None)
     monkeypatch.setattr(NeuralAssetTraining, "global_step", 0)
@@ -58,7 +59,7 @@ def test_the_loss_that_a_preset_names_decides_what_noise_does(
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS["surface"]
     preset = tiny("small", "surface", loss=loss)
-    module = NeuralAssetTraining(preset, BOUNDS, 10.0, 1.0, 100, fields, [], Path(), {})
+    module = NeuralAssetTraining(preset, BOUNDS, 10.0, 1.0, StepPace(100), fields, [], Path(), {})
     monkeypatch.setattr(module, "log", lambda *_, **__: None)
     monkeypatch.setattr(NeuralAssetTraining, "global_step", 0)
     rows = torch.rand(1, sum(fields.values())).repeat(64, 1)

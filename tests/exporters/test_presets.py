@@ -11,6 +11,7 @@ import torch
 
 from rna_export.capture.dataset import SAMPLE_FIELDS
 from rna_export.training.lightning_module import NeuralAssetTraining
+from rna_export.training.pace import StepPace
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import PRESETS
 
@@ -74,7 +75,8 @@ def test_our_learning_rate_falls_to_nothing(kind: str) -> None:
 def make_training(kind: str, preset: str, steps: int) -> NeuralAssetTraining:
     small = PRESETS[kind][preset].with_model(resolution=16, width=8).with_training(loss="log")
     fields = SAMPLE_FIELDS[kind]
-    return NeuralAssetTraining(small, BOUNDS, 1.0, 1.0, steps, fields, [], Path(), {})
+    pace = StepPace(steps)
+    return NeuralAssetTraining(small, BOUNDS, 1.0, 1.0, pace, fields, [], Path(), {})
 
 
 def learning_rates(kind: str, preset: str, steps: int) -> list[float]:
