@@ -11,8 +11,8 @@ import torch
 
 from rna_export.capture.dataset import SAMPLE_FIELDS
 from rna_export.training.lightning_module import NeuralAssetTraining
-from rna_export.training.pace import StepPace
 from rna_export.training.model import NeuralAsset
+from rna_export.training.pace import StepPace
 from rna_export.training.presets import PRESETS
 
 ALL = [(kind, preset) for kind in PRESETS for preset in PRESETS[kind]]
