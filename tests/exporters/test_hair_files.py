@@ -52,6 +52,13 @@ def tfx_bytes(
     return header + positions.astype("<f4").tobytes()
 
 
+def tfx_4_bytes(offset: int = 160, start: int = 160) -> bytes:
+    """The strands of `tfx_bytes`, each point with an inverse mass behind it."""
+    points = np.column_stack([np.arange(18, dtype="<f4").reshape(6, 3), np.full(6, np.nan, "<f4")])
+    header = struct.pack("<fIII", 4.0, 2, 3, offset).ljust(start, b"\0")
+    return header + points.astype("<f4").tobytes()
+
+
 def test_hair_round_trip(tmp_path: Path) -> None:
     written = strands()
     write_hair(tmp_path / "a.hair", written)
@@ -122,7 +129,9 @@ def test_tfx_is_left_handed_and_takes_its_radius_from_the_caller(tmp_path: Path)
     ("data", "message"),
     [
         (b"", r"size: found 0 bytes"),
-        (tfx_bytes(version=4.0), r"version: found 4, expected 3"),
+        (tfx_bytes(version=5.0), r"version: found 5, expected 3 or 4"),
+        (tfx_4_bytes(offset=12), r"offset of positions: found 12, expected 160 and more"),
+        (tfx_4_bytes()[:-4], r"size: found 252 bytes, expected 256"),
         (tfx_bytes(count=0), r"strand count: found 0"),
         (tfx_bytes(points=1), r"points a strand: found 1"),
         (tfx_bytes()[:-4], r"size: found 364 bytes, expected 368"),

@@ -1,4 +1,4 @@
-"""Groom files: Cem Yuksel's `.hair` (read, written) and TressFX's `.tfx` version 3 (read).
+"""Groom files: Cem Yuksel's `.hair` (read, written) and TressFX's `.tfx`, versions 3 and 4 (read).
 
 Every size is checked against the file's before it is used. A bad file raises `ValueError` with
 one line: the file, where, what was found and what was expected.
@@ -20,8 +20,9 @@ from .strands import Strands, of_equal_length
 
 _HAIR_HEADER = struct.Struct("<4sIIIIff3f88s")  # 128 bytes
 _SEGMENTS, _POINTS, _THICKNESS, _TRANSPARENCY, _COLOUR = 1, 2, 4, 8, 16
-_TFX_HEADER = struct.Struct("<fII")
-_TFX_POSITIONS = 296  # TressFX 3.1: positions begin here, whatever else the header says
+_TFX_HEADER = struct.Struct("<fIII")  # version, strands, points a strand, offset of positions
+_TFX_3_POSITIONS = 296  # TressFX 3.1: positions begin here, whatever else the header says
+_TFX_4_HEADER_BYTES = 160
 
 
 def _check(good: bool, path: Path, where: str, found: object, expected: object) -> None:
@@ -108,19 +109,26 @@ def write_hair(path: Path | str, strands: Strands) -> None:
 
 
 def read_tfx(path: Path | str, radius: float) -> Strands:
-    """Strands of a TressFX 3 file; it has no thickness: every radius is `radius`, in its unit."""
+    """Strands of a TressFX 3 or 4 file; every radius is `radius`, in the file's unit.
+
+    TressFX 3 has points of three numbers at a fixed place; TressFX 4 has four, of which the last is
+    no coordinate but an inverse mass, where its header says.
+    """
     path = Path(path)
     data = path.read_bytes()
-    enough = len(data) >= _TFX_POSITIONS
-    _check(enough, path, "size", f"{len(data)} bytes", f"a header of {_TFX_POSITIONS} bytes")
-    version, strands, points = _TFX_HEADER.unpack(data[: _TFX_HEADER.size])
-    _check(3.0 <= version < 4.0, path, "version", f"{version:g}", "3")
+    enough = len(data) >= _TFX_4_HEADER_BYTES
+    _check(enough, path, "size", f"{len(data)} bytes", f"a header of {_TFX_4_HEADER_BYTES} bytes")
+    version, strands, points, start = _TFX_HEADER.unpack(data[: _TFX_HEADER.size])
+    _check(3.0 <= version < 5.0, path, "version", f"{version:g}", "3 or 4")
     _check(strands > 0, path, "strand count", strands, "1 and more")
     _check(points >= 2, path, "points a strand", points, "2 and more")
-    size = _TFX_POSITIONS + 12 * strands * points
+    start, numbers = (_TFX_3_POSITIONS, 3) if version < 4.0 else (start, 4)
+    inside = start >= _TFX_4_HEADER_BYTES
+    _check(inside, path, "offset of positions", start, f"{_TFX_4_HEADER_BYTES} and more")
+    size = start + 4 * numbers * strands * points
     counts = f"{strands} strands of {points} points"
     _check(len(data) >= size, path, "size", f"{len(data)} bytes", f"{size} for {counts}")
-    xyz = np.frombuffer(data, "<f4", 3 * strands * points, _TFX_POSITIONS)
+    xyz = np.frombuffer(data, "<f4", numbers * strands * points, start).reshape(-1, numbers)[:, :3]
     _check_finite(path, "positions", xyz)
     mirrored = xyz.reshape(strands, points, 3) * np.float32([1.0, 1.0, -1.0])
     return of_equal_length(mirrored, np.float32(radius))
