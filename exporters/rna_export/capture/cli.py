@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import math
 import shutil
 import sys
 from pathlib import Path
@@ -127,8 +128,8 @@ def _asked(args: argparse.Namespace) -> dict[str, Any]:
 def _check_numbers(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:
     for name in ("minutes", "workers"):
         value = getattr(args, name)
-        if value is not None and not value > 0:
-            options.error(f"argument --{name}: expected more than 0, found {value:g}")
+        if value is not None and not 0 < value < math.inf:
+            options.error(f"argument --{name}: expected a number above 0, found {value:g}")
     try:
         CaptureSettings(**_asked(args))
     except ValidationError as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from pathlib import Path
 from time import monotonic
@@ -86,8 +87,10 @@ def main(argv: list[str] | None = None) -> int:
     args = options.parse_args(argv)
     for name in ("minutes", "steps"):
         value = getattr(args, name)
-        if value is not None and not value > 0:
-            options.error(f"argument --{name}: expected more than 0, found {value:g}")
+        if value is not None and not 0 < value < math.inf:
+            options.error(f"argument --{name}: expected a number above 0, found {value:g}")
+    if not 0 <= args.seed < 2**32:
+        options.error(f"argument --seed: expected 0 to 2^32 - 1, found {args.seed}")
     go_on = "run the same command again to continue"
     return run_command(lambda: _run(args), args.debug, go_on, "train")
 

@@ -94,8 +94,9 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
             )
         except SystemExit:  # how Lightning ends a fit that Ctrl-C stopped
             raise KeyboardInterrupt from None
-    shutil.copyfile(checkpoints.best_model_path, run.out / "best.ckpt")
-    return run.out / "best.ckpt"
+    unfinished, best = run.out / "best.ckpt.part", run.out / "best.ckpt"
+    shutil.copyfile(checkpoints.best_model_path, unfinished)
+    return unfinished.replace(best)
 
 
 def padded_bounds(dataset: Dataset) -> torch.Tensor:
