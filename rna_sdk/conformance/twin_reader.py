@@ -8,11 +8,11 @@ from __future__ import annotations
 import sys
 
 import numpy as np
-import onnxruntime
 from numpy.typing import NDArray
 
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Int8Planes, Package
+from rna_sdk.runtime.decoder import Graph
 from rna_sdk.runtime.queries_reference import fiber_queries_reference, queries_reference
 
 
@@ -25,16 +25,15 @@ def evaluate(package: str, tier: str, queries: NDArray[np.float32]) -> NDArray[n
     with Package.open(package) as opened:
         box, stored = opened.manifest.bounds, opened.planes(tier)
         planes = stored.decoded() if isinstance(stored, Int8Planes) else stored
-        place = planes, np.array([box.min, box.max], np.float32), opened.tier(tier).inputs
+        place = planes, box.corners(), opened.tier(tier).inputs
         at, t, o, i = position[valid], axis[valid], wo[valid], wi[valid]
         if opened.manifest.kind == "surface":
             inputs = queries_reference(*place, at, t, o, i)
         else:
             inputs = fiber_queries_reference(*place, at, t, h[valid, 0], o, i)
-        graph = bytes(opened.decoder(tier))
-    session = onnxruntime.InferenceSession(graph, providers=["CPUExecutionProvider"])
+        graph = Graph(bytes(opened.decoder(tier)), optimized=False)
     result = np.zeros((len(queries), 6), np.float32)
-    (result[valid],) = session.run(["transport"], {"queries": inputs})
+    result[valid] = graph.run(inputs)
     return result
 
 

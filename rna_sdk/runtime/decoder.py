@@ -45,14 +45,14 @@ class Decoder:
         """
         original = bytes(model)
         data, entry = prepare_decoder(original, largest_query)
-        self._graph = _Graph(data, entry)
+        self._graph = Graph(data, entry)
         if data is not original and not _agree(self._graph, original, largest_query):
             message = (
                 "a decoder's fast form gives other results than its graph on this CPU; "
                 "the graph runs as it is, more slowly"
             )
             warnings.warn(message, DecoderWarning, stacklevel=2)
-            self._graph = _Graph(original)
+            self._graph = Graph(original)
         self.columns = self._graph.columns
         fitting = [rows for size, rows in _TILES if len(model) <= size]
         self.tile_rows = fitting[0] if fitting else _LARGE_MODEL_TILE
@@ -62,7 +62,7 @@ class Decoder:
         return self._graph.run(queries)
 
 
-class _Graph:
+class Graph:
     """A graph in a session, and what it wants its queries to be."""
 
     def __init__(self, model: bytes, entry: Entry | None = None, optimized: bool = True) -> None:
@@ -94,9 +94,9 @@ class _Graph:
         return transport
 
 
-def _agree(fast: _Graph, original: bytes, largest_query: float) -> bool:
+def _agree(fast: Graph, original: bytes, largest_query: float) -> bool:
     """Whether the fast form gives what the graph of the package gives, on fixed queries."""
-    graph = _Graph(original, optimized=False)
+    graph = Graph(original, optimized=False)
     queries = np.zeros((_CHECKED_ROWS, max(fast.columns, graph.columns)), np.float32)
     rng = np.random.default_rng(0)
     shape = _CHECKED_ROWS, graph.columns
