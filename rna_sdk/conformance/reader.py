@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.conformance.reader_program import run_reader
-from rna_sdk.package.issues import Severity
+from rna_sdk.package.issues import is_valid
 from rna_sdk.package.validator import validate
 
 
@@ -29,8 +29,7 @@ def evaluate(package: str, tier: str, queries: NDArray[np.float32]) -> NDArray[n
 def check(package: str) -> tuple[bool, list[str]]:
     """Whether the package is valid, and the codes of its issues."""
     issues = validate(package)
-    valid = all(issue.severity is not Severity.ERROR for issue in issues)
-    return valid, [issue.code for issue in issues]
+    return is_valid(issues), [issue.code for issue in issues]
 
 
 if __name__ == "__main__":

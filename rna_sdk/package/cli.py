@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 
 from rna_sdk.console import command_parser
-from rna_sdk.package.issues import Issue, Severity
+from rna_sdk.package.issues import Issue, is_valid
 from rna_sdk.package.validator import validate
 
 VALID, INVALID = 0, 1
@@ -29,7 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(f"{path}: internal error, {error!r}; try --debug", file=sys.stderr)
             status = INVALID
             continue
-        if not _is_valid(issues):
+        if not is_valid(issues):
             status = INVALID
         if options.json:
             records.append(_as_json(path, issues))
@@ -58,18 +58,14 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _is_valid(issues: list[Issue]) -> bool:
-    return all(issue.severity is not Severity.ERROR for issue in issues)
-
-
 def _as_json(path: str, issues: list[Issue]) -> dict[str, object]:
-    return {"file": path, "valid": _is_valid(issues), "issues": [asdict(i) for i in issues]}
+    return {"file": path, "valid": is_valid(issues), "issues": [asdict(i) for i in issues]}
 
 
 def _print_report(path: str, issues: list[Issue]) -> None:
     for issue in issues:
         print(f"{path}: {issue}")
-    print(f"{path}: {'valid' if _is_valid(issues) else 'invalid'}")
+    print(f"{path}: {'valid' if is_valid(issues) else 'invalid'}")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum, StrEnum
 from typing import NoReturn
@@ -155,6 +156,11 @@ def _shown(value: object) -> str:
     if text.isprintable():
         return text
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
+
+
+def is_valid(issues: Iterable[Issue]) -> bool:
+    """Whether a package with these issues is valid: none of them is an error."""
+    return all(issue.severity is not Severity.ERROR for issue in issues)
 
 
 def refuse(code: Code, where: str | int, found: object, expected: object) -> NoReturn:

@@ -14,9 +14,8 @@ from rna_export.export.int8_decoder import Int8Decoder
 from rna_export.training.inputs import Points
 from rna_export.training.model import NeuralAsset
 from rna_sdk.errors import ExportError
+from rna_sdk.runtime.agreement import ABSOLUTE, RELATIVE, TIES, close_rows
 
-RELATIVE, ABSOLUTE = 1e-4, 1e-5  # a larger difference refuses the export
-TIES = 0.02  # part of the rows of an int8 decoder that may round another way
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
 
@@ -86,7 +85,7 @@ def check_decoder(decoder: bytes, model: NeuralAsset, seed: int = 0) -> Agreemen
     )
     found, expected = _run(decoder, queries), _transport(model, model.decoder(queries))
     agreement = _agreement(found, expected)
-    if not _close(found, expected).all():
+    if not close_rows(found, expected).all():
         raise ExportError(
             f"the ONNX decoder differs from PyTorch by up to {agreement.max_absolute:.2e} "
             f"absolute, {agreement.max_relative:.2e} relative; expected at most {ABSOLUTE:g} + "
@@ -108,7 +107,7 @@ def check_int8_decoder(
     """
     asked = torch.cat([queries, extreme_queries(model, seed)])
     found, twin = _run(decoder, asked), _transport(model, int8(asked))
-    differing = 1.0 - float(_close(found, twin).all(axis=1).mean())
+    differing = 1.0 - float(close_rows(found, twin).mean())
     if differing > TIES:
         raise ExportError(
             f"the int8 ONNX decoder differs from its twin in PyTorch in {differing:.1%} of the "
@@ -125,10 +124,6 @@ def _run(decoder: bytes, queries: Tensor) -> np.ndarray:
 
 def _transport(model: NeuralAsset, y: Tensor) -> np.ndarray:
     return model.transport(y.unflatten(1, (-1, 3))).flatten(1).numpy()
-
-
-def _close(found: np.ndarray, expected: np.ndarray) -> np.ndarray:
-    return np.abs(found - expected) <= ABSOLUTE + RELATIVE * np.abs(expected)
 
 
 def _agreement(found: np.ndarray, expected: np.ndarray) -> Agreement:
