@@ -1,8 +1,8 @@
 """Exports every strand of hair in the scene, as Cycles will render it; tells hair from surfaces."""
 
-import bpy
 import mesh_export
 import numpy as np
+import shown_objects
 
 _THINNEST = 1e-3  # of the greatest radius: a package has no strand of radius 0
 _NO_RADIUS = 0.005  # what Cycles takes where curves have no radius
@@ -42,10 +42,9 @@ def export_curves(path):
 
 def shown_curves():
     """Instances of hair curves that renders show."""
-    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
-        if instance.object.type == "CURVES" and instance.show_self:
-            if not instance.object.original.hide_render:
-                yield instance
+    for instance in shown_objects.instances():
+        if instance.object.type == "CURVES":
+            yield instance
 
 
 def strands_of(instance):
