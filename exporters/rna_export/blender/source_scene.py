@@ -9,6 +9,8 @@ from pathlib import Path
 import bpy
 import groom_source
 import hair_scene
+import scene_import
+from groom_options import ALEMBIC_AND_USD, GROOMS
 
 
 def load(source, arguments):
@@ -29,10 +31,12 @@ def load(source, arguments):
         bpy.ops.wm.ply_import(filepath=source)
     elif suffix == ".py":
         _run_script(source, arguments)
-    elif suffix in (".hair", ".tfx"):
+    elif suffix in GROOMS:
         groom_source.load(source, arguments)
+    elif suffix in ALEMBIC_AND_USD:
+        scene_import.load(source, arguments)
     else:
-        kinds = ".blend, .gltf, .glb, .obj, .ply, .hair, .tfx or .py"
+        kinds = ".blend, .gltf, .glb, .obj, .ply, .abc, .usd, .hair, .tfx or .py"
         raise ValueError(f"cannot load {source}: expected {kinds}")
 
 
