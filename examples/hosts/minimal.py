@@ -2,7 +2,7 @@
 
     python examples/hosts/minimal.py evaluate PACKAGE TIER QUERIES RESULTS
 
-Numbers in comments are the sections of spec/RNA-1.0.md. This reader trusts its file: a host that
+Numbers in comments are the sections of spec/RNA.md. This reader trusts its file: a host that
 takes packages from anywhere makes the checks of section 10 first.
 """
 

@@ -1,4 +1,4 @@
-"""Read, write and validate `.rna` packages (format: spec/RNA-1.0.md).
+"""Read, write and validate `.rna` packages (format: spec/RNA.md).
 
 >>> with Package.open("toy.rna") as package:
 ...     planes = package.planes("small")

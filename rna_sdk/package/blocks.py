@@ -1,6 +1,6 @@
 """The vocabulary of decoder inputs: blocks of columns of `queries`.
 
-The one table of blocks; `spec/RNA-1.0.md`, "Input blocks", gives each one's formula.
+The one table of blocks; `spec/RNA.md`, "Input blocks", gives each one's formula.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Decoder inputs in plain numpy: the twin of `query_kernel.py`, for tests and for readers.
 
-The formulas of `spec/RNA-1.0.md`, "Input blocks", written as they are; in float64, rounded to
+The formulas of `spec/RNA.md`, "Input blocks", written as they are; in float64, rounded to
 float32 at the end.
 """
 

@@ -12,6 +12,7 @@ from rna_render import embree_library as api
 from rna_render.embree_filters import own_strand_filter
 from rna_render.rays import per_ray
 from rna_render.tracing import GeometryScene, Passing, any_hits, closest_hits
+from rna_render.transmittance import Transmittance, geometry_table
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 
@@ -37,16 +38,25 @@ class TriangleScene(GeometryScene):
     """Meshes in one space, behind Embree's robust (watertight) triangle intersection.
 
     meshes: for each mesh, positions (v, 3) float32 and triangles (t, 3) uint32. Embree keeps a
-    copy of both. A scene with no triangles is legal; nothing hits it.
+    copy of both. A scene with no triangles is legal; nothing hits it. transmittance: of each mesh,
+    None where it is opaque; none at all if left out. `intersect` and `occluded` do not ask for it.
 
     Raises SceneError for other dtypes or shapes, for positions that are not finite, and for
     triangles that name a vertex that is not there.
     """
 
-    def __init__(self, meshes: Sequence[tuple[np.ndarray, np.ndarray]]) -> None:
+    def __init__(
+        self,
+        meshes: Sequence[tuple[np.ndarray, np.ndarray]],
+        transmittance: Sequence[Transmittance | None] = (),
+    ) -> None:
         super().__init__()
+        self._transmittance = transmittance
+        self.transmits = any(of_mesh is not None for of_mesh in transmittance)
+        self.coloured = any(of_mesh is not None and of_mesh.coloured for of_mesh in transmittance)
         for index, (positions, triangles) in enumerate(meshes):
             _check_mesh(index, positions, triangles)
+            table = transmittance[index] if transmittance else None
             if len(triangles):
                 self._scene.add(
                     api.GEOMETRY_TRIANGLE,
@@ -55,6 +65,7 @@ class TriangleScene(GeometryScene):
                         (api.BUFFER_VERTEX, api.FORMAT_FLOAT3, positions),
                         (api.BUFFER_INDEX, api.FORMAT_UINT3, triangles),
                     ],
+                    0 if table is None else table.address,
                 )
                 self.extent = max(self.extent, float(np.abs(positions).max()))
         self._scene.commit()
@@ -118,6 +129,7 @@ class CurveScene(GeometryScene):
         self.extent = float((np.abs(points).max(axis=1) + radii).max())
         lengths = np.diff(offsets.astype(np.int64))
         self.strands = np.repeat(np.arange(len(lengths), dtype=np.uint32), lengths - 1)
+        self._table = geometry_table(self.strands.ctypes.data)
         self._scene.add(
             api.GEOMETRY_ROUND_LINEAR_CURVE,
             0,
@@ -126,7 +138,7 @@ class CurveScene(GeometryScene):
                 (api.BUFFER_INDEX, api.FORMAT_UINT, segments),
                 (api.BUFFER_FLAGS, api.FORMAT_UCHAR, _neighbours(segments)),
             ],
-            self.strands.ctypes.data,
+            self._table.ctypes.data,
         )
         self._scene.commit()
 

@@ -16,7 +16,7 @@ from rna_sdk.package.schema import manifest_schema
 from tests.package.corpus.content_cases import with_gltf
 from tests.package.corpus.curve_cases import with_header
 
-SPEC = Path(__file__).parents[2] / "spec" / "RNA-1.0.md"
+SPEC = Path(__file__).parents[2] / "spec" / "RNA.md"
 TEXT = re.sub(r"\s+", " ", SPEC.read_text(encoding="utf-8"))
 
 PLANES_SIZE = "/entries/features~1small.safetensors/size"

@@ -18,7 +18,7 @@ from rna_sdk.package.issue_list import ISSUES_FILE, issue_list
 from rna_sdk.package.schema import SCHEMA_FILE, manifest_schema
 
 SPEC = Path(__file__).parents[2] / "spec"
-TEXT = (SPEC / "RNA-1.0.md").read_text(encoding="utf-8")
+TEXT = (SPEC / "RNA.md").read_text(encoding="utf-8")
 
 
 def test_schema_is_current() -> None:

@@ -7,7 +7,7 @@
  *     rna_close(asset);
  *
  * Everything is in the asset's object space: right-handed, +Y up, metres.  Vectors are three floats
- * after each other.  Section numbers refer to spec/RNA-1.0.md.
+ * after each other.  Section numbers refer to spec/RNA.md.
  */
 #ifndef RNA_H
 #define RNA_H

@@ -4,5 +4,5 @@
     python -m tests.conformance.kit --check    compare it with what is there
 
 Nothing here evaluates an asset with the SDK: the blocks, the decoders and the visibility rays are
-written once more, from the text of `spec/RNA-1.0.md`, in float64 and with no regard for speed.
+written once more, from the text of `spec/RNA.md`, in float64 and with no regard for speed.
 """
