@@ -7,6 +7,7 @@
 from rna_sdk.errors import PackageError
 from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
 from rna_sdk.package.curves import Curves
+from rna_sdk.package.geometry import quantise
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest import (
     Agreement,
@@ -48,6 +49,7 @@ __all__ = [
     "Tier",
     "TierData",
     "Validation",
+    "quantise",
     "query_width",
     "validate",
     "write_package",
