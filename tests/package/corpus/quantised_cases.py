@@ -231,4 +231,4 @@ def quantised_curves_of_negative_radii(entries: Entries) -> bytes:
 
 @case("GEOMETRY_NOT_FINITE", kind="fiber")
 def quantised_curves_from_infinity(entries: Entries) -> bytes:
-    return with_steps(entries, origins=np.full((3, 3), np.inf, np.float32))
+    return with_steps(entries, origins=np.float32([[np.inf, 0, 0]] * 3))
