@@ -126,7 +126,7 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     text = " ".join(text.split())
     assert "rna-capture helmet.gltf --out helmet.rays/" in text
     surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
-    for name in surfaces.keys() - {"lights_per_shard"}:
+    for name in surfaces.keys() - {"lights_per_shard", "front", "up"}:
         same = surfaces[name] == fibers[name]
         told = f"default {surfaces[name]}" + ("" if same else f", for fibers {fibers[name]}")
         assert f"{told})" in text, name
@@ -135,7 +135,13 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
 
 @pytest.mark.parametrize(
     ("option", "value"),
-    [("--samples", 4), ("--rays", 100), ("--domain", "hemisphere"), ("--seed", 9)],
+    [
+        ("--samples", 4),
+        ("--rays", 100),
+        ("--domain", "hemisphere"),
+        ("--seed", 9),
+        ("--front", "-Z"),
+    ],
 )
 def test_other_settings_are_refused_on_resume(
     option: str, value: object, source: Path, begun: Path, some_python: None, capsys

@@ -20,7 +20,7 @@ import source_scene
 
 
 def open_scene(request):
-    source_scene.load(request["source"], request["arguments"])
+    source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
     notes = source_scene.keep_only_the_asset()
     kind = curves_export.scene_kind()
     clamps = request["clampDirect"], request["clampIndirect"]
