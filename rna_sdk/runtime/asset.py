@@ -81,6 +81,9 @@ class Asset:
         entries = package.manifest.entries
         self._digests = entries[tier.planes].sha256, entries[tier.decoder].sha256
 
+    emits = False
+    transmittance_records = ()
+
     @property
     def parts(self) -> tuple[Asset, ...]:
         """Its parts: itself alone."""
