@@ -68,7 +68,7 @@ static RnaStatus evaluate_rows(const RnaAsset *asset, int tier, size_t n, const 
         memcpy(wo + 3 * i, rows + 7, 3 * sizeof *rows);
         memcpy(wi + 3 * i, rows + 10, 3 * sizeof *rows);
     }
-    RnaStatus status = rna_evaluate(asset, tier, n, positions, axes, h, wo, wi, visible, shadowed);
+    RnaStatus status = rna_evaluate(asset, tier, 0, n, positions, axes, h, wo, wi, visible, shadowed);
     for (size_t i = 0; i < n; i++, results += RESULT_FLOATS) {
         memcpy(results, visible + 3 * i, 3 * sizeof *results);
         memcpy(results + 3, shadowed + 3 * i, 3 * sizeof *results);
@@ -105,16 +105,18 @@ static void load_vector(const unsigned char *bytes, double v[3]) {
 /* 0 visible, 1 shadowed, for a hit record. */
 static unsigned char pick(const Tracer *tracer, bool is_fiber, uint32_t primitive,
                           const unsigned char *record) {
-    double wi[3], position[3];
+    double wi[3], position[3], v[3];
     if (is_fiber) {
         load_vector(record + 4, position);
         load_vector(record + 16, wi);
-        return !trace_visible_on_fiber(tracer, primitive, position, wi);
+        trace_visible_on_fiber(tracer, 0, primitive, position, wi, v);
+        return v[0] == 0;
     }
     float b[2];
     memcpy(b, record + 4, sizeof b);
     load_vector(record + 12, wi);
-    return !trace_visible_on_mesh(tracer, primitive, b[0], b[1], wi);
+    trace_visible_on_mesh(tracer, 0, primitive, b[0], b[1], wi, v);
+    return v[0] == 0;
 }
 
 static int visibility(const RnaAsset *asset, const char *hits, const char *out) {
@@ -126,10 +128,10 @@ static int visibility(const RnaAsset *asset, const char *hits, const char *out) 
     for (size_t i = 0; !problem && i < size / HIT_BYTES; i++) {
         uint32_t primitive;
         memcpy(&primitive, records + HIT_BYTES * i, sizeof primitive);
-        if (primitive >= trace_primitive_count(tracer))
+        if (primitive >= trace_primitive_count(tracer, 0))
             problem = "a triangle or segment that is not there";
         else
-            picks[i] = pick(tracer, rna_kind(asset) == RNA_FIBER, primitive, records + HIT_BYTES * i);
+            picks[i] = pick(tracer, rna_part(asset, 0)->kind == RNA_FIBER, primitive, records + HIT_BYTES * i);
     }
     if (!problem && !write_file(out, picks, size / HIT_BYTES)) problem = "the picks cannot be written";
     trace_free(tracer);
