@@ -202,7 +202,7 @@ def test_help_of_a_groom_needs_no_file_no_folder_and_no_blender(
     monkeypatch.setenv(blender_env.VARIABLE, "/nowhere/python")
     assert main([str(tmp_path / "groom.tfx"), "--", "--help"]) == 0
     text = capsys.readouterr().out
-    assert "rna-capture groom.hair --out groom.rays --" in text and "--melanin" in text
+    assert "rna-capture groom.tfx --out groom.rays --" in text and "--melanin" in text
 
 
 @pytest.mark.blender

@@ -1,7 +1,7 @@
 """Exports every mesh of the scene, as Cycles will render it, into one triangle soup."""
 
-import bpy
 import numpy as np
+import shown_objects
 
 
 def export_mesh(path):
@@ -34,16 +34,9 @@ def first_with_faces():
 
 
 def _mesh_instances():
-    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
-        if instance.show_self and instance.object.type in (
-            "MESH",
-            "CURVE",
-            "SURFACE",
-            "FONT",
-            "META",
-        ):
-            if not instance.object.original.hide_render:
-                yield instance
+    for instance in shown_objects.instances():
+        if instance.object.type in ("MESH", "CURVE", "SURFACE", "FONT", "META"):
+            yield instance
 
 
 def _corners(instance):

@@ -55,7 +55,8 @@ def main():
             reply({"ok": True, **(HANDLERS[request["op"]](request) or {})})
         except Exception as error:
             traceback.print_exc()
-            reply({"ok": False, "error": f"{type(error).__name__}: {error}"})
+            line = " ".join(str(error).split())  # Blender's are of several
+            reply({"ok": False, "error": f"{type(error).__name__}: {line}"})
     os._exit(0)  # bpy may crash while it unloads; every result is already a file
 
 

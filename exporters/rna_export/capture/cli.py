@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
+from rna_export.blender.groom_options import ALEMBIC_AND_USD, GROOMS
 from rna_export.capture import blender_env, source_help
 from rna_export.capture.settings import CaptureSettings
 from rna_export.machine import default_workers
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from rna_render.scene_file import SceneFile
 
 _GO_ON = "run the same command again to continue"
-_SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".hair", ".tfx", ".py")
+SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", *ALEMBIC_AND_USD, *GROOMS, ".py")
 _OPTIONS = (  # fields of CaptureSettings
     "samples",
     "rays",
@@ -47,11 +48,11 @@ def parser() -> argparse.ArgumentParser:
         "Render an asset in all views and lights with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
         epilog="The same command continues a capture that was stopped.\nArguments after -- go to a "
-        "source that is a Python script, or say what a .hair or .tfx\nfile does not; they are "
-        "listed by: rna-capture groom.tfx -- --help",
+        "source that is a Python script, or say what a groom, an\nAlembic or a USD file does "
+        "not; they are listed by: rna-capture groom.tfx -- --help",
     )
     p.add_argument(
-        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(_SUFFIXES)}"
+        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(SUFFIXES)}"
     )
     p.add_argument(
         "--out",
@@ -178,9 +179,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 def _check_source(source: Path) -> None:
     if not source.is_file():
         raise CaptureError(f"{source}: no such file")
-    if source.suffix.lower() not in _SUFFIXES:
+    if source.suffix.lower() not in SUFFIXES:
         raise CaptureError(
-            f"{source}: found {source.suffix!r}, expected one of {', '.join(_SUFFIXES)}"
+            f"{source}: found {source.suffix!r}, expected one of {', '.join(SUFFIXES)}"
         )
 
 

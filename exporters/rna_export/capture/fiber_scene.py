@@ -8,8 +8,9 @@ import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.directions import around
-from rna_render.embree import CurveScene
-from rna_render.fiber import hit_points, tangents, visible
+from rna_render import fiber
+from rna_render.fiber import tangents
+from rna_render.parts_scene import PartsScene
 from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
 
@@ -35,7 +36,7 @@ class FiberScene(AssetScene):
 
     def __init__(self, curves: Curves):
         self.curves = curves
-        self._scene = CurveScene(curves.points, curves.radii, curves.offsets)
+        self._scene = PartsScene([curves])
         self._first = curves.segments()
         root, tip = curves.points[self._first], curves.points[self._first + 1]
         length = np.linalg.norm(tip.astype(np.float64) - root, axis=1)
@@ -50,14 +51,12 @@ class FiberScene(AssetScene):
         return self._scene.intersect(origins, directions).t
 
     def shade_points(self, origins: np.ndarray, directions: np.ndarray) -> FiberPoints:
-        curves, hits = self.curves, self._scene.intersect(origins, directions)
-        hit = hits.segment >= 0
-        mask, segment = hit[:, None], np.where(hit, hits.segment, 0).astype(np.int32)
-        at = self._first, segment
-        position = hit_points(curves.points, curves.radii, *at, hits.u, hits.normals)
-        tangent = tangents(curves.points, *at)
-        h = offset_across(hits.normals, tangent, -directions)
-        return FiberPoints(hit, segment, position * mask, hits.normals, tangent * mask, h * hit)
+        hits = self._scene.intersect(origins, directions)
+        hit = hits.part >= 0
+        mask, segment = hit[:, None], np.where(hit, hits.primitive, 0).astype(np.int32)
+        at = self._scene.points(0, segment, hits.u, hits.v, hits.normals)
+        h = offset_across(hits.normals, at.tangent, -directions)
+        return FiberPoints(hit, segment, at.x * mask, hits.normals, at.tangent * mask, h * hit)
 
     def sample_points(self, n: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         segment = np.minimum(
@@ -85,4 +84,5 @@ class FiberScene(AssetScene):
         return rows, around(points.tangent[rows], sine, 2.0 * np.pi * rng.random(len(rows)))
 
     def visible(self, points: FiberPoints, wi: np.ndarray) -> np.ndarray:
-        return visible(self._scene, points.position, points.segment, wi)
+        at = points.position, points.geometric_normal, points.tangent, points.segment
+        return self._scene.visible(0, fiber.FiberPoints(*at), wi)

@@ -10,8 +10,8 @@ import trimesh
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.directions import around, reflect
 from rna_export.capture.settings import SHARPEST
-from rna_render.embree import TriangleScene
-from rna_render.surface import SurfacePoints, geometric_normals, visible
+from rna_render.parts_scene import PartsScene
+from rna_render.surface import SurfacePoints, geometric_normals
 from rna_sdk.package import Mesh
 
 _WIDEST = 0.8  # alpha of GGX
@@ -53,7 +53,7 @@ class SurfaceScene(AssetScene):
     def __init__(self, mesh: Mesh, sharpest: float = SHARPEST):
         self.mesh = mesh
         self._narrowest = sharpest**2  # alpha of GGX
-        self._scene = TriangleScene([(mesh.positions, mesh.triangles)])
+        self._scene = PartsScene([mesh])
         area = trimesh.triangles.area(mesh.positions[mesh.triangles].astype(np.float64))
         self._area_cdf = np.cumsum(area) / area.sum()
         every = np.arange(len(mesh.triangles), dtype=np.int32)
@@ -67,8 +67,9 @@ class SurfaceScene(AssetScene):
 
     def shade_points(self, origins: np.ndarray, directions: np.ndarray) -> SurfaceHits:
         hits = self._scene.intersect(origins, directions)
-        hit = hits.geometry >= 0
-        at = SurfacePoints.of(self.mesh, np.where(hit, hits.triangle, 0), hits.u, hits.v)
+        hit = hits.part >= 0
+        triangle = np.where(hit, hits.primitive, 0)
+        at = self._scene.points(0, triangle, hits.u, hits.v, hits.normals)
         for rows in (at.x, at.n, at.ng, at.lift):
             rows[~hit] = 0.0
         return SurfaceHits(hit, at)
@@ -94,4 +95,4 @@ class SurfaceScene(AssetScene):
         return lit, reflect(np.broadcast_to(wi, h.shape), h)
 
     def visible(self, points: SurfaceHits, wi: np.ndarray) -> np.ndarray:
-        return visible(self._scene, points.at, wi)
+        return self._scene.visible(0, points.at, wi)
