@@ -11,7 +11,8 @@ import pytest
 
 from rna_export.capture import blender_env
 from rna_export.capture.cli import main
-from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.settings import CaptureSettings
 from rna_sdk.errors import CaptureError
 from tests.render.assets import sphere
@@ -40,11 +41,10 @@ def begun(source: Path, tmp_path: Path) -> Path:
         settings=CaptureSettings(lights=64),
         blender="4.5",
         generator="test",
-        kind="surface",
+        parts=(BALL_PART,),
         cutouts=False,
-        bounds=((-1, -1, -1), (1, 1, 1)),
     )
-    return Dataset.create(tmp_path / "begun.rays", manifest, sphere(1)).folder
+    return Dataset.create(tmp_path / "begun.rays", manifest, {"asset": sphere(1)}).folder
 
 
 def refusal(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:

@@ -10,7 +10,8 @@ import pytest
 
 from rna_export.capture import run as run_module
 from rna_export.capture import time_plan
-from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.run import Crew, finish
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.tasks import TrainingShard, ValidationHalf

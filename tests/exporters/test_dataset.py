@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_export.capture.dataset import Dataset, write_arrays, write_atomically
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.sample_files import write_arrays, write_atomically
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset
@@ -30,8 +31,8 @@ def test_reads_back_what_was_written(dataset: Dataset) -> None:
 def test_unfinished_shards_and_views_are_left_out(dataset: Dataset) -> None:
     whole = dataset.training_samples()
     assert len(whole["visible"]) == 3 * LIGHTS_A_SHARD * RAYS
-    dataset.train_path(1).unlink()
-    dataset.validation_path(0, 1).unlink()
+    dataset.dataset.train_path(1).unlink()
+    dataset.dataset.validation_path(0, 1).unlink()
     part = dataset.training_samples()
     kept = np.r_[0 : LIGHTS_A_SHARD * RAYS, 2 * LIGHTS_A_SHARD * RAYS : 3 * LIGHTS_A_SHARD * RAYS]
     assert np.array_equal(part["wi"], whole["wi"][kept])
@@ -89,8 +90,8 @@ def _empty(path: Path) -> None:
 
 @pytest.mark.parametrize("damage", [_cut, _without_a_field, _of_other_lengths, _empty])
 def test_a_damaged_file_is_named(dataset: Dataset, damage: Callable[[Path], None]) -> None:
-    damage(dataset.train_path(1))
-    damage(dataset.validation_path(0, 1))
+    damage(dataset.dataset.train_path(1))
+    damage(dataset.dataset.validation_path(0, 1))
     with pytest.raises(CaptureError, match=r"00001\.safetensors: damaged .*delete it"):
         dataset.training_samples()
     with pytest.raises(CaptureError, match=r"00-1\.safetensors: damaged .*delete it"):
@@ -98,7 +99,7 @@ def test_a_damaged_file_is_named(dataset: Dataset, damage: Callable[[Path], None
 
 
 def test_halves_of_other_pixels_are_refused(dataset: Dataset) -> None:
-    path = dataset.validation_path(0, 1)
+    path = dataset.dataset.validation_path(0, 1)
     write_arrays(path, {name: values[1:] for name, values in load_file(path).items()})
     with pytest.raises(CaptureError, match=r"00-1\.safetensors: damaged .*first half"):
         dataset.validation_views()

@@ -11,7 +11,7 @@ import OpenEXR
 import pytest
 
 from rna_export.blender.rna_hair import Strands, write_hair
-from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.worker import BlenderWorker
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
@@ -211,7 +211,7 @@ def test_converted_hair_covers_what_particle_hair_covered(
     x, up = np.meshgrid(1.0 + across, 3.0 - across)
     origins = np.stack([x, up, np.full_like(x, 8.0)], axis=-1).reshape(-1, 3).astype(np.float32)
     directions = np.broadcast_to(np.float32([0, 0, -1]), origins.shape).copy()
-    hit = FiberScene(worker.export_curves()).shade_points(origins, directions).hit
+    hit = AssetScene([worker.export_curves()]).shade_points(origins, directions).hit
     assert hit.sum() > 300
     assert np.sum(hit != (alpha.reshape(-1) > 0.5)) < 0.01 * hit.sum()
 

@@ -30,6 +30,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "rays",
     "lights",
     "domain",
+    "parts",
     "sharpest",
     "clamp_direct",
     "clamp_indirect",
@@ -38,6 +39,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "validation_samples",
     "seed",
 )
+_CHOICES = {"domain": ("sphere", "hemisphere"), "parts": ("kinds", "objects")}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -79,17 +81,13 @@ def parser() -> argparse.ArgumentParser:
         "validation images smaller where they would take more than a quarter (float, default: no "
         "limit)",
     )
-    of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
         info = CaptureSettings.model_fields[name]
-        usual = f"{type(info.default).__name__}, default {info.default}"
-        if getattr(of_fibers, name) != info.default:
-            usual += f", for fibers {getattr(of_fibers, name)}"
         p.add_argument(
             "--" + name.replace("_", "-"),
             type=type(info.default),
-            choices=("sphere", "hemisphere") if name == "domain" else None,
-            help=f"{info.description or 'of the random numbers'} ({usual})",
+            choices=_CHOICES.get(name),
+            help=f"{info.description or 'of the random numbers'} ({_usual(name)})",
         )
     p.add_argument(
         "--workers",
@@ -101,6 +99,16 @@ def parser() -> argparse.ArgumentParser:
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
     )
     return p
+
+
+def _usual(name: str) -> str:
+    default = CaptureSettings.model_fields[name].default
+    text = f"{type(default).__name__}, default {default}"
+    others = {
+        where: getattr(CaptureSettings.usual(kind), name)
+        for kind, where in (("fiber", "for hair alone"), ("both", "for hair beside a surface"))
+    }
+    return text + "".join(f", {where} {v}" for where, v in others.items() if v != default)
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -161,10 +169,11 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         if begun:
             dataset = _continue(args.out, args.source, arguments, asked)
             _check_scene(dataset, for_scene)
-            clamps = dataset.manifest.settings
+            opened = dataset.manifest.settings
         else:
-            clamps = CaptureSettings(**asked)
-        source = Source(args.source, arguments, clamps.clamp_direct, clamps.clamp_indirect)
+            opened = CaptureSettings(**asked)
+        clamps = opened.clamp_direct, opened.clamp_indirect
+        source = Source(args.source, arguments, *clamps, opened.parts)
         if not begun:
             dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
         finish(dataset, source, crew, limit)
@@ -209,7 +218,7 @@ def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
     manifest = dataset.manifest
     if for_scene is None:
         return
-    domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset.geometry()))
+    domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset))
     if domain != manifest.scene_domain:
         raise CaptureError(
             f"{dataset.folder} was begun for other views or lights than {for_scene.path}'s"

@@ -12,7 +12,8 @@ import numpy as np
 import torch
 
 import rna_sdk
-from rna_export.capture.dataset import Dataset, ValidationView, all_queries, queries_of
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.validation_view import ValidationView, all_queries, queries_of
 from rna_export.export.decoder import Agreement as DecoderAgreement
 from rna_export.export.decoder import check_decoder, check_int8_decoder, export_decoder
 from rna_export.export.int8_decoder import int8_decoder
@@ -74,7 +75,7 @@ def build_package(
     manifest = Manifest(
         generator=f"rna-export {rna_sdk.__version__}",
         name=dataset.manifest.name,
-        kind=dataset.manifest.kind,
+        kind=dataset.only.kind,
         bounds=Bounds(min=tuple(bounds.low.tolist()), max=tuple(bounds.high.tolist())),
         domain=dataset.manifest.domain,
         tiers=tuple(tiers),
@@ -83,8 +84,8 @@ def build_package(
     )
     if measured:
         manifest = _measure(manifest, models, dataset, data, say)
-        _check_losses(manifest.tiers, models, dataset.validation_views(), max_loss)
-    return write_package(out, manifest, dataset.geometry(), data)
+        _check_losses(manifest.tiers, models, dataset.only.validation_views(), max_loss)
+    return write_package(out, manifest, dataset.only.geometry(), data)
 
 
 def _check_together(trained: list[Trained], dataset: Dataset) -> None:
@@ -148,7 +149,7 @@ def _decoder(
 @torch.no_grad()
 def calibration_queries(one: Trained, dataset: Dataset) -> torch.Tensor:
     """What the decoder is asked at random samples of the training data, (n, K)."""
-    samples = dataset.training_samples(_CALIBRATION_SHARDS)
+    samples = dataset.only.training_samples(_CALIBRATION_SHARDS)
     rows = len(samples["visible"])
     picked = np.random.default_rng(0).permutation(rows)[:_CALIBRATION_ROWS]
     points = {k: torch.from_numpy(v[picked]) for k, v in queries_of(samples).items()}
@@ -163,10 +164,10 @@ def _measure(
     say: Callable[[str], None],
 ) -> Manifest:
     """The manifest with each tier's error and cost, as the runtime gives them."""
-    views, tiers = dataset.validation_views(), []
+    views, tiers = dataset.only.validation_views(), []
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
-        write_package(path, manifest, dataset.geometry(), data)
+        write_package(path, manifest, dataset.only.geometry(), data)
         for tier, one in zip(manifest.tiers, models, strict=True):
             asset = load(path, tier=tier.name)
             validation = _validation(asset, views)
