@@ -81,6 +81,11 @@ class Asset:
         entries = package.manifest.entries
         self._digests = entries[tier.planes].sha256, entries[tier.decoder].sha256
 
+    @property
+    def parts(self) -> tuple[Asset, ...]:
+        """Its parts: itself alone."""
+        return (self,)
+
     def measured_ns_per_query(self) -> float:
         """Nanoseconds that a query takes on this processor, with `threads` threads.
 

@@ -68,11 +68,14 @@ def _refuse_own_instance(arguments):
 def _refuse_own_strand(arguments):
     """RTCFilterFunctionN: refuse a hit from inside, and one on the strand the ray's id names.
 
-    The geometry's user data is the address of the strand of each segment, uint32.
+    The user data of curves is the address of the strand of each segment, uint32; meshes have
+    none, and their hits stand.
     """
     ray = _load_u64(arguments + FILTER_RAY * 8)
     hit = _load_u64(arguments + FILTER_HIT * 8)
     strands = _load_u64(arguments + FILTER_USER_DATA * 8)
+    if strands == 0:
+        return
     segment = types.uint64(_load_u32(hit + FILTER_HIT_PRIMITIVE * 4))
     outward = types.float32(0.0)
     for axis in range(3):
@@ -94,7 +97,8 @@ def own_strand_filter() -> np.ndarray:
     """RTCOccludedArguments that make a ray pass through the strand its id names.
 
     It also leaves every other strand that it starts in. For curves with `strands` as their
-    user data. Returns (8,) uint64; the caller keeps it alive while its address is in use.
+    user data, among meshes without. Returns (8,) uint64; the
+    caller keeps it alive while its address is in use.
     """
     return _arguments(_refuse_own_strand.address)
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render import embree_kernels as kernels
 from rna_render import embree_library as api
 from rna_render.embree_filters import own_instance_filter
 from rna_render.rays import per_ray
@@ -40,7 +39,7 @@ class Instance:
 
 
 class InstanceScene:
-    """Scenes of one mesh or one set of curves each, placed in the world.
+    """Scenes, placed in the world.
 
     The same scene may be in many instances; it is stored once. Raises SceneError if Embree
     refuses one.
@@ -70,7 +69,7 @@ class InstanceScene:
         own: np.ndarray | None = None,
         rays: int = ALL_RAYS,
     ) -> ClosestHits:
-        """The closest hit of each ray; its owner is the instance, its normal in object space.
+        """The closest hit of each ray; its normal is in object space.
 
         origins_world, directions_world: (n, 3) float32; n may be 0. own: (n,) int32, the
         instance that each ray passes through; NO_INSTANCE, or None for all, for none of them.
@@ -80,7 +79,7 @@ class InstanceScene:
             return _misses(len(origins_world))
         interval, passing = (0.0, np.inf), self._passing(own, len(origins_world), rays)
         lines = origins_world, directions_world, *interval
-        return closest_hits(self._scene, kernels.HIT_INSTANCE, *lines, passing=passing)
+        return closest_hits(self._scene, *lines, passing=passing)
 
     def occluded(
         self,
@@ -123,5 +122,8 @@ def _misses(n: int) -> ClosestHits:
     nothing = np.full(n, -1, np.int32)
     zeros = np.zeros(n, np.float32)
     return ClosestHits(
-        np.full(n, np.inf, np.float32), nothing, nothing, zeros, zeros, np.zeros((n, 3), np.float32)
+        np.full(n, np.inf, np.float32),
+        *(nothing, nothing, nothing),
+        *(zeros, zeros),
+        np.zeros((n, 3), np.float32),
     )

@@ -149,7 +149,7 @@ class Integrator:
 
     def _collect(self, band: Layers, rays: _Rays, depth: int) -> None:
         """Add the light that rays meet which have left a point of that depth, 0 for the camera."""
-        owner = rays.hits.owner
+        owner = rays.hits.instance
         from_camera = rays.pdf is None
         escaped = np.flatnonzero(owner < 0)
         if from_camera:
@@ -174,7 +174,7 @@ class Integrator:
     def _meeting(self, rays: _Rays, met: np.ndarray) -> tuple[np.ndarray, ...]:
         """The arguments of ShapeLight.met."""
         hits, lines = rays.hits, (rays.origin[met], rays.direction[met])
-        ng_world = self._world.to_world_directions(hits.owner[met], hits.ng[met])
+        ng_world = self._world.to_world_directions(hits.instance[met], hits.ng[met])
         return (*lines, hits.t[met], hits.primitive[met], hits.u[met], hits.v[met], ng_world)
 
     def _add_met(
@@ -262,7 +262,7 @@ class Integrator:
         hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
         # A ray into a black sky brings nothing, whatever the decoder says.
-        met = np.flatnonzero((hits.owner >= 0) | bool(self._infinite))
+        met = np.flatnonzero((hits.instance >= 0) | bool(self._infinite))
         for part, place, points in vertices.local_rows(row[met]):
             at = met[part]
             transport[at], _ = points.transport(place, wi[at], distance[at])

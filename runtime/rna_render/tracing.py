@@ -15,14 +15,16 @@ from rna_render.rays import per_ray, vectors
 class ClosestHits:
     """The closest hit of each ray, in Embree's terms; each (n,), misses with -1, infinity or 0.
 
-    owner: int32, number of the geometry or of the instance, as asked for.
+    instance: int32, number of the instance; -1 in a scene without instances, too.
+    geometry: int32, number of the geometry in its scene.
     primitive: int32, number of the triangle or of the curve segment.
     ng: (n, 3) float32, unit geometric normals in the space of the geometry; (0, 3) if not asked
         for.
     """
 
     t: np.ndarray
-    owner: np.ndarray
+    instance: np.ndarray
+    geometry: np.ndarray
     primitive: np.ndarray
     u: np.ndarray
     v: np.ndarray
@@ -80,7 +82,6 @@ class GeometryScene:
 
 def closest_hits(
     scene: api.SceneHandle,
-    owner_word: int,
     origins: np.ndarray,
     directions: np.ndarray,
     tnear: np.ndarray | float,
@@ -90,21 +91,20 @@ def closest_hits(
 ) -> ClosestHits:
     """Closest hits in any Embree scene.
 
-    owner_word says which number `owner` is: HIT_GEOMETRY or HIT_INSTANCE of the kernels. The
-    rest, and the errors, are those of GeometryScene.occluded.
+    Arguments and errors are those of GeometryScene.occluded.
     """
     origins = vectors("origins", origins)
     n = len(origins)
     directions = vectors("directions", directions, n)
     interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
     t, u, v = (np.empty(n, np.float32) for _ in range(3))
-    owner, primitive = np.empty(n, np.int32), np.empty(n, np.int32)
+    instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
     ng = np.empty((n if with_normals else 0, 3), np.float32)
     function = api.function_address("rtcIntersect1")
-    out = t, owner, primitive, u, v, ng
+    out = t, instance, geometry, primitive, u, v, ng
     through = passing.arguments, passing.ray_id, passing.mask
     rays = origins, directions, *interval
-    kernels.intersect(function, scene.handle, *through, owner_word, *rays, *out)
+    kernels.intersect(function, scene.handle, *through, *rays, *out)
     return ClosestHits(*out)
 
 

@@ -28,6 +28,10 @@ class LambertAsset:
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "surface"
 
+    @property
+    def parts(self):
+        return (self,)
+
     def evaluate(self, positions, normals, wo, wi):
         cosine = np.maximum(np.sum(normals * wi, axis=1, keepdims=True), 0.0)
         visible = np.asarray(self.albedo) / np.pi * cosine
@@ -45,6 +49,10 @@ class FiberProbe:
     curves: Curves
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "fiber"
+
+    @property
+    def parts(self):
+        return (self,)
 
     def evaluate(self, positions, tangents, h, wo, wi):
         sine = np.linalg.norm(np.cross(tangents, wi), axis=1)

@@ -1,0 +1,157 @@
+"""An asset as rays meet it: all its parts, meshes and strands, in one Embree scene."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_render.embree import add_curves, add_mesh
+from rna_render.embree_filters import own_strand_filter
+from rna_render.fiber import FiberPoints
+from rna_render.rays import check_numbers, per_ray, vectors
+from rna_render.surface import SurfacePoints, leaving_origins
+from rna_render.tracing import NOTHING, GeometryScene, Passing, any_hits, closest_hits
+from rna_sdk.package import Curves, Mesh
+
+PartPoints = SurfacePoints | FiberPoints
+
+_NO_STRAND = np.uint32(0xFFFFFFFF)
+
+
+@dataclass(frozen=True, slots=True)
+class PartHits:
+    """The closest hit of each ray, (n,) each; misses with -1, infinity or 0.
+
+    t: float32, distance in units of the direction's length.
+    part: int32, place of the part in the asset.
+    primitive: int32, number of the triangle, or of the segment in `Curves.segments()`.
+    u, v: float32, barycentrics: the point is (1 - u - v) p0 + u p1 + v p2. On a segment u is in
+        [0, 1] from its first point to its second, and v means nothing.
+    normals: (n, 3) float32, unit: of the triangle, counter-clockwise side; of the round cone or
+        joint, outward.
+    """
+
+    t: np.ndarray
+    part: np.ndarray
+    primitive: np.ndarray
+    u: np.ndarray
+    v: np.ndarray
+    normals: np.ndarray
+
+
+class PartsScene(GeometryScene):
+    """The parts of an asset in one space. Embree keeps a copy of their geometry.
+
+    Triangles behind Embree's robust (watertight) intersection; strands as in embree.add_curves.
+
+    Attributes:
+        geometries: of the parts, in order.
+        extent: the largest absolute coordinate of all parts: of a vertex, or of a point of curves
+            plus its radius.
+
+    Raises PackageError and SceneError as embree.add_mesh and embree.add_curves.
+    """
+
+    def __init__(self, geometries: Sequence[Mesh | Curves]) -> None:
+        super().__init__()
+        self.geometries = tuple(geometries)
+        self._first = [g.segments() if isinstance(g, Curves) else None for g in self.geometries]
+        self._strands = _strand_numbers(self.geometries)
+        self._filter = own_strand_filter()
+        self._has_strands = any(isinstance(g, Curves) for g in self.geometries)
+        for part, geometry in enumerate(self.geometries):
+            if isinstance(geometry, Curves):
+                user_data = self._strands[part].ctypes.data
+                extent = add_curves(self._scene, part, geometry, user_data)
+            else:
+                extent = add_mesh(self._scene, part, geometry.positions, geometry.triangles)
+            self.extent = max(self.extent, extent)
+        self._scene.commit()
+
+    def intersect(
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        tnear: np.ndarray | float = 0.0,
+        tfar: np.ndarray | float = np.inf,
+    ) -> PartHits:
+        """The closest hit of each ray within [tnear, tfar]; arguments as for `occluded`."""
+        found = closest_hits(self._scene, origins, directions, tnear, tfar)
+        at = found.geometry, found.primitive, found.u, found.v
+        return PartHits(found.t, *at, found.ng)
+
+    def points(
+        self,
+        part: int,
+        primitive: np.ndarray,
+        u: np.ndarray,
+        v: np.ndarray,
+        normals: np.ndarray,
+    ) -> PartPoints:
+        """The points of hits on one part; arrays are rows of PartHits.
+
+        Raises QueryError for a primitive that is not there, or arrays of different length.
+        """
+        geometry, first = self.geometries[part], self._first[part]
+        if isinstance(geometry, Curves):
+            return FiberPoints.of(geometry, first, primitive, u, normals)
+        return SurfacePoints.of(geometry, primitive, u, v)
+
+    def visible(
+        self,
+        part: int,
+        points: PartPoints,
+        wi: np.ndarray,
+        tfar: np.ndarray | float = np.inf,
+    ) -> np.ndarray:
+        """Whether the rays from points of a part along `wi` meet nothing of the asset: (n,) bool.
+
+        This is the visibility of the transport contract: it picks the decoder's `visible` or
+        `shadowed` output.
+
+        Points of a mesh: the ray starts on the side that `wi` is on (see
+        surface.leaving_origins), so light from behind a closed surface is blocked, because it has
+        to leave through the asset.
+
+        Points of a strand: the ray starts at the point, and passes through all of that strand.
+        Light that comes through its own strand is part of the strand's scattering, and joints and
+        bends shade nothing. An offset along the normal, as on meshes, cannot do this: from inside a
+        cone Embree reports the exit.
+
+        All triangles block, and all other strands, where the ray enters them: a strand that it
+        starts in does not count. This is the rule of Cycles, whose shadow rays skip all segments
+        of the curve they start on and all hits from inside (kernel/device/cpu/bvh.h:
+        kernel_embree_is_self_intersection compares curves, not segments;
+        kernel_embree_filter_occluded_func_backface_cull).
+
+        wi: (n, 3) float32, in the scene's space; n may be 0. tfar: one number or (n,), the distance
+        to the light in units of wi's length. Raises QueryError for other dtypes or shapes, or a
+        segment that is not there.
+        """
+        wi = vectors("wi", wi, len(points))
+        own = _NO_STRAND
+        if isinstance(points, FiberPoints):
+            origins, strands = vectors("positions", points.x), self._strands[part]
+            check_numbers("segment", points.segment, len(strands))
+            own = strands[points.segment]
+        else:
+            origins = leaving_origins(points.checked(), wi, self.extent)
+        return ~any_hits(self._scene, origins, wi, 0.0, tfar, self._passing(own, len(wi)))
+
+    def _passing(self, own: np.ndarray | np.uint32, count: int) -> Passing:
+        if not self._has_strands:
+            return NOTHING
+        return Passing(self._filter.ctypes.data, per_ray("strand", own, count, np.uint32))
+
+
+def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:
+    """For each part the strand of each segment, (m,) uint32, counted on over all parts."""
+    result, start = [], 0
+    for geometry in geometries:
+        points = np.diff(geometry.offsets.astype(np.int64)) if isinstance(geometry, Curves) else []
+        numbers = np.arange(start, start + len(points), dtype=np.uint32)
+        result.append(np.repeat(numbers, np.asarray(points, np.int64) - 1))
+        start += len(points)
+    return result
