@@ -17,9 +17,7 @@ from tests.render.assets import sphere, unit_vectors
 ALBEDO = np.array([0.8, 0.5, 0.2])
 LIGHTS_A_SHARD = 8
 RAYS = 256
-BALL_PART = CapturedPart(
-    name="asset", kind="surface", bounds=((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0))
-)
+BALL_PART = CapturedPart(name="asset", kind="surface", bounds=((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)))
 
 
 def tiny(preset: str = "small", kind: str = "surface", **training: object) -> Preset:

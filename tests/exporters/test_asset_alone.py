@@ -7,10 +7,10 @@ import pytest
 
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CapturedPart, CaptureManifest
-from rna_export.capture.weld import weld
-from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.run import scene_of
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.tasks import TrainingShard
+from rna_export.capture.weld import weld
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
 

@@ -52,7 +52,7 @@ def test_free_distance_on_the_inside_of_a_ring() -> None:
 
 @pytest.mark.parametrize("sharpest", [0.02, 0.14])
 def test_views_of_highlights_are_spread_down_to_the_sharpest_lobe(sharpest: float) -> None:
-    scene, wi = AssetScene([sphere(5), sharpest), np.float32([0, 0, 1]])
+    scene, wi = AssetScene([sphere(5)], sharpest), np.float32([0, 0, 1])
     towards = unit_vectors(np.random.default_rng(1), 20_000)
     points = scene.shade_points(3.0 * towards, -towards)
     rows, wo = scene.highlight_views(points, wi, np.random.default_rng(2))

@@ -15,6 +15,7 @@ from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.settings import CaptureSettings
 from rna_sdk.errors import CaptureError
+from tests.exporters.synthetic import BALL_PART
 from tests.render.assets import sphere
 
 
@@ -128,8 +129,8 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
     for name in surfaces.keys() - {"lights_per_shard"}:
         same = surfaces[name] == fibers[name]
-        told = f"default {surfaces[name]}" + ("" if same else f", for fibers {fibers[name]}")
-        assert f"{told})" in text, name
+        told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
+        assert told in text, name
     assert "for fibers" in text
 
 

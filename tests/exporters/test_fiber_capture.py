@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.manifest import SAMPLE_FIELDS
 from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.manifest import SAMPLE_FIELDS
 from rna_export.capture.run import Crew, begin, finish
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import sample_view_rays

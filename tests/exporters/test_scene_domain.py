@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CaptureManifest
+from rna_export.capture.run import scene_of
 from rna_export.capture.scene_domain import MARGIN, scene_domain
 from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.run import scene_of
 from rna_export.capture.tasks import all_tasks
 from rna_export.capture.worker import RenderedRays
 from rna_render.cli import main as render
@@ -21,8 +21,8 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest import Region
 from rna_sdk.runtime import in_region
-from tests.exporters.synthetic import BALL_PART
 from tests.exporters.meshes import ring, sphere
+from tests.exporters.synthetic import BALL_PART
 from tests.render.packages import write_lambert_package
 
 BALL = AssetScene([sphere(3)])

@@ -103,12 +103,10 @@ def parser() -> argparse.ArgumentParser:
 
 def _usual(name: str) -> str:
     default = CaptureSettings.model_fields[name].default
+    hair, both = (getattr(CaptureSettings.usual(kind), name) for kind in ("fiber", "both"))
     text = f"{type(default).__name__}, default {default}"
-    others = {
-        where: getattr(CaptureSettings.usual(kind), name)
-        for kind, where in (("fiber", "for hair alone"), ("both", "for hair beside a surface"))
-    }
-    return text + "".join(f", {where} {v}" for where, v in others.items() if v != default)
+    text += f", for hair {hair}" if hair != default else ""
+    return text + (f", beside a surface {both}" if both != hair else "")
 
 
 def main(argv: list[str] | None = None) -> int:

@@ -74,7 +74,10 @@ class DatasetPart:
         views = [self.view(index) for index in self.dataset.finished_views()]
         views = [v for v in views if len(v.pixel) > _LEAST_SHARE * v.resolution**2]
         if not views:
-            raise CaptureError(f"{self.folder}: no validation image shows part {self.name}")
+            raise CaptureError(
+                f"{self.folder}: no validation image shows part {self.name} in more than a few "
+                "pixels: hide it from renders or join it to another object"
+            )
         return views
 
     def view(self, index: int) -> ValidationView:

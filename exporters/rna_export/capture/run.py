@@ -18,15 +18,15 @@ from tqdm import tqdm
 import rna_sdk
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
 from rna_export.capture.directions import light_direction
+from rna_export.capture.manifest import CapturedPart, CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_export.capture.view_rays import sample_view_rays
-from rna_export.capture.worker import BlenderWorker, ScenePart, Source
 from rna_export.capture.weld import weld
+from rna_export.capture.worker import BlenderWorker, ScenePart, Source
 from rna_render.scene_file import SceneFile
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Domain, Mesh

@@ -54,8 +54,8 @@ class CaptureSettings(DatasetModel):
         return cls(**{**_DEFAULTS.get(kind, {}), **asked})
 
 
-# Hair's paths are dear and noisy: more points, of fewer paths, teach more (docs/decisions.md). Beside
-# a surface, whose paths are cheap, as many paths a light serve both.
+# Hair's paths are dear and noisy: more points, of fewer paths, teach more (docs/decisions.md).
+# Beside a surface, whose paths are cheap, as many paths a light serve both.
 _FIBERS = {
     "samples": 2,
     "rays": 16384,

@@ -11,8 +11,8 @@ import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene, PartRows
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.sample_files import joined, write_parts
 from rna_export.capture.directions import directions_in, light_direction
+from rna_export.capture.sample_files import joined, write_parts
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker

@@ -6,8 +6,8 @@ contact: crevices, grazing views, strong zoom. *Highlight* rays look at a visibl
 the light makes a highlight on it: there glossy materials keep almost all of their error (a share of
 3% of a surface's points under uniform views).
 
-Each kind is divided among the parts of the asset as they are seen, but a part that is hardly seen
-gets half of an equal share.
+Half of each kind is divided among the parts of the asset as they are seen, half among all alike: a
+thin part has to be learnt as well.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from rna_sdk.package.manifest import Region
 from rna_sdk.runtime import in_region
 
 CLOSE, HIGHLIGHT = 0.25, 0.25  # shares of the rays; the rest are outside ones
-LEAST = 0.5  # of an equal share of the rays: what a part gets that is hardly seen
+ALIKE = 0.5  # share of the rays that all parts get as many of, however little is seen of them
 
 _CHORDS = 4096
 _TRIES_WITHOUT_AIM, _TRIES_AIMED = 4, 16
@@ -77,15 +77,14 @@ def _mixed(n: int, draw: _Draw, kinds: list[_Found], rng: np.random.Generator) -
 
 
 def _part_shares(scene: AssetScene, wo: Region, rng: np.random.Generator) -> np.ndarray:
-    """Of the view rays, for each part: as it is seen, but for what a thin part needs at least."""
+    """Of the view rays, for each part: half of them as it is seen, half as any other part."""
     parts = len(scene.shapes)
     if parts == 1:
         return np.ones(1)
     chords = _outside(scene, _CHORDS, wo, rng)
     part = scene.part_hit(chords.origins, chords.directions)
-    seen = np.bincount(part[part >= 0], minlength=parts).astype(float)
-    shares = np.maximum(seen / max(seen.sum(), 1.0), LEAST / parts)
-    return shares / shares.sum()
+    seen = np.bincount(part[part >= 0], minlength=parts) + 1e-6
+    return ALIKE / parts + (1.0 - ALIKE) * seen / seen.sum()
 
 
 @dataclass(frozen=True)

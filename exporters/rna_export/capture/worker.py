@@ -153,7 +153,7 @@ class BlenderWorker:
         return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
 
     def export_corners(self, owner: str | None = None) -> dict[str, np.ndarray]:
-        """Triangle corners of a top object, or of the scene, +Y up: see `blender/mesh_export.py`."""
+        """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`."""
         corners = self._exported("exportMesh", owner)
         for name in ("positions", "normals"):
             corners[name] = from_blender(corners[name])

@@ -22,9 +22,7 @@ def flip_at_heights(
     Pixels are averaged as radiance, as a renderer's samples of a pixel are; rows and columns that
     a height does not divide are left out.
     """
-    images = [
-        (v.image(r), v.image(v.reference)) for r, v in zip(radiance, views, strict=True)
-    ]
+    images = [(v.image(r), v.image(v.reference)) for r, v in zip(radiance, views, strict=True)]
     result = []
     for factor in (2**k for k in range(_HALVINGS)):
         height = views[0].resolution // factor

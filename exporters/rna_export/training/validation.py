@@ -63,9 +63,7 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
     )
 
 
-def write_images(
-    folder: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]
-) -> None:
+def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
     """One PNG a view: ours, Cycles, the FLIP map."""
     folder.mkdir(parents=True, exist_ok=True)
     for shaded, view in zip(radiance, views, strict=True):

@@ -21,7 +21,10 @@ USUAL = "float32-float16"
 
 
 def write_packages(
-    trained: Trained, dataset: DatasetPart, folder: Path, precisions: Sequence[str] = tuple(PRECISIONS)
+    trained: Trained,
+    dataset: DatasetPart,
+    folder: Path,
+    precisions: Sequence[str] = tuple(PRECISIONS),
 ) -> dict[str, Path]:
     """Write `<precision>.rna` into `folder`; returns their paths by precision.
 
