@@ -22,7 +22,7 @@ from report import publish
 from rna_bench.int8_engine import sums_in_16_bits
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.validation_view import ValidationView
-from rna_export.export.build import calibration_queries
+from rna_export.export.tiers import calibration_queries
 from rna_export.export.decoder import export_decoder
 from rna_export.export.int8_decoder import WeightScale, int8_decoder, pair_scale
 from rna_export.machine import seconds_of
@@ -61,7 +61,7 @@ def measured(path: Path, repeats: int) -> dict[str, Any]:
     """Each variant of one checkpoint."""
     trained = load_checkpoint(path)
     dataset = Dataset(trained.dataset).only
-    calibration = calibration_queries(trained, dataset.dataset)
+    calibration = calibration_queries(trained, dataset)
     views = dataset.validation_views()
     queries = [trained.model.queries(_tensors(view)).detach().numpy() for view in views]
     decoders = {}
