@@ -131,7 +131,7 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
         same = surfaces[name] == fibers[name]
         told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
         assert told in text, name
-    assert "for fibers" in text
+    assert "for hair" in text
 
 
 @pytest.mark.parametrize(
