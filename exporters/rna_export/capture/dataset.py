@@ -16,6 +16,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.geometry_arrays import geometry_arrays
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
 from rna_export.capture.sample_files import write_arrays
 from rna_export.capture.validation_view import WholeView
@@ -45,8 +46,7 @@ class Dataset:
         for inner in ("geometry", "train", "validation"):
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for name, geometry in geometries.items():
-            arrays = {k: v for k, v in vars(geometry).items() if v is not None}
-            write_arrays(_geometry_path(folder, name), arrays)
+            write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
         manifest.write(folder / "manifest.json")
         return cls(folder)
 

@@ -45,6 +45,7 @@ class CaptureSettings(DatasetModel):
     validation_resolution: int = Field(160, gt=0, description="their width and height, pixels")
     validation_samples: int = Field(512, ge=2, description="paths a pixel, in two halves")
     lights_per_shard: int = Field(32, gt=0, description="what a stop can lose at most")
+    exact_geometry: bool = False  # float32 as exported, not quantised
     seed: int = 0
 
     @property
