@@ -127,7 +127,9 @@ class Integrator:
         origin = np.tile(self._camera.position, (len(pixels), 1))
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
         self._report_first_hits()
-        beta = np.ones((len(pixels), 3), np.float32)
+        beta = hits.weight
+        if beta is None:
+            beta = np.ones((len(pixels), 3), np.float32)
         path, never = np.arange(len(pixels)), np.zeros(len(self._lights))
         return _Rays(path, origin, direction, hits, beta, None, never)
 
@@ -217,8 +219,8 @@ class Integrator:
         tried = np.flatnonzero((samples.pdf > 0.0) & samples.radiance.any(axis=1))
         row = choice.row[tried]
         wi, distance = samples.wi_world.take(tried, axis=0), samples.distance[tried]
-        blocked = self._sampling.blocked(vertices, row, wi, distance, vertices.own[row])
-        free = np.flatnonzero(~blocked)
+        kept = self._sampling.kept(vertices, row, wi, distance, vertices.own[row])
+        free = np.flatnonzero(kept.any(axis=1))
         found, row = tried[free], row[free]
         instance = vertices.instance[row]
         wi = world.to_object_directions(instance, wi.take(free, axis=0))
@@ -233,7 +235,7 @@ class Integrator:
         pdf = samples.pdf[found] * probability[light]
         share = np.where(self._sampling.delta(light), 1.0, _share(pdf, own_pdf)[:, 0])
         weight = (share / pdf)[:, None].astype(np.float32)
-        radiance *= samples.radiance.take(found, axis=0) * weight
+        radiance *= samples.radiance.take(found, axis=0) * (weight * kept.take(free, axis=0))
         return _Found(choice.row[tried], row, light, radiance, seen)
 
     def _scatter(
@@ -269,6 +271,8 @@ class Integrator:
         scale = np.divide(1.0, pdf, out=np.zeros_like(pdf), where=pdf > 0.0)
         transport *= beta.take(row, axis=0)
         transport *= scale[:, None]
+        if hits.weight is not None:
+            transport *= hits.weight
         return _Rays(path[row], origin, direction, hits, transport, pdf, probability)
 
     def _catch_shadows(
@@ -285,6 +289,7 @@ class Integrator:
         for k in self._infinite:
             if self._lights[k].visible_to_camera:
                 radiance, _ = self._lights[k].escaped(rays.direction[at])
+                radiance = radiance * rays.beta.take(at, axis=0)
                 band.behind_catcher[at, :3] += radiance
                 band.behind_catcher[at, 3] = 1.0
                 if (group := self._group[k]) is not None:

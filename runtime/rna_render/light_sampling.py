@@ -92,7 +92,7 @@ class LightSampling:
         """Which of the given lights no ray can meet: (n,) bool."""
         return self._delta[light]
 
-    def blocked(
+    def kept(
         self,
         vertices: Vertices,
         row: np.ndarray,
@@ -100,7 +100,8 @@ class LightSampling:
         distance: np.ndarray,
         own: np.ndarray | None,
     ) -> np.ndarray:
-        """Whether something stands between the given rows and lights along wi: (k,) bool.
+        """The light that comes to the given rows from lights along wi, as a share of what comes
+        where nothing stands between: (k, 3) float32, or (k, 1) where things block all or nothing.
 
         wi_world, distance: (k, 3) and (k,) float32, as in LightSamples. own: (k,) int32, the
         instances that the shadow rays pass through, if any.
@@ -108,7 +109,10 @@ class LightSampling:
         origin = self._world.origins(vertices, row, wi_world)
         direction, length = np.empty_like(wi_world), np.empty_like(distance)
         _aim(vertices.x_world, row, wi_world, distance, origin, direction, length)
-        return self._world.scene.occluded(origin, direction, length, own)
+        scene = self._world.scene
+        if scene.transmits:
+            return scene.transmittance(origin, direction, length, own)
+        return (~scene.occluded(origin, direction, length, own)).astype(np.float32)[:, None]
 
 
 @compiled(parallel=True, fastmath=())

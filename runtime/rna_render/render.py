@@ -180,4 +180,6 @@ def _mesh_light(mesh: MeshObject, world_from_object: np.ndarray) -> MeshLight | 
         return None
     linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
     positions = (mesh.positions @ linear.T + translation).astype(np.float32)
-    return MeshLight(positions, mesh.triangles, mesh.emitted_luminance, mesh.emission)
+    emission = mesh.emitted_luminance, mesh.emission
+    opaque = None if mesh.transmittance is None else mesh.opaque_emission
+    return MeshLight(positions, mesh.triangles, *emission, opaque_emission=opaque)

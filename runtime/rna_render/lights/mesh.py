@@ -27,7 +27,8 @@ class MeshLight(ShapeLight):
     positions: (v, 3) float32, world space. triangles: (t, 3) uint32. luminance: (t,) float, the
     mean over each triangle; a triangle of luminance 0 must not shine anywhere. emission: radiance
     (n, 3) float32 at barycentrics u, v (n,) float32 of triangles (n,) int32; the point is
-    (1 - u - v) p0 + u p1 + v p2, as in ClosestHits.
+    (1 - u - v) p0 + u p1 + v p2, as in ClosestHits. opaque_emission: the same times the share of
+    the surface that is there, if rays meet it only so often; None where it is opaque.
 
     Raises SceneError for a luminance that is negative or not finite.
     """
@@ -41,12 +42,14 @@ class MeshLight(ShapeLight):
         luminance: np.ndarray,
         emission: Emission,
         group: str = "",
+        opaque_emission: Emission | None = None,
     ) -> None:
         luminance = np.asarray(luminance, np.float64)
         if not (np.isfinite(luminance).all() and (luminance >= 0.0).all()):
             raise SceneError("mesh light: luminance must be finite and not negative")
         self.group = group
         self._emission = emission
+        self._opaque_emission = opaque_emission or emission
         self._corners = np.asarray(positions, np.float64)[triangles]
         edges = self._corners[:, 1:] - self._corners[:, :1]
         normals = np.cross(edges[:, 0], edges[:, 1])
@@ -92,7 +95,7 @@ class MeshLight(ShapeLight):
     def _radiance(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, pdf: np.ndarray
     ) -> np.ndarray:
-        radiance = np.asarray(self._emission(triangle, u, v), np.float32)
+        radiance = np.asarray(self._opaque_emission(triangle, u, v), np.float32)
         return np.where((pdf > 0.0)[:, None], radiance, np.float32(0.0))
 
 
