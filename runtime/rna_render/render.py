@@ -152,7 +152,7 @@ def _placed_objects(scene_file: SceneFile) -> list[Placement]:
             except SceneError as error:
                 raise scene_file.error(("objects", index), str(error)) from error
         matrix = world_from_object(model.transform)
-        placements.append(Placement(loaded[key], matrix, _mesh_light(loaded[key], matrix)))
+        placements.append(Placement(loaded[key], matrix, mesh_light(loaded[key], matrix)))
     return placements
 
 
@@ -161,7 +161,7 @@ def _placed_ground(scene_file: SceneFile) -> list[Placement]:
     if model is None:
         return []
     mesh = ground(model, scene_file.resolve)
-    return [Placement(mesh, np.eye(4), _mesh_light(mesh, np.eye(4)), boundless=True)]
+    return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
 
 
 def _placed_lights(scene_file: SceneFile) -> list[Placement]:
@@ -174,7 +174,7 @@ def _placed_lights(scene_file: SceneFile) -> list[Placement]:
     ]
 
 
-def _mesh_light(mesh: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
+def mesh_light(mesh: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
     """What an object shines with, if it does."""
     if not mesh.is_emissive:
         return None
