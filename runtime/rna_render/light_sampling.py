@@ -100,9 +100,9 @@ class LightSampling:
         distance: np.ndarray,
         own: np.ndarray | None,
     ) -> np.ndarray:
-        """The light that comes to the given rows from lights along wi, as a share of what comes
-        where nothing stands between: (k, 3) float32, or (k, 1) where things block all or nothing.
+        """What is left of light along wi by all that stands between the rows and the lights.
 
+        Returns (k, 3) float32; (k, 1), 0 or 1, where nothing in the scene lets light through.
         wi_world, distance: (k, 3) and (k,) float32, as in LightSamples. own: (k,) int32, the
         instances that the shadow rays pass through, if any.
         """

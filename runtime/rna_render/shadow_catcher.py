@@ -42,5 +42,5 @@ def _one_light(
     cosine = np.where(side < 0.0, cosine, np.float32(0.0))
     pdf = samples.pdf * probability[choice.light]
     weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
-    arrived, unblocked = ((samples.radiance * x).mean(axis=1) * weight for x in (kept, 1))
-    return np.column_stack([arrived, unblocked])
+    received = (samples.radiance * kept).mean(axis=1) * weight
+    return np.column_stack([received, samples.radiance.mean(axis=1) * weight])

@@ -17,7 +17,7 @@ from rna_render.integrator import Integrator
 from rna_render.lights import PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
-from rna_render.render import mesh_light, render
+from rna_render.render import light_of, render
 from rna_render.scene_model import Scene
 from rna_render.transforms import world_from_object
 from rna_render.world import Placement, World
@@ -78,8 +78,7 @@ def one_thread() -> Iterator[None]:
 
 
 def _placed(thing: Thing, matrix: np.ndarray) -> Placement:
-    light = mesh_light(thing, matrix) if isinstance(thing, MeshObject) else None
-    return Placement(thing, matrix, light)
+    return Placement(thing, matrix, light_of(thing, matrix))
 
 
 def seen(channels: Channels) -> Estimate:
