@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from evaluate import random_data, random_model, random_tier
+from evaluate import random_data, random_model, random_tier, unit_part
 from numba import prange
 from numpy.typing import NDArray
 from rays import Rays, camera_rays, random_rays
@@ -34,7 +34,6 @@ from rna_render.embree_library import function_address
 from rna_render.parts_scene import PartsScene
 from rna_sdk.compiled import compiled
 from rna_sdk.package import (
-    Bounds,
     Curves,
     Domain,
     Manifest,
@@ -175,14 +174,13 @@ def write_curls(path: Path, curves: Curves) -> None:
     manifest = Manifest(
         generator="benchmarks/curves.py",
         name="curls",
-        kind="fiber",
-        bounds=Bounds(min=(-1, -1, -1), max=(1, 1, 1)),
+        parts=(unit_part("fiber"),),
         domain=Domain(wo="sphere", wi="sphere"),
         tiers=(tier,),
         provenance=Provenance(source="random numbers", tool="benchmarks/curves.py"),
         license="Apache-2.0",
     )
-    write_package(path, manifest, curves, {tier.name: random_data(model, tier)})
+    write_package(path, manifest, [curves], {tier.name: [random_data(model, tier.parts[0])]})
 
 
 def curls(strands: int) -> Curves:

@@ -27,7 +27,7 @@ from rna_export.capture.directions import light_direction
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.validation import score, shade
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
 

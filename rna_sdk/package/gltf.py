@@ -10,7 +10,7 @@ from typing import Annotated, Final, Literal
 
 from pydantic import AfterValidator, Field, JsonValue
 
-from rna_sdk.package.manifest import Record
+from rna_sdk.package.manifest_fields import Record
 
 FLOAT: Final = 5126
 UNSIGNED_INT: Final = 5125

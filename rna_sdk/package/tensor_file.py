@@ -22,7 +22,7 @@ from rna_sdk.package.limits import ALIGNMENT, MAX_TENSORS_HEADER_BYTES
 from rna_sdk.package.strict_json import parse_object
 
 _LENGTH = struct.Struct("<Q")
-_DTYPES = {"int8": "I8", "float16": "F16", "float32": "F32", "uint32": "U32"}
+_DTYPES = {"int8": "I8", "uint8": "U8", "float16": "F16", "float32": "F32", "uint32": "U32"}
 
 
 @dataclass(frozen=True)

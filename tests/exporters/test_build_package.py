@@ -65,8 +65,8 @@ def test_the_package_is_valid(exported: Exported) -> None:
 def test_a_tier_a_checkpoint_in_their_order(exported: Exported) -> None:
     with Package.open(exported.package) as package:
         assert [tier.name for tier in package.manifest.tiers] == ["small", "paper-small"]
-        assert package.manifest.tiers[0].inputs == tiny("small").model.inputs
-        assert package.manifest.tiers[1].inputs == tiny("paper-small").model.inputs
+        assert package.manifest.tiers[0].parts[0].inputs == tiny("small").model.inputs
+        assert package.manifest.tiers[1].parts[0].inputs == tiny("paper-small").model.inputs
 
 
 @pytest.mark.parametrize("tier", ["small", "paper-small"])
@@ -119,7 +119,7 @@ def test_cost_and_agreement_are_recorded(exported: Exported) -> None:
     for tier, columns in ((small, 25), (paper, 17)):
         assert tier.cost.multiply_adds == columns * 16 + 16 * 16 + 16 * 6
         assert tier.cost.ns_per_query > 0.0 and tier.cost.machine
-        assert 0.0 <= tier.agreement.max_relative < 1e-4
+        assert 0.0 <= tier.parts[0].agreement.max_relative < 1e-4
 
 
 def test_where_it_came_from_is_recorded(exported: Exported) -> None:
@@ -130,7 +130,7 @@ def test_where_it_came_from_is_recorded(exported: Exported) -> None:
     assert manifest.provenance.source == "a ball"
     assert manifest.provenance.training["small"]["steps"] == 60
     assert manifest.provenance.capture["rays"] == exported.dataset.manifest.settings.rays
-    low, high = np.array(manifest.bounds.min), np.array(manifest.bounds.max)
+    low, high = manifest.parts[0].bounds.corners()
     assert np.all(low < -1.0) and np.all(high > 1.0)
 
 

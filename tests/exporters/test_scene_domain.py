@@ -17,7 +17,7 @@ from rna_render.cli import main as render
 from rna_render.scene_file import read_scene
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Domain
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 from tests.exporters.meshes import ring, sphere
 from tests.render.packages import write_lambert_package

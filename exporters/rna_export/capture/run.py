@@ -31,7 +31,7 @@ from rna_export.capture.worker import BlenderWorker, Source
 from rna_render.scene_file import SceneFile
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Domain, Mesh
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
 _COUNTED = 4096

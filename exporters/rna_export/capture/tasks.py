@@ -16,7 +16,7 @@ from rna_export.capture.worker import BlenderWorker
 from rna_render.camera import Camera
 from rna_render.scene_model import CameraModel
 from rna_sdk.errors import CaptureError
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)

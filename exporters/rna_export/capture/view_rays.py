@@ -15,7 +15,7 @@ import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.directions import directions_in, frame
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
 CLOSE, HIGHLIGHT = 0.25, 0.25  # shares of the rays; the rest are outside ones

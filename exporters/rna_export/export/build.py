@@ -29,13 +29,15 @@ from rna_sdk.package import (
     Bounds,
     Cost,
     Manifest,
+    Part,
     Provenance,
     Tier,
     TierData,
+    TierPart,
     Validation,
     write_package,
 )
-from rna_sdk.package.manifest import DecoderPrecision
+from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES, DecoderPrecision
 from rna_sdk.runtime import Asset, load
 
 _COST_ROWS = 200_000
@@ -69,13 +71,19 @@ def build_package(
     for one in trained:
         for tier, tier_data in _tiers(one, precisions, dataset, say):
             tiers.append(tier)
-            data[tier.name] = tier_data
-    bounds = trained[0].model.triplane
+            data[tier.name] = [tier_data]
+    bounds, kind = trained[0].model.triplane, dataset.manifest.kind
     manifest = Manifest(
         generator=f"rna-export {rna_sdk.__version__}",
         name=dataset.manifest.name,
-        kind=dataset.manifest.kind,
-        bounds=Bounds(min=tuple(bounds.low.tolist()), max=tuple(bounds.high.tolist())),
+        parts=(
+            Part(
+                name="asset",
+                kind=kind,
+                bounds=Bounds(min=tuple(bounds.low.tolist()), max=tuple(bounds.high.tolist())),
+                geometry=GEOMETRY_ENTRIES[kind],
+            ),
+        ),
         domain=dataset.manifest.domain,
         tiers=tuple(tiers),
         provenance=_provenance(trained, dataset, source),
@@ -84,7 +92,7 @@ def build_package(
     if measured:
         manifest = _measure(manifest, models, dataset, data, say)
         _check_losses(manifest.tiers, models, dataset.validation_views(), max_loss)
-    return write_package(out, manifest, dataset.geometry(), data)
+    return write_package(out, manifest, [dataset.geometry()], data)
 
 
 def _check_together(trained: list[Trained], dataset: Dataset) -> None:
@@ -117,8 +125,7 @@ def _tiers(
             f"{name}: the {precision.decoder} ONNX decoder and PyTorch differ by at most "
             f"{agreement.max_absolute:.1e} absolute, {agreement.max_relative:.1e} relative"
         )
-        tier = Tier(
-            name=name,
+        part = TierPart(
             planes=precision.planes_entry(one.preset_name),
             decoder=precision.decoder_entry(one.preset_name),
             inputs=config.inputs,
@@ -128,8 +135,8 @@ def _tiers(
             decoder_precision=precision.decoder,
             agreement=Agreement(**asdict(agreement)),
         )
-        planes = one.model.triplane.planes.detach().numpy()
-        yield tier, TierData(stored_planes(planes, precision.planes), decoder)
+        planes = stored_planes(one.model.triplane.planes.detach().numpy(), precision.planes)
+        yield Tier(name=name, parts=(part,)), TierData(planes, decoder)
 
 
 def _decoder(
@@ -159,14 +166,14 @@ def _measure(
     manifest: Manifest,
     models: list[Trained],
     dataset: Dataset,
-    data: dict[str, TierData],
+    data: dict[str, list[TierData]],
     say: Callable[[str], None],
 ) -> Manifest:
     """The manifest with each tier's error and cost, as the runtime gives them."""
     views, tiers = dataset.validation_views(), []
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
-        write_package(path, manifest, dataset.geometry(), data)
+        write_package(path, manifest, [dataset.geometry()], data)
         for tier, one in zip(manifest.tiers, models, strict=True):
             asset = load(path, tier=tier.name)
             validation = _validation(asset, views)
