@@ -29,6 +29,7 @@ from tests.package.lantern import (
     LEAF,
     PANE,
     make_lantern,
+    make_lantern_data,
     make_lantern_manifest,
     make_textures,
 )
@@ -43,11 +44,11 @@ def test_every_part_comes_back(lantern: Path) -> None:
         assert (package.manifest.version, package.manifest.min_reader_version) == ("1.1", "1.1")
         assert isinstance(package.geometry(), Mesh)
         np.testing.assert_array_equal(package.curves(1).points, make_curves().points)
-        for tier in manifest.tiers:
-            for k, made in enumerate(make_tier_data(tier)):
-                np.testing.assert_array_equal(package.planes(tier.name, k), made.planes)
-                assert bytes(package.decoder(tier.name, k)) == made.decoder
-                found = package.emission_decoder(tier.name, k)
+        for tier, parts in make_lantern_data(manifest).items():
+            for k, made in enumerate(parts):
+                np.testing.assert_array_equal(package.planes(tier, k), made.planes)
+                assert bytes(package.decoder(tier, k)) == made.decoder
+                found = package.emission_decoder(tier, k)
                 assert (found and bytes(found)) == made.emission_decoder
         holes, pane = package.transmittance()
         assert package.transmittance(1) == []
@@ -235,7 +236,7 @@ def test_issues_tell_the_place_in_the_file(edit: Any, where: str, lantern: Path)
 def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
     manifest, path = make_lantern_manifest(), tmp_path / "x.rna"
     geometries, textures = [make_mesh(), make_curves()], make_textures()
-    good = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
+    good = make_lantern_data(manifest)
     dark = [make_part_data(make_tier().parts[0]), good["hq"][1]]
     for code, arguments in (
         ("PARTS_DIFFER at /parts", (geometries[:1], good, textures)),
