@@ -186,4 +186,6 @@ def light_of(
         return None
     linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
     positions = (thing.positions @ linear.T + translation).astype(np.float32)
-    return MeshLight(positions, thing.triangles, thing.emitted_luminance, thing.emission)
+    emission = thing.emitted_luminance, thing.emission
+    opaque = None if thing.transmittance is None else thing.opaque_emission
+    return MeshLight(positions, thing.triangles, *emission, opaque_emission=opaque)

@@ -98,8 +98,10 @@ class TriangleLight(ShapeLight):
 class MeshLight(TriangleLight):
     """A mesh whose material shines to both sides, as glTF's emission.
 
-    emission: radiance (n, 3) float32 at barycentrics of triangles, as in `MeshObject`. The other
-    arguments are those of TriangleLight; a triangle of luminance 0 must not shine anywhere.
+    emission: radiance (n, 3) float32 at barycentrics of triangles, as in `MeshObject`.
+    opaque_emission: the same times the share of the surface that is there, if rays meet it only
+    so often; None where it is opaque. The other arguments are those of TriangleLight; a triangle
+    of luminance 0 must not shine anywhere.
     """
 
     def __init__(
@@ -109,9 +111,11 @@ class MeshLight(TriangleLight):
         luminance: np.ndarray,
         emission: Emission,
         group: str = "",
+        opaque_emission: Emission | None = None,
     ) -> None:
         super().__init__(positions, triangles, luminance, group)
         self._emission = emission
+        self._opaque_emission = opaque_emission or emission
 
     def met(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
@@ -123,7 +127,7 @@ class MeshLight(TriangleLight):
     def _sent(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray
     ) -> np.ndarray:
-        return np.asarray(self._emission(triangle, u, v), np.float32)
+        return np.asarray(self._opaque_emission(triangle, u, v), np.float32)
 
 
 @compiled(fastmath=())
