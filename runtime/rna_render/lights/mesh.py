@@ -26,7 +26,8 @@ class TriangleLight(ShapeLight):
     it uniformly. The triangles stay those of the thing they belong to, which says whether a camera
     sees them.
 
-    positions: (v, 3) float32, world space. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
+    positions: (v, 3) float32, world space, or that of the points and directions which
+    the light is asked for. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
     float, the mean over each triangle; a triangle of luminance 0 is never chosen.
 
     Raises SceneError for a luminance that is negative or not finite.
