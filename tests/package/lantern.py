@@ -10,6 +10,7 @@ import numpy as np
 from rna_sdk.package import (
     Manifest,
     Tier,
+    TierData,
     TierEmission,
     TierPart,
     TransmittanceRecord,
@@ -63,9 +64,15 @@ def _body(tier: str) -> TierPart:
     return make_tier_part(f"{tier}-body", planes="features/body.safetensors", emission=emission)
 
 
+def make_lantern_data(manifest: Manifest) -> dict[str, list[TierData]]:
+    """Tiers with other decoders and, of the body, the same planes."""
+    layers = {"small": 1, "hq": 2}
+    return {tier.name: make_tier_data(tier, layers=layers[tier.name]) for tier in manifest.tiers}
+
+
 def make_lantern(path: str | Path, **changes: Any) -> Path:
     """Write the package to `path`; `changes` are fields of the manifest."""
     manifest = make_lantern_manifest(**changes)
-    data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
+    data = make_lantern_data(manifest)
     write_package(path, manifest, [make_mesh(), make_curves()], data, make_textures())
     return Path(path)

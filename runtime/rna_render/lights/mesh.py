@@ -26,7 +26,8 @@ class TriangleLight(ShapeLight):
     it uniformly. The triangles stay those of the thing they belong to, which says whether a camera
     sees them.
 
-    positions: (v, 3) float32, world space. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
+    positions: (v, 3) float32, world space, or that of the points and directions which
+    the light is asked for. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
     float, the mean over each triangle; a triangle of luminance 0 is never chosen.
 
     Raises SceneError for a luminance that is negative or not finite.
@@ -98,10 +99,10 @@ class TriangleLight(ShapeLight):
 class MeshLight(TriangleLight):
     """A mesh whose material shines to both sides, as glTF's emission.
 
-    emission: radiance (n, 3) float32 at barycentrics of triangles, as in `MeshObject`. The other
-    arguments are those of TriangleLight; a triangle of luminance 0 must not shine anywhere.
-    opaque_emission: the same times the share of the surface that is there, since rays meet it only
-    so often; None where all of it is.
+    emission: radiance (n, 3) float32 at barycentrics of triangles, as in `MeshObject`.
+    opaque_emission: the same times the share of the surface that is there, if rays meet it only
+    so often; None where it is opaque. The other arguments are those of TriangleLight; a triangle
+    of luminance 0 must not shine anywhere.
     """
 
     def __init__(
