@@ -231,7 +231,7 @@ def own_strand_filter() -> np.ndarray:
     """RTCOccludedArguments that make a ray pass through the strand its id names.
 
     It also leaves every other strand that it starts in. For curves with a `geometry_table` of
-    their strands as user data. Returns as `own_instance_filter` does.
+    their strands as user data, among meshes. Returns as `own_instance_filter` does.
     """
     return _arguments(_refuse_own_strand.address)
 

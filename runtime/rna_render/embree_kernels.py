@@ -95,13 +95,13 @@ def intersect(
     arguments,
     ray_id,
     mask,
-    owner_word,
     origins,
     directions,
     tnear,
     tfar,
     t,
-    owner,
+    instance,
+    geometry,
     primitive,
     u,
     v,
@@ -112,10 +112,10 @@ def intersect(
     function, scene: addresses of rtcIntersect1 and of the scene.
     arguments, ray_id: as for `occluded`. mask: (n,) uint32, or (1,) for all
         rays; they meet instances that share a bit.
-    owner_word: HIT_GEOMETRY or HIT_INSTANCE, the number that `owner` gets.
     origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
     t: (n,) float32 out, infinity for a miss.
-    owner, primitive: (n,) int32 out, -1 for a miss.
+    instance, geometry, primitive: (n,) int32 out, -1 for a miss; instance also where there are
+        none.
     u, v: (n,) float32 out, 0 for a miss.
     ng: (n, 3) float32 out, unit, 0 for a miss; or (0, 3), and then it is not written.
     """
@@ -141,7 +141,8 @@ def intersect(
                 i = start + k
                 hit = bits[k, HIT_GEOMETRY] != INVALID_ID
                 t[i] = rays[k, RAY_TFAR] if hit else np.inf
-                owner[i] = np.int32(bits[k, owner_word]) if hit else -1
+                instance[i] = np.int32(bits[k, HIT_INSTANCE]) if hit else -1
+                geometry[i] = np.int32(bits[k, HIT_GEOMETRY]) if hit else -1
                 primitive[i] = np.int32(bits[k, HIT_PRIMITIVE]) if hit else -1
                 u[i] = rays[k, HIT_U] if hit else 0.0
                 v[i] = rays[k, HIT_V] if hit else 0.0
@@ -242,13 +243,13 @@ def intersect_through(
     weighing,
     ray_id,
     mask,
-    owner_word,
     origins,
     directions,
     tnear,
     tfar,
     t,
-    owner,
+    instance,
+    geometry,
     primitive,
     u,
     v,
@@ -281,7 +282,8 @@ def intersect_through(
                 call_embree(functions[0], scene, address, query.ctypes.data)
             hit = words[HIT_GEOMETRY] != INVALID_ID
             t[i] = ray[RAY_TFAR] if hit else np.inf
-            owner[i] = np.int32(words[owner_word]) if hit else -1
+            instance[i] = np.int32(words[HIT_INSTANCE]) if hit else -1
+            geometry[i] = np.int32(words[HIT_GEOMETRY]) if hit else -1
             primitive[i] = np.int32(words[HIT_PRIMITIVE]) if hit else -1
             u[i] = ray[HIT_U] if hit else 0.0
             v[i] = ray[HIT_V] if hit else 0.0

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render import embree_kernels as kernels
 from rna_render import embree_library as api
 from rna_render.embree_filters import (
     own_instance_filter,
@@ -52,7 +51,7 @@ class Instance:
 
 
 class InstanceScene:
-    """Scenes of one mesh or one set of curves each, placed in the world.
+    """Scenes, placed in the world.
 
     The same scene may be in many instances; it is stored once. Raises SceneError if Embree
     refuses one.
@@ -91,7 +90,7 @@ class InstanceScene:
         own: np.ndarray | None = None,
         rays: int = ALL_RAYS,
     ) -> ClosestHits:
-        """The closest hit of each ray; its owner is the instance, its normal in object space.
+        """The closest hit of each ray; its normal is in object space.
 
         origins_world, directions_world: (n, 3) float32; n may be 0. own: (n,) int32, the
         instance that each ray passes through; NO_INSTANCE, or None for all, for none of them.
@@ -105,9 +104,9 @@ class InstanceScene:
         lines = origins_world, directions_world, *interval
         if self.transmits:
             ids = self._ids(own, len(origins_world))
-            how = kernels.HIT_INSTANCE, self._random, self._coloured
+            how = self._random, self._coloured
             return closest_hits_through(self._scene, *how, *lines, ids, passing.mask)
-        return closest_hits(self._scene, kernels.HIT_INSTANCE, *lines, passing=passing)
+        return closest_hits(self._scene, *lines, passing=passing)
 
     def occluded(
         self,
@@ -173,5 +172,8 @@ def _misses(n: int) -> ClosestHits:
     nothing = np.full(n, -1, np.int32)
     zeros = np.zeros(n, np.float32)
     return ClosestHits(
-        np.full(n, np.inf, np.float32), nothing, nothing, zeros, zeros, np.zeros((n, 3), np.float32)
+        np.full(n, np.inf, np.float32),
+        *(nothing, nothing, nothing),
+        *(zeros, zeros),
+        np.zeros((n, 3), np.float32),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 
@@ -16,7 +16,8 @@ from rna_render.rays import per_ray, vectors
 class ClosestHits:
     """The closest hit of each ray, in Embree's terms; each (n,), misses with -1, infinity or 0.
 
-    owner: int32, number of the geometry or of the instance, as asked for.
+    instance: int32, number of the instance; -1 in a scene without instances, too.
+    geometry: int32, number of the geometry in its scene.
     primitive: int32, number of the triangle or of the curve segment.
     ng: (n, 3) float32, unit geometric normals in the space of the geometry; (0, 3) if not asked
         for.
@@ -25,12 +26,18 @@ class ClosestHits:
     """
 
     t: np.ndarray
-    owner: np.ndarray
+    instance: np.ndarray
+    geometry: np.ndarray
     primitive: np.ndarray
     u: np.ndarray
     v: np.ndarray
     ng: np.ndarray
     weight: np.ndarray | None = None
+
+    def take(self, row: np.ndarray) -> ClosestHits:
+        """The given rows."""
+        values = (getattr(self, field.name) for field in fields(self))
+        return ClosestHits(*(None if a is None else a.take(row, axis=0) for a in values))
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +111,6 @@ class GeometryScene:
 
 def closest_hits(
     scene: api.SceneHandle,
-    owner_word: int,
     origins: np.ndarray,
     directions: np.ndarray,
     tnear: np.ndarray | float,
@@ -114,21 +120,20 @@ def closest_hits(
 ) -> ClosestHits:
     """Closest hits in any Embree scene.
 
-    owner_word says which number `owner` is: HIT_GEOMETRY or HIT_INSTANCE of the kernels. The
-    rest, and the errors, are those of GeometryScene.occluded.
+    Arguments and errors are those of GeometryScene.occluded.
     """
     origins = vectors("origins", origins)
     n = len(origins)
     directions = vectors("directions", directions, n)
     interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
     t, u, v = (np.empty(n, np.float32) for _ in range(3))
-    owner, primitive = np.empty(n, np.int32), np.empty(n, np.int32)
+    instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
     ng = np.empty((n if with_normals else 0, 3), np.float32)
     function = api.function_address("rtcIntersect1")
-    out = t, owner, primitive, u, v, ng
+    out = t, instance, geometry, primitive, u, v, ng
     through = passing.arguments, passing.ray_id, passing.mask
     rays = origins, directions, *interval
-    kernels.intersect(function, scene.handle, *through, owner_word, *rays, *out)
+    kernels.intersect(function, scene.handle, *through, *rays, *out)
     return ClosestHits(*out)
 
 
@@ -185,7 +190,6 @@ def transmitted(
 
 def closest_hits_through(
     scene: api.SceneHandle,
-    owner_word: int,
     filters: tuple[np.ndarray, np.ndarray],
     coloured: bool,
     origins: np.ndarray,
@@ -206,10 +210,10 @@ def closest_hits_through(
     interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
     own = np.full(1, NO_OWN, np.uint32) if ray_id is None else ray_id
     t, u, v = (np.empty(n, np.float32) for _ in range(3))
-    owner, primitive = np.empty(n, np.int32), np.empty(n, np.int32)
+    instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
     ng, weight = np.empty((n, 3), np.float32), np.empty((n if coloured else 0, 3), np.float32)
     functions = tuple(api.function_address(name) for name in ("rtcIntersect1", "rtcOccluded1"))
-    out = t, owner, primitive, u, v, ng
-    lines = own, mask, owner_word, origins, directions, *interval
+    out = t, instance, geometry, primitive, u, v, ng
+    lines = own, mask, origins, directions, *interval
     kernels.intersect_through(functions, scene.handle, *filters, *lines, *out, weight)
     return ClosestHits(*out, weight if coloured else None)

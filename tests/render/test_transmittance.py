@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.embree import CurveScene, TriangleScene
-from rna_render.embree_filters import strand_transmittance_filter
+from rna_render.embree import TriangleScene
+from rna_render.fiber import FiberPoints
 from rna_render.instances import Instance, InstanceScene
-from rna_render.tracing import transmitted
+from rna_render.parts_scene import PartsScene
 from rna_render.transmittance import Transmittance, TransmittanceTexture
 from tests.render.assets import sphere, square
 from tests.render.strands import curls
@@ -20,6 +20,9 @@ def flat_texture(colour) -> TransmittanceTexture:
     return TransmittanceTexture(
         np.rint(255 * np.float64(colour)).astype(np.uint8).reshape(1, 1, -1)
     )
+
+
+PANE = flat_texture(RED)
 
 
 def layer(mesh, texture) -> Transmittance:
@@ -142,7 +145,7 @@ def test_random_hits_have_the_mean_of_alpha_compositing(count):
     placed = InstanceScene([Instance(scene, matrix), *far])
     origins, directions = upward(n)
     hits = placed.intersect(origins + np.float32([5, 0, 0]), directions)
-    assert (hits.owner == 0).all()
+    assert (hits.instance == 0).all()
     radiance = 1 + np.rint((hits.t * directions[:, 1]) - 1)
     assert hits.weight is not None
     found = (radiance[:, None] * hits.weight).astype(np.float64)
@@ -158,7 +161,7 @@ def test_random_hits_have_the_mean_of_alpha_compositing(count):
     np.testing.assert_array_equal(again.t, hits.t)
     assert not placed.transmittance(origins + np.float32([5, 0, 0]), directions).any()
     own = np.zeros(n, np.int32)
-    assert (placed.intersect(origins, directions, own).owner == -1).all()
+    assert (placed.intersect(origins, directions, own).instance == -1).all()
     assert (placed.transmittance(origins, directions, own=own) == 1).all()
 
 
@@ -171,7 +174,7 @@ def _shift(x) -> np.ndarray:
 def test_passing_is_not_the_same_for_rays_side_by_side():
     """The chance is of the very ray: neighbours agree no more often than strangers do."""
     placed = InstanceScene([Instance(stack([GREY]), np.eye(4))])
-    passed = placed.intersect(*upward(100_000)).owner < 0
+    passed = placed.intersect(*upward(100_000)).instance < 0
     agree = np.mean(passed[1:] == passed[:-1])
     p = stepped(GREY)[0]
     assert abs(passed.mean() - p) < 0.006
@@ -187,17 +190,20 @@ def test_grey_layers_need_no_weights():
 
 def test_strands_are_blocked_as_without_transmittance():
     curves = curls(60)
-    scene = CurveScene(curves.points, curves.radii, curves.offsets)
+    clear = square(size=2.0)
+    opaque, scene = PartsScene([curves]), PartsScene([curves, clear], [None, layer(clear, PANE)])
     rng = np.random.default_rng(3)
-    segment = rng.integers(0, len(scene.strands), 2000)
-    origins = curves.points[curves.segments()[segment]]
+    segment = rng.integers(0, len(curves.segments()), 2000).astype(np.int32)
+    x = curves.points[curves.segments()[segment]]
     d = rng.normal(size=(2000, 3)).astype(np.float32)
-    blocked = scene.occluded_by_others(scene.strands[segment], origins, d)
-    through = strand_transmittance_filter()
-    ids = scene.strands[segment]
-    kept = transmitted(scene.handle, through, origins, d, 0.0, np.inf, ids)
-    assert 0.05 < blocked.mean() < 0.95
-    np.testing.assert_array_equal(kept, np.repeat(~blocked[:, None], 3, axis=1))
+    at = FiberPoints(x, x, x, segment)
+    free, kept = opaque.visible(0, at, d), scene.visible(0, at, d)
+    assert 0.05 < free.mean() < 0.95
+    t = -x[:, 1] / d[:, 1]
+    through = (t > 0) & (np.abs(x + t[:, None] * d)[:, [0, 2]] < 2.0).all(axis=1)
+    expected = np.where(through[:, None], stepped(RED), 1.0) * free[:, None]
+    np.testing.assert_allclose(kept, expected, rtol=1e-6)
+    assert 0.2 < through.mean() < 0.8
 
 
 def test_rays_without_a_direction_meet_nothing():
@@ -206,7 +212,7 @@ def test_rays_without_a_direction_meet_nothing():
     assert (scene.transmittance(origins, np.zeros((2, 3), np.float32)) == 1).all()
     placed = InstanceScene([Instance(stack([RED]), np.eye(4))])
     hits = placed.intersect(origins, np.zeros((2, 3), np.float32))
-    assert hits.owner.tolist() == [-1, -1]
+    assert hits.instance.tolist() == [-1, -1]
     assert (hits.weight == 1).all()
 
 

@@ -6,95 +6,12 @@
 #include "rna.h"
 
 #include "rna/blocks.h"
-#include "rna/curves.h"
-#include "rna/decoder_load.h"
-#include "rna/manifest.h"
-#include "rna/mesh.h"
+#include "rna/package.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-static int place_blocks(Tier *tier, const Json *inputs) {
-    int width = 0;
-    for (int block = 0; block < BLOCKS; block++) tier->column[block] = -1;
-    for (const Json *name = inputs->first; name; name = name->next) {
-        int block = block_of(name->string);
-        tier->column[block] = width;
-        width += BLOCK_TABLE[block].width ? BLOCK_TABLE[block].width : tier->planes.channels;
-    }
-    return width;
-}
-
-static double measured(const Json *tier, const char *object, const char *name) {
-    const Json *value = member(member(tier, object), name);
-    return value ? value->number : -1;
-}
-
-static void read_tier(Container *zip, const Json *record, Tier *tier, RnaReport *report) {
-    const Json *precision = member(record, "planePrecision");
-    Span planes = member(record, "planes")->string, decoder = member(record, "decoder")->string;
-    tier->public.name = (const char *)member(record, "name")->string.at;
-    tier->public.is_int8 = is_string(member(record, "decoderPrecision"), "int8");
-    tier->public.multiply_adds = measured(record, "cost", "multiplyAdds");
-    tier->public.flip = measured(record, "validation", "flip");
-    tier->planes.resolution = (int)member(record, "resolution")->number;
-    tier->planes.channels = (int)member(record, "channels")->number;
-    tier->planes.precision = is_string(precision, "int8")      ? INT8
-                             : is_string(precision, "float16") ? FLOAT16
-                                                               : FLOAT32;
-    int columns = place_blocks(tier, member(record, "inputs"));
-    const Entry *entry = find_entry(zip, planes);
-    if (entry && entry->intact) read_planes(entry_data(zip, entry), &tier->planes, entry->name, report);
-    entry = find_entry(zip, decoder);
-    if (entry && entry->intact)
-        read_decoder(entry_data(zip, entry), columns, tier->public.is_int8, &tier->decoder, entry->name,
-                     report);
-    tier->public.runs = tier->decoder.runs;
-}
-
-static void warn_outside(const RnaAsset *asset, const float low[3], const float high[3], RnaReport *report) {
-    for (int k = 0; k < 3; k++) {
-        double slack = 1e-4 * ((double)asset->high[k] - asset->low[k]);
-        if (low[k] >= asset->low[k] - slack && high[k] <= asset->high[k] + slack) continue;
-        warn(report, "GEOMETRY_OUTSIDE", "/bounds", "geometry inside", "%g to %g along %c", low[k], high[k],
-             "xyz"[k]);
-        return;
-    }
-}
-
-static void read_geometry(Container *zip, const Json *root, RnaAsset *asset, RnaReport *report) {
-    const Json *bounds = member(root, "bounds");
-    const Json *low = member(bounds, "min")->first, *high = member(bounds, "max")->first;
-    for (int k = 0; k < 3; k++, low = low->next, high = high->next) {
-        asset->low[k] = (float)low->number;
-        asset->high[k] = (float)high->number;
-    }
-    const Entry *entry = find_entry(zip, member(root, "geometry")->string);
-    if (!entry || !entry->intact) return;
-    float corner[2][3];
-    if (asset->kind == RNA_SURFACE) {
-        if (!read_mesh(entry_data(zip, entry), &asset->mesh, entry->name, report)) return;
-        box_around(asset->mesh.positions, NULL, asset->mesh.vertex_count, corner[0], corner[1]);
-    } else {
-        if (!read_curves(entry_data(zip, entry), &asset->curves, entry->name, report)) return;
-        box_around(asset->curves.points, asset->curves.radii, asset->curves.point_count, corner[0],
-                   corner[1]);
-    }
-    warn_outside(asset, corner[0], corner[1], report);
-}
-
-static void read_package(Container *zip, RnaAsset *asset, RnaReport *report) {
-    if (!read_container(zip, report) || !check_crc(zip, &zip->entries[0], report)) return;
-    const Json *root = read_manifest(entry_data(zip, &zip->entries[0]), &asset->manifest, report);
-    if (!root) return;
-    asset->kind = is_string(member(root, "kind"), "fiber") ? RNA_FIBER : RNA_SURFACE;
-    check_entries(zip, root, report);
-    read_geometry(zip, root, asset, report);
-    for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next)
-        read_tier(zip, tier, &asset->tier[asset->tiers++], report);
-}
 
 static RnaAsset *open_span(Span file, bool mapped, RnaReport *report) {
     RnaAsset *asset = calloc(1, sizeof *asset);
@@ -139,25 +56,15 @@ RnaAsset *rna_open(const char *path, RnaReport *report) {
 
 void rna_close(RnaAsset *asset) {
     if (!asset) return;
-    for (int i = 0; i < asset->tiers; i++) free_decoder(&asset->tier[i].decoder);
-    free_json(&asset->manifest);
+    free_package(asset);
     if (asset->mapped) munmap((void *)(uintptr_t)asset->file.at, asset->file.size);
     free(asset);
 }
 
-RnaKind rna_kind(const RnaAsset *asset) { return asset->kind; }
+int rna_part_count(const RnaAsset *asset) { return asset->parts; }
 
-void rna_bounds(const RnaAsset *asset, float low[3], float high[3]) {
-    memcpy(low, asset->low, sizeof asset->low);
-    memcpy(high, asset->high, sizeof asset->high);
-}
-
-const RnaMesh *rna_mesh(const RnaAsset *asset) {
-    return asset->kind == RNA_SURFACE ? &asset->mesh : NULL;
-}
-
-const RnaCurves *rna_curves(const RnaAsset *asset) {
-    return asset->kind == RNA_FIBER ? &asset->curves : NULL;
+const RnaPart *rna_part(const RnaAsset *asset, int part) {
+    return part >= 0 && part < asset->parts ? &asset->part[part].public : NULL;
 }
 
 int rna_tier_count(const RnaAsset *asset) { return asset->tiers; }
@@ -176,40 +83,73 @@ static float light(float value, bool valid) {
     return valid && value > 0 ? (value < FLT_MAX ? value : FLT_MAX) : 0; /* 0 for NaN */
 }
 
-RnaStatus rna_evaluate(const RnaAsset *asset, int tier_index, size_t n, const float *positions,
-                       const float *axes, const float *h, const float *wo, const float *wi,
-                       float *visible, float *shadowed) {
-    if (!asset || !rna_tier(asset, tier_index)) return RNA_BAD_ARGUMENT;
-    const Tier *tier = &asset->tier[tier_index];
-    if (!tier->decoder.runs) return RNA_UNSUPPORTED_DECODER;
-    if (n == 0) return RNA_OK;
-    if (!positions || !axes || !wo || !wi || !visible || !shadowed || (asset->kind == RNA_FIBER && !h))
-        return RNA_BAD_ARGUMENT;
-    size_t size = sizeof(float) * ROWS * (size_t)rounded_up(tier->decoder.widest, OUTPUTS);
+/* Runs the network on all rows.  colours: one or two arrays of n x 3, for its outputs. */
+static RnaStatus run_network(const RnaPart *part, const TierPart *with, const Network *network,
+                             const Batch *batch, float *const *colours, int count) {
+    const Decoder *decoder = network->decoder;
+    size_t size = sizeof(float) * ROWS * (size_t)rounded_up(decoder->widest, OUTPUTS);
     size = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     float *buffers = aligned(2 * size);
     if (!buffers) return RNA_OUT_OF_MEMORY;
-    const Batch batch = {n, positions, axes, h, wo, wi};
     Points points;
-    for (size_t first = 0; first < n; first += ROWS) {
-        int count = (int)(n - first < ROWS ? n - first : ROWS);
-        load_points(asset, &batch, first, count, &points);
-        fill_queries(asset, tier, &points, buffers);
-        const float *transport = run_decoder(&tier->decoder, buffers, buffers + size / sizeof(float));
-        for (size_t r = 0; r < (size_t)count; r++)
-            for (size_t k = 0; k < 3; k++) {
-                visible[3 * (first + r) + k] = light(transport[k * ROWS + r], points.valid[r]);
-                shadowed[3 * (first + r) + k] = light(transport[(k + 3) * ROWS + r], points.valid[r]);
-            }
+    for (size_t first = 0; first < batch->n; first += ROWS) {
+        int rows = (int)(batch->n - first < ROWS ? batch->n - first : ROWS);
+        load_points(part, batch, first, rows, &points);
+        fill_queries(part->kind, &with->planes, network->column, &points, buffers);
+        const float *results = run_decoder(decoder, buffers, buffers + size / sizeof(float));
+        for (size_t i = 0; i < (size_t)count; i++)
+            for (size_t r = 0; r < (size_t)rows; r++)
+                for (size_t k = 0; k < 3; k++)
+                    colours[i][3 * (first + r) + k] = light(results[(3 * i + k) * ROWS + r], points.valid[r]);
     }
     free(buffers);
     return RNA_OK;
 }
 
+RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
+                       const float *axes, const float *h, const float *wo, const float *wi,
+                       float *visible, float *shadowed) {
+    if (!asset || !rna_tier(asset, tier) || !rna_part(asset, part)) return RNA_BAD_ARGUMENT;
+    const TierPart *with = &asset->tier[tier].part[part];
+    const RnaPart *of = &asset->part[part].public;
+    if (!can_run(&with->transport)) return RNA_UNSUPPORTED_DECODER;
+    if (n == 0) return RNA_OK;
+    if (!positions || !axes || !wo || !wi || !visible || !shadowed || (of->kind == RNA_FIBER && !h))
+        return RNA_BAD_ARGUMENT;
+    const Batch batch = {n, positions, axes, h, wo, wi};
+    float *const colours[] = {visible, shadowed};
+    return run_network(of, with, &with->transport, &batch, colours, 2);
+}
+
+RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
+                       const float *axes, const float *h, const float *wo, float *emission) {
+    if (!asset || !rna_tier(asset, tier) || !rna_part(asset, part)) return RNA_BAD_ARGUMENT;
+    const TierPart *with = &asset->tier[tier].part[part];
+    const RnaPart *of = &asset->part[part].public;
+    if (of->emits && !can_run(&with->emission)) return RNA_UNSUPPORTED_DECODER;
+    if (n == 0) return RNA_OK;
+    if (!positions || !axes || !wo || !emission || (of->kind == RNA_FIBER && !h)) return RNA_BAD_ARGUMENT;
+    if (!of->emits) {
+        memset(emission, 0, 3 * n * sizeof *emission);
+        return RNA_OK;
+    }
+    const Batch batch = {n, positions, axes, h, wo, .wi = wo}; /* which no block of emission uses */
+    return run_network(of, with, &with->emission, &batch, &emission, 1);
+}
+
+void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2,
+                       const float direction[3], float tau[3]) {
+    const RnaPart *of = rna_part(asset, part);
+    for (int k = 0; k < 3; k++) tau[k] = 0;
+    for (int i = 0; of && i < of->record_count; i++)
+        if (triangle >= of->records[i].first && triangle - of->records[i].first < of->records[i].count)
+            look_up(&of->records[i], of->mesh, triangle, b1, b2, direction, tau);
+}
+
 const char *rna_status_text(RnaStatus status) {
     switch (status) {
     case RNA_OK: return "done";
-    case RNA_BAD_ARGUMENT: return "an array is missing, or the tier does not exist";
+    case RNA_BAD_ARGUMENT: return "an array is missing, or the tier or part does not exist";
     case RNA_UNSUPPORTED_DECODER: return "the decoder is no chain of the decoder profile: it needs an ONNX engine";
     default: return "out of memory";
     }

@@ -38,6 +38,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "rays",
     "lights",
     "domain",
+    "parts",
     "sharpest",
     "clamp_direct",
     "clamp_indirect",
@@ -46,6 +47,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "validation_samples",
     "seed",
 )
+_CHOICES = {"domain": ("sphere", "hemisphere"), "parts": ("kinds", "objects")}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -87,17 +89,13 @@ def parser() -> argparse.ArgumentParser:
         "validation images smaller where they would take more than a quarter (float, default: no "
         "limit)",
     )
-    of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
         info = CaptureSettings.model_fields[name]
-        usual = f"{type(info.default).__name__}, default {info.default}"
-        if getattr(of_fibers, name) != info.default:
-            usual += f", for fibers {getattr(of_fibers, name)}"
         p.add_argument(
             "--" + name.replace("_", "-"),
             type=type(info.default),
-            choices=("sphere", "hemisphere") if name == "domain" else None,
-            help=f"{info.description or 'of the random numbers'} ({usual})",
+            choices=_CHOICES.get(name),
+            help=f"{info.description or 'of the random numbers'} ({_usual(name)})",
         )
     for name in ("front", "up"):
         p.add_argument(
@@ -117,6 +115,14 @@ def parser() -> argparse.ArgumentParser:
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
     )
     return p
+
+
+def _usual(name: str) -> str:
+    default = CaptureSettings.model_fields[name].default
+    hair, both = (getattr(CaptureSettings.usual(kind), name) for kind in ("fiber", "both"))
+    text = f"{type(default).__name__}, default {default}"
+    text += f", for hair {hair}" if hair != default else ""
+    return text + (f", beside a surface {both}" if both != hair else "")
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -229,7 +235,7 @@ def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
     manifest = dataset.manifest
     if for_scene is None:
         return
-    domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset.geometry()))
+    domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset))
     if domain != manifest.scene_domain:
         raise CaptureError(
             f"{dataset.folder} was begun for other views or lights than {for_scene.path}'s"

@@ -6,24 +6,51 @@
 #include "manifest_rules.h"
 #include "planes.h"
 
+typedef struct Part {
+    RnaPart public;
+    RnaMesh mesh;
+    RnaCurves curves;
+    RnaTransmittance records[MAX_RECORDS];
+    Span geometry;     /* the entry; empty where it could not be read */
+    void *restored;    /* what is allocated for quantised geometry, or NULL */
+    bool is_quantised;
+} Part;
+
+/* A decoder, which tiers and parts may share. */
+typedef struct Loaded {
+    struct Loaded *next;
+    Span entry;
+    int columns;
+    bool is_int8;
+    int outputs;
+    Decoder decoder;
+} Loaded;
+
+/* A decoder and the places of its input blocks. */
+typedef struct Network {
+    const Decoder *decoder; /* NULL: none */
+    int column[BLOCKS];     /* the first of each block, -1 where it has none */
+} Network;
+
+typedef struct TierPart {
+    Planes planes;
+    Span planes_entry;
+    Network transport, emission;
+} TierPart;
+
 typedef struct Tier {
     RnaTier public;
-    Planes planes;
-    Decoder decoder;
-    int column[BLOCKS]; /* the first of each block, -1 where the tier has none */
+    TierPart part[RNA_MAX_PARTS];
 } Tier;
 
 struct RnaAsset {
     Span file;
     bool mapped;
-    RnaKind kind;
-    float low[3], high[3]; /* the bounds, rounded as section 3 asks; GCC 12 at -O3 may leave out the
-                              rounding where it is a cast to float and back */
-    RnaMesh mesh;
-    RnaCurves curves;
     JsonText manifest; /* what the names live on */
-    int tiers;
+    int parts, tiers;
+    Part part[RNA_MAX_PARTS];
     Tier tier[MAX_TIERS];
+    Loaded *decoders;
 };
 
 #endif

@@ -33,6 +33,8 @@ enum {
     MAX_MANIFEST = 1 << 20,
     MAX_DEPTH = 64,
     MAX_TIERS = 16,
+    MAX_RECORDS = 64, /* of transmittance, a part */
+    MAX_TEXTURE = 8192, /* texels along a side */
     MAX_CHANNELS = 64,
     MAX_HEADER = 1 << 16, /* JSON of a mesh, header of a tensor file */
     MAX_POINTS = 1 << 26,
@@ -49,12 +51,24 @@ typedef struct Span {
     size_t size;
 } Span;
 
+static Span text_span(const char *text) { return (Span){(const uint8_t *)text, strlen(text)}; }
+
 static bool span_is(Span span, const char *text) {
     return span.size == strlen(text) && memcmp(span.at, text, span.size) == 0;
 }
 
 static bool same_span(Span a, Span b) {
     return a.size == b.size && (a.size == 0 || memcmp(a.at, b.at, a.size) == 0);
+}
+
+/* Whether the text is one of the words in `choices`, which have spaces between them. */
+static bool is_choice(Span text, const char *choices) {
+    for (const char *word = choices; *word; word += strspn(word, " ")) {
+        size_t size = strcspn(word, " ");
+        if (size == text.size && memcmp(word, text.at, size) == 0) return true;
+        word += size;
+    }
+    return false;
 }
 
 static uint32_t u16_at(const uint8_t *at) { return at[0] | (uint32_t)at[1] << 8; }

@@ -58,13 +58,14 @@ static void find_learned_normal(const Points *points, const float *features, int
     }
 }
 
-static void surface_blocks(const Tier *tier, Points *points, const float *features, float *queries) {
+static void surface_blocks(const int column[BLOCKS], int channels, Points *points, const float *features,
+                           float *queries) {
     double m[3][ROWS], q[3][ROWS];
-    float *half_vector = queries + tier->column[HALF_VECTOR] * ROWS;
-    float *highlight = queries + tier->column[HIGHLIGHT] * ROWS;
-    float *learned_normal = queries + tier->column[LEARNED_NORMAL] * ROWS;
-    find_halfway(points, points->axis, m);
-    if (tier->column[HALF_VECTOR] >= 0)
+    float *half_vector = queries + column[HALF_VECTOR] * ROWS;
+    float *highlight = queries + column[HIGHLIGHT] * ROWS;
+    float *learned_normal = queries + column[LEARNED_NORMAL] * ROWS;
+    if (column[HALF_VECTOR] >= 0 || column[HIGHLIGHT] >= 0) find_halfway(points, points->axis, m);
+    if (column[HALF_VECTOR] >= 0)
         for (int r = 0; r < ROWS; r++) {
             double n_m = DOT(points->axis, m, r);
             half_vector[r] = (float)n_m;
@@ -73,15 +74,15 @@ static void surface_blocks(const Tier *tier, Points *points, const float *featur
             half_vector[3 * ROWS + r] = (float)DOT(points->axis, points->wo, r);
             half_vector[4 * ROWS + r] = (float)DOT(points->wi, m, r);
         }
-    if (tier->column[HIGHLIGHT] >= 0)
+    if (column[HIGHLIGHT] >= 0)
         for (int r = 0; r < ROWS; r++) {
             double x = points->axis[1][r] * m[2][r] - points->axis[2][r] * m[1][r];
             double y = points->axis[2][r] * m[0][r] - points->axis[0][r] * m[2][r];
             double z = points->axis[0][r] * m[1][r] - points->axis[1][r] * m[0][r];
             highlight[r] = log2_of((float)(x * x + y * y + z * z + 1e-8)) * (1.0f / 12);
         }
-    if (tier->column[LEARNED_NORMAL] >= 0) {
-        find_learned_normal(points, features, tier->planes.channels, q);
+    if (column[LEARNED_NORMAL] >= 0) {
+        find_learned_normal(points, features, channels, q);
         find_halfway(points, q, m);
         for (int r = 0; r < ROWS; r++) {
             double q_m = DOT(q, m, r);
@@ -124,9 +125,9 @@ static inline void fiber_row(const Points *points, int r, double angles[6], doub
     }
 }
 
-static void fiber_blocks(const Tier *tier, const Points *points, float *queries) {
-    float *at_angles = queries + tier->column[FIBER_ANGLES] * ROWS;
-    float *at_lobes = queries + tier->column[FIBER_LOBES] * ROWS;
+static void fiber_blocks(const int column[BLOCKS], const Points *points, float *queries) {
+    float *at_angles = queries + column[FIBER_ANGLES] * ROWS;
+    float *at_lobes = queries + column[FIBER_LOBES] * ROWS;
     float values[9][ROWS];
     for (int r = 0; r < ROWS; r++) {
         double angles[6] = {0}, lobes[3];
@@ -135,18 +136,17 @@ static void fiber_blocks(const Tier *tier, const Points *points, float *queries)
         for (int k = 0; k < 3; k++) values[6 + k][r] = (float)lobes[k];
         values[3][r] = log2_of((float)(angles[2] * angles[2] + 1e-3)) * (1.0f / 6);
     }
-    if (tier->column[FIBER_ANGLES] >= 0) memcpy(at_angles, values, 6 * sizeof values[0]);
-    if (tier->column[FIBER_LOBES] >= 0) memcpy(at_lobes, values + 6, 3 * sizeof values[0]);
+    if (column[FIBER_ANGLES] >= 0) memcpy(at_angles, values, 6 * sizeof values[0]);
+    if (column[FIBER_LOBES] >= 0) memcpy(at_lobes, values + 6, 3 * sizeof values[0]);
 }
 
 /* Fills [columns][ROWS]. */
-static void fill_queries(const RnaAsset *asset, const Tier *tier, Points *points, float *queries) {
-    const int *column = tier->column;
+static void fill_queries(RnaKind kind, const Planes *planes, const int column[BLOCKS], Points *points,
+                         float *queries) {
     float aside[MAX_CHANNELS * ROWS];
     float *features = column[FEATURES] >= 0 ? queries + column[FEATURES] * ROWS : aside;
-    int at_axis = asset->kind == RNA_FIBER ? column[TANGENT] : column[NORMAL];
-    if (column[FEATURES] >= 0 || column[LEARNED_NORMAL] >= 0)
-        gather_features(&tier->planes, points, features);
+    int at_axis = kind == RNA_FIBER ? column[TANGENT] : column[NORMAL];
+    if (column[FEATURES] >= 0 || column[LEARNED_NORMAL] >= 0) gather_features(planes, points, features);
     if (column[POSITION] >= 0)
         for (int k = 0; k < 3; k++)
             for (int r = 0; r < ROWS; r++)
@@ -156,9 +156,8 @@ static void fill_queries(const RnaAsset *asset, const Tier *tier, Points *points
     if (column[WI] >= 0) put_vectors(points->wi, queries + column[WI] * ROWS);
     if (column[H] >= 0)
         for (int r = 0; r < ROWS; r++) queries[column[H] * ROWS + r] = (float)points->h[r];
-    if (asset->kind == RNA_FIBER && (column[FIBER_ANGLES] >= 0 || column[FIBER_LOBES] >= 0))
-        fiber_blocks(tier, points, queries);
-    if (asset->kind == RNA_SURFACE) surface_blocks(tier, points, features, queries);
+    if (column[FIBER_ANGLES] >= 0 || column[FIBER_LOBES] >= 0) fiber_blocks(column, points, queries);
+    if (kind == RNA_SURFACE) surface_blocks(column, planes->channels, points, features, queries);
 }
 
 #endif

@@ -160,7 +160,7 @@ static void run_elementwise(const Step *step, float *x) {
         }
 }
 
-/* Runs ROWS queries; returns their transport, [6][ROWS], which is in `a` or `b`.  a: the queries,
+/* Runs ROWS queries; returns the results, [outputs][ROWS], which are in `a` or `b`.  a: the queries,
  * [columns][ROWS].  Both have room for `widest` columns. */
 static const float *run_decoder(const Decoder *decoder, float *a, float *b) {
     for (int i = 0; i < decoder->count; i++) {

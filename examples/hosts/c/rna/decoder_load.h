@@ -9,6 +9,7 @@
 typedef struct Builder {
     const OnnxModel *model;
     const ValueTable *values;
+    const Interface *interface;
     Decoder *decoder;
     size_t node; /* the next one */
     Span value;  /* what the chain has made so far */
@@ -274,14 +275,14 @@ static Outcome build_decoder(Builder *b) {
         Outcome outcome = add_step(b);
         if (outcome != LOADED) return outcome;
     }
-    if (!same_span(b->value, TRANSPORT) || b->used != nodes) return NO_CHAIN;
+    if (!span_is(b->value, b->interface->output) || b->used != nodes) return NO_CHAIN;
     decoder->in_profile = is_in_profile(b);
-    return b->width == 6 ? LOADED : DOES_NOT_FIT;
+    return b->width == b->interface->outputs ? LOADED : DOES_NOT_FIT;
 }
 
 /* Rows filled with 0, +-1, +-1e4 and about +-3.4e38, and random ones, give finite results that are
  * not negative. */
-static bool check_results(const Decoder *decoder, const char *entry, RnaReport *report) {
+static bool check_results(const Decoder *decoder, int outputs, const char *entry, RnaReport *report) {
     static const float PROBES[] = {0, 1, -1, 1e4f, -1e4f, FLT_MAX, -3.4e38f};
     enum { PROBE_COUNT = sizeof PROBES / sizeof *PROBES };
     size_t size = sizeof(float) * ROWS * (size_t)rounded_up(decoder->widest, OUTPUTS);
@@ -293,8 +294,8 @@ static bool check_results(const Decoder *decoder, const char *entry, RnaReport *
             random = random * 1664525u + 1013904223u;
             a[k * ROWS + r] = r < PROBE_COUNT ? PROBES[r] : (float)random * 0x1p-31f - 1; /* -1 to 1 */
         }
-    const float *transport = good ? run_decoder(decoder, a, b) : NULL;
-    for (int i = 0; good && i < 6 * ROWS; i++) good = transport[i] >= 0 && transport[i] <= FLT_MAX;
+    const float *results = good ? run_decoder(decoder, a, b) : NULL;
+    for (int i = 0; good && i < outputs * ROWS; i++) good = results[i] >= 0 && results[i] <= FLT_MAX;
     free(a);
     free(b);
     return good || refuse(report, "DECODER_RESULT", entry, "finite and >= 0 for any finite input", "others");
@@ -318,18 +319,19 @@ static bool saturates(const OnnxModel *model) {
 }
 
 /* Checks a decoder, and loads it where it is a chain. */
-static void read_decoder(Span data, int columns, bool is_int8, Decoder *decoder, const char *entry,
+static void read_decoder(Span data, const Interface *interface, Decoder *decoder, const char *entry,
                          RnaReport *report) {
     OnnxModel model = {0};
     ValueTable values = {0};
     Builder *builder = calloc(1, sizeof *builder);
     if (!builder) refuse(report, "DECODER_LOAD", entry, "memory for it", "not enough");
-    if (builder && check_onnx(data, columns, is_int8, &model, &values, entry, report)) {
-        *builder = (Builder){&model, &values, decoder, .value = QUERIES, .width = columns, .plain = true};
+    if (builder && check_onnx(data, interface, &model, &values, entry, report)) {
+        *builder = (Builder){&model, &values, interface, decoder, .value = QUERIES,
+                             .width = interface->columns, .plain = true};
         Outcome outcome = build_decoder(builder);
         if (outcome == DOES_NOT_FIT)
             refuse(report, "DECODER_LOAD", entry, "constants that fit each other", "others");
-        if (outcome == LOADED) decoder->runs = check_results(decoder, entry, report);
+        if (outcome == LOADED) decoder->runs = check_results(decoder, interface->outputs, entry, report);
         if (outcome != DOES_NOT_FIT && !decoder->in_profile)
             warn(report, "DECODER_PROFILE", entry, "the decoder profile", "other operators");
         if (outcome != DOES_NOT_FIT && saturates(&model))

@@ -21,19 +21,19 @@ enum Block {
     BLOCKS
 };
 
-enum { FOR_SURFACE = 1 << RNA_SURFACE, FOR_FIBER = 1 << RNA_FIBER, FOR_BOTH = 3 };
+enum { FOR_SURFACE = 1 << RNA_SURFACE, FOR_FIBER = 1 << RNA_FIBER, FOR_BOTH = 3, FOR_EMISSION = 4 };
 
 static const struct {
     const char *name;
-    int width; /* 0: as many as the tier has channels */
-    unsigned kinds;
+    int width; /* 0: as many as the planes have channels */
+    unsigned uses;
 } BLOCK_TABLE[BLOCKS] = {
-    [FEATURES] = {"features", 0, FOR_BOTH},
-    [POSITION] = {"position", 3, FOR_BOTH},
-    [NORMAL] = {"normal", 3, FOR_SURFACE},
-    [TANGENT] = {"tangent", 3, FOR_FIBER},
-    [H] = {"h", 1, FOR_FIBER},
-    [WO] = {"wo", 3, FOR_BOTH},
+    [FEATURES] = {"features", 0, FOR_BOTH | FOR_EMISSION},
+    [POSITION] = {"position", 3, FOR_BOTH | FOR_EMISSION},
+    [NORMAL] = {"normal", 3, FOR_SURFACE | FOR_EMISSION},
+    [TANGENT] = {"tangent", 3, FOR_FIBER | FOR_EMISSION},
+    [H] = {"h", 1, FOR_FIBER | FOR_EMISSION},
+    [WO] = {"wo", 3, FOR_BOTH | FOR_EMISSION},
     [WI] = {"wi", 3, FOR_BOTH},
     [HALF_VECTOR] = {"half_vector", 5, FOR_SURFACE},
     [HIGHLIGHT] = {"highlight", 1, FOR_SURFACE},
@@ -89,21 +89,35 @@ static void blocks_are_known(Schema *schema, const Json *inputs) {
     }
 }
 
-static void tiers_are_unique(Schema *schema, const Json *tiers) {
-    for (const Json *a = tiers->first; a; a = a->next)
-        for (const Json *b = tiers->first; b != a; b = b->next)
-            if (same_span(member(a, "name")->string, member(b, "name")->string)) {
-                break_rule(schema, "TIER_DUPLICATE", "each tier name once", "%s",
-                           (const char *)member(a, "name")->string.at);
-                return;
-            }
+/* The first item whose name an item before it has; NULL where there is none. */
+static const Json *repeated_name(const Json *list) {
+    for (const Json *a = list->first; a; a = a->next)
+        for (const Json *b = list->first; b != a; b = b->next)
+            if (same_span(member(a, "name")->string, member(b, "name")->string)) return a;
+    return NULL;
 }
 
-#define MEASURE 0, HUGE_VAL
-#define ANY_NUMBER -HUGE_VAL, HUGE_VAL
-#define ANY_COUNT 0, HUGE_VAL
+static void tiers_are_unique(Schema *schema, const Json *tiers) {
+    const Json *again = repeated_name(tiers);
+    if (again)
+        break_rule(schema, "TIER_DUPLICATE", "each tier name once", "%s",
+                   (const char *)member(again, "name")->string.at);
+}
 
-static const Rule COORDINATE = {"", NUMBER, 0, ANY_NUMBER};
+static void parts_are_unique(Schema *schema, const Json *parts) {
+    const Json *again = repeated_name(parts);
+    if (again)
+        break_rule(schema, "PART_DUPLICATE", "each part name once", "%s",
+                   (const char *)member(again, "name")->string.at);
+}
+
+static void is_a_surface(Schema *schema, const Json *part) {
+    if (is_string(member(part, "kind"), "surface") || !member(part, "transmittance")) return;
+    size_t before = push_text(schema, "transmittance");
+    break_rule(schema, schema->value, "of a surface alone", "transmittance of fibers");
+    pop_place(schema, before);
+}
+
 static const Rule CORNER = {"", NUMBER, 0, -1e18, 1e18};
 static const Rule BOUNDS[] = {{"min", LIST, REQUIRED, 3, 3, &CORNER},
                               {"max", LIST, REQUIRED, 3, 3, &CORNER},
@@ -136,20 +150,47 @@ static const Rule AGREEMENT[] = {{"maxAbsolute", NUMBER, REQUIRED, MEASURE},
                                  {"maxRelative", NUMBER, REQUIRED, MEASURE},
                                  {0}};
 static const Rule A_BLOCK = {"", TEXT};
-static const Rule TIER[] = {
-    {"name", NAME, REQUIRED},
-    {"planes", PATH, REQUIRED},
-    {"decoder", PATH, REQUIRED},
-    {"inputs", LIST, REQUIRED, 1, HUGE_VAL, &A_BLOCK, .also = blocks_are_known},
-    {"resolution", INTEGER, REQUIRED, 1, 4096},
-    {"channels", INTEGER, REQUIRED, 1, MAX_CHANNELS},
-    {"planePrecision", CHOICE, REQUIRED, .choices = "int8 float16 float32"},
-    {"decoderPrecision", CHOICE, REQUIRED, .choices = "float32 int8"},
-    {"validation", OBJECT, NULLABLE, .of = VALIDATION},
-    {"cost", OBJECT, NULLABLE, .of = COST},
-    {"agreement", OBJECT, NULLABLE, .of = AGREEMENT},
-    {0}};
+#define DECODER_MEMBERS                                                                         \
+    {"decoder", PATH, REQUIRED},                                                                \
+        {"inputs", LIST, REQUIRED, 1, HUGE_VAL, &A_BLOCK, .also = blocks_are_known},            \
+        {"decoderPrecision", CHOICE, REQUIRED, .choices = "float32 int8"},                      \
+        {"agreement", OBJECT, NULLABLE, .of = AGREEMENT}
+#define TIER_PART_MEMBERS                                                                       \
+    DECODER_MEMBERS, {"planes", PATH, REQUIRED}, {"resolution", INTEGER, REQUIRED, 1, 4096},    \
+        {"channels", INTEGER, REQUIRED, 1, MAX_CHANNELS},                                       \
+        {"planePrecision", CHOICE, REQUIRED, .choices = "int8 float16 float32"}
+#define TIER_MEMBERS                                                                            \
+    {"name", NAME, REQUIRED}, {"validation", OBJECT, NULLABLE, .of = VALIDATION},               \
+        {"cost", OBJECT, NULLABLE, .of = COST}
+static const Rule EMISSION[] = {DECODER_MEMBERS, {0}};
+static const Rule TIER_PART[] = {TIER_PART_MEMBERS, {"emission", OBJECT, .of = EMISSION}, {0}};
+static const Rule A_TIER_PART = {"", OBJECT, .of = TIER_PART};
+static const Rule TIER[] = {TIER_MEMBERS, {"parts", LIST, REQUIRED, ANY_COUNT, &A_TIER_PART}, {0}};
 static const Rule A_TIER = {"", OBJECT, .of = TIER};
+static const Rule SHORT_TIER[] = {TIER_MEMBERS, TIER_PART_MEMBERS, {0}};
+static const Rule A_SHORT_TIER = {"", OBJECT, .of = SHORT_TIER};
+#define ABOVE_0 DBL_TRUE_MIN
+static const Rule TRIANGLE = {"", INTEGER, 0, 0, HUGE_VAL};
+static const Rule INDEX_OF_REFRACTION = {"", NUMBER, 0, ABOVE_0, HUGE_VAL};
+static void counts_triangles(Schema *schema, const Json *range) {
+    if (!(range->first->next->number >= 1)) break_rule(schema, schema->value, "1 triangle at least", "0");
+}
+static const Rule TRANSMITTANCE[] = {
+    {"triangles", LIST, REQUIRED, 2, 2, &TRIANGLE, .also = counts_triangles},
+    {"texture", PATH, REQUIRED},
+    {"cutoff", NUMBER, 0, ABOVE_0, 1 - DBL_EPSILON / 2},
+    {"ior", LIST, 0, 2, 2, &INDEX_OF_REFRACTION},
+    {0}};
+static const Rule A_TRANSMITTANCE = {"", OBJECT, .of = TRANSMITTANCE};
+#define PART_MEMBERS                                                                            \
+    {"kind", CHOICE, REQUIRED, .choices = "surface fiber"},                                     \
+        {"bounds", OBJECT, REQUIRED, .of = BOUNDS, .also = bounds_have_an_extent},              \
+        {"geometry", PATH, REQUIRED}
+static const Rule PART[] = {PART_MEMBERS,
+                            {"name", NAME, REQUIRED},
+                            {"transmittance", LIST, 0, 1, MAX_RECORDS, &A_TRANSMITTANCE},
+                            {0}};
+static const Rule A_PART = {"", OBJECT, .of = PART, .also = is_a_surface};
 static const Rule RECORD[] = {{"size", INTEGER, REQUIRED, MEASURE}, {"sha256", SHA256, REQUIRED}, {0}};
 static const Rule A_RECORD = {"", OBJECT, .of = RECORD};
 static const Rule PROVENANCE[] = {{"source", TEXT, REQUIRED},
@@ -158,25 +199,22 @@ static const Rule PROVENANCE[] = {{"source", TEXT, REQUIRED},
                                   {"training", MAP, .key = ANYTHING},
                                   {0}};
 static const Rule AN_EXTENSION = {"", NAME};
+#define MANIFEST_MEMBERS(A_TIER)                                                                \
+    {"format", CHOICE, REQUIRED, .choices = "rna"}, {"version", VERSION, REQUIRED},             \
+        {"minReaderVersion", VERSION, REQUIRED}, {"generator", TEXT, REQUIRED},                 \
+        {"name", TEXT, REQUIRED, 1}, {"domain", OBJECT, REQUIRED, .of = DOMAIN},                \
+        {"units", OBJECT, REQUIRED, .of = UNITS},                                               \
+        {"tiers", LIST, REQUIRED, 1, MAX_TIERS, &A_TIER, .also = tiers_are_unique},             \
+        {"entries", MAP, REQUIRED, .key = PATH, .of = &A_RECORD},                               \
+        {"provenance", OBJECT, REQUIRED, .of = PROVENANCE}, {"license", TEXT, REQUIRED, 1},     \
+        {"extensionsUsed", LIST, 0, ANY_COUNT, &AN_EXTENSION},                                  \
+        {"extensionsRequired", LIST, 0, ANY_COUNT, &AN_EXTENSION},                              \
+        {"extensions", MAP, .key = NAME}, {"extras", MAP, .key = ANYTHING}
 static const Rule MANIFEST[] = {
-    {"format", CHOICE, REQUIRED, .choices = "rna"},
-    {"version", VERSION, REQUIRED},
-    {"minReaderVersion", VERSION, REQUIRED},
-    {"generator", TEXT, REQUIRED},
-    {"name", TEXT, REQUIRED, 1},
-    {"kind", CHOICE, REQUIRED, .choices = "surface fiber"},
-    {"bounds", OBJECT, REQUIRED, .of = BOUNDS, .also = bounds_have_an_extent},
-    {"domain", OBJECT, REQUIRED, .of = DOMAIN},
-    {"units", OBJECT, REQUIRED, .of = UNITS},
-    {"geometry", PATH, REQUIRED},
-    {"tiers", LIST, REQUIRED, 1, MAX_TIERS, &A_TIER, .also = tiers_are_unique},
-    {"entries", MAP, REQUIRED, .key = PATH, .of = &A_RECORD},
-    {"provenance", OBJECT, REQUIRED, .of = PROVENANCE},
-    {"license", TEXT, REQUIRED, 1},
-    {"extensionsUsed", LIST, 0, ANY_COUNT, &AN_EXTENSION},
-    {"extensionsRequired", LIST, 0, ANY_COUNT, &AN_EXTENSION},
-    {"extensions", MAP, .key = NAME},
-    {"extras", MAP, .key = ANYTHING},
+    MANIFEST_MEMBERS(A_TIER),
+    {"parts", LIST, REQUIRED, 1, RNA_MAX_PARTS, &A_PART, .also = parts_are_unique},
     {0}};
+/* Of one part in short: the form of 1.0. */
+static const Rule SHORT_MANIFEST[] = {MANIFEST_MEMBERS(A_SHORT_TIER), PART_MEMBERS, {0}};
 
 #endif

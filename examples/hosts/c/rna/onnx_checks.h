@@ -31,7 +31,15 @@ static void set_value(ValueTable *table, Span name, uint64_t bound, int tensor, 
     *find_value(table, name) = (Value){name, true, bound, tensor, node};
 }
 
-static const Span QUERIES = {(const uint8_t *)"queries", 7}, TRANSPORT = {(const uint8_t *)"transport", 9};
+static const Span QUERIES = {(const uint8_t *)"queries", 7};
+
+/* What a decoder must be, by the manifest. */
+typedef struct Interface {
+    int columns;
+    bool is_int8;
+    int outputs;        /* 6 of transport, 3 of emission */
+    const char *output; /* its name */
+} Interface;
 
 static bool check_nodes(const OnnxModel *model, bool is_int8, const char *entry, RnaReport *report) {
     static const char OPERATORS[] =
@@ -76,8 +84,8 @@ static bool check_onnx_tensors(const OnnxModel *model, const char *entry, RnaRep
 }
 
 /* Each value is made once and before its use, and no width can pass the limit. */
-static bool check_widths(const OnnxModel *model, ValueTable *values, const char *entry,
-                         RnaReport *report) {
+static bool check_widths(const OnnxModel *model, ValueTable *values, const char *output,
+                         const char *entry, RnaReport *report) {
     for (size_t i = 0; i < model->nodes.count; i++) {
         const OnnxNode *node = &model->nodes.at[i];
         const Span *names = model->names.at ? model->names.at + node->first_name : NULL;
@@ -101,17 +109,17 @@ static bool check_widths(const OnnxModel *model, ValueTable *values, const char 
         for (size_t k = node->inputs; k < node->inputs + node->outputs; k++)
             if (names[k].size) set_value(values, names[k], bound, -1, (int)i);
     }
-    return find_value(values, TRANSPORT)->known ||
-           refuse(report, "DECODER_GRAPH", entry, "a value transport", "nothing makes it");
+    return find_value(values, text_span(output))->known ||
+           refuse(report, "DECODER_GRAPH", entry, "a value of the output's name", "nothing makes it");
 }
 
-static bool is_interface(const OnnxValue *value, size_t count, Span name, uint64_t width) {
+static bool is_interface(const OnnxValue *value, size_t count, Span name, int width) {
     return count == 1 && same_span(value->name, name) && value->type == ONNX_FLOAT && value->rank == 2 &&
-           value->symbolic[0] && !value->symbolic[1] && value->dims[1] == width;
+           value->symbolic[0] && !value->symbolic[1] && value->dims[1] == (uint64_t)width;
 }
 
 /* Checks the structure (section 6.2).  `values`: written, of the whole graph; the caller frees it. */
-static bool check_onnx(Span data, int columns, bool is_int8, OnnxModel *model, ValueTable *values,
+static bool check_onnx(Span data, const Interface *interface, OnnxModel *model, ValueTable *values,
                        const char *entry, RnaReport *report) {
     if (data.size > MAX_DECODER)
         return refuse(report, "DECODER_TOO_LARGE", entry, "at most 64 MiB", "%zu bytes", data.size);
@@ -124,11 +132,11 @@ static bool check_onnx(Span data, int columns, bool is_int8, OnnxModel *model, V
         return refuse(report, "DECODER_DOMAIN", entry, "the default domain, once", "more");
     if (model->bad_opset || model->ir_version < 7 || model->ir_version > 10)
         return refuse(report, "DECODER_VERSION", entry, "IR 7 to 10 and operator set 13 to 21", "others");
-    if (!is_interface(&model->input, model->inputs, QUERIES, (uint64_t)columns))
+    if (!is_interface(&model->input, model->inputs, QUERIES, interface->columns))
         return refuse(report, "DECODER_INPUT", entry, "queries float32 [N, K], N symbolic", "another");
-    if (!is_interface(&model->output, model->outputs, TRANSPORT, 6))
-        return refuse(report, "DECODER_OUTPUT", entry, "transport float32 [N, 6], N symbolic", "another");
-    if (!check_nodes(model, is_int8, entry, report) || !check_onnx_tensors(model, entry, report))
+    if (!is_interface(&model->output, model->outputs, text_span(interface->output), interface->outputs))
+        return refuse(report, "DECODER_OUTPUT", entry, "the one output, float32, N symbolic", "another");
+    if (!check_nodes(model, interface->is_int8, entry, report) || !check_onnx_tensors(model, entry, report))
         return false;
     size_t room = 64;
     while (room < 2 * (model->tensors.count + model->names.count + 2)) room *= 2;
@@ -136,14 +144,14 @@ static bool check_onnx(Span data, int columns, bool is_int8, OnnxModel *model, V
     if (!values->at)
         return refuse(report, "DECODER_LOAD", entry, "memory for its values", "not enough");
     set_value(values, (Span){0}, 1, -1, -1);
-    set_value(values, QUERIES, (uint64_t)columns, -1, -1);
+    set_value(values, QUERIES, (uint64_t)interface->columns, -1, -1);
     for (size_t i = 0; i < model->initializers; i++) {
         const OnnxTensor *tensor = &model->tensors.at[i];
         if (find_value(values, tensor->name)->known)
             return refuse(report, "DECODER_GRAPH", entry, "each value made once", "a name made twice");
         set_value(values, tensor->name, tensor->widest, (int)i, -1);
     }
-    return check_widths(model, values, entry, report);
+    return check_widths(model, values, interface->output, entry, report);
 }
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "tensors.h"
 
-/* The planes of a tier, in the file (section 5). */
+/* The planes of a tier part, in the file. */
 typedef struct Planes {
     enum { INT8, FLOAT16, FLOAT32 } precision;
     int resolution, channels;
@@ -15,14 +15,10 @@ typedef struct Planes {
 static bool read_planes(Span file, Planes *planes, const char *entry, RnaReport *report) {
     static const TensorCodes CODES = {"PLANES_HEADER", "PLANES_TENSOR", "PLANES_DTYPE",
                                       "PLANES_SHAPE",  "PLANES_HEADER", "PLANES_ALIGNMENT"};
-    static const struct {
-        const char *dtype;
-        unsigned item;
-    } TYPES[] = {[INT8] = {"I8", 1}, [FLOAT16] = {"F16", 2}, [FLOAT32] = {"F32", 4}};
+    static const char *const DTYPES[] = {[INT8] = "I8", [FLOAT16] = "F16", [FLOAT32] = "F32"};
     uint64_t r = (uint64_t)planes->resolution, c = (uint64_t)planes->channels;
-    Tensor tensors[] = {{"scales", "F32", 4, 2, {3, c}, {3, c}, {0}, NULL},
-                        {"planes", TYPES[planes->precision].dtype, TYPES[planes->precision].item, 4,
-                         {3, r, r, c}, {3, r, r, c}, {0}, NULL}};
+    Tensor tensors[] = {{"scales", "F32", 2, {3, c}, {3, c}},
+                        {"planes", DTYPES[planes->precision], 4, {3, r, r, c}, {3, r, r, c}}};
     int skipped = planes->precision != INT8;
     if (!read_tensors(file, tensors + skipped, 2 - skipped, entry, &CODES, report)) return false;
     planes->scales = (const float *)(const void *)tensors[0].data;

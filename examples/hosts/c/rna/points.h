@@ -36,7 +36,7 @@ static void normalize(double v[restrict 3][ROWS], double *restrict total) {
 }
 
 /* `count` points from row `first` on; rows behind them repeat the last. */
-static void load_points(const RnaAsset *asset, const Batch *batch, size_t first, int count, Points *points) {
+static void load_points(const RnaPart *part, const Batch *batch, size_t first, int count, Points *points) {
     double total[ROWS];
     for (int r = 0; r < ROWS; r++) {
         size_t i = first + (size_t)(r < count ? r : count - 1);
@@ -46,7 +46,7 @@ static void load_points(const RnaAsset *asset, const Batch *batch, size_t first,
             points->wo[k][r] = batch->wo[3 * i + k];
             points->wi[k][r] = batch->wi[3 * i + k];
         }
-        points->h[r] = asset->kind == RNA_FIBER ? batch->h[i] : 0;
+        points->h[r] = part->kind == RNA_FIBER ? batch->h[i] : 0;
         total[r] = points->p[0][r] + points->p[1][r] + points->p[2][r] + points->h[r];
         points->h[r] = limited(points->h[r], -1, 1);
     }
@@ -55,7 +55,7 @@ static void load_points(const RnaAsset *asset, const Batch *batch, size_t first,
     normalize(points->wi, total);
     for (int r = 0; r < ROWS; r++) points->valid[r] = total[r] - total[r] == 0;
     for (int k = 0; k < 3; k++) {
-        double low = asset->low[k], scale = 1 / ((double)asset->high[k] - low);
+        double low = part->low[k], scale = 1 / ((double)part->high[k] - low);
         for (int r = 0; r < ROWS; r++) {
             points->p[k][r] = limited((points->p[k][r] - low) * scale, 0, 1);
             points->axis[k][r] = points->valid[r] ? points->axis[k][r] : k == 0;

@@ -17,6 +17,7 @@ typedef enum RuleKind {
     INTEGER, /* the same, of whole value */
     CHOICE,  /* one of the words in `choices` */
     FALSE,
+    BOOLEAN,
     OBJECT, /* with the members in `of` */
     MAP,    /* an object with any members like `of`, whose keys are like `key` */
     LIST,   /* from `low` to `high` items like `of` */
@@ -62,7 +63,7 @@ static size_t push_place(Schema *schema, Span name) {
 }
 
 static size_t push_text(Schema *schema, const char *name) {
-    return push_place(schema, (Span){(const uint8_t *)name, strlen(name)});
+    return push_place(schema, text_span(name));
 }
 
 static size_t push_index(Schema *schema, size_t index) {
@@ -149,15 +150,6 @@ static size_t characters(Span text) {
     return count;
 }
 
-static bool is_choice(Span text, const char *choices) {
-    for (const char *word = choices; *word; word += strspn(word, " ")) {
-        size_t size = strcspn(word, " ");
-        if (size == text.size && memcmp(word, text.at, size) == 0) return true;
-        word += size;
-    }
-    return false;
-}
-
 static bool is_text_like(RuleKind kind, const Rule *rule, Span text) {
     switch (kind) {
     case TEXT: return (double)characters(text) >= rule->low;
@@ -180,6 +172,7 @@ static const char *kind_text(const Rule *rule) {
         [NUMBER] = "a number in its range",
         [INTEGER] = "an integer in its range",
         [FALSE] = "false",
+        [BOOLEAN] = "true or false",
         [OBJECT] = "an object",
         [MAP] = "an object",
         [LIST] = "an array with the right number of items",
@@ -240,6 +233,7 @@ static bool is_of_kind(const Rule *rule, const Json *value) {
     case NUMBER: return value->type == JSON_NUMBER && in_range;
     case INTEGER: return is_integer(value) && in_range;
     case FALSE: return value->type == JSON_FALSE;
+    case BOOLEAN: return value->type == JSON_FALSE || value->type == JSON_TRUE;
     case OBJECT:
     case MAP: return value->type == JSON_OBJECT;
     case LIST: return value->type == JSON_ARRAY && count >= rule->low && count <= rule->high;
@@ -271,5 +265,11 @@ static void check_rule(Schema *schema, const Rule *rule, const Json *value) {
     if (rule->kind == REGION && value->type == JSON_ARRAY) check_items(schema, &CONES, value);
     if (rule->also && schema->issues == before) rule->also(schema, value);
 }
+
+#define MEASURE 0, HUGE_VAL
+#define ANY_NUMBER -HUGE_VAL, HUGE_VAL
+#define ANY_COUNT 0, HUGE_VAL
+
+static const Rule COORDINATE = {"", NUMBER, 0, ANY_NUMBER};
 
 #endif
