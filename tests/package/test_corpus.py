@@ -16,6 +16,7 @@ from tests.package.corpus import (
     container_cases,
     content_cases,
     curve_cases,
+    extension_cases,
     manifest_cases,
     part_cases,
     quantised_cases,
@@ -29,6 +30,7 @@ MODULES = (
     curve_cases,
     part_cases,
     quantised_cases,
+    extension_cases,
 )
 
 OUTSIDE_THE_CORPUS = {"FILE_UNREADABLE", "FILE_TOO_LARGE"}
