@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -230,7 +231,7 @@ def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
     manifest, path = make_lantern_manifest(), tmp_path / "x.rna"
     geometries, textures = [make_mesh(), make_curves()], make_textures()
     good = make_lantern_data(manifest)
-    dark = [make_part_data(make_tier().parts[0]), good["hq"][1]]
+    dark = [replace(good["hq"][0], emission_decoder=None), good["hq"][1]]
     for code, arguments in (
         ("PARTS_DIFFER at /parts", (geometries[:1], good, textures)),
         ("PARTS_DIFFER at /tiers/1", (geometries, {**good, "hq": good["hq"][:1]}, textures)),
