@@ -1,6 +1,7 @@
-"""The RNA format as code: read a package, and evaluate its transport, in numpy alone.
+"""The RNA format as code: read a package, and evaluate transport and emission, in numpy alone.
 
-    python examples/hosts/minimal.py evaluate PACKAGE TIER QUERIES RESULTS
+    python examples/hosts/minimal.py evaluate PACKAGE TIER PART QUERIES RESULTS
+    python examples/hosts/minimal.py emission PACKAGE TIER PART QUERIES RESULTS
 
 Numbers in comments are the sections of spec/RNA.md. This reader trusts its file: a host that
 takes packages from anywhere makes the checks of section 10 first.
@@ -13,28 +14,53 @@ import zipfile
 import numpy as np
 
 
-@np.errstate(all="ignore")  # blocks that the tier does not take may be NaN
-def evaluate(path, tier_name, x, axis, h, wo, wi):
-    """(n, 6) colours: what leaves x towards wo under irradiance 1 from wi, visible and shadowed.
+class Package:
+    """An `.rna` file."""
 
-    axis: the normal of a surface, or the tangent of a fiber, with h the offset across it.
-    """
-    with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
-        manifest = json.loads(archive.read("manifest.json"))  # 3
-        tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
-        planes = read_planes(archive.read(tier["planes"]))
-        nodes, constants = read_decoder(archive.read(tier["decoder"]))
-    low, high = (np.float32(manifest["bounds"][corner]) for corner in ("min", "max"))
-    # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
-    rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
-    rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
-    p = np.clip((x[rows] - low) / (high - low), 0, 1)
-    directions = (unit(v[rows]) for v in (axis, wo, wi))
-    blocks = input_blocks(planes, p, np.clip(h[rows], -1, 1), *directions)
-    queries = np.hstack([blocks[name] for name in tier["inputs"]])
-    result = np.zeros((len(x), 6))
-    result[rows] = run(nodes, {**constants, "queries": queries})
-    return result
+    def __init__(self, path):
+        self.archive = zipfile.ZipFile(path)  # 2: a ZIP of stored entries
+        self.manifest = json.loads(self.archive.read("manifest.json"))  # 3
+
+    def parts(self, tier_name):
+        """(part, tier part) pairs of a tier. 3: of one part in short, both stand for theirs."""
+        tier = next(tier for tier in self.manifest["tiers"] if tier["name"] == tier_name)
+        if "parts" not in self.manifest:
+            return [(self.manifest, tier)]
+        return list(zip(self.manifest["parts"], tier["parts"], strict=True))
+
+    def evaluate(self, tier_name, part, x, axis, h, wo, wi):
+        """(n, 6) colours: what leaves x towards wo under irradiance 1 from wi (7.1).
+
+        The first three hold where the asset itself leaves the way from x along wi free, the others
+        where it blocks it. axis: the normal of a surface, or the tangent of a fiber, with h the
+        offset across it.
+        """
+        part, of = self.parts(tier_name)[part]
+        return self.decode(part, of["planes"], of, "transport", x, axis, h, wo, wi)
+
+    def emission(self, tier_name, part, x, axis, h, wo):
+        """(n, 3) colours: what leaves x towards wo where nothing lights the asset (7.2)."""
+        part, of = self.parts(tier_name)[part]
+        if "emission" not in of:
+            return np.zeros((len(x), 3))
+        return self.decode(part, of["planes"], of["emission"], "emission", x, axis, h, wo, wo)
+
+    @np.errstate(all="ignore")  # blocks that the decoder does not take may be NaN
+    def decode(self, part, planes, decoder, output, x, axis, h, wo, wi):
+        """The output of a decoder, with `inputs` and file of its record."""
+        planes = read_planes(self.archive.read(planes))
+        nodes, constants = read_decoder(self.archive.read(decoder["decoder"]))
+        low, high = (np.float32(part["bounds"][corner]).astype(float) for corner in ("min", "max"))
+        # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
+        rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
+        rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
+        p = np.clip((x[rows] - low) / (high - low), 0, 1)
+        directions = (unit(v[rows]) for v in (axis, wo, wi))
+        blocks = input_blocks(planes, p, np.clip(h[rows], -1, 1), *directions)
+        queries = np.hstack([blocks[name] for name in decoder["inputs"]])
+        result = np.zeros((len(x), {"transport": 6, "emission": 3}[output]))
+        result[rows] = run(nodes, {**constants, "queries": queries})[output]
+        return result
 
 
 def read_planes(data):
@@ -168,19 +194,27 @@ OPERATORS = {  # 6.4: the operators of the decoder profile
 
 
 def run(nodes, values):
-    """The graph's result for `values`, name -> array; float64 holds sums of integers exactly."""
+    """`values`, name -> array, with those of the graph; float64 holds sums of integers exactly."""
     for operator, inputs, output in nodes:
         values[output] = OPERATORS[operator](*(values[name] for name in inputs))
-    return values["transport"]
+    return values
 
 
-if __name__ == "__main__":  # the protocol of spec/conformance/README.md
-    if sys.argv[1:] == ["levels"]:
+def main(call, *arguments):
+    """The protocol of spec/conformance/README.md."""
+    if call == "levels":
         print("evaluate")
-    elif sys.argv[1:2] == ["evaluate"] and len(sys.argv) == 6:
-        package, tier, queries, results = sys.argv[2:]
-        rows = np.fromfile(queries, "<f4").reshape(-1, 13).astype(float)
-        x, axis, h, wo, wi = np.split(rows, (3, 6, 7, 10), axis=1)
-        evaluate(package, tier, x, axis, h[:, 0], wo, wi).astype("<f4").tofile(results)
+        return
+    package, tier, part, queries, results = arguments
+    cuts = (3, 6, 7, 10) if call == "evaluate" else (3, 6, 7)
+    rows = np.fromfile(queries, "<f4").reshape(-1, cuts[-1] + 3).astype(float)
+    x, axis, h, *directions = np.split(rows, cuts, axis=1)
+    colours = getattr(Package(package), call)(tier, int(part), x, axis, h[:, 0], *directions)
+    colours.astype("<f4").tofile(results)
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] in (["levels"], ["evaluate"], ["emission"]):
+        main(*sys.argv[1:])
     else:
         sys.exit(__doc__)
