@@ -23,6 +23,7 @@ import numpy as np
 from report import publish
 
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import light_direction
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
@@ -34,7 +35,7 @@ from rna_sdk.runtime import in_region
 def main() -> None:
     args = arguments()
     captures = {"limited": args.limited, "everywhere": args.everywhere}
-    datasets = {name: Dataset(Path(paths[0])) for name, paths in captures.items()}
+    datasets = {name: Dataset(Path(paths[0])).only for name, paths in captures.items()}
     trained = {name: load_checkpoint(Path(paths[1])) for name, paths in captures.items()}
     domain = datasets["limited"].manifest.domain
     report: dict[str, Any] = {
@@ -71,7 +72,7 @@ def share(region: Region) -> float:
     return float(in_region(region, spread).mean())
 
 
-def errors(trained: dict[str, Any], dataset: Dataset) -> dict[str, dict[str, float]]:
+def errors(trained: dict[str, Any], dataset: DatasetPart) -> dict[str, dict[str, float]]:
     """Scores of each model on the dataset's validation images."""
     views = dataset.validation_views()
     return {

@@ -1,4 +1,4 @@
-"""The RNA format as code: read a package, and evaluate transport and emission, in numpy alone.
+"""The RNA format as code: read a package, evaluate its transport and emission, in numpy alone.
 
     python examples/hosts/minimal.py evaluate PACKAGE TIER PART QUERIES RESULTS
     python examples/hosts/minimal.py emission PACKAGE TIER PART QUERIES RESULTS
@@ -14,53 +14,44 @@ import zipfile
 import numpy as np
 
 
-class Package:
-    """An `.rna` file."""
+def evaluate(path, tier_name, part, x, axis, h, wo, wi):
+    """(n, 6) colours: what leaves x towards wo under irradiance 1 from wi, visible and shadowed.
 
-    def __init__(self, path):
-        self.archive = zipfile.ZipFile(path)  # 2: a ZIP of stored entries
-        self.manifest = json.loads(self.archive.read("manifest.json"))  # 3
+    axis: the normal of a surface, or the tangent of a fiber, with h the offset across it.
+    """
+    return answer("transport", path, tier_name, part, x, axis, h, wo, wi)
 
-    def parts(self, tier_name):
-        """(part, tier part) pairs of a tier. 3: of one part in short, both stand for theirs."""
-        tier = next(tier for tier in self.manifest["tiers"] if tier["name"] == tier_name)
-        if "parts" not in self.manifest:
-            return [(self.manifest, tier)]
-        return list(zip(self.manifest["parts"], tier["parts"], strict=True))
 
-    def evaluate(self, tier_name, part, x, axis, h, wo, wi):
-        """(n, 6) colours: what leaves x towards wo under irradiance 1 from wi (7.1).
+def emission(path, tier_name, part, x, axis, h, wo):
+    """(n, 3) colours: what leaves x towards wo where nothing lights the asset (7.2)."""
+    return answer("emission", path, tier_name, part, x, axis, h, wo, wo)  # no block reads wi
 
-        The first three hold where the asset itself leaves the way from x along wi free, the others
-        where it blocks it. axis: the normal of a surface, or the tangent of a fiber, with h the
-        offset across it.
-        """
-        part, of = self.parts(tier_name)[part]
-        return self.decode(part, of["planes"], of, "transport", x, axis, h, wo, wi)
 
-    def emission(self, tier_name, part, x, axis, h, wo):
-        """(n, 3) colours: what leaves x towards wo where nothing lights the asset (7.2)."""
-        part, of = self.parts(tier_name)[part]
-        if "emission" not in of:
+@np.errstate(all="ignore")  # blocks that the decoder does not take may be NaN
+def answer(output, path, tier_name, number, x, axis, h, wo, wi):
+    """What the decoder of `output` of part `number` gives."""
+    with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
+        manifest = json.loads(archive.read("manifest.json"))  # 3
+        tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
+        # One part may be in short: then its members stand in the manifest and in the tier.
+        part = manifest["parts"][number] if "parts" in manifest else manifest
+        own = tier["parts"][number] if "parts" in manifest else tier
+        asked = own.get("emission") if output == "emission" else own
+        if asked is None:
             return np.zeros((len(x), 3))
-        return self.decode(part, of["planes"], of["emission"], "emission", x, axis, h, wo, wo)
-
-    @np.errstate(all="ignore")  # blocks that the decoder does not take may be NaN
-    def decode(self, part, planes, decoder, output, x, axis, h, wo, wi):
-        """The output of a decoder, with `inputs` and file of its record."""
-        planes = read_planes(self.archive.read(planes))
-        nodes, constants = read_decoder(self.archive.read(decoder["decoder"]))
-        low, high = (np.float32(part["bounds"][corner]).astype(float) for corner in ("min", "max"))
-        # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
-        rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
-        rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
-        p = np.clip((x[rows] - low) / (high - low), 0, 1)
-        directions = (unit(v[rows]) for v in (axis, wo, wi))
-        blocks = input_blocks(planes, p, np.clip(h[rows], -1, 1), *directions)
-        queries = np.hstack([blocks[name] for name in decoder["inputs"]])
-        result = np.zeros((len(x), {"transport": 6, "emission": 3}[output]))
-        result[rows] = run(nodes, {**constants, "queries": queries})[output]
-        return result
+        planes = read_planes(archive.read(own["planes"]))
+        nodes, constants = read_decoder(archive.read(asked["decoder"]))
+    low, high = (np.float32(part["bounds"][corner]).astype(float) for corner in ("min", "max"))
+    # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
+    rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
+    rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
+    p = np.clip((x[rows] - low) / (high - low), 0, 1)
+    directions = (unit(v[rows]) for v in (axis, wo, wi))
+    blocks = input_blocks(planes, p, np.clip(h[rows], -1, 1), *directions)
+    queries = np.hstack([blocks[name] for name in asked["inputs"]])
+    result = np.zeros((len(x), {"transport": 6, "emission": 3}[output]))
+    result[rows] = run(nodes, {**constants, "queries": queries})[output]
+    return result
 
 
 def read_planes(data):
@@ -194,27 +185,21 @@ OPERATORS = {  # 6.4: the operators of the decoder profile
 
 
 def run(nodes, values):
-    """`values`, name -> array, with those of the graph; float64 holds sums of integers exactly."""
+    """The graph's values, name -> array, from `values`; float64 holds sums of integers exactly."""
     for operator, inputs, output in nodes:
         values[output] = OPERATORS[operator](*(values[name] for name in inputs))
     return values
 
 
-def main(call, *arguments):
-    """The protocol of spec/conformance/README.md."""
-    if call == "levels":
+if __name__ == "__main__":  # the protocol of spec/conformance/README.md
+    if sys.argv[1:] == ["levels"]:
         print("evaluate")
-        return
-    package, tier, part, queries, results = arguments
-    cuts = (3, 6, 7, 10) if call == "evaluate" else (3, 6, 7)
-    rows = np.fromfile(queries, "<f4").reshape(-1, cuts[-1] + 3).astype(float)
-    x, axis, h, *directions = np.split(rows, cuts, axis=1)
-    colours = getattr(Package(package), call)(tier, int(part), x, axis, h[:, 0], *directions)
-    colours.astype("<f4").tofile(results)
-
-
-if __name__ == "__main__":
-    if sys.argv[1:2] in (["levels"], ["evaluate"], ["emission"]):
-        main(*sys.argv[1:])
+    elif sys.argv[1:2] in (["evaluate"], ["emission"]) and len(sys.argv) == 7:
+        command, package, tier, part, queries, results = sys.argv[1:]
+        ask, columns = (evaluate, 13) if command == "evaluate" else (emission, 10)
+        rows = np.fromfile(queries, "<f4").reshape(-1, columns).astype(float)
+        x, axis, h, *directions = np.split(rows, (3, 6, 7, 10)[: columns // 3], axis=1)
+        found = ask(package, tier, int(part), x, axis, h[:, 0], *directions)
+        found.astype("<f4").tofile(results)
     else:
         sys.exit(__doc__)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 
@@ -33,6 +33,11 @@ class ClosestHits:
     v: np.ndarray
     ng: np.ndarray
     weight: np.ndarray | None = None
+
+    def take(self, row: np.ndarray) -> ClosestHits:
+        """The given rows."""
+        values = (getattr(self, field.name) for field in fields(self))
+        return ClosestHits(*(None if a is None else a.take(row, axis=0) for a in values))
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.export.cli import main
 from rna_export.metrics import flip, psnr
 from rna_export.training import run as run_module
@@ -23,7 +23,7 @@ from tests.exporters.synthetic import make_dataset, tiny
 
 @dataclass(frozen=True)
 class Exported:
-    dataset: Dataset
+    dataset: DatasetPart
     checkpoints: dict[str, Path]
     package: Path
     said: str
@@ -48,7 +48,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Exported:
     return Exported(dataset, checkpoints, package, "\n".join(said))
 
 
-def evaluate(package: Path, tier: str, dataset: Dataset) -> list[np.ndarray]:
+def evaluate(package: Path, tier: str, dataset: DatasetPart) -> list[np.ndarray]:
     """Radiance of the validation views, as a host would ask for it."""
     asset, radiance = load(package, tier=tier), []
     for view in dataset.validation_views():

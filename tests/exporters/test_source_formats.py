@@ -12,6 +12,7 @@ import trimesh
 from rna_export.blender.groom_options import GROOMS
 from rna_export.capture.axes import from_blender, to_blender
 from rna_export.capture.cli import SUFFIXES
+from rna_export.capture.orientation import rotation
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
@@ -53,6 +54,38 @@ def test_format(suffix: str, sources: dict[str, Path], open_worker: OpenWorker) 
     positions = open_worker(sources[suffix]).export_corners()["positions"]
     found = np.unique(np.round(positions, 5) + 0.0, axis=0)
     assert np.allclose(found, np.unique(VERTICES, axis=0), atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "axes"),
+    [
+        (".obj", {"up": "Z"}),
+        (".obj", {"front": "-Z"}),
+        (".glb", {"front": "X", "up": "-Y"}),
+        (".ply", {"up": "Y"}),
+        (".blend", {"front": "Y"}),
+        (".usda", {"front": "Y"}),
+        (".abc", {"front": "-X"}),
+    ],
+)
+def test_front_and_up_are_axes_of_the_file(
+    suffix: str, axes: dict[str, str], sources: dict[str, Path], open_worker: OpenWorker
+) -> None:
+    """Whatever the file calls front and up is +Z and +Y afterwards."""
+    up_is_z = suffix in (".ply", ".blend", ".usda")  # Blender writes USD with its own axes
+    up = axes.get("up", "Z" if up_is_z else "Y")
+    front = axes.get("front", "-Y" if up == "Z" else "Z")
+    in_file = to_blender(VERTICES) if up_is_z else VERTICES
+    positions = open_worker(sources[suffix], **axes).export_corners()["positions"]
+    found = np.unique(np.round(positions, 5) + 0.0, axis=0)
+    assert np.allclose(found, np.unique(in_file @ rotation(front, up), axis=0), atol=1e-5)
+
+
+def test_front_and_up_along_one_axis_are_refused(
+    sources: dict[str, Path], open_worker: OpenWorker
+) -> None:
+    with pytest.raises(CaptureError, match="front Y and up Y are along one axis: give --front"):
+        open_worker(sources[".glb"], front="Y")
 
 
 def test_a_script_gets_its_arguments(open_worker: OpenWorker) -> None:

@@ -126,7 +126,7 @@ def test_a_decoder_that_needs_an_engine_is_named(programs: dict[str, Path], tmp_
     assert (validated.returncode, validated.stdout.split()) == (0, ["DECODER_PROFILE"])
     queries = tmp_path / "queries"
     np.zeros((3, 13), np.float32).tofile(queries)
-    evaluated = run(programs["conform"], "evaluate", package, "small", queries, tmp_path / "out")
+    evaluated = run(programs["conform"], "evaluate", package, "small", 0, queries, tmp_path / "out")
     assert evaluated.returncode == 2 and "needs an ONNX engine" in evaluated.stderr
     assert not (tmp_path / "out").exists()
 

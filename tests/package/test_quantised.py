@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,13 +10,20 @@ import numpy as np
 import pytest
 import trimesh
 
-from rna_sdk.package import Curves, Mesh, quantise
+from rna_sdk.package import Curves, Mesh, Package, quantise, write_package
 from rna_sdk.package.curves_file import curves_from_bytes, curves_to_bytes
 from rna_sdk.package.geometry import Geometry, geometry_from_bytes, geometry_to_bytes
 from rna_sdk.package.glb_reader import mesh_from_glb
 from rna_sdk.package.glb_writer import mesh_to_glb
 from rna_sdk.package.quantised_curves import QuantisedCurves
-from tests.package.builders import make_curves, make_mesh
+from tests.package.builders import (
+    make_curves,
+    make_manifest,
+    make_mesh,
+    make_tier,
+    make_tier_data,
+    read_entries,
+)
 
 
 def make_ball(subdivisions: int = 4) -> Mesh:
@@ -68,11 +76,11 @@ def assert_same(a: Geometry, b: Geometry) -> None:
 def test_file_gives_back_the_very_arrays(geometry: Geometry) -> None:
     kind = "surface" if isinstance(geometry, Mesh) else "fiber"
     quantised = quantise(geometry)
-    data = geometry_to_bytes(quantised, kind)
+    data = geometry_to_bytes(quantised, kind, "/geometry")
     again = geometry_from_bytes(memoryview(data), "entry", kind)
     assert_same(quantised, again)
     assert again.quantised is not None
-    assert geometry_to_bytes(again, kind) == data
+    assert geometry_to_bytes(again, kind, "/geometry") == data
     assert quantise(again) is again
 
 
@@ -158,6 +166,17 @@ def test_many_vertices_have_long_indices() -> None:
     assert len(ball.positions) > 65535
     quantised = quantise(ball)
     assert_same(quantised, mesh_from_glb(memoryview(mesh_to_glb(quantised)), "entry"))
+
+
+def test_package_needs_a_newer_reader(tmp_path: Path) -> None:
+    tier = make_tier()
+    data = {"small": [make_tier_data(tier)]}
+    mesh = quantise(make_mesh())
+    written = write_package(tmp_path / "x.rna", make_manifest(tier), [mesh], data)
+    assert (written.version, written.min_reader_version) == ("1.1", "1.1")
+    with Package.open(tmp_path / "x.rna") as package:
+        assert_same(package.mesh(), mesh)
+    assert "parts" in json.loads(read_entries(tmp_path / "x.rna")["manifest.json"])
 
 
 def test_other_software_opens_a_quantised_mesh(tmp_path: Path) -> None:

@@ -3,7 +3,8 @@
 import argparse
 
 GROOMS = (".hair", ".tfx")
-ALEMBIC_AND_USD = (".abc", ".usd", ".usda", ".usdc", ".usdz")
+USD = (".usd", ".usda", ".usdc", ".usdz")
+ALEMBIC_AND_USD = (".abc", *USD)
 TAPER = 0.3  # tip over root, where the file has no thickness
 
 

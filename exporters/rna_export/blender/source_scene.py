@@ -10,16 +10,27 @@ import bpy
 import groom_source
 import hair_scene
 import material_check
+import orientation
 import scene_import
-from groom_options import ALEMBIC_AND_USD, GROOMS
+import usd_curves
+from groom_options import ALEMBIC_AND_USD, GROOMS, USD
+
+_UP_IS_Z = (".blend", ".ply", ".hair", ".py")  # or no up that they say; Blender's then
 
 
-def load(source, arguments):
+def load(source, arguments, front, up):
     """Replace the current scene by `source`.
 
     `arguments` become a script's `sys.argv[1:]`, or set what a groom does not say of its hair.
+    `front`, `up`: axes of the file, such as "-Y"; None for the usual ones of its kind.
     """
     suffix = Path(source).suffix.lower()
+    _open(source, suffix, arguments)
+    up_is_z = usd_curves.up_is_z(source) if suffix in USD else suffix in _UP_IS_Z
+    orientation.turn(front, up, up_is_z)
+
+
+def _open(source, suffix, arguments):
     if suffix == ".blend":
         bpy.ops.wm.open_mainfile(filepath=source)
         _check_libraries()

@@ -36,6 +36,13 @@ def prepared(path, folder, frame):
     return folder / "curves.usda"
 
 
+def up_is_z(source):
+    """Whether a USD file's up is its z axis."""
+    from pxr import Usd, UsdGeom
+
+    return UsdGeom.GetStageUpAxis(Usd.Stage.Open(source)) == "Z"
+
+
 def _make_uninstanced(stage, usd, geom):
     """What is below an instance cannot be changed."""
     for prim in list(stage.TraverseAll()):

@@ -18,7 +18,7 @@ from rna_bench.stability.chosen import Samples, rows_of
 from rna_bench.stability.errors import joined_views
 from rna_bench.stability.workshop import Workshop
 from rna_bench.stage import Stage
-from rna_export.capture.dataset import queries_of
+from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, load
