@@ -29,8 +29,13 @@ WALL = {"visible": (0.5, 0.4, 0.2), "shadowed": (0.1, 0.2, 0.3), "emission": (0.
 
 
 @pytest.fixture(scope="module")
-def render(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return build(tmp_path_factory.mktemp("c-host"), "render", arch="")[0]
+def programs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    return build(tmp_path_factory.mktemp("c-host"), "render", "conform", arch="")
+
+
+@pytest.fixture
+def render(programs: list[Path]) -> Path:
+    return programs[0]
 
 
 def picture(render: Path, package: Path, out: Path, *options: object) -> np.ndarray:
@@ -99,6 +104,18 @@ def test_light_through_a_pane(irradiance: float, glow: float, render: Path, tmp_
     linear += TAU * (irradiance * on_wall + glow * wall["emission"])
     srgb = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
     assert np.abs(pixels[8:19, 16:32] - 255 * srgb).max() <= 0.6
+
+
+def test_an_edge_of_two_triangles_tints_once(programs: list[Path], tmp_path: Path) -> None:
+    """The middle of the wall sees the sun through the diagonal of the pane."""
+    package = write_pane_before_wall(tmp_path / "pane.rna")
+    hit = np.zeros(8, "<f4")
+    hit[2], hit[5] = 0.5, 1  # b_2: between the first corner and the third; wi is +z
+    hit.view("<u4")[7] = 1  # the part
+    hit.tofile(tmp_path / "hits")
+    result = run(programs[1], "visibility", package, tmp_path / "hits", tmp_path / "seen")
+    assert result.returncode == 0, result.stderr
+    np.testing.assert_allclose(np.fromfile(tmp_path / "seen", "<f4"), TAU, atol=1e-6)
 
 
 def test_errors_are_named(render: Path, tmp_path: Path) -> None:
