@@ -1,0 +1,24 @@
+"""Every case of the corpus: the modules that register them, and their list."""
+
+from __future__ import annotations
+
+from tests.package.corpus import (
+    container_cases,
+    content_cases,
+    curve_cases,
+    manifest_cases,
+    part_cases,
+    quantised_cases,
+)
+from tests.package.corpus.registry import CASES
+
+MODULES = (
+    container_cases,
+    manifest_cases,
+    content_cases,
+    curve_cases,
+    part_cases,
+    quantised_cases,
+)
+
+__all__ = ["CASES", "MODULES"]
