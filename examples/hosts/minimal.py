@@ -1,6 +1,7 @@
 """The RNA format as code: read a package, evaluate its transport and emission, in numpy alone.
 
     python examples/hosts/minimal.py evaluate PACKAGE TIER PART QUERIES RESULTS
+    python examples/hosts/minimal.py emission PACKAGE TIER PART QUERIES RESULTS
 
 Numbers in comments are the sections of spec/RNA.md. This reader trusts its file: a host that
 takes packages from anywhere makes the checks of section 10 first.
@@ -22,22 +23,25 @@ def evaluate(path, tier_name, part, x, axis, h, wo, wi):
 
 
 def emission(path, tier_name, part, x, axis, h, wo):
-    """(n, 3) colours: what leaves x towards wo with no light on the asset."""
+    """(n, 3) colours: what leaves x towards wo where nothing lights the asset (7.2)."""
     return answer("emission", path, tier_name, part, x, axis, h, wo, wo)  # no block reads wi
 
 
 @np.errstate(all="ignore")  # blocks that the decoder does not take may be NaN
 def answer(output, path, tier_name, number, x, axis, h, wo, wi):
+    """What the decoder of `output` of part `number` gives."""
     with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
         manifest = json.loads(archive.read("manifest.json"))  # 3
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
         # One part may be in short: then its members stand in the manifest and in the tier.
         part = manifest["parts"][number] if "parts" in manifest else manifest
         own = tier["parts"][number] if "parts" in manifest else tier
-        asked = own["emission"] if output == "emission" else own
+        asked = own.get("emission") if output == "emission" else own
+        if asked is None:
+            return np.zeros((len(x), 3))
         planes = read_planes(archive.read(own["planes"]))
         nodes, constants = read_decoder(archive.read(asked["decoder"]))
-    low, high = (np.float32(part["bounds"][corner]) for corner in ("min", "max"))
+    low, high = (np.float32(part["bounds"][corner]).astype(float) for corner in ("min", "max"))
     # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
     rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
     rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
