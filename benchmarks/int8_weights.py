@@ -22,9 +22,9 @@ from report import publish
 from rna_bench.int8_engine import sums_in_16_bits
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.validation_view import ValidationView
-from rna_export.export.tiers import calibration_queries
 from rna_export.export.decoder import export_decoder
 from rna_export.export.int8_decoder import WeightScale, int8_decoder, pair_scale
+from rna_export.export.tiers import calibration_queries
 from rna_export.machine import seconds_of
 from rna_export.metrics import PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import load_checkpoint

@@ -59,11 +59,6 @@ class Asset:
         """What is evaluated, in the manifest's order; an asset of one part is that part."""
         raise NotImplementedError
 
-    @property
-    def parts(self) -> tuple[Asset, ...]:
-        """Its parts: itself alone."""
-        return (self,)
-
     def measured_ns_per_query(self) -> float:
         """Nanoseconds that a query takes on this processor, with `threads` threads.
 
