@@ -7,6 +7,7 @@
 from rna_sdk.errors import PackageError
 from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
 from rna_sdk.package.curves import Curves
+from rna_sdk.package.geometry import quantise
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest import Manifest, Part, Provenance, TransmittanceRecord
 from rna_sdk.package.manifest_fields import Bounds, Cone, Domain
@@ -54,6 +55,7 @@ __all__ = [
     "Transmittance",
     "TransmittanceRecord",
     "Validation",
+    "quantise",
     "query_width",
     "tier_ranges",
     "validate",

@@ -91,6 +91,7 @@ class Code(Enum):
     GEOMETRY_BOUNDS = (Severity.ERROR, "The accessor's min and max are not those of POSITION.")
     GEOMETRY_STRANDS = (Severity.ERROR, "The offsets do not part the points into whole strands.")
     GEOMETRY_SEGMENT = (Severity.ERROR, "Two points in a row of a strand are equal.")
+    GEOMETRY_STEPS = (Severity.ERROR, "Quantised steps have no length, or a strand too many.")
     GEOMETRY_RADIUS = (Severity.ERROR, "A radius is not greater than 0.")
     GEOMETRY_OUTSIDE = (Severity.WARNING, "Part of the geometry lies outside the bounds.")
 

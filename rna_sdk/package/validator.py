@@ -12,11 +12,11 @@ from rna_sdk.errors import PackageError
 from rna_sdk.package.container import MANIFEST_NAME, Container
 from rna_sdk.package.decoder import check_decoder
 from rna_sdk.package.decoder_form import emission_form, transport_form
-from rna_sdk.package.geometry import Geometry, geometry_from_bytes
+from rna_sdk.package.geometry import QUANTISED_VERSION, Geometry, geometry_from_bytes
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest import Manifest, TransmittanceRecord
 from rna_sdk.package.manifest_checks import manifest_warnings
-from rna_sdk.package.manifest_fields import Bounds
+from rna_sdk.package.manifest_fields import Bounds, version_number
 from rna_sdk.package.manifest_reader import parse_manifest
 from rna_sdk.package.manifest_short import Places
 from rna_sdk.package.manifest_tiers import TierPart
@@ -114,6 +114,7 @@ def _check_contents(
             with result.collect():
                 view = container.view(part.geometry)
                 geometry = geometry_from_bytes(view, part.geometry, part.kind)
+                result.issues += _too_new(geometry, manifest, places.part(k, "geometry"))
                 result.issues += _outside(geometry, part.bounds, places.part(k, "bounds"))
                 if isinstance(geometry, Mesh):
                     textures = _Textures(result, container, intact)
@@ -159,6 +160,15 @@ class _Textures:
                 return texture_from_bytes(self._container.view(record.texture), record)
             self._refused.add(key)
         return None
+
+
+def _too_new(geometry: Geometry, manifest: Manifest, where: str) -> list[Issue]:
+    """Whether a reader that the manifest lets in might not know the geometry's form."""
+    oldest = manifest.min_reader_version
+    if geometry.quantised is None or version_number(oldest) >= version_number(QUANTISED_VERSION):
+        return []
+    expected = f"minReaderVersion {QUANTISED_VERSION} at least"
+    return [Issue.of(Code.VERSION_TOO_OLD, where, f"{oldest}, with quantised geometry", expected)]
 
 
 def _outside(geometry: Geometry, bounds: Bounds, where: str) -> list[Issue]:

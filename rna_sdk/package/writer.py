@@ -13,7 +13,7 @@ from rna_sdk.errors import PackageError
 from rna_sdk.package.container import MANIFEST_NAME
 from rna_sdk.package.container_writer import write_container
 from rna_sdk.package.entry_order import ordered
-from rna_sdk.package.geometry import Geometry, geometry_to_bytes
+from rna_sdk.package.geometry import QUANTISED_VERSION, Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.manifest import EntryRecord, Manifest
 from rna_sdk.package.manifest_short import Places
@@ -67,16 +67,24 @@ def write_package(
         PackageError: what was given does not make a valid package.
         OSError: the file cannot be written.
     """
-    manifest = with_versions(manifest)
+    quantised = any(geometry.quantised is not None for geometry in geometries)
+    manifest = with_versions(manifest, QUANTISED_VERSION if quantised else "1.0")
     contents = _Contents(manifest)
     contents.add_parts(geometries, textures or {})
     contents.add_tiers(data)
+    return write_entries(path, manifest, contents.entries)
+
+
+def write_entries(
+    path: str | PathLike[str], manifest: Manifest, contents: Mapping[str, bytes]
+) -> Manifest:
+    """The like of `write_package` for entries that are there as bytes, name -> data."""
     records = {
         name: EntryRecord(size=len(value), sha256=hashlib.sha256(value).hexdigest())
-        for name, value in contents.entries.items()
+        for name, value in contents.items()
     }
     complete = manifest.model_copy(update={"entries": records})
-    entries = [(name, contents.entries[name]) for name in ordered(manifest, records)]
+    entries = [(name, contents[name]) for name in ordered(manifest, records)]
     return _write(Path(path), [(MANIFEST_NAME, manifest_to_json(complete)), *entries])
 
 

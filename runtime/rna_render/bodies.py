@@ -7,12 +7,17 @@ the renderer does not ask which kind it has.
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Sequence
-from typing import Literal, Protocol
 
 import numpy as np
 
 from rna_render import surface
+from rna_render.asset_parts import (
+    Asset,
+    FiberPart,
+    SurfacePart,
+    part_geometry,
+    part_transmittance,
+)
 from rna_render.embree import TriangleScene
 from rna_render.fiber import FiberPoints
 from rna_render.lights.base import PlacedLight
@@ -22,52 +27,7 @@ from rna_render.parts_scene import PartPoints, PartsScene
 from rna_render.points import Body, Points, Role
 from rna_render.surface import SurfacePoints
 from rna_render.tracing import ClosestHits
-from rna_sdk.package import Curves, Mesh
 from rna_sdk.runtime import offset_across
-
-
-class SurfacePart(Protocol):
-    """What the renderer needs of a surface; rna_sdk.runtime.SurfaceAsset has it."""
-
-    @property
-    def kind(self) -> Literal["surface"]: ...
-
-    @property
-    def mesh(self) -> Mesh: ...
-
-    def evaluate(
-        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]: ...
-
-
-class FiberPart(Protocol):
-    """What the renderer needs of fibers; rna_sdk.runtime.FiberAsset has it."""
-
-    @property
-    def kind(self) -> Literal["fiber"]: ...
-
-    @property
-    def curves(self) -> Curves: ...
-
-    def evaluate(
-        self,
-        positions: np.ndarray,
-        tangents: np.ndarray,
-        h: np.ndarray,
-        wo: np.ndarray,
-        wi: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]: ...
-
-
-AssetPart = SurfacePart | FiberPart
-
-
-class Asset(Protocol):
-    """What the renderer needs of an asset; all of rna_sdk.runtime have it."""
-
-    @property
-    def parts(self) -> Sequence[AssetPart]: ...
-
 
 # The lobes that rays leave assets in, by kind; see benchmarks/importance.py.
 SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45, mirror_kappa=20.0)
@@ -87,7 +47,8 @@ class AssetBody:
     def __init__(self, asset: Asset) -> None:
         self._parts = asset.parts
         self.part_count = len(self._parts)
-        self.scene = PartsScene([_geometry(part) for part in self._parts])
+        tables = [part_transmittance(part) for part in self._parts]
+        self.scene = PartsScene([part_geometry(part) for part in self._parts], tables)
 
     def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
@@ -96,10 +57,6 @@ class AssetBody:
         if isinstance(points, FiberPoints):
             return _StrandPoints(asset, self.scene, part, points, wo)
         return _MeshPoints(asset, self.scene, part, points, wo)
-
-
-def _geometry(part: AssetPart) -> Mesh | Curves:
-    return part.curves if part.kind == "fiber" else part.mesh
 
 
 class _NeuralPoints(Points):
@@ -115,8 +72,11 @@ class _NeuralPoints(Points):
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        seen = self._scene.visible(self._part, self._at.take(row), wi, distance)
-        return np.where(seen[:, None], *self._evaluate(row, wi)), seen
+        v = self._scene.visible(self._part, self._at.take(row), wi, distance)
+        visible, shadowed = self._evaluate(row, wi)
+        if v.ndim == 1:
+            return np.where(v[:, None], visible, shadowed), v
+        return v * visible + (np.float32(1.0) - v) * shadowed, v.mean(axis=1)
 
     def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
         return self._lobes.sample(

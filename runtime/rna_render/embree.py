@@ -9,6 +9,7 @@ import numpy as np
 
 from rna_render import embree_library as api
 from rna_render.tracing import GeometryScene, closest_hits
+from rna_render.transmittance import Transmittance
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 
@@ -34,16 +35,26 @@ class TriangleScene(GeometryScene):
     """Meshes in one space, behind Embree's robust (watertight) triangle intersection.
 
     meshes: for each mesh, positions (v, 3) float32 and triangles (t, 3) uint32. Embree keeps a
-    copy of both. A scene with no triangles is legal; nothing hits it.
+    copy of both. A scene with no triangles is legal; nothing hits it. transmittance: of each mesh,
+    None where it is opaque; none at all if left out. `intersect` and `occluded` do not ask for it.
 
     Raises SceneError for other dtypes or shapes, for positions that are not finite, and for
     triangles that name a vertex that is not there.
     """
 
-    def __init__(self, meshes: Sequence[tuple[np.ndarray, np.ndarray]]) -> None:
+    def __init__(
+        self,
+        meshes: Sequence[tuple[np.ndarray, np.ndarray]],
+        transmittance: Sequence[Transmittance | None] = (),
+    ) -> None:
         super().__init__()
+        self._transmittance = transmittance
+        self.transmits = any(of_mesh is not None for of_mesh in transmittance)
+        self.coloured = any(of_mesh is not None and of_mesh.coloured for of_mesh in transmittance)
         for index, (positions, triangles) in enumerate(meshes):
-            self.extent = max(self.extent, add_mesh(self._scene, index, positions, triangles))
+            table = transmittance[index] if transmittance else None
+            extent = add_mesh(self._scene, index, positions, triangles, table)
+            self.extent = max(self.extent, extent)
         self._scene.commit()
 
     def intersect(
@@ -117,11 +128,11 @@ def add_mesh(
     geometry_id: int,
     positions: np.ndarray,
     triangles: np.ndarray,
-    user_data: int = 0,
+    transmittance: Transmittance | None = None,
 ) -> float:
     """Add a mesh, unless it has no triangles; returns its largest absolute coordinate.
 
-    Arguments and errors are those of TriangleScene; user_data: address that filters are told.
+    Arguments and errors are those of TriangleScene, but the caller keeps `transmittance` alive.
     """
     _check_mesh(geometry_id, positions, triangles)
     if not len(triangles):
@@ -130,14 +141,16 @@ def add_mesh(
         (api.BUFFER_VERTEX, api.FORMAT_FLOAT3, positions),
         (api.BUFFER_INDEX, api.FORMAT_UINT3, triangles),
     ]
-    scene.add(api.GEOMETRY_TRIANGLE, geometry_id, buffers, user_data)
+    table = 0 if transmittance is None else transmittance.address
+    scene.add(api.GEOMETRY_TRIANGLE, geometry_id, buffers, table)
     return float(np.abs(positions).max())
 
 
 def add_curves(
-    scene: api.SceneHandle, geometry_id: int, curves: Curves, user_data: int = 0
+    scene: api.SceneHandle, geometry_id: int, curves: Curves, table: np.ndarray
 ) -> float:
-    """Add chains of round cones (Embree's round linear curves); returns the largest coordinate.
+    """Add chains of round cones, Embree's round linear curves; returns the largest coordinate
+    plus radius.
 
     Joints inside a strand are spheres that the cones on both sides cover, so a ray inside a
     strand meets no cap there; this is the surface that Cycles renders as THICK_LINEAR. Ends of
@@ -145,9 +158,9 @@ def add_curves(
     axis a ray goes to within 1e-4, and a segment longer than some 1,000 radii has a rough outline
     (float32: 1% of its rays fall to the wrong side, and 10% at 3,000).
 
-    user_data: address that filters are told. Returns the largest of coordinate plus radius.
-    Raises PackageError for Curves that are none, SceneError for points that are not finite and
-    for radii that are not finite and positive.
+    table: of their strands, as transmittance.geometry_table; the caller keeps it alive. Raises
+    PackageError for Curves that are none, SceneError for points that are not finite and for radii
+    that are not finite and positive.
     """
     points, radii, segments = curves.points, curves.radii, curves.segments()
     if not np.isfinite(points).all():
@@ -159,7 +172,7 @@ def add_curves(
         (api.BUFFER_INDEX, api.FORMAT_UINT, segments),
         (api.BUFFER_FLAGS, api.FORMAT_UCHAR, _neighbours(segments)),
     ]
-    scene.add(api.GEOMETRY_ROUND_LINEAR_CURVE, geometry_id, buffers, user_data)
+    scene.add(api.GEOMETRY_ROUND_LINEAR_CURVE, geometry_id, buffers, table.ctypes.data)
     return float((np.abs(points).max(axis=1) + radii).max())
 
 

@@ -8,16 +8,23 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_render.embree import add_curves, add_mesh
-from rna_render.embree_filters import own_strand_filter
+from rna_render.embree_filters import own_strand_filter, strand_transmittance_filter
 from rna_render.fiber import FiberPoints
 from rna_render.rays import check_numbers, per_ray, vectors
 from rna_render.surface import SurfacePoints, leaving_origins
-from rna_render.tracing import NOTHING, GeometryScene, Passing, any_hits, closest_hits
+from rna_render.tracing import (
+    NO_OWN,
+    NOTHING,
+    GeometryScene,
+    Passing,
+    any_hits,
+    closest_hits,
+    transmitted,
+)
+from rna_render.transmittance import Transmittance, geometry_table
 from rna_sdk.package import Curves, Mesh
 
 PartPoints = SurfacePoints | FiberPoints
-
-_NO_STRAND = np.uint32(0xFFFFFFFF)
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +52,8 @@ class PartsScene(GeometryScene):
     """The parts of an asset in one space. Embree keeps a copy of their geometry.
 
     Triangles behind Embree's robust (watertight) intersection; strands as in embree.add_curves.
+    transmittance: of each part, None where it is opaque, as strands are; none at all if left out.
+    `intersect` and `occluded` do not ask for it.
 
     Attributes:
         geometries: of the parts, in order.
@@ -54,19 +63,27 @@ class PartsScene(GeometryScene):
     Raises PackageError and SceneError as embree.add_mesh and embree.add_curves.
     """
 
-    def __init__(self, geometries: Sequence[Mesh | Curves]) -> None:
+    def __init__(
+        self,
+        geometries: Sequence[Mesh | Curves],
+        transmittance: Sequence[Transmittance | None] = (),
+    ) -> None:
         super().__init__()
         self.geometries = tuple(geometries)
+        self._transmittance = transmittance or [None] * len(self.geometries)
+        self.transmits = any(table is not None for table in self._transmittance)
+        self.coloured = any(table is not None and table.coloured for table in self._transmittance)
         self._first = [g.segments() if isinstance(g, Curves) else None for g in self.geometries]
         self._strands = _strand_numbers(self.geometries)
-        self._filter = own_strand_filter()
+        self._tables = [geometry_table(numbers.ctypes.data) for numbers in self._strands]
+        self._filter, self._weakened = own_strand_filter(), strand_transmittance_filter()
         self._has_strands = any(isinstance(g, Curves) for g in self.geometries)
         for part, geometry in enumerate(self.geometries):
             if isinstance(geometry, Curves):
-                user_data = self._strands[part].ctypes.data
-                extent = add_curves(self._scene, part, geometry, user_data)
+                extent = add_curves(self._scene, part, geometry, self._tables[part])
             else:
-                extent = add_mesh(self._scene, part, geometry.positions, geometry.triangles)
+                arrays = geometry.positions, geometry.triangles
+                extent = add_mesh(self._scene, part, *arrays, self._transmittance[part])
             self.extent = max(self.extent, extent)
         self._scene.commit()
 
@@ -99,6 +116,17 @@ class PartsScene(GeometryScene):
             return FiberPoints.of(geometry, first, primitive, u, normals)
         return SurfacePoints.of(geometry, primitive, u, v)
 
+    def hit_transmittance(self, hits: PartHits, directions: np.ndarray) -> np.ndarray:
+        """What each hit lets through, along rays (n, 3) float32: (n, 3) float32; 1 for misses."""
+        result = np.where((hits.part < 0)[:, None], np.float32(1.0), np.zeros((1, 3), np.float32))
+        facing = np.sum(directions * hits.normals, axis=1) < 0.0
+        for part, table in enumerate(self._transmittance):
+            row = np.flatnonzero(hits.part == part)
+            if table is not None and len(row):
+                at = (a[row] for a in (hits.primitive, hits.u, hits.v, directions, facing))
+                result[row] = table.at(*at)
+        return result
+
     def visible(
         self,
         part: int,
@@ -106,10 +134,11 @@ class PartsScene(GeometryScene):
         wi: np.ndarray,
         tfar: np.ndarray | float = np.inf,
     ) -> np.ndarray:
-        """Whether the rays from points of a part along `wi` meet nothing of the asset: (n,) bool.
+        """The visibility of the transport contract, from points of a part along `wi`.
 
-        This is the visibility of the transport contract: it picks the decoder's `visible` or
-        `shadowed` output.
+        Whether the rays meet nothing of the asset, (n,) bool: it picks the decoder's `visible` or
+        `shadowed` output. Where the asset transmits, (n, 3) float32 instead, the product of what
+        all that they meet lets through, 0 for what is opaque.
 
         Points of a mesh: the ray starts on the side that `wi` is on (see
         surface.leaving_origins), so light from behind a closed surface is blocked, because it has
@@ -131,19 +160,18 @@ class PartsScene(GeometryScene):
         segment that is not there.
         """
         wi = vectors("wi", wi, len(points))
-        own = _NO_STRAND
+        own = np.full(1, NO_OWN, np.uint32)
         if isinstance(points, FiberPoints):
             origins, strands = vectors("positions", points.x), self._strands[part]
             check_numbers("segment", points.segment, len(strands))
-            own = strands[points.segment]
+            own = per_ray("strand", strands[points.segment], len(points), np.uint32)
         else:
             origins = leaving_origins(points.checked(), wi, self.extent)
-        return ~any_hits(self._scene, origins, wi, 0.0, tfar, self._passing(own, len(wi)))
-
-    def _passing(self, own: np.ndarray | np.uint32, count: int) -> Passing:
-        if not self._has_strands:
-            return NOTHING
-        return Passing(self._filter.ctypes.data, per_ray("strand", own, count, np.uint32))
+        lines = origins, wi, 0.0, tfar
+        if self.transmits:
+            return transmitted(self._scene, self._weakened, *lines, own)
+        passing = Passing(self._filter.ctypes.data, own) if self._has_strands else NOTHING
+        return ~any_hits(self._scene, *lines, passing)
 
 
 def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:

@@ -24,11 +24,12 @@ class Points(ABC):
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Radiance towards the viewer under irradiance 1 from wi, and whether wi is free.
+        """Radiance towards the viewer under irradiance 1 from wi, and how free wi is.
 
         It contains the cosine. row: (k,) which points. wi: (k, 3) float32, unit. distance: (k,)
-        float32, to where the light comes from. Returns (k, 3) float32, and (k,) bool: whether
-        the body itself leaves that place in sight, if rays that start on it pass through it.
+        float32, to where the light comes from. Returns (k, 3) float32, and (k,) from 0 to 1: how
+        much of that place the body itself leaves in sight, if rays that start on it pass through
+        it.
         """
 
     @abstractmethod

@@ -79,6 +79,8 @@ class World:
         scale: (k,) float32, world units an object unit.
         lights: those of the placements.
         light: (k,) int32, for each instance its place in `lights`; -1 if it does not shine.
+        own_light: (k,) int32, the same where what the light throws on the instance itself is part
+            of its transport; else -1.
         radius: of a sphere about the scene, without what is boundless; world units.
         scatters: whether light can go from one thing to another, or to another part of the same.
     """
@@ -108,8 +110,10 @@ class World:
         self.lights = [placement.light for placement in ordered if placement.light is not None]
         shines = np.array([placement.light is not None for placement in ordered])
         self.light = np.where(shines, np.cumsum(shines) - 1, -1).astype(np.int32)
+        passes = np.array([body.passes_through for body in bodies])
+        self.own_light = np.where(passes, self.light, -1).astype(np.int32)
         self._has_role = {role: np.array([body.role is role for body in bodies]) for role in Role}
-        self._passes = np.array([body.passes_through for body in bodies])
+        self._passes = passes
         size = scale * np.sqrt(3.0) * [body.scene.extent for body in bodies]
         reach = np.abs(self._matrices[:, :3, 3]).max(axis=1) + size
         self._step = np.where(self._passes, 0.0, OFFSET * reach).astype(np.float32)

@@ -198,11 +198,22 @@ bpy.ops.render.render(write_still=True)
 """
 
 
+INSTANCE = """
+group = bpy.data.collections.new("group")
+group.objects.link(item)
+bpy.context.scene.collection.objects.unlink(item)
+empty = bpy.data.objects.new("empty", None)
+empty.instance_type, empty.instance_collection = "COLLECTION", group
+bpy.context.scene.collection.objects.link(empty)
+"""
+
+
+@pytest.mark.parametrize("instance", ["", INSTANCE], ids=["itself", "instance"])
 def test_converted_hair_covers_what_particle_hair_covered(
-    save: Save, open_worker: OpenWorker, tmp_path: Path
+    instance: str, save: Save, open_worker: OpenWorker, tmp_path: Path
 ) -> None:
     picture = tmp_path / "particles.exr"
-    body = f"CHILDREN = 'SIMPLE'\nPICTURE = {str(picture)!r}\n{PARTICLES}"
+    body = f"CHILDREN = 'SIMPLE'\nPICTURE = {str(picture)!r}\n{PARTICLES}{instance}"
     worker = open_worker(save(body + "fur.use_close_tip = True\n" + RENDER))
     with OpenEXR.File(str(picture)) as file:
         alpha = file.channels()["RGBA"].pixels[..., 3]
@@ -231,20 +242,6 @@ def test_an_emitter_that_is_rendered_counts_as_a_surface(
         ("surface", "surface"),
         ("hair", "fiber"),
     ]
-
-
-def test_particle_hair_in_an_instance_is_refused(save: Save, open_worker: OpenWorker) -> None:
-    body = f"""CHILDREN = 'NONE'
-{PARTICLES}
-group = bpy.data.collections.new("group")
-group.objects.link(item)
-bpy.context.scene.collection.objects.unlink(item)
-empty = bpy.data.objects.new("empty", None)
-empty.instance_type, empty.instance_collection = "COLLECTION", group
-bpy.context.scene.collection.objects.link(empty)
-"""
-    with pytest.raises(CaptureError, match="'emitter' has particle hair and is only shown by"):
-        open_worker(save(body))
 
 
 MIXED = HAIR + 'add(CUBE, SIDES).name = "head"\n'

@@ -138,7 +138,8 @@ def run(*command: object) -> subprocess.CompletedProcess[str]:
 def test_render_makes_a_picture(programs: dict[str, Path], tmp_path: Path) -> None:
     for package in (TOY, CURLS):
         path = tmp_path / "picture.ppm"
-        assert run(programs["render"], package, path, 48, 27, 1).returncode == 0
+        size = "--size", 48, 27
+        assert run(programs["render"], package, path, *size, "--samples", 1).returncode == 0
         data = path.read_bytes()
         assert data.startswith(b"P6\n48 27\n255\n")
         pixels = np.frombuffer(data[-48 * 27 * 3 :], np.uint8).reshape(27, 48, 3)

@@ -18,10 +18,18 @@ from tests.package.corpus import (
     curve_cases,
     manifest_cases,
     part_cases,
+    quantised_cases,
 )
 from tests.package.corpus.registry import CASES, Base, Case, Entries
 
-MODULES = (container_cases, manifest_cases, content_cases, curve_cases, part_cases)
+MODULES = (
+    container_cases,
+    manifest_cases,
+    content_cases,
+    curve_cases,
+    part_cases,
+    quantised_cases,
+)
 
 OUTSIDE_THE_CORPUS = {"FILE_UNREADABLE", "FILE_TOO_LARGE"}
 """Codes about the file itself, with tests of their own below."""

@@ -27,6 +27,8 @@ class LambertAsset:
     albedo: tuple[float, float, float] = (0.8, 0.5, 0.2)
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "surface"
+    emits: bool = False
+    transmittance_records: tuple = ()
 
     @property
     def parts(self):
@@ -49,6 +51,7 @@ class FiberProbe:
     curves: Curves
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "fiber"
+    emits: bool = False
 
     @property
     def parts(self):

@@ -73,8 +73,8 @@ def found(
     hit = hits.geometry >= 0
     radiance, pdf = np.zeros((len(hit), 3), np.float32), np.zeros(len(hit), np.float32)
     ng_world = (hits.ng @ _placed(of)[1][:3, :3].T).astype(np.float32)
-    parts = (x_world, d_world, hits.t, hits.primitive, hits.u, hits.v, ng_world)
-    radiance[hit], pdf[hit] = shape.met(*(part[hit] for part in parts))
+    lines = x_world[hit], d_world[hit]
+    radiance[hit], pdf[hit] = shape.met(*lines, hits.take(np.flatnonzero(hit)), ng_world[hit])
     return radiance, pdf
 
 

@@ -56,7 +56,8 @@ def render_curve(dataset: DatasetPart, source: Path, seconds: float, folder: Pat
     rendered: dict[int, list[np.ndarray]] = {}
     taken: dict[int, float] = {}
     with tempfile.TemporaryDirectory(prefix="rna-bench-") as scratch:
-        opened = Source(source.resolve(), dataset.manifest.arguments)
+        manifest = dataset.manifest
+        opened = Source.captured(source.resolve(), manifest.arguments, manifest.settings)
         python = blender_env.find_python()
         with BlenderWorker(python, opened, Path(scratch), default_workers()) as worker:
             for samples in _doubling(taken, seconds, dataset.manifest.settings.validation_samples):

@@ -1,7 +1,7 @@
 """Exports every strand of hair in the scene, as Cycles will render it."""
 
-import bpy
 import numpy as np
+import shown_objects
 from top_objects import HAIR, top_object
 
 _THINNEST = 1e-3  # of the greatest radius: a package has no strand of radius 0
@@ -10,7 +10,7 @@ _NO_RADIUS = 0.005  # what Cycles takes where curves have no radius
 
 def owners():
     """Names of the top objects with strands, each once."""
-    shown = [top_object(i) for i in _curve_instances() if len(i.object.data.points)]
+    shown = [top_object(i) for i in shown_curves() if len(i.object.data.points)]
     return list(dict.fromkeys(shown))
 
 
@@ -20,8 +20,8 @@ def export_curves(path, owner=None):
     World space, Blender's axes. Strand k is points[offsets[k]:offsets[k + 1]], root first. owner:
     the top object whose strands are meant; None: all.
     """
-    shown = (i for i in _curve_instances() if owner in (None, top_object(i)))
-    parts = [part for instance in shown if (part := _strands(instance)) is not None]
+    shown = (i for i in shown_curves() if owner in (None, top_object(i)))
+    parts = [part for instance in shown if (part := strands_of(instance)) is not None]
     if not parts:
         raise ValueError("the scene has no hair")
     points, radii, counts = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
@@ -33,14 +33,14 @@ def export_curves(path, owner=None):
     return {"strands": len(counts)}
 
 
-def _curve_instances():
-    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
-        if instance.object.type == HAIR and instance.show_self:
-            if not instance.object.original.hide_render:
-                yield instance
+def shown_curves():
+    """Instances of hair curves that renders show."""
+    for instance in shown_objects.instances():
+        if instance.object.type == HAIR:
+            yield instance
 
 
-def _strands(instance):
+def strands_of(instance):
     """World points, radii and points a strand; None without strands of two points or more."""
     curves = instance.object.data
     offsets = _read(curves.curve_offset_data, "value", len(curves.curves) + 1, np.int32)

@@ -1,7 +1,7 @@
 """Exports every mesh of the scene, as Cycles will render it, into one triangle soup."""
 
-import bpy
 import numpy as np
+import shown_objects
 from top_objects import SURFACES, top_object
 
 
@@ -43,10 +43,9 @@ def _has_faces(item):
 
 
 def _mesh_instances():
-    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
-        if instance.show_self and instance.object.type in SURFACES:
-            if not instance.object.original.hide_render:
-                yield instance
+    for instance in shown_objects.instances():
+        if instance.object.type in SURFACES:
+            yield instance
 
 
 def _corners(instance):

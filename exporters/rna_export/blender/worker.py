@@ -21,7 +21,7 @@ import source_scene
 
 
 def open_scene(request):
-    source_scene.load(request["source"], request["arguments"])
+    source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
     notes = source_scene.keep_only_the_asset()
     parts = scene_parts.find_parts(request["parts"])
     clamps = request["clampDirect"], request["clampIndirect"]
@@ -57,7 +57,8 @@ def main():
             reply({"ok": True, **(HANDLERS[request["op"]](request) or {})})
         except Exception as error:
             traceback.print_exc()
-            reply({"ok": False, "error": f"{type(error).__name__}: {error}"})
+            line = " ".join(str(error).split())  # Blender's are of several
+            reply({"ok": False, "error": f"{type(error).__name__}: {line}"})
     os._exit(0)  # bpy may crash while it unloads; every result is already a file
 
 

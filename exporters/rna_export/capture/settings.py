@@ -37,6 +37,10 @@ class CaptureSettings(DatasetModel):
         CLAMP_DIRECT, description="Cycles' clamp of direct light (the paper's)"
     )
     clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' clamp of indirect light")
+    front: str | None = Field(
+        None, pattern="^-?[XYZ]$", description="axis of the file that is the asset's front"
+    )
+    up: str | None = Field(None, pattern="^-?[XYZ]$", description="axis of the file that is up")
     validation_views: int = Field(8, ge=1, description="whole images kept from training")
     validation_resolution: int = Field(160, gt=0, description="their width and height, pixels")
     validation_samples: int = Field(512, ge=2, description="paths a pixel, in two halves")

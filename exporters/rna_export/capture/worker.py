@@ -14,7 +14,7 @@ import numpy as np
 import OpenEXR
 
 from rna_export.capture.axes import from_blender, to_blender
-from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT
+from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
 
@@ -29,7 +29,15 @@ class Source:
     arguments: tuple[str, ...] = ()
     clamp_direct: float = CLAMP_DIRECT
     clamp_indirect: float = CLAMP_INDIRECT
+    front: str | None = None  # axes of the file; None: the usual ones of its kind
+    up: str | None = None
     parts: str = "kinds"  # see CaptureSettings
+
+    @classmethod
+    def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:
+        """The source as a capture of these settings opens it."""
+        clamps = settings.clamp_direct, settings.clamp_indirect
+        return cls(path, arguments, *clamps, settings.front, settings.up, settings.parts)
 
 
 @dataclass(frozen=True)
@@ -96,6 +104,8 @@ class BlenderWorker:
                 threads=self._threads,
                 clampDirect=self._source.clamp_direct,
                 clampIndirect=self._source.clamp_indirect,
+                front=self._source.front,
+                up=self._source.up,
                 parts=self._source.parts,
             )
             self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])

@@ -75,3 +75,15 @@ def with_entry(
             edit(manifest)
 
     return with_manifest({**entries, name: data}, declare)
+
+
+_OF_PART = ("kind", "bounds", "geometry")
+_OF_TIER = ("name", "validation", "cost")
+
+
+def in_parts(manifest: dict[str, Any]) -> None:
+    """Turn the short form of a manifest into that of 1.1, which newer contents need."""
+    manifest["parts"] = [{"name": "asset"} | {name: manifest.pop(name) for name in _OF_PART}]
+    for tier in manifest["tiers"]:
+        tier["parts"] = [{k: tier.pop(k) for k in list(tier) if k not in _OF_TIER}]
+    manifest |= {"version": "1.1", "minReaderVersion": "1.1"}
