@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from rna_export.capture.asset_scene import AssetScene
 
-from rna_export.capture.fiber_scene import FiberScene
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_sdk.errors import CaptureError
@@ -146,7 +146,7 @@ def test_alembic_strands(
 
 
 def brightness(worker: BlenderWorker) -> float:
-    ours, wi = FiberScene(worker.export_curves()), unit(1, 2, 3)
+    ours, wi = AssetScene([worker.export_curves()]), unit(1, 2, 3)
     rays = sample_view_rays(ours, wi, 1024, "sphere", np.random.default_rng(0))
     return float(worker.render_rays(rays.origins, rays.directions, wi, 4, 1).radiance.mean())
 

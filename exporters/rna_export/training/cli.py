@@ -41,6 +41,14 @@ def parser() -> argparse.ArgumentParser:
         help="train this part alone (str, default: all parts of the dataset, one after the other)",
     )
     p.add_argument(
+        "--cut",
+        type=int,
+        default=1,
+        metavar="N",
+        help="cut surfaces into N pieces with planes and a decoder each, for an asset that is "
+        "blurred when seen near; the package grows by as much (int, default: %(default)s)",
+    )
+    p.add_argument(
         "--preset", choices=PRESETS["surface"], default="small", help="model (default: %(default)s)"
     )
     p.add_argument(
@@ -96,7 +104,7 @@ def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     options = parser()
     args = options.parse_args(argv)
-    for name in ("minutes", "steps"):
+    for name in ("minutes", "steps", "cut"):
         value = getattr(args, name)
         if value is not None and not 0 < value < math.inf:
             options.error(f"argument --{name}: expected a number above 0, found {value:g}")
@@ -110,6 +118,7 @@ def _run(args: argparse.Namespace) -> None:
     begun = monotonic()  # the imports take seconds
     import torch
 
+    from rna_export.capture.cut import as_cut
     from rna_export.capture.dataset import Dataset
     from rna_export.memory import keep_freed_memory
     from rna_export.training.part_time import shared_minutes
@@ -121,7 +130,7 @@ def _run(args: argparse.Namespace) -> None:
     device = args.device
     if device == "auto":
         device = "cuda" if torch.cuda.is_available() else "cpu"
-    dataset = Dataset(args.dataset)
+    dataset = as_cut(Dataset(args.dataset), args.cut)
     parts = dataset.parts if args.part is None else (dataset.part(args.part),)
     minutes = shared_minutes(args.minutes, parts)
     written = []
