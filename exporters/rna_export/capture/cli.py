@@ -107,11 +107,9 @@ def parser() -> argparse.ArgumentParser:
         )
     p.add_argument(
         "--exact-geometry",
-        action="store_true",
-        default=None,
-        help="keep positions in float32; otherwise a mesh is captured in 16 bits an axis, and "
-        "strands in steps below a fiftieth of their radius, which make files half as large "
-        "(default: off)",
+        action="store_const",
+        const=True,
+        help=f"{CaptureSettings.model_fields['exact_geometry'].description} (default: off)",
     )
     p.add_argument(
         "--workers",

@@ -16,16 +16,22 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.geometry_arrays import geometry_arrays
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
 from rna_export.capture.sample_files import write_arrays
+from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 
 
 class Dataset:
-    """A dataset folder, complete or not. Raises `CaptureError` when it is not one."""
+    """A dataset folder, complete or not. Raises `CaptureError` when it is not one.
+
+    Attributes:
+        cut: of each surface, how many parts are made: see `rna_export.capture.cut`.
+    """
+
+    cut = 1
 
     def __init__(self, folder: Path):
         self.folder = Path(folder)

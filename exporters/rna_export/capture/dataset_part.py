@@ -9,9 +9,9 @@ import numpy as np
 from safetensors import SafetensorError
 from safetensors.numpy import load_file
 
-from rna_export.capture.geometry_arrays import geometry_of
 from rna_export.capture.manifest import CapturedPart, CaptureManifest
 from rna_export.capture.sample_files import DAMAGED, damaged, joined, read_part
+from rna_export.capture.stored_geometry import geometry_from_arrays
 from rna_export.capture.validation_view import ValidationView
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Mesh
@@ -50,7 +50,7 @@ class DatasetPart:
         """The captured mesh, or the strands: object space, +Y up, metres."""
         path = self.dataset.geometry_path(self.name)
         try:
-            return geometry_of(load_file(path), self.kind)
+            return geometry_from_arrays(load_file(path), self.kind)
         except (OSError, TypeError, SafetensorError, PackageError) as error:
             raise CaptureError(DAMAGED.format(path, error)) from error
 

@@ -30,6 +30,9 @@ class CaptureSettings(DatasetModel):
         description="what has planes and a decoder of its own: all surfaces and all hair, or each "
         "object that is parented to no other",
     )
+    exact_geometry: bool = Field(
+        False, description="keep geometry in float32, not in steps that halve a package's size"
+    )
     sharpest: float = Field(
         SHARPEST, gt=0, le=0.8, description="roughness of the smoothest material of a surface"
     )
@@ -45,7 +48,6 @@ class CaptureSettings(DatasetModel):
     validation_resolution: int = Field(160, gt=0, description="their width and height, pixels")
     validation_samples: int = Field(512, ge=2, description="paths a pixel, in two halves")
     lights_per_shard: int = Field(32, gt=0, description="what a stop can lose at most")
-    exact_geometry: bool = False  # float32 as exported, not quantised
     seed: int = 0
 
     @property

@@ -84,6 +84,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(args: argparse.Namespace) -> None:
+    from rna_export.capture.cut import as_cut
     from rna_export.capture.dataset import Dataset
     from rna_export.export.build import build_package
     from rna_export.export.dressing import dress
@@ -91,7 +92,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.training.checkpoint import load_checkpoint
 
     trained = [load_checkpoint(path) for path in checkpoint_paths(args.checkpoints)]
-    dataset = Dataset(args.dataset or trained[0].dataset)
+    dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
     precisions = [PRECISIONS[name] for name in dict.fromkeys(args.precision)]
     build_package(
         trained,
