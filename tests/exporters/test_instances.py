@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
-from rna_export.capture.asset_scene import AssetScene
 
+from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_sdk.errors import CaptureError
