@@ -18,7 +18,7 @@ def parser() -> argparse.ArgumentParser:
         "rna-compare",
         "Render a package and its original with Cycles, and write a page with both.",
         "rna-compare helmet.rna helmet.gltf --out compare/helmet",
-        epilog="Three cameras (one a close-up; for fibers a fourth, at single strands) x three "
+        epilog="Three cameras (one a close-up; for hair alone a fourth, at single strands) x three "
         "lights.\nArguments after -- go to a source that is a Python script.",
     )
     p.add_argument("package", type=Path, help="the .rna file (path)")
@@ -64,7 +64,7 @@ def parser() -> argparse.ArgumentParser:
         nargs="+",
         choices=CAMERAS,
         default=CAMERAS,
-        help="of the standard ones (default: all; strands is there for fibers only)",
+        help="of the standard ones (default: all; strands is there for hair alone)",
     )
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
