@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,7 @@ from tests.package.builders import (
     pack,
     read_entries,
 )
+from tests.package.corpus.registry import in_parts
 from tests.package.lantern import (
     LEAF,
     PANE,
@@ -158,23 +160,15 @@ def test_one_part_with_nothing_new_has_the_short_form(tmp_path: Path) -> None:
     assert Package.open(path).manifest.parts[0].name == "asset"
 
 
-def in_parts(manifest: dict[str, Any]) -> dict[str, Any]:
-    """A short manifest in the other form."""
-    part = {name: manifest.pop(name) for name in ("kind", "bounds", "geometry")}
-    for tier in manifest["tiers"]:
-        names = set(tier) - {"name", "validation", "cost"}
-        tier["parts"] = [{name: tier.pop(name) for name in names}]
-    return {**manifest, "parts": [{"name": "asset", **part}], "minReaderVersion": "1.1"}
-
-
 def test_one_part_may_have_the_other_form(tmp_path: Path, entries: dict[str, bytes]) -> None:
-    manifest = in_parts(json.loads(entries["manifest.json"]))
+    manifest = json.loads(entries["manifest.json"])
+    in_parts(manifest)
     path = tmp_path / "x.rna"
     path.write_bytes(pack({**entries, "manifest.json": json.dumps(manifest).encode()}.items()))
     assert validate(path) == []
     found = Package.open(path).manifest
     short, _ = parse_manifest(entries["manifest.json"])
-    assert found == short.model_copy(update={"min_reader_version": "1.1"})
+    assert found == short.model_copy(update={"version": "1.1", "min_reader_version": "1.1"})
 
 
 def test_a_package_for_a_newer_reader_is_written_in_parts(tmp_path: Path) -> None:
@@ -237,7 +231,7 @@ def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
     manifest, path = make_lantern_manifest(), tmp_path / "x.rna"
     geometries, textures = [make_mesh(), make_curves()], make_textures()
     good = make_lantern_data(manifest)
-    dark = [make_part_data(make_tier().parts[0]), good["hq"][1]]
+    dark = [replace(good["hq"][0], emission_decoder=None), good["hq"][1]]
     for code, arguments in (
         ("PARTS_DIFFER at /parts", (geometries[:1], good, textures)),
         ("PARTS_DIFFER at /tiers/1", (geometries, {**good, "hq": good["hq"][:1]}, textures)),

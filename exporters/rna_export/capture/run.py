@@ -29,7 +29,7 @@ from rna_export.capture.weld import weld
 from rna_export.capture.worker import BlenderWorker, ScenePart, Source
 from rna_render.scene_file import SceneFile
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Domain, Mesh
+from rna_sdk.package import Curves, Domain, Mesh, quantise
 from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
@@ -67,8 +67,10 @@ def begin(
     start = monotonic()
     with crew.worker(source, "probe") as worker:
         opening = monotonic() - start
-        geometries = {part.name: _exported(worker, part) for part in worker.parts}
         settings = CaptureSettings.usual(worker.kind, **asked)
+        geometries = {
+            part.name: _exported(worker, part, settings.exact_geometry) for part in worker.parts
+        }
         scene = AssetScene(tuple(geometries.values()), settings.sharpest)
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
@@ -104,10 +106,12 @@ def scene_of(dataset: Dataset) -> AssetScene:
     return AssetScene(geometries, dataset.manifest.settings.sharpest)
 
 
-def _exported(worker: BlenderWorker, part: ScenePart) -> Mesh | Curves:
+def _exported(worker: BlenderWorker, part: ScenePart, exact: bool) -> Mesh | Curves:
     if part.kind == "fiber":
-        return worker.export_curves(part.owner)
-    return weld(worker.export_corners(part.owner))
+        geometry: Mesh | Curves = worker.export_curves(part.owner)
+    else:
+        geometry = weld(worker.export_corners(part.owner))
+    return geometry if exact else quantise(geometry)
 
 
 def _captured(part: ScenePart, geometry: Mesh | Curves) -> CapturedPart:

@@ -24,8 +24,9 @@ of glTF add to this:
 
 - KHR_materials_specular multiplies the coat by a weight.
 - KHR_materials_clearcoat puts a second coat, of F0 = 0.04, on all of it, with a normal of its own.
-  What it reflects by itself, E_c times its weight, is taken off all that is below on the way in
-  and on the way out; of the diffuse part C is then that of both coats together.
+  With E_c the part that it reflects by itself, metal and dielectric coat below are multiplied by
+  min(1 - E_c(wo), 1 - E_c(wi)), which is reciprocal and adds no light; of the diffuse part C is
+  that of both coats together.
 - KHR_materials_transmission takes a share off the diffuse part; see `transmission`.
 """
 
@@ -155,8 +156,10 @@ def evaluate(parameters, row, n, ng, wo, wi, result):
             if clear_i > 0.0:
                 lobe, weight = _lobe(clear_alpha, c, o, i)
                 top = clear * lobe * (CLEAR_F0 + (1.0 - CLEAR_F0) * weight) * clear_i
-            passed = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_o)
-            passed *= 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_i)
+            way_out = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_o)
+            way_in = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_i)
+            passed = min(way_out, way_in)
+            below *= way_out * way_in
         if metal > 0.0 or coat_weight > 0.0 or clear > 0.0:  # else it is Lambert's
             surface, s = _lobe(alpha, m, o, i)
             coat = coat_weight * (f0 + (1.0 - f0) * s)
@@ -166,8 +169,8 @@ def evaluate(parameters, row, n, ng, wo, wi, result):
         for channel in range(3):
             colour = base[channel]
             mirror = metal * (colour + (1.0 - colour) * s) + (1.0 - metal) * coat
-            f = mirror * surface + (1.0 - metal) * colour / np.pi * below
-            result[k, channel] = passed * f * cos_i + top
+            f = passed * mirror * surface + (1.0 - metal) * colour / np.pi * below
+            result[k, channel] = f * cos_i + top
 
 
 @compiled(parallel=True, fastmath=())
