@@ -20,7 +20,9 @@ from typing import Any
 import matplotlib
 from report import publish
 
-from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.validation_view import ValidationView
 from rna_export.memory import keep_freed_memory
 from rna_export.metrics import PSNR_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
@@ -64,7 +66,7 @@ def main() -> None:
     own, arguments = split_script_arguments(None)
     args = _parser().parse_args(own)
     keep_freed_memory()
-    views = Dataset(args.dataset).validation_views()
+    views = Dataset(args.dataset).only.validation_views()
     rows = []
     for plan in PLANS:
         dataset = _capture(plan, args, arguments)
@@ -75,23 +77,23 @@ def main() -> None:
     publish({**settings, "source": args.source.name, "rows": rows}, args.out)
 
 
-def _capture(plan: Plan, args: argparse.Namespace, arguments: tuple[str, ...]) -> Dataset:
+def _capture(plan: Plan, args: argparse.Namespace, arguments: tuple[str, ...]) -> DatasetPart:
     out = args.work / f"{plan.samples}x{plan.rays}.rays"
     command = [sys.executable, "-m", "rna_export.capture.cli", args.source, "--out", out]
     command += ["--samples", plan.samples, "--rays", plan.rays, "--lights", plan.lights(args.paths)]
     command += "--validation-views 1 --validation-resolution 32 --validation-samples 2".split()
     subprocess.run([*map(str, command), "--", *arguments], check=True)
-    return Dataset(out)
+    return Dataset(out).only
 
 
 def _trained(
     plan: Plan,
     resolution: int,
-    dataset: Dataset,
+    dataset: DatasetPart,
     views: list[ValidationView],
     args: argparse.Namespace,
 ) -> dict[str, Any]:
-    preset = PRESETS[dataset.manifest.kind]["small"]
+    preset = PRESETS[dataset.kind]["small"]
     out = args.work / f"{plan.samples}x{plan.rays}-{resolution}"
     checkpoint = out / "last.ckpt"  # not the best by its own few validation pixels
     if not (out / "best.ckpt").is_file():

@@ -1,4 +1,4 @@
-"""Speed of `CurveScene.intersect` against a bare loop over rtcIntersect1, and memory of hair.
+"""Speed of `PartsScene.intersect` against a bare loop over rtcIntersect1, and memory of hair.
 
     python benchmarks/curves.py --out curves.json
     python benchmarks/curves.py --memory --out curves-memory.json
@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from evaluate import random_data, random_model, random_tier
+from evaluate import random_data, random_model, random_tier, unit_part
 from numba import prange
 from numpy.typing import NDArray
 from rays import Rays, camera_rays, random_rays
@@ -30,11 +30,10 @@ from report import publish, report_parser
 
 from rna_export.export.precision import Precision
 from rna_render import embree_kernels as kernels
-from rna_render.embree import CurveScene
 from rna_render.embree_library import function_address
+from rna_render.parts_scene import PartsScene
 from rna_sdk.compiled import compiled
 from rna_sdk.package import (
-    Bounds,
     Curves,
     Domain,
     Manifest,
@@ -81,7 +80,7 @@ def speed(args: argparse.Namespace) -> dict[str, Any]:
     """Rates of both loops on both kinds of rays."""
     curves = curls(args.strands)
     start = time.perf_counter()
-    scene = CurveScene(curves.points, curves.radii, curves.offsets)
+    scene = PartsScene([curves])
     return {
         "segments": len(curves.segments()),
         "build_s": round(time.perf_counter() - start, 3),
@@ -92,7 +91,7 @@ def speed(args: argparse.Namespace) -> dict[str, Any]:
     }
 
 
-def compare(scene: CurveScene, rays: Rays, repeats: int) -> dict[str, Any]:
+def compare(scene: PartsScene, rays: Rays, repeats: int) -> dict[str, Any]:
     """Rates in M rays/s, their ratio, and the share of rays that both say hit the same segment."""
     t, segment = np.empty(len(rays[0]), np.float32), np.empty(len(rays[0]), np.int32)
     target = function_address("rtcIntersect1"), scene.handle.handle
@@ -109,8 +108,8 @@ def compare(scene: CurveScene, rays: Rays, repeats: int) -> dict[str, Any]:
         seconds["bare_loop"].append(end - middle)
     rates = {name: len(t) / 1e6 / float(np.median(s)) for name, s in seconds.items()}
     return {
-        "hit_share": round(float(np.mean(hits.segment >= 0)), 4),
-        "same_segment_share": round(float(np.mean(hits.segment == segment)), 6),
+        "hit_share": round(float(np.mean(hits.primitive >= 0)), 4),
+        "same_segment_share": round(float(np.mean(hits.primitive == segment)), 6),
         "mrays_s": {name: round(rate, 3) for name, rate in rates.items()},
         "ratio": round(rates["intersect"] / rates["bare_loop"], 3),
     }
@@ -175,14 +174,13 @@ def write_curls(path: Path, curves: Curves) -> None:
     manifest = Manifest(
         generator="benchmarks/curves.py",
         name="curls",
-        kind="fiber",
-        bounds=Bounds(min=(-1, -1, -1), max=(1, 1, 1)),
+        parts=(unit_part("fiber"),),
         domain=Domain(wo="sphere", wi="sphere"),
         tiers=(tier,),
         provenance=Provenance(source="random numbers", tool="benchmarks/curves.py"),
         license="Apache-2.0",
     )
-    write_package(path, manifest, curves, {tier.name: random_data(model, tier)})
+    write_package(path, manifest, [curves], {tier.name: [random_data(model, tier.parts[0])]})
 
 
 def curls(strands: int) -> Curves:

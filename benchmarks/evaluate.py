@@ -38,11 +38,14 @@ from rna_sdk.package import (
     Manifest,
     Mesh,
     Package,
+    Part,
     Provenance,
     Tier,
     TierData,
+    TierPart,
     write_package,
 )
+from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES
 from rna_sdk.runtime import Asset, load
 
 INPUTS = {kind: presets["small"].model.inputs for kind, presets in PRESETS.items()}
@@ -92,7 +95,7 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
             "coherent": arguments_of(asset, sphere_scan(n)),
         }
         gemm, rates = alternate(assets, batches, args.repeats)
-        columns = asset.tier.query_width
+        columns = asset.tier_part.query_width
         flop = 2 * sum(a * b for a, b in pairwise([columns, *[width] * HIDDEN_LAYERS, 6]))
         with Package.open(path) as package:
             records: dict[str, Any] = {precision: {} for precision in assets}
@@ -180,15 +183,21 @@ def write_random_package(path: Path, kind: str, width: int, resolution: int, cha
     manifest = Manifest(
         generator="benchmarks/evaluate.py",
         name="random",
-        kind=kind,
-        bounds=Bounds(min=(-1, -1, -1), max=(1, 1, 1)),
+        parts=(unit_part(kind),),
         domain=Domain(wo="sphere", wi="sphere"),
         tiers=tuple(tiers),
         provenance=Provenance(source="random numbers", tool="benchmarks/evaluate.py"),
         license="Apache-2.0",
     )
     geometry = ball() if kind == "surface" else strand()
-    write_package(path, manifest, geometry, {tier.name: random_data(model, tier) for tier in tiers})
+    data = {tier.name: [random_data(model, tier.parts[0])] for tier in tiers}
+    write_package(path, manifest, [geometry], data)
+
+
+def unit_part(kind: str) -> Part:
+    """The part of a package, in the box from -1 to 1."""
+    bounds = Bounds(min=(-1, -1, -1), max=(1, 1, 1))
+    return Part(name="asset", kind=kind, bounds=bounds, geometry=GEOMETRY_ENTRIES[kind])
 
 
 def random_model(kind: str, width: int, resolution: int, channels: int) -> NeuralAsset:
@@ -207,8 +216,7 @@ def random_model(kind: str, width: int, resolution: int, channels: int) -> Neura
 
 
 def random_tier(name: str, model: NeuralAsset, precision: Precision) -> Tier:
-    return Tier(
-        name=name,
+    part = TierPart(
         planes=f"features/{name}.safetensors",
         decoder=f"decoders/{name}.onnx",
         inputs=model.config.inputs,
@@ -217,13 +225,14 @@ def random_tier(name: str, model: NeuralAsset, precision: Precision) -> Tier:
         plane_precision=precision.planes,
         decoder_precision=precision.decoder,
     )
+    return Tier(name=name, parts=(part,))
 
 
 @torch.no_grad()
-def random_data(model: NeuralAsset, tier: Tier) -> TierData:
-    planes = stored_planes(model.triplane.planes.detach().numpy(), tier.plane_precision)
+def random_data(model: NeuralAsset, part: TierPart) -> TierData:
+    planes = stored_planes(model.triplane.planes.detach().numpy(), part.plane_precision)
     layers = None
-    if tier.decoder_precision == "int8":
+    if part.decoder_precision == "int8":
         layers = int8_decoder(model, random_queries(model, 20_000, seed=0))
     return TierData(planes=planes, decoder=export_decoder(model, layers))
 

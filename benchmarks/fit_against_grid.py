@@ -68,7 +68,7 @@ def _fit(goal: Goal, trials: list[Trial], steps: int, args: argparse.Namespace) 
     if not longest.exists():
         longest.symlink_to((args.grid / "trials").resolve())
     crew = Crew.usual(args.device, args.workers)
-    return fit(Dataset(args.dataset), trials, goal, steps, crew, args.work, print)
+    return fit(Dataset(args.dataset).only, trials, goal, steps, crew, args.work, print)
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -23,18 +23,19 @@ import numpy as np
 from report import publish
 
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import light_direction
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.validation import score, shade
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
 
 def main() -> None:
     args = arguments()
     captures = {"limited": args.limited, "everywhere": args.everywhere}
-    datasets = {name: Dataset(Path(paths[0])) for name, paths in captures.items()}
+    datasets = {name: Dataset(Path(paths[0])).only for name, paths in captures.items()}
     trained = {name: load_checkpoint(Path(paths[1])) for name, paths in captures.items()}
     domain = datasets["limited"].manifest.domain
     report: dict[str, Any] = {
@@ -71,7 +72,7 @@ def share(region: Region) -> float:
     return float(in_region(region, spread).mean())
 
 
-def errors(trained: dict[str, Any], dataset: Dataset) -> dict[str, dict[str, float]]:
+def errors(trained: dict[str, Any], dataset: DatasetPart) -> dict[str, dict[str, float]]:
     """Scores of each model on the dataset's validation images."""
     views = dataset.validation_views()
     return {

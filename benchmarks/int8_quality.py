@@ -71,7 +71,7 @@ def _measured(checkpoint: Path) -> dict[str, Any]:
 
 def _bytes_alone(manifest: Manifest, tier: Tier) -> int:
     """Entries that a package with this tier alone has, without its manifest."""
-    names = (manifest.geometry, tier.planes, tier.decoder)
+    names = (manifest.parts[0].geometry, tier.parts[0].planes, tier.parts[0].decoder)
     return sum(manifest.entries[name].size for name in names)
 
 

@@ -20,10 +20,11 @@ import torch
 from report import publish
 
 from rna_bench.int8_engine import sums_in_16_bits
-from rna_export.capture.dataset import Dataset, ValidationView
-from rna_export.export.build import calibration_queries
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.validation_view import ValidationView
 from rna_export.export.decoder import export_decoder
 from rna_export.export.int8_decoder import WeightScale, int8_decoder, pair_scale
+from rna_export.export.tiers import calibration_queries
 from rna_export.machine import seconds_of
 from rna_export.metrics import PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import load_checkpoint
@@ -59,7 +60,7 @@ def main() -> None:
 def measured(path: Path, repeats: int) -> dict[str, Any]:
     """Each variant of one checkpoint."""
     trained = load_checkpoint(path)
-    dataset = Dataset(trained.dataset)
+    dataset = Dataset(trained.dataset).only
     calibration = calibration_queries(trained, dataset)
     views = dataset.validation_views()
     queries = [trained.model.queries(_tensors(view)).detach().numpy() for view in views]

@@ -17,6 +17,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.validation import score, shade
@@ -24,7 +25,7 @@ from rna_export.training.validation import score, shade
 
 def main() -> None:
     args = _parser().parse_args()
-    dataset = Dataset(args.dataset)
+    dataset = Dataset(args.dataset).only
     results = {
         # What a source that is a script was given are paths of one machine.
         "dataset": dataset.manifest.model_dump(mode="json", by_alias=True, exclude={"arguments"}),
@@ -52,7 +53,7 @@ def _earlier(path: Path, minutes: float) -> dict[str, object]:
     return results["presets"] if results["minutes"] == minutes else {}
 
 
-def _scores(checkpoint: Path, dataset: Dataset) -> dict[str, object]:
+def _scores(checkpoint: Path, dataset: DatasetPart) -> dict[str, object]:
     trained, views = load_checkpoint(checkpoint), dataset.validation_views()
     radiance = [shade(trained.model, view) for view in views]
     each = [psnr(r, view.samples["radiance"]) for r, view in zip(radiance, views, strict=True)]

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.package import Package
 from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.output_kernel import split_transport
+from rna_sdk.runtime.output_kernel import write_colours
 from rna_sdk.runtime.tiles import Batch, QueryFiller
 
 STEPS = ("gather", "inputs", "decoder", "output")
@@ -26,12 +26,9 @@ def step_times(
 
     batch: the arguments of the asset's `evaluate`.
     """
-    tier, manifest = package.tier(name), package.manifest
-    alone = tier.model_copy(update={"inputs": ("features",)})
-    fillers = [
-        QueryFiller(package.planes(name), manifest.bounds, asked, manifest.kind)
-        for asked in (alone, tier)
-    ]
+    part, own = package.manifest.parts[0], package.tier(name).parts[0]
+    whole = QueryFiller(package.planes(name), part.bounds, own, part.kind)
+    fillers = [whole.laying_out(("features",)), whole]
     decoder = Decoder(package.decoder(name), fillers[-1].largest_query)
     (gather, _, _), (filled, decoded, copied) = (_passed(f, decoder, batch) for f in fillers)
     steps = gather, filled - gather, decoded, copied
@@ -47,7 +44,7 @@ def _passed(
     outputs = np.zeros((2, len(batch[0]), 3), np.float32)
     positions, axes, *offsets, wo, wi = batch
     h = offsets[0] if offsets else np.empty(0, np.float32)
-    everything = Batch(positions, axes, h, wo, wi, *outputs)
+    everything = Batch(positions, axes, h, wo, wi, tuple(outputs))
     queries = np.zeros((rows, decoder.columns), np.float32)
     valid = np.empty(rows, np.bool_)
     for _ in range(2):  # the first one warms caches
@@ -59,7 +56,8 @@ def _passed(
             marks.append(time.perf_counter())
             transport = decoder.run(queries)
             marks.append(time.perf_counter())
-            split_transport(transport, valid, outputs[0, tile], outputs[1, tile])
+            for k in range(2):
+                write_colours(transport, 3 * k, valid, outputs[k, tile])
             marks.append(time.perf_counter())
             total += np.diff(marks)
     return total / n * 1e9

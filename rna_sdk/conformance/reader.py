@@ -20,10 +20,10 @@ def evaluate(package: str, tier: str, queries: NDArray[np.float32]) -> NDArray[n
     from rna_sdk.runtime import SurfaceAsset, load
 
     position, axis, h, wo, wi = np.split(queries, (3, 6, 7, 10), axis=1)
-    asset = load(package, tier)
-    if isinstance(asset, SurfaceAsset):
-        return np.hstack(asset.evaluate(position, axis, wo, wi))
-    return np.hstack(asset.evaluate(position, axis, h[:, 0], wo, wi))
+    part = load(package, tier).parts[0]
+    if isinstance(part, SurfaceAsset):
+        return np.hstack(part.evaluate(position, axis, wo, wi))
+    return np.hstack(part.evaluate(position, axis, h[:, 0], wo, wi))
 
 
 def check(package: str) -> tuple[bool, list[str]]:

@@ -23,11 +23,11 @@ def evaluate(package: str, tier: str, queries: NDArray[np.float32]) -> NDArray[n
     for directions in (axis, wo, wi):
         valid &= directions.any(axis=1)
     with Package.open(package) as opened:
-        box, stored = opened.manifest.bounds, opened.planes(tier)
+        part, stored = opened.manifest.parts[0], opened.planes(tier)
         planes = stored.decoded() if isinstance(stored, Int8Planes) else stored
-        place = planes, box.corners(), opened.tier(tier).inputs
+        place = planes, part.bounds.corners(), opened.tier(tier).parts[0].inputs
         at, t, o, i = position[valid], axis[valid], wo[valid], wi[valid]
-        if opened.manifest.kind == "surface":
+        if part.kind == "surface":
             inputs = queries_reference(*place, at, t, o, i)
         else:
             inputs = fiber_queries_reference(*place, at, t, h[valid, 0], o, i)

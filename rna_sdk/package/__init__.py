@@ -7,22 +7,24 @@
 from rna_sdk.errors import PackageError
 from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
 from rna_sdk.package.curves import Curves
+from rna_sdk.package.geometry import quantise
 from rna_sdk.package.issues import Code, Issue, Severity
-from rna_sdk.package.manifest import (
+from rna_sdk.package.manifest import Manifest, Part, Provenance, TransmittanceRecord
+from rna_sdk.package.manifest_fields import Bounds, Cone, Domain
+from rna_sdk.package.manifest_tiers import (
     Agreement,
-    Bounds,
-    Cone,
     Cost,
-    Domain,
     FlipAtHeight,
-    Manifest,
-    Provenance,
     Tier,
+    TierEmission,
+    TierPart,
     Validation,
 )
 from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.package import Package
 from rna_sdk.package.planes import Int8Planes, Planes
+from rna_sdk.package.tier_ranges import tier_ranges
+from rna_sdk.package.transmittance import Transmittance
 from rna_sdk.package.validator import validate
 from rna_sdk.package.writer import TierData, write_package
 
@@ -42,13 +44,20 @@ __all__ = [
     "Mesh",
     "Package",
     "PackageError",
+    "Part",
     "Planes",
     "Provenance",
     "Severity",
     "Tier",
     "TierData",
+    "TierEmission",
+    "TierPart",
+    "Transmittance",
+    "TransmittanceRecord",
     "Validation",
+    "quantise",
     "query_width",
+    "tier_ranges",
     "validate",
     "write_package",
 ]

@@ -30,6 +30,10 @@ BLOCKS_OF_KIND: dict[str, frozenset[str]] = {
 """Blocks that only one kind of asset can fill; the others are for both."""
 
 
+BLOCKS_OF_EMISSION = frozenset({"features", "position", "normal", "tangent", "h", "wo"})
+"""Blocks that know no light, and so are for emission too."""
+
+
 def blocks_for(kind: str) -> list[str]:
     """The blocks that an asset of this kind can fill, in the order of INPUT_BLOCKS."""
     other = {name for k, names in BLOCKS_OF_KIND.items() if k != kind for name in names}

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.mesh import check_array
+
+if TYPE_CHECKING:
+    from rna_sdk.package.quantised_curves import QuantisedCurves
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,6 +25,9 @@ class Curves:
         radii: (p,) float32, more than 0.
         offsets: (s + 1,) uint32, ascending from 0 to p: strand k has the points offsets[k] up
             to offsets[k + 1], two at least.
+        quantised: the integers that the arrays were restored from, which a file then holds; None
+            where the arrays are stored as they are. A changed copy (`dataclasses.replace`) has
+            none.
 
     Raises:
         PackageError: GEOMETRY_ARRAY, where a shape or dtype is another; GEOMETRY_STRANDS, where
@@ -30,19 +37,14 @@ class Curves:
     points: NDArray[np.float32]
     radii: NDArray[np.float32]
     offsets: NDArray[np.uint32]
+    quantised: QuantisedCurves | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
         p, s = len(self.points), len(self.offsets) - 1
         check_array("points", self.points, (p, 3), np.float32)
         check_array("radii", self.radii, (p,), np.float32)
         check_array("offsets", self.offsets, (s + 1,), np.uint32)
-        if s < 1 or self.offsets[0] != 0 or self.offsets[-1] != p:
-            found = f"offsets {self.offsets[:1].tolist()} to {self.offsets[-1:].tolist()}"
-            refuse(Code.GEOMETRY_STRANDS, "/geometry", found, f"one strand and more, 0 to {p}")
-        counts = np.diff(self.offsets.astype(np.int64))
-        if counts.min() < 2:
-            found = f"{counts.min()} points in strand {np.argmin(counts)}"
-            refuse(Code.GEOMETRY_STRANDS, "/geometry", found, "2 and more in each")
+        check_strands(self.offsets, p)
         same = (self.points[1:] == self.points[:-1]).all(axis=1) & self._goes_on()[:-1]
         if same.any():
             at = int(np.argmax(same))
@@ -64,3 +66,14 @@ class Curves:
         radii = self.radii[:, None]
         with np.errstate(over="ignore"):  # to infinity, which is outside of any bounds
             return (self.points - radii).min(axis=0), (self.points + radii).max(axis=0)
+
+
+def check_strands(offsets: NDArray[np.uint32], points: int) -> None:
+    """Raises PackageError (GEOMETRY_STRANDS) where they do not part the points into strands."""
+    if len(offsets) < 2 or offsets[0] != 0 or offsets[-1] != points:
+        found = f"offsets {offsets[:1].tolist()} to {offsets[-1:].tolist()}"
+        refuse(Code.GEOMETRY_STRANDS, "/geometry", found, f"one strand and more, 0 to {points}")
+    counts = np.diff(offsets.astype(np.int64))
+    if counts.min() < 2:
+        found = f"{counts.min()} points in strand {np.argmin(counts)}"
+        refuse(Code.GEOMETRY_STRANDS, "/geometry", found, "2 and more in each")

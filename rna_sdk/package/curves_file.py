@@ -7,9 +7,11 @@ import numpy as np
 from rna_sdk.package.curves import Curves
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import MAX_CURVE_POINTS, MAX_STRANDS
+from rna_sdk.package.quantised_curves import QuantisedCurves
 from rna_sdk.package.tensor_file import (
     TensorCodes,
     TensorForm,
+    tensor_names,
     tensors_from_bytes,
     tensors_to_bytes,
 )
@@ -19,6 +21,13 @@ _FORMS = {
     "points": TensorForm("float32", (_POINTS, 3)),
     "radii": TensorForm("float32", (_POINTS,)),
     "offsets": TensorForm("uint32", (range(2, MAX_STRANDS + 2),)),
+}
+_QUANTISED_FORMS = {
+    "scales": TensorForm("float32", (2,)),
+    "origins": TensorForm("float32", (range(1, MAX_STRANDS + 1), 3)),
+    "offsets": _FORMS["offsets"],
+    "steps": TensorForm(("int16", "int32"), (range(1, MAX_CURVE_POINTS), 3)),
+    "radii": TensorForm(("uint8", "uint16"), (_POINTS,)),
 }
 _CODES = TensorCodes(
     header=Code.GEOMETRY_CONTAINER,
@@ -32,11 +41,16 @@ _CODES = TensorCodes(
 
 def curves_to_bytes(curves: Curves) -> bytes:
     """The safetensors file. The same arrays give the same bytes; values are not looked at."""
+    stored = curves.quantised
+    if stored is not None:
+        return tensors_to_bytes({name: getattr(stored, name) for name in _QUANTISED_FORMS})
     return tensors_to_bytes({name: getattr(curves, name) for name in _FORMS})
 
 
 def curves_from_bytes(data: memoryview, name: str) -> Curves:
-    """The curves in the entry `data`; their arrays are read-only views of `data`.
+    """The curves in the entry `data`.
+
+    Their arrays are read-only views of `data`; those of quantised curves are restored.
 
     Args:
         data: the bytes of the entry.
@@ -45,7 +59,11 @@ def curves_from_bytes(data: memoryview, name: str) -> Curves:
     Raises:
         PackageError: with the first GEOMETRY_* or JSON_* issue found.
     """
-    curves = Curves(**tensors_from_bytes(data, name, _FORMS, _CODES))
+    if "steps" in tensor_names(data, name, _CODES):
+        tensors = tensors_from_bytes(data, name, _QUANTISED_FORMS, _CODES)
+        curves = QuantisedCurves(**tensors).restored()
+    else:
+        curves = Curves(**tensors_from_bytes(data, name, _FORMS, _CODES))
     for attribute, array in (("points", curves.points), ("radii", curves.radii)):
         if not np.isfinite(array).all():
             refuse(Code.GEOMETRY_NOT_FINITE, name, attribute, "finite values")

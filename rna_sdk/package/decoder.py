@@ -1,4 +1,4 @@
-"""Check a tier's ONNX decoder: its structure first, then that it loads and keeps its word."""
+"""Check an ONNX decoder: its structure first, then that it loads and keeps its word."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.errors import PackageError
+from rna_sdk.package.decoder_form import INPUT_NAME, DecoderForm
 from rna_sdk.package.decoder_profile import outside_profile, saturating_weights
 from rna_sdk.package.issues import Code, Issue, refuse
 from rna_sdk.package.limits import (
@@ -16,17 +17,13 @@ from rna_sdk.package.limits import (
     MAX_DECODER_NODES,
     MAX_DECODER_WIDTH,
     OPSET_VERSIONS,
-    OUTPUT_WIDTH,
 )
-from rna_sdk.package.manifest import Tier
 from rna_sdk.package.onnx_model import FLOAT, Model, Node, Tensor, Value, read_model
 from rna_sdk.package.protobuf import WireError
 from rna_sdk.package.saturation import PAIR_LIMIT
 
 Rows = NDArray[np.float32]
 
-INPUT_NAME = "queries"
-OUTPUT_NAME = "transport"
 QUANTIZERS = frozenset({"QuantizeLinear", "DequantizeLinear"})
 
 # Operators whose row i of the result depends on row i of the queries alone, and whose
@@ -49,8 +46,8 @@ _INT8_SHARE = 0.75
 """Of the rows of an int8 decoder that must be the same in another order, and alone."""
 
 
-def check_decoder(data: memoryview, tier: Tier) -> list[Issue]:
-    """Check the entry `data` against the tier; returns warnings.
+def check_decoder(data: memoryview, form: DecoderForm) -> list[Issue]:
+    """Check the entry `data` against what it must be; returns warnings.
 
     The inference engine sees the bytes only after the structure has passed.
 
@@ -59,18 +56,18 @@ def check_decoder(data: memoryview, tier: Tier) -> list[Issue]:
     """
     if len(data) > MAX_DECODER_BYTES:
         expected = f"at most {MAX_DECODER_BYTES}"
-        refuse(Code.DECODER_TOO_LARGE, tier.decoder, f"{len(data)} bytes", expected)
+        refuse(Code.DECODER_TOO_LARGE, form.entry, f"{len(data)} bytes", expected)
     try:
         model = read_model(data)
     except WireError as error:
-        refuse(Code.DECODER_NOT_ONNX, tier.decoder, error, "an ONNX ModelProto")
-    _check_versions(model, tier.decoder)
-    _check_interface(model, tier)
-    _check_nodes(model, tier)
-    _check_tensors(model, tier.decoder)
-    _check_widths(model, tier)
-    _check_results(bytes(data), tier)
-    return _warnings(model, tier.decoder)
+        refuse(Code.DECODER_NOT_ONNX, form.entry, error, "an ONNX ModelProto")
+    _check_versions(model, form.entry)
+    _check_interface(model, form)
+    _check_nodes(model, form)
+    _check_tensors(model, form.entry)
+    _check_widths(model, form)
+    _check_results(bytes(data), form)
+    return _warnings(model, form.entry)
 
 
 def _warnings(model: Model, name: str) -> list[Issue]:
@@ -101,27 +98,27 @@ def _span(versions: range) -> str:
     return f"{versions.start} to {versions.stop - 1}"
 
 
-def _check_interface(model: Model, tier: Tier) -> None:
+def _check_interface(model: Model, form: DecoderForm) -> None:
     sides = (
-        (Code.DECODER_INPUT, "input", model.inputs, INPUT_NAME, tier.query_width),
-        (Code.DECODER_OUTPUT, "output", model.outputs, OUTPUT_NAME, OUTPUT_WIDTH),
+        (Code.DECODER_INPUT, "input", model.inputs, INPUT_NAME, form.columns),
+        (Code.DECODER_OUTPUT, "output", model.outputs, form.output, form.width),
     )
     for code, side, values, name, width in sides:
         if list(values) != [Value(name, FLOAT, (None, width))]:
-            where = f"{tier.decoder}#/graph/{side}"
+            where = f"{form.entry}#/graph/{side}"
             found = [f"{v.name} type {v.dtype} {list(v.dims)}" for v in values]
             refuse(code, where, found, f"{name} float32 [N, {width}], N symbolic")
 
 
-def _check_nodes(model: Model, tier: Tier) -> None:
+def _check_nodes(model: Model, form: DecoderForm) -> None:
     if model.nested:
         found = "functions, training info or sparse tensors"
-        refuse(Code.DECODER_NESTED, f"{tier.decoder}#", found, "none")
+        refuse(Code.DECODER_NESTED, f"{form.entry}#", found, "none")
     if len(model.nodes) > MAX_DECODER_NODES:
-        where = f"{tier.decoder}#/graph/node"
+        where = f"{form.entry}#/graph/node"
         refuse(Code.DECODER_GRAPH, where, len(model.nodes), f"at most {MAX_DECODER_NODES} nodes")
     for i, node in enumerate(model.nodes):
-        where = f"{tier.decoder}#/graph/node/{i}"
+        where = f"{form.entry}#/graph/node/{i}"
         if node.domain not in DEFAULT_DOMAINS:
             refuse(Code.DECODER_DOMAIN, where, node.domain, "the default domain")
         if node.nested:
@@ -130,8 +127,8 @@ def _check_nodes(model: Model, tier: Tier) -> None:
             refuse(Code.DECODER_OPERATOR, where, node.operator, "one of the list in the spec")
     quantized = any(node.operator in QUANTIZERS for node in model.nodes)
     actual = "int8" if quantized else "float32"
-    if actual != tier.decoder_precision:
-        refuse(Code.DECODER_PRECISION, tier.decoder, actual, tier.decoder_precision)
+    if actual != form.precision:
+        refuse(Code.DECODER_PRECISION, form.entry, actual, form.precision)
 
 
 def _check_tensors(model: Model, name: str) -> None:
@@ -151,20 +148,20 @@ def _width(tensor: Tensor) -> int:
     return max(tensor.dims, default=1)
 
 
-def _check_widths(model: Model, tier: Tier) -> None:
+def _check_widths(model: Model, form: DecoderForm) -> None:
     """Every input is made before it is used, and no tensor can grow past the limit.
 
     The bound needs no shape inference: no operator here gives a larger dimension than its
     operands have, but for Concat, whose result is at most their sum.
     """
-    bounds = {"": 1, INPUT_NAME: tier.query_width}
+    bounds = {"": 1, INPUT_NAME: form.columns}
     for tensor in model.initializers:
         if tensor.name in bounds:
-            where = f"{tier.decoder}#{tensor.name}"
+            where = f"{form.entry}#{tensor.name}"
             refuse(Code.DECODER_GRAPH, where, "a name made twice", "each value made once")
         bounds[tensor.name] = _width(tensor)
     for i, node in enumerate(model.nodes):
-        where = f"{tier.decoder}#/graph/node/{i}"
+        where = f"{form.entry}#/graph/node/{i}"
         missing = [name for name in node.inputs if name not in bounds]
         twice = [name for name in node.outputs if name and name in bounds]
         if missing or twice:
@@ -174,8 +171,8 @@ def _check_widths(model: Model, tier: Tier) -> None:
         if bound > MAX_DECODER_WIDTH:
             refuse(Code.DECODER_TENSOR, where, f"width {bound}", f"at most {MAX_DECODER_WIDTH}")
         bounds.update((name, bound) for name in node.outputs if name)
-    if OUTPUT_NAME not in bounds:
-        refuse(Code.DECODER_GRAPH, f"{tier.decoder}#/graph/output", "nothing makes it", OUTPUT_NAME)
+    if form.output not in bounds:
+        refuse(Code.DECODER_GRAPH, f"{form.entry}#/graph/output", "nothing makes it", form.output)
 
 
 def _bound(node: Node, widths: list[int]) -> int:
@@ -183,7 +180,7 @@ def _bound(node: Node, widths: list[int]) -> int:
     return max(own, sum(widths) if node.operator == "Concat" else max(widths, default=1))
 
 
-def _check_results(data: bytes, tier: Tier) -> None:
+def _check_results(data: bytes, form: DecoderForm) -> None:
     """Load the decoder and ask it a few queries: together, in another order, and alone."""
     # Imported here: everything but this last check works, and starts fast, without it.
     import onnxruntime as ort
@@ -192,18 +189,18 @@ def _check_results(data: bytes, tier: Tier) -> None:
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.graph_optimization_level = ort.GraphOptimizationLevel.ORT_DISABLE_ALL
     options.log_severity_level = 4
-    queries = _probes(tier.query_width)
+    queries = _probes(form.columns)
     order = np.random.default_rng(1).permutation(len(queries))
     ordinary = np.arange(len(_PROBES), len(queries))  # what rounding does to the others is larger
     try:
         session = ort.InferenceSession(data, options, providers=["CPUExecutionProvider"])
 
         def run(rows: Rows) -> Rows:
-            result: Rows = session.run([OUTPUT_NAME], {INPUT_NAME: rows})[0]
-            if result.dtype != np.float32 or result.shape != (len(rows), OUTPUT_WIDTH):
+            result: Rows = session.run([form.output], {INPUT_NAME: rows})[0]
+            if result.dtype != np.float32 or result.shape != (len(rows), form.width):
                 found = f"{result.dtype} {list(result.shape)}"
-                expected = f"float32 {[len(rows), OUTPUT_WIDTH]}"
-                refuse(Code.DECODER_RESULT, tier.decoder, found, expected)
+                expected = f"float32 {[len(rows), form.width]}"
+                refuse(Code.DECODER_RESULT, form.entry, found, expected)
             return result
 
         run(queries[:0])
@@ -212,24 +209,24 @@ def _check_results(data: bytes, tier: Tier) -> None:
     except PackageError:
         raise
     except Exception as error:  # the engine's exceptions share no narrower base
-        refuse(Code.DECODER_LOAD, tier.decoder, error, "a model that loads and runs")
+        refuse(Code.DECODER_LOAD, form.entry, error, "a model that loads and runs")
     good = (np.isfinite(transport) & (transport >= 0)).all(axis=1)
     if not good.all():
         row = int(np.argmin(good))
         found = f"{transport[row].tolist()} for inputs that begin with {queries[row, 0]:g}"
-        refuse(Code.DECODER_RESULT, tier.decoder, found, "finite and >= 0 for any finite input")
+        refuse(Code.DECODER_RESULT, form.entry, found, "finite and >= 0 for any finite input")
     in_order = permuted[np.argsort(order)]
-    _check_rows_apart(transport[ordinary], (in_order[ordinary], alone), tier)
+    _check_rows_apart(transport[ordinary], (in_order[ordinary], alone), form)
 
 
-def _check_rows_apart(expected: Rows, others: Iterable[Rows], tier: Tier) -> None:
+def _check_rows_apart(expected: Rows, others: Iterable[Rows], form: DecoderForm) -> None:
     """The same rows came out of calls with other rows, in other places."""
     # Sums of int8 halfway between two steps may round another way in a batch of another size.
-    enough = 1.0 if tier.decoder_precision == "float32" else _INT8_SHARE
+    enough = 1.0 if form.precision == "float32" else _INT8_SHARE
     for result in others:
         if np.isclose(result, expected, rtol=1e-3, atol=1e-5).all(axis=1).mean() < enough:
             found = "rows that depend on others, or on their place"
-            refuse(Code.DECODER_RESULT, tier.decoder, found, "rows that depend on themselves alone")
+            refuse(Code.DECODER_RESULT, form.entry, found, "rows that depend on themselves alone")
 
 
 def _probes(columns: int) -> Rows:

@@ -1,4 +1,4 @@
-"""The decoder profile: the form that a host can run without an ONNX engine (RNA-1.0, 6.4).
+"""The decoder profile: the form that a host can run without an ONNX engine (spec/RNA.md, 6.4).
 
 float32: Clip, Gemm, Relu, ..., Gemm, Clip, Exp, Sub, and Mul or MatMul
 int8:    Clip, Mul, Add, then QuantizeLinear, DequantizeLinear and Gemm for each layer,
@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package.limits import OUTPUT_WIDTH
 from rna_sdk.package.onnx_model import Model, Node, Tensor
 from rna_sdk.package.saturation import can_saturate
 
@@ -82,7 +81,7 @@ def _numbers(tensor: Tensor) -> NDArray[Any]:
 
 
 class _Walk:
-    """Follows the one chain of nodes from queries to transport."""
+    """Follows the one chain of nodes from queries to the output."""
 
     def __init__(self, model: Model) -> None:
         self._constants = {tensor.name: tensor for tensor in model.initializers}
@@ -98,6 +97,7 @@ class _Walk:
         self._at = 0
         self._value = "queries"
         self._width = model.inputs[0].dims[1] or 0
+        self._outputs = model.outputs[0].dims[1] or 0
 
     def check(self) -> None:
         """Raises _Outside where the graph leaves the profile."""
@@ -110,7 +110,7 @@ class _Walk:
         self._take("Exp")
         self._take("Sub", _ONE)
         if self._operator == "MatMul":
-            self._take("MatMul", _Operand(_FLOAT32, (self._width, OUTPUT_WIDTH)))
+            self._take("MatMul", _Operand(_FLOAT32, (self._width, self._outputs)))
         else:
             self._take("Mul", _SCALAR)
         if self._operator != "nothing":

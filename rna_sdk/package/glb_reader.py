@@ -9,17 +9,21 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from rna_sdk.package import gltf
+from rna_sdk.package.glb_forms import AccessorForm, accessor_forms
 from rna_sdk.package.glb_writer import CHUNK, CHUNK_BIN, CHUNK_JSON, HEADER, MAGIC
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import MAX_GLTF_JSON_BYTES
 from rna_sdk.package.mesh import Mesh
+from rna_sdk.package.quantised_mesh import QuantisedMesh, stored_normals
 from rna_sdk.package.strict_json import model_of, parse_object, pointer
 
 NORMAL_TOLERANCE = 1e-3
 
 
 def mesh_from_glb(data: memoryview, name: str) -> Mesh:
-    """The mesh in the .glb `data`; its arrays are read-only views of `data`.
+    """The mesh in the .glb `data`.
+
+    Its arrays are read-only views of `data`; those of a quantised mesh are restored.
 
     Args:
         data: the bytes of the entry.
@@ -29,22 +33,28 @@ def mesh_from_glb(data: memoryview, name: str) -> Mesh:
         PackageError: with the first GEOMETRY_* or JSON_* issue found.
     """
     document, blob = _split(data, name)
-    primitive = document.meshes[0].primitives[0]
-    attributes = primitive.attributes
-    uv_index = attributes.TEXCOORD_0
-    indices = _array(document, blob, primitive.indices, "SCALAR", name)
+    forms = accessor_forms(document, name)
+    arrays = {which: _array(document, blob, form, name) for which, form in forms.items()}
+    indices = arrays["indices"].reshape(-1)
     if indices.size % 3:
         refuse(Code.GEOMETRY_ARRAY, name, f"{indices.size} indices", "a multiple of 3")
-    mesh = Mesh(
-        positions=_array(document, blob, attributes.POSITION, "VEC3", name),
-        normals=_array(document, blob, attributes.NORMAL, "VEC3", name),
-        uvs=None if uv_index is None else _array(document, blob, uv_index, "VEC2", name),
-        triangles=indices.reshape(-1, 3),
-    )
-    _check_values(mesh, name)
-    accessor = document.accessors[attributes.POSITION]
-    _check_range(mesh, accessor, f"{name}#/accessors/{attributes.POSITION}")
+    position = forms["POSITION"]
+    _check_range(arrays["POSITION"], document.accessors[position.index], position.where(name))
+    mesh = _mesh(document, arrays, indices.astype(np.uint32, copy=False).reshape(-1, 3))
+    stored = mesh.quantised
+    _check_values(mesh, mesh.normals if stored is None else stored_normals(stored.normals), name)
     return mesh
+
+
+def _mesh(
+    document: gltf.Gltf, arrays: dict[str, NDArray[Any]], triangles: NDArray[np.uint32]
+) -> Mesh:
+    positions, normals, uvs = arrays["POSITION"], arrays["NORMAL"], arrays.get("TEXCOORD_0")
+    node = document.nodes[0]
+    if node.scale is None or node.translation is None:
+        return Mesh(positions, normals, uvs, triangles)
+    translation, scale = np.array(node.translation), np.array(node.scale[:1])
+    return QuantisedMesh(translation, scale, positions, normals, uvs, triangles).restored()
 
 
 def _split(data: memoryview, name: str) -> tuple[gltf.Gltf, memoryview]:
@@ -94,32 +104,24 @@ def _refuse_null(value: Any, name: str, *path: str | int) -> None:
             _refuse_null(child, name, *path, key)
 
 
-def _array(document: gltf.Gltf, blob: memoryview, index: int, kind: gltf.Shape, name: str) -> Any:
-    """(count, width) float32 of an attribute, or (count,) uint32 of SCALAR indices."""
-    where = f"{name}#/accessors/{index}"
-    if index >= len(document.accessors):
-        refuse(Code.GEOMETRY_RANGE, where, "no such accessor", f"{len(document.accessors)} of them")
-    accessor = document.accessors[index]
-    component = gltf.UNSIGNED_INT if kind == "SCALAR" else gltf.FLOAT
-    if (accessor.type, accessor.component_type) != (kind, component):
-        found = f"{accessor.type} of {accessor.component_type}"
-        refuse(Code.GEOMETRY_PROFILE, where, found, f"{kind} of {component}")
-    if accessor.buffer_view >= len(document.buffer_views):
-        refuse(Code.GEOMETRY_RANGE, where, f"view {accessor.buffer_view}", "an existing one")
+def _array(document: gltf.Gltf, blob: memoryview, form: AccessorForm, name: str) -> NDArray[Any]:
+    """(count, width) of what the accessor is; a view of `blob`."""
+    where = form.where(name)
+    accessor = document.accessors[form.index]
     view = document.buffer_views[accessor.buffer_view]
-    width = gltf.WIDTHS[kind]
+    size = form.width * form.dtype.itemsize
+    stride = view.byte_stride or size
     start = view.byte_offset + accessor.byte_offset
-    size = 4 * width * accessor.count
+    end = start + stride * (accessor.count - 1) + size
     view_end = view.byte_offset + view.byte_length
-    if start + size > view_end or view_end > len(blob) or start % 4:
-        found = f"{size} bytes at {start}, view to {view_end}, buffer of {len(blob)}"
+    if end > view_end or view_end > len(blob) or start % 4:
+        found = f"bytes {start} to {end}, view to {view_end}, buffer of {len(blob)}"
         refuse(Code.GEOMETRY_RANGE, where, found, "aligned bytes inside both")
-    dtype = "<u4" if kind == "SCALAR" else "<f4"
-    flat = np.frombuffer(blob[start : start + size], dtype)
-    return flat if kind == "SCALAR" else flat.reshape(-1, width)
+    strides = (stride, form.dtype.itemsize)
+    return np.ndarray((accessor.count, form.width), form.dtype, blob, start, strides)
 
 
-def _check_values(mesh: Mesh, name: str) -> None:
+def _check_values(mesh: Mesh, stored_normals: NDArray[np.floating[Any]], name: str) -> None:
     attributes: dict[str, NDArray[np.float32] | None] = {
         "POSITION": mesh.positions,
         "NORMAL": mesh.normals,
@@ -131,15 +133,15 @@ def _check_values(mesh: Mesh, name: str) -> None:
     largest = int(mesh.triangles.max())
     if largest >= len(mesh.positions):
         refuse(Code.GEOMETRY_INDEX, name, largest, f"below {len(mesh.positions)}")
-    lengths = np.linalg.norm(mesh.normals.astype(np.float64), axis=1)
+    lengths = np.linalg.norm(stored_normals.astype(np.float64), axis=1)
     worst = float(lengths[np.argmax(np.abs(lengths - 1))])
     if abs(worst - 1) > NORMAL_TOLERANCE:
         refuse(Code.GEOMETRY_NORMAL, name, f"length {worst:.6g}", f"1 within {NORMAL_TOLERANCE}")
 
 
-def _check_range(mesh: Mesh, accessor: gltf.Accessor, where: str) -> None:
-    """POSITION's min and max are those of its values, as float32."""
-    low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+def _check_range(positions: NDArray[Any], accessor: gltf.Accessor, where: str) -> None:
+    """POSITION's min and max are those of its values, as they are stored."""
+    low, high = positions.min(axis=0), positions.max(axis=0)
     for found, actual in ((accessor.min, low), (accessor.max, high)):
         with np.errstate(over="ignore"):
             same = found is not None and np.array_equal(np.asarray(found, np.float32), actual)

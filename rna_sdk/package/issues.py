@@ -57,7 +57,8 @@ class Code(Enum):
     JSON_NOT_FINITE = (Severity.ERROR, "A JSON number is NaN, infinite or out of range.")
     FORMAT_UNKNOWN = (Severity.ERROR, "The manifest does not say that this is an RNA package.")
     VERSION_TOO_NEW = (Severity.ERROR, "The package needs a newer reader.")
-    KIND_UNSUPPORTED = (Severity.ERROR, "This version does not know the kind of asset.")
+    VERSION_TOO_OLD = (Severity.ERROR, "The package has what its minReaderVersion does not know.")
+    KIND_UNSUPPORTED = (Severity.ERROR, "This version does not know the kind of part.")
     EXTENSION_REQUIRED = (Severity.ERROR, "The package requires an extension that is not known.")
     EXTENSION_UNKNOWN = (Severity.WARNING, "The package uses an extension that is not known.")
     EXTENSION_UNDECLARED = (Severity.ERROR, "An extension is present but not in extensionsUsed.")
@@ -66,8 +67,10 @@ class Code(Enum):
     FIELD_VALUE = (Severity.ERROR, "A field has the wrong type or a value out of range.")
     BOUNDS_EMPTY = (Severity.ERROR, "The bounds have no extent along an axis.")
     TIER_DUPLICATE = (Severity.ERROR, "Two tiers have the same name.")
+    PART_DUPLICATE = (Severity.ERROR, "Two parts have the same name.")
+    PARTS_DIFFER = (Severity.ERROR, "A tier has other parts, or others that emit, than it must.")
     INPUT_UNKNOWN = (Severity.ERROR, "A decoder input block is not known, or named twice.")
-    INPUT_KIND = (Severity.ERROR, "A decoder input block is for another kind of asset.")
+    INPUT_KIND = (Severity.ERROR, "An input block is for another kind of part, or knows a light.")
     REFERENCE_MISSING = (Severity.ERROR, "A path in the manifest names no declared entry.")
 
     # Entries against the manifest
@@ -77,7 +80,7 @@ class Code(Enum):
     ENTRY_SIZE = (Severity.ERROR, "An entry's size is not the declared one.")
     ENTRY_HASH = (Severity.ERROR, "An entry's SHA-256 is not the declared one.")
 
-    # geometry/mesh.glb, geometry/curves.safetensors
+    # geometry/*.glb, geometry/*.safetensors
     GEOMETRY_CONTAINER = (Severity.ERROR, "The geometry is not a well-formed file of its kind.")
     GEOMETRY_PROFILE = (Severity.ERROR, "The file is outside the profile of its kind of geometry.")
     GEOMETRY_RANGE = (Severity.ERROR, "A view, accessor or tensor does not fit into its bytes.")
@@ -88,8 +91,14 @@ class Code(Enum):
     GEOMETRY_BOUNDS = (Severity.ERROR, "The accessor's min and max are not those of POSITION.")
     GEOMETRY_STRANDS = (Severity.ERROR, "The offsets do not part the points into whole strands.")
     GEOMETRY_SEGMENT = (Severity.ERROR, "Two points in a row of a strand are equal.")
+    GEOMETRY_STEPS = (Severity.ERROR, "Quantised steps have no length, or a strand too many.")
     GEOMETRY_RADIUS = (Severity.ERROR, "A radius is not greater than 0.")
     GEOMETRY_OUTSIDE = (Severity.WARNING, "Part of the geometry lies outside the bounds.")
+
+    # transmittance/*.safetensors
+    TRANSMITTANCE_RANGE = (Severity.ERROR, "Records of transmittance share or lack triangles.")
+    TRANSMITTANCE_TEXTURE = (Severity.ERROR, "The texture is not the tensor file that it must be.")
+    TRANSMITTANCE_UV = (Severity.ERROR, "A mesh with a texture has no texture coordinates.")
 
     # features/*.safetensors
     PLANES_HEADER = (Severity.ERROR, "The planes are not a well-formed safetensors file.")
@@ -109,7 +118,7 @@ class Code(Enum):
     DECODER_EXTERNAL = (Severity.ERROR, "The decoder refers to data outside its own file.")
     DECODER_TENSOR = (Severity.ERROR, "A tensor's type, rank or size is not allowed.")
     DECODER_INPUT = (Severity.ERROR, "The inputs are not exactly `queries` float32 [N, K].")
-    DECODER_OUTPUT = (Severity.ERROR, "The outputs are not exactly `transport` float32 [N, 6].")
+    DECODER_OUTPUT = (Severity.ERROR, "The outputs are not exactly the one that it must have.")
     DECODER_GRAPH = (Severity.ERROR, "The graph is not a list of nodes in order of use.")
     DECODER_PRECISION = (Severity.ERROR, "The decoder's arithmetic is not the tier's precision.")
     DECODER_LOAD = (Severity.ERROR, "The inference engine refuses the decoder.")

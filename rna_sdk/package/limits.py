@@ -21,12 +21,16 @@ MAX_COORDINATE = 1e18
 MIN_EXTENT = 1e-18
 """Metres, of the bounds along an axis; squares of it stay normal in float32."""
 
+MAX_PARTS = 16
 MAX_TIERS = 16
 MAX_CONES = 16
 MAX_RESOLUTION = 4096
 MAX_CHANNELS = 64
 MAX_TEXEL = np.float32(1e18)
 """Largest magnitude of a value of the planes; keeps sums and squares finite in float32."""
+
+MAX_TRANSMITTANCE_RECORDS = 64
+MAX_TEXTURE_SIDE = 8192
 
 MAX_TENSORS_HEADER_BYTES = 2**16
 MAX_GLTF_JSON_BYTES = 2**16
@@ -41,5 +45,8 @@ MAX_DECODER_WIDTH = 8192
 IR_VERSIONS = range(7, 11)
 OPSET_VERSIONS = range(13, 22)
 
-OUTPUT_WIDTH = 6
+TRANSPORT_WIDTH = 6
 """Columns of `transport`: visible R, G, B, shadowed R, G, B."""
+
+EMISSION_WIDTH = 3
+"""Columns of `emission`: R, G, B."""

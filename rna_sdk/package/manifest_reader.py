@@ -10,49 +10,39 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from rna_sdk.errors import PackageError
-from rna_sdk.package.blocks import blocks_for
 from rna_sdk.package.issues import Code, Issue, refuse
-from rna_sdk.package.manifest import KINDS, REQUIRED_IN_FILE, VERSION_PATTERN, Manifest
+from rna_sdk.package.manifest import REQUIRED_IN_FILE, Manifest
+from rna_sdk.package.manifest_checks import KNOWN_EXTENSIONS, manifest_issues
+from rna_sdk.package.manifest_fields import KINDS, VERSION_PATTERN, version_number
+from rna_sdk.package.manifest_short import Places, ShortManifest, in_parts
 from rna_sdk.package.strict_json import model_of, parse_object, pointer
 
-READER_VERSION = (1, 0)
+READER_VERSION = "1.1"
 """The format version this reader implements."""
-
-KNOWN_EXTENSIONS: frozenset[str] = frozenset()
 
 _SCHEMA_CODES = {"missing": Code.FIELD_MISSING, "extra_forbidden": Code.FIELD_UNKNOWN}
 
 
-def parse_manifest(data: bytes) -> Manifest:
-    """The manifest in `data`, once it fits this reader and the schema.
+def parse_manifest(data: bytes) -> tuple[Manifest, Places]:
+    """The manifest in `data`, once it fits this reader and the schema; and where things stand.
 
     Raises:
         PackageError: every schema issue at once; or the one that makes reading pointless.
     """
     raw = parse_object(data, "", Code.MANIFEST_NOT_JSON)
     _check_readable(raw)
+    places = Places(short="parts" not in raw)
     try:
-        manifest = model_of(Manifest, raw)
+        manifest = (
+            in_parts(model_of(ShortManifest, raw)) if places.short else model_of(Manifest, raw)
+        )
     except ValidationError as error:
         raise PackageError(map(_schema_issue, _root_causes(error.errors()))) from None
     # The defaults of missing members would only be found guilty below.
-    issues = _presence_issues(raw) or [
-        *_extension_issues(manifest),
-        *_input_issues(manifest),
-        *_reference_issues(manifest),
-    ]
+    issues = _presence_issues(raw) or manifest_issues(manifest, places)
     if issues:
         raise PackageError(issues)
-    return manifest
-
-
-def manifest_warnings(manifest: Manifest) -> list[Issue]:
-    """What a reader should tell about a manifest that it accepts."""
-    return [
-        Issue.of(Code.EXTENSION_UNKNOWN, pointer("extensionsUsed", i), name, "a known extension")
-        for i, name in enumerate(manifest.extensions_used)
-        if name not in KNOWN_EXTENSIONS
-    ]
+    return manifest, places
 
 
 def _check_readable(raw: dict[str, Any]) -> None:
@@ -61,19 +51,28 @@ def _check_readable(raw: dict[str, Any]) -> None:
         refuse(Code.FORMAT_UNKNOWN, "/format", json.dumps(raw.get("format")), '"rna"')
     version = raw.get("minReaderVersion")
     if isinstance(version, str) and re.fullmatch(VERSION_PATTERN, version):
-        major, minor = map(int, version.split("."))
-        if (major, minor) > READER_VERSION:
-            expected = "at most {}.{}".format(*READER_VERSION)
-            refuse(Code.VERSION_TOO_NEW, "/minReaderVersion", version, expected)
-    kind = raw.get("kind", KINDS[0])
-    if kind not in KINDS:
-        expected = " or ".join(map(json.dumps, KINDS))
-        refuse(Code.KIND_UNSUPPORTED, "/kind", json.dumps(kind), expected)
+        if version_number(version) > version_number(READER_VERSION):
+            where = "/minReaderVersion"
+            refuse(Code.VERSION_TOO_NEW, where, version, f"at most {READER_VERSION}")
+    for where, kind in _kinds(raw):
+        if kind not in KINDS:
+            expected = " or ".join(map(json.dumps, KINDS))
+            refuse(Code.KIND_UNSUPPORTED, where, json.dumps(kind), expected)
     required = raw.get("extensionsRequired")
     for i, name in enumerate(required if isinstance(required, list) else []):
         if isinstance(name, str) and name not in KNOWN_EXTENSIONS:
             where = pointer("extensionsRequired", i)
             refuse(Code.EXTENSION_REQUIRED, where, json.dumps(name), "a known extension")
+
+
+def _kinds(raw: dict[str, Any]) -> list[tuple[str, Any]]:
+    """The kinds of parts, with their places, whatever they are."""
+    parts = raw.get("parts")
+    holders = [("", raw)] if "parts" not in raw else []
+    for i, part in enumerate(parts if isinstance(parts, list) else []):
+        if isinstance(part, dict):
+            holders.append((pointer("parts", i), part))
+    return [(f"{where}/kind", holder["kind"]) for where, holder in holders if "kind" in holder]
 
 
 def _root_causes(details: list[ErrorDetails]) -> list[ErrorDetails]:
@@ -105,49 +104,3 @@ def _presence_issues(raw: dict[str, Any]) -> list[Issue]:
         for name in REQUIRED_IN_FILE
         if name not in raw
     ]
-
-
-def _extension_issues(manifest: Manifest) -> list[Issue]:
-    places = [(pointer("extensions", name), name) for name in manifest.extensions]
-    places += [
-        (pointer("extensionsRequired", i), name)
-        for i, name in enumerate(manifest.extensions_required)
-    ]
-    return [
-        Issue.of(Code.EXTENSION_UNDECLARED, where, name, "a name in extensionsUsed")
-        for where, name in places
-        if name not in manifest.extensions_used
-    ]
-
-
-def _input_issues(manifest: Manifest) -> list[Issue]:
-    """Every block is one that the kind of asset can fill."""
-    known = blocks_for(manifest.kind)
-    expected = f"for {manifest.kind}: {', '.join(known)}"
-    return [
-        Issue.of(Code.INPUT_KIND, pointer("tiers", i, "inputs", j), name, expected)
-        for i, tier in enumerate(manifest.tiers)
-        for j, name in enumerate(tier.inputs)
-        if name not in known
-    ]
-
-
-def _reference_issues(manifest: Manifest) -> list[Issue]:
-    """Every path names a declared entry, and every declared entry is named by a path."""
-    places = [("/geometry", manifest.geometry)]
-    for i, tier in enumerate(manifest.tiers):
-        places.append((pointer("tiers", i, "planes"), tier.planes))
-        places.append((pointer("tiers", i, "decoder"), tier.decoder))
-    named = {path for _, path in places}
-    issues = [
-        Issue.of(Code.REFERENCE_MISSING, where, path, "a key of /entries")
-        for where, path in places
-        if path not in manifest.entries
-    ]
-    folders = tuple(f"extensions/{name}/" for name in manifest.extensions_used)
-    issues += [
-        Issue.of(Code.ENTRY_UNREFERENCED, pointer("entries", path), path, "a path that is used")
-        for path in manifest.entries
-        if path not in named and not path.startswith(folders)
-    ]
-    return issues

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package.issues import Code, refuse
+
+if TYPE_CHECKING:
+    from rna_sdk.package.quantised_mesh import QuantisedMesh
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,6 +24,9 @@ class Mesh:
             hard edge is there once for each normal.
         uvs: (v, 2) float32 with glTF's origin (top left), or None.
         triangles: (t, 3) uint32, counter-clockwise from outside.
+        quantised: the integers that the arrays were restored from, which a file then holds; None
+            where the arrays are stored as they are. A changed copy (`dataclasses.replace`) has
+            none.
 
     Raises:
         PackageError: GEOMETRY_ARRAY, where a shape or dtype is another.
@@ -29,6 +36,7 @@ class Mesh:
     normals: NDArray[np.float32]
     uvs: NDArray[np.float32] | None
     triangles: NDArray[np.uint32]
+    quantised: QuantisedMesh | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
         v, t = len(self.positions), len(self.triangles)

@@ -9,9 +9,11 @@ from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package.container import Container
 from rna_sdk.package.curves import Curves
 from rna_sdk.package.geometry import Geometry, geometry_from_bytes
-from rna_sdk.package.manifest import Manifest, Tier
+from rna_sdk.package.manifest import Manifest, Part
+from rna_sdk.package.manifest_tiers import Tier, TierPart
 from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.planes import Planes, planes_from_bytes
+from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
 from rna_sdk.package.validator import inspect
 
 
@@ -68,55 +70,101 @@ class Package:
         names = ", ".join(tier.name for tier in self.manifest.tiers)
         raise QueryError(f"no tier {name!r}; this package has: {names}")
 
-    def geometry(self) -> Geometry:
-        """The mesh or the curves, as the manifest's kind says; object space, metres.
+    def geometry(self, part: int = 0) -> Geometry:
+        """The mesh or the curves of a part, as its kind says; object space, metres.
+
+        Raises:
+            QueryError: the package has no such part, or is closed.
+        """
+        record = self._part(part)
+        return geometry_from_bytes(self._view(record.geometry), record.geometry, record.kind)
+
+    def mesh(self, part: int = 0) -> Mesh:
+        """The geometry of a surface, in object space and metres.
+
+        Raises:
+            QueryError: the part is of another kind, there is none, or the package is closed.
+        """
+        geometry = self.geometry(part)
+        if not isinstance(geometry, Mesh):
+            raise QueryError(f"a {self._part(part).kind} part has no mesh; ask for its curves()")
+        return geometry
+
+    def curves(self, part: int = 0) -> Curves:
+        """The geometry of fibers, in object space and metres.
+
+        Raises:
+            QueryError: the part is of another kind, there is none, or the package is closed.
+        """
+        geometry = self.geometry(part)
+        if not isinstance(geometry, Curves):
+            raise QueryError(f"a {self._part(part).kind} part has no curves; ask for its mesh()")
+        return geometry
+
+    def transmittance(self, part: int = 0) -> list[Transmittance]:
+        """The holes and thin glass of a part, with their textures; none for an opaque one.
+
+        Raises:
+            QueryError: the package has no such part, or is closed.
+        """
+        return [
+            Transmittance(
+                *record.triangles,
+                texture_from_bytes(self._view(record.texture), record),
+                record.cutoff,
+                record.ior,
+            )
+            for record in self._part(part).transmittance
+        ]
+
+    def planes(self, tier: str, part: int = 0) -> Planes:
+        """A part's triplane, (3, R, R, C), planes XY, YZ, ZX: an array, or Int8Planes.
+
+        Raises:
+            QueryError: the package has no such tier or part, or is closed.
+        """
+        record = self._tier_part(tier, part)
+        return planes_from_bytes(self._view(record.planes), record)
+
+    def decoder(self, tier: str, part: int = 0) -> memoryview:
+        """The ONNX model of a part's transport, as read-only bytes.
+
+        Raises:
+            QueryError: the package has no such tier or part, or is closed.
+        """
+        return self._view(self._tier_part(tier, part).decoder)
+
+    def emission_decoder(self, tier: str, part: int = 0) -> memoryview | None:
+        """The ONNX model of what a part emits, as read-only bytes; None where it emits nothing.
+
+        Raises:
+            QueryError: the package has no such tier or part, or is closed.
+        """
+        emission = self._tier_part(tier, part).emission
+        return self._view(emission.decoder) if emission else None
+
+    def layout(self) -> dict[str, range]:
+        """Entry -> bytes of the file that it takes with its header; for `tier_ranges`.
 
         Raises:
             QueryError: the package is closed.
         """
-        name = self.manifest.geometry
-        return geometry_from_bytes(self._view(name), name, self.manifest.kind)
+        return self._opened().layout()
 
-    def mesh(self) -> Mesh:
-        """The geometry of a surface asset, in object space and metres.
+    def _part(self, part: int) -> Part:
+        parts = self.manifest.parts
+        if not 0 <= part < len(parts):
+            raise QueryError(f"no part {part}; this package has {len(parts)}, counted from 0")
+        return parts[part]
 
-        Raises:
-            QueryError: the asset is of another kind, or the package is closed.
-        """
-        geometry = self.geometry()
-        if not isinstance(geometry, Mesh):
-            raise QueryError(f"a {self.manifest.kind} asset has no mesh; ask for its curves()")
-        return geometry
-
-    def curves(self) -> Curves:
-        """The geometry of a fiber asset, in object space and metres.
-
-        Raises:
-            QueryError: the asset is of another kind, or the package is closed.
-        """
-        geometry = self.geometry()
-        if not isinstance(geometry, Curves):
-            raise QueryError(f"a {self.manifest.kind} asset has no curves; ask for its mesh()")
-        return geometry
-
-    def planes(self, tier: str) -> Planes:
-        """The tier's triplane, (3, R, R, C), planes XY, YZ, ZX: an array, or Int8Planes.
-
-        Raises:
-            QueryError: the package has no tier of this name, or is closed.
-        """
-        record = self.tier(tier)
-        return planes_from_bytes(self._view(record.planes), record)
-
-    def decoder(self, tier: str) -> memoryview:
-        """The tier's ONNX model, as read-only bytes.
-
-        Raises:
-            QueryError: the package has no tier of this name, or is closed.
-        """
-        return self._view(self.tier(tier).decoder)
+    def _tier_part(self, tier: str, part: int) -> TierPart:
+        self._part(part)
+        return self.tier(tier).parts[part]
 
     def _view(self, entry: str) -> memoryview:
+        return self._opened().view(entry)
+
+    def _opened(self) -> Container:
         if self._container is None:
             raise QueryError("the package is closed")
-        return self._container.view(entry)
+        return self._container

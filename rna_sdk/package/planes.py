@@ -1,4 +1,4 @@
-"""The triplane of a tier, as a safetensors file: write it, read it."""
+"""The triplane of a tier part, as a safetensors file: write it, read it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import MAX_TEXEL
-from rna_sdk.package.manifest import Tier
+from rna_sdk.package.manifest_tiers import TierPart
 from rna_sdk.package.tensor_file import (
     TensorCodes,
     TensorForm,
@@ -64,19 +64,19 @@ def planes_to_bytes(planes: Planes) -> bytes:
     return tensors_to_bytes({TENSOR: planes})
 
 
-def planes_from_bytes(data: memoryview, tier: Tier) -> Planes:
-    """The tier's planes, (3, R, R, C), as read-only views of the entry `data`.
+def planes_from_bytes(data: memoryview, part: TierPart) -> Planes:
+    """The part's planes, (3, R, R, C), as read-only views of the entry `data`.
 
     Raises:
         PackageError: with the first PLANES_* or JSON_* issue found; values are not looked at.
     """
-    shape = (3, tier.resolution, tier.resolution, tier.channels)
-    forms = {TENSOR: TensorForm(tier.plane_precision, shape)}
-    if tier.plane_precision == "int8":
-        forms = {SCALES: TensorForm("float32", (3, tier.channels)), **forms}
-        tensors = tensors_from_bytes(data, tier.planes, forms, _CODES)
+    shape = (3, part.resolution, part.resolution, part.channels)
+    forms = {TENSOR: TensorForm(part.plane_precision, shape)}
+    if part.plane_precision == "int8":
+        forms = {SCALES: TensorForm("float32", (3, part.channels)), **forms}
+        tensors = tensors_from_bytes(data, part.planes, forms, _CODES)
         return Int8Planes(tensors[TENSOR], tensors[SCALES])
-    return tensors_from_bytes(data, tier.planes, forms, _CODES)[TENSOR]
+    return tensors_from_bytes(data, part.planes, forms, _CODES)[TENSOR]
 
 
 def check_finite(planes: Planes, name: str) -> None:

@@ -22,17 +22,27 @@ from rna_sdk.package.limits import ALIGNMENT, MAX_TENSORS_HEADER_BYTES
 from rna_sdk.package.strict_json import parse_object
 
 _LENGTH = struct.Struct("<Q")
-_DTYPES = {"int8": "I8", "float16": "F16", "float32": "F32", "uint32": "U32"}
+_DTYPES = {
+    "int8": "I8",
+    "uint8": "U8",
+    "int16": "I16",
+    "uint16": "U16",
+    "int32": "I32",
+    "uint32": "U32",
+    "float16": "F16",
+    "float32": "F32",
+}
+_NAMES = {written: name for name, written in _DTYPES.items()}
 
 
 @dataclass(frozen=True)
 class TensorForm:
-    """What a tensor must be: numpy's name of its dtype, and its dimensions.
+    """What a tensor must be: numpy's name of its dtype, or several, and its dimensions.
 
     A dimension is an int, or the range of those allowed.
     """
 
-    dtype: str
+    dtype: str | tuple[str, ...]
     shape: tuple[int | range, ...]
 
     def fits(self, shape: list[int]) -> bool:
@@ -41,6 +51,12 @@ class TensorForm:
             n in allowed if isinstance(allowed, range) else n == allowed
             for n, allowed in zip(shape, self.shape, strict=True)
         )
+
+    @property
+    def written_dtypes(self) -> list[str]:
+        """The names of the allowed dtypes in the file."""
+        names = (self.dtype,) if isinstance(self.dtype, str) else self.dtype
+        return [_DTYPES[name] for name in names]
 
     def __str__(self) -> str:
         texts = (f"{n[0]} to {n[-1]}" if isinstance(n, range) else f"{n}" for n in self.shape)
@@ -85,6 +101,15 @@ def tensors_to_bytes(tensors: Mapping[str, NDArray[Any]]) -> bytes:
     return b"".join((_LENGTH.pack(len(text)), text, *parts))
 
 
+def tensor_names(data: memoryview, name: str, codes: TensorCodes) -> set[str]:
+    """The tensors that the file `data` names, whatever they are.
+
+    Raises:
+        PackageError: with the first issue of `codes` or JSON_* issue found in the header.
+    """
+    return set(_read_header(data, name, codes)[0]) - {"__metadata__"}
+
+
 def tensors_from_bytes(
     data: memoryview, name: str, forms: Mapping[str, TensorForm], codes: TensorCodes
 ) -> dict[str, NDArray[Any]]:
@@ -108,8 +133,8 @@ def tensors_from_bytes(
     end = 0
     for tensor, form in forms.items():
         where = f"{name}#/{tensor}"
-        shape = _check_form(header[tensor], where, form, codes)
-        dtype = np.dtype(form.dtype).newbyteorder("<")
+        shape, written = _check_form(header[tensor], where, form, codes)
+        dtype = np.dtype(_NAMES[written]).newbyteorder("<")
         begin, end = end, end + math.prod(shape) * dtype.itemsize
         offsets = header[tensor].get("data_offsets")
         if offsets != [begin, end] or not _is_integers(offsets) or start + end > len(data):
@@ -136,16 +161,19 @@ def _read_header(data: memoryview, name: str, codes: TensorCodes) -> tuple[dict[
     return parse_object(bytes(data[_LENGTH.size : start]), name, codes.header), start
 
 
-def _check_form(tensor: object, where: str, form: TensorForm, codes: TensorCodes) -> list[int]:
-    """The tensor's shape, once the header's record of it is of the form."""
+def _check_form(
+    tensor: object, where: str, form: TensorForm, codes: TensorCodes
+) -> tuple[list[int], str]:
+    """The tensor's shape and dtype, once the header's record of it is of the form."""
     if not isinstance(tensor, dict):
         refuse(codes.tensors, where, type(tensor).__name__, "an object")
-    if tensor.get("dtype") != _DTYPES[form.dtype]:
-        refuse(codes.dtype, f"{where}/dtype", tensor.get("dtype"), _DTYPES[form.dtype])
+    dtype = tensor.get("dtype")
+    if dtype not in form.written_dtypes:
+        refuse(codes.dtype, f"{where}/dtype", dtype, " or ".join(form.written_dtypes))
     shape = tensor.get("shape")
     if not _is_integers(shape) or not form.fits(shape):
         refuse(codes.shape, f"{where}/shape", shape, form)
-    return shape
+    return shape, dtype
 
 
 def _is_integers(value: object) -> TypeGuard[list[int]]:

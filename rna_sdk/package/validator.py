@@ -11,12 +11,19 @@ from os import PathLike
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container import MANIFEST_NAME, Container
 from rna_sdk.package.decoder import check_decoder
-from rna_sdk.package.geometry import Geometry, geometry_from_bytes
+from rna_sdk.package.decoder_form import emission_form, transport_form
+from rna_sdk.package.geometry import QUANTISED_VERSION, Geometry, geometry_from_bytes
 from rna_sdk.package.issues import Code, Issue, Severity
-from rna_sdk.package.manifest import Bounds, Manifest
-from rna_sdk.package.manifest_reader import manifest_warnings, parse_manifest
+from rna_sdk.package.manifest import Manifest, TransmittanceRecord
+from rna_sdk.package.manifest_checks import manifest_warnings
+from rna_sdk.package.manifest_fields import Bounds, version_number
+from rna_sdk.package.manifest_reader import parse_manifest
+from rna_sdk.package.manifest_short import Places
+from rna_sdk.package.manifest_tiers import TierPart
+from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.planes import check_finite, planes_from_bytes
 from rna_sdk.package.strict_json import pointer
+from rna_sdk.package.transmittance import Texture, check_records, texture_from_bytes
 
 _OUTSIDE_TOLERANCE = 1e-4
 """Part of the bounds' extent that geometry may lie outside before a warning says so."""
@@ -63,11 +70,11 @@ def inspect(path: str | PathLike[str]) -> Inspection:
     with result.collect():
         result.container = Container.open(path)
         result.container.check_crc(MANIFEST_NAME)
-        manifest = parse_manifest(bytes(result.container.view(MANIFEST_NAME)))
+        manifest, places = parse_manifest(bytes(result.container.view(MANIFEST_NAME)))
         result.manifest = manifest
         result.issues += manifest_warnings(manifest)
         intact = _check_entries(result, result.container, manifest)
-        _check_contents(result, result.container, manifest, intact)
+        _check_contents(result, result.container, manifest, places, intact)
     return result
 
 
@@ -100,28 +107,76 @@ def _check_entries(result: Inspection, container: Container, manifest: Manifest)
 
 
 def _check_contents(
-    result: Inspection, container: Container, manifest: Manifest, intact: set[str]
+    result: Inspection, container: Container, manifest: Manifest, places: Places, intact: set[str]
 ) -> None:
-    if manifest.geometry in intact:
-        with result.collect():
-            data = container.view(manifest.geometry)
-            geometry = geometry_from_bytes(data, manifest.geometry, manifest.kind)
-            result.issues += _outside(geometry, manifest.bounds)
+    for k, part in enumerate(manifest.parts):
+        if part.geometry in intact:
+            with result.collect():
+                view = container.view(part.geometry)
+                geometry = geometry_from_bytes(view, part.geometry, part.kind)
+                result.issues += _too_new(geometry, manifest, places.part(k, "geometry"))
+                result.issues += _outside(geometry, part.bounds, places.part(k, "bounds"))
+                if isinstance(geometry, Mesh):
+                    textures = _Textures(result, container, intact)
+                    where = places.part(k, "transmittance")
+                    check_records(part, geometry, textures.get, where)
+    checked: set[object] = set()  # tiers and parts may share entries
     for tier in manifest.tiers:
-        if tier.planes in intact:
-            with result.collect():
-                check_finite(planes_from_bytes(container.view(tier.planes), tier), tier.planes)
-        if tier.decoder in intact:
-            with result.collect():
-                result.issues += check_decoder(container.view(tier.decoder), tier)
+        for tier_part in tier.parts:
+            _check_planes(result, container, tier_part, intact, checked)
+            for form in (transport_form(tier_part), emission_form(tier_part)):
+                if form is not None and form.entry in intact and form not in checked:
+                    checked.add(form)
+                    with result.collect():
+                        result.issues += check_decoder(container.view(form.entry), form)
 
 
-def _outside(geometry: Geometry, bounds: Bounds) -> list[Issue]:
+def _check_planes(
+    result: Inspection,
+    container: Container,
+    part: TierPart,
+    intact: set[str],
+    checked: set[object],
+) -> None:
+    form = part.planes, part.resolution, part.channels, part.plane_precision
+    if part.planes in intact and form not in checked:
+        checked.add(form)
+        with result.collect():
+            check_finite(planes_from_bytes(container.view(part.planes), part), part.planes)
+
+
+class _Textures:
+    """The textures of one part, each issue told once."""
+
+    def __init__(self, result: Inspection, container: Container, intact: set[str]) -> None:
+        self._result, self._container, self._intact = result, container, intact
+        self._refused: set[tuple[str, bool]] = set()
+
+    def get(self, record: TransmittanceRecord) -> Texture | None:
+        """The record's texture; None where it is not as it must be."""
+        key = record.texture, record.cutoff is not None
+        if record.texture in self._intact and key not in self._refused:
+            with self._result.collect():
+                return texture_from_bytes(self._container.view(record.texture), record)
+            self._refused.add(key)
+        return None
+
+
+def _too_new(geometry: Geometry, manifest: Manifest, where: str) -> list[Issue]:
+    """Whether a reader that the manifest lets in might not know the geometry's form."""
+    oldest = manifest.min_reader_version
+    if geometry.quantised is None or version_number(oldest) >= version_number(QUANTISED_VERSION):
+        return []
+    expected = f"minReaderVersion {QUANTISED_VERSION} at least"
+    return [Issue.of(Code.VERSION_TOO_OLD, where, f"{oldest}, with quantised geometry", expected)]
+
+
+def _outside(geometry: Geometry, bounds: Bounds, where: str) -> list[Issue]:
     low, high = (corner.tolist() for corner in geometry.box())
     for axis in range(3):
         slack = _OUTSIDE_TOLERANCE * (bounds.max[axis] - bounds.min[axis])
         if low[axis] < bounds.min[axis] - slack or high[axis] > bounds.max[axis] + slack:
             found = f"{low[axis]:.6g} to {high[axis]:.6g} along {'xyz'[axis]}"
             expected = f"{bounds.min[axis]:.6g} to {bounds.max[axis]:.6g}"
-            return [Issue.of(Code.GEOMETRY_OUTSIDE, "/bounds", found, expected)]
+            return [Issue.of(Code.GEOMETRY_OUTSIDE, where, found, expected)]
     return []

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -13,91 +12,157 @@ from pathlib import Path
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container import MANIFEST_NAME
 from rna_sdk.package.container_writer import write_container
-from rna_sdk.package.geometry import Geometry, geometry_to_bytes
+from rna_sdk.package.entry_order import ordered
+from rna_sdk.package.geometry import QUANTISED_VERSION, Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.manifest import EntryRecord, Manifest
+from rna_sdk.package.manifest_short import Places
+from rna_sdk.package.manifest_tiers import Tier, TierPart
+from rna_sdk.package.manifest_writer import is_written_short, manifest_to_json, with_versions
 from rna_sdk.package.planes import DTYPES, Planes, planes_to_bytes
+from rna_sdk.package.transmittance import Texture, texture_to_bytes
 from rna_sdk.package.validator import inspect
 
 
 @dataclass(frozen=True, eq=False)
 class TierData:
-    """The data of one tier.
+    """The data of one part in one tier.
 
     Attributes:
-        planes: (3, R, R, C) float16 or float32, or Int8Planes, as the manifest's tier says.
-        decoder: the serialized ONNX model.
+        planes: (3, R, R, C) float16 or float32, or Int8Planes, as the manifest's tier part says.
+        decoder: the serialized ONNX model of transport.
+        emission_decoder: that of emission, where the manifest's tier part has one.
     """
 
     planes: Planes
     decoder: bytes
+    emission_decoder: bytes | None = None
 
 
 def write_package(
-    path: str | PathLike[str], manifest: Manifest, geometry: Geometry, tiers: Mapping[str, TierData]
+    path: str | PathLike[str],
+    manifest: Manifest,
+    geometries: Sequence[Geometry],
+    data: Mapping[str, Sequence[TierData]],
+    textures: Mapping[str, Texture] | None = None,
 ) -> Manifest:
     """Write a package to `path`, whole or not at all.
 
-    The file is written under a temporary name beside `path`, validated, and then renamed.
+    The file is written under a temporary name beside `path`, validated, and then renamed. It has
+    the short form of 1.0 where the manifest needs no other. Entries that the manifest names twice
+    are stored once, and stand in the order of `ordered`.
 
     Args:
         path: the `.rna` file to make or replace.
-        manifest: the manifest; its `entries` are computed here.
-        geometry: a Mesh for a surface asset, Curves for a fiber asset.
-        tiers: the data of every tier of the manifest, by name.
+        manifest: the manifest; its `entries` are computed here, and its versions raised to
+            what it needs.
+        geometries: of each part, a Mesh for a surface, Curves for fibers.
+        data: of every tier of the manifest, by name: that of each part.
+        textures: of every transmittance, by the name of the entry: (H, W, C) uint8.
 
     Returns:
-        The manifest as written, with entries.
+        The manifest as it is read again.
 
     Raises:
         PackageError: what was given does not make a valid package.
         OSError: the file cannot be written.
     """
-    contents = _contents(manifest, geometry, tiers)
+    quantised = any(geometry.quantised is not None for geometry in geometries)
+    manifest = with_versions(manifest, QUANTISED_VERSION if quantised else "1.0")
+    contents = _Contents(manifest)
+    contents.add_parts(geometries, textures or {})
+    contents.add_tiers(data)
+    return write_entries(path, manifest, contents.entries)
+
+
+def write_entries(
+    path: str | PathLike[str], manifest: Manifest, contents: Mapping[str, bytes]
+) -> Manifest:
+    """The like of `write_package` for entries that are there as bytes, name -> data."""
     records = {
-        name: EntryRecord(size=len(data), sha256=hashlib.sha256(data).hexdigest())
-        for name, data in contents.items()
+        name: EntryRecord(size=len(value), sha256=hashlib.sha256(value).hexdigest())
+        for name, value in contents.items()
     }
     complete = manifest.model_copy(update={"entries": records})
-    entries = [(MANIFEST_NAME, manifest_to_json(complete)), *contents.items()]
-    target = Path(path)
+    entries = [(name, contents[name]) for name in ordered(manifest, records)]
+    return _write(Path(path), [(MANIFEST_NAME, manifest_to_json(complete)), *entries])
+
+
+def _write(target: Path, entries: list[tuple[str, bytes]]) -> Manifest:
     temporary = target.with_name(f".{target.name}.{os.getpid()}.partial")
     try:
         with open(temporary, "wb") as file:
             write_container(file, entries)
             file.flush()
             os.fsync(file.fileno())
-        errors = inspect(temporary).errors
-        if errors:
-            raise PackageError(errors, path)
+        result = inspect(temporary)
+        if result.errors or result.manifest is None:
+            raise PackageError(result.errors, target)
         os.replace(temporary, target)
     finally:
         temporary.unlink(missing_ok=True)
-    return complete
+    return result.manifest
 
 
-def manifest_to_json(manifest: Manifest) -> bytes:
-    """manifest.json: UTF-8, two spaces of indentation, fields in the order of the model."""
-    fields = manifest.model_dump(mode="json", by_alias=True)
-    return (json.dumps(fields, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
+class _Contents:
+    """Gathers the entries of a package.
 
+    Attributes:
+        entries: name -> data.
+    """
 
-def _contents(
-    manifest: Manifest, geometry: Geometry, tiers: Mapping[str, TierData]
-) -> dict[str, bytes]:
-    """Entry name -> data, in the order of the file: geometry, then planes and decoders."""
-    names = [tier.name for tier in manifest.tiers]
-    if sorted(names) != sorted(tiers):
-        refuse(Code.REFERENCE_MISSING, "/tiers", f"data of {sorted(tiers)}", f"of {sorted(names)}")
-    contents = {manifest.geometry: geometry_to_bytes(geometry, manifest.kind)}
-    for i, tier in enumerate(manifest.tiers):
-        data = tiers[tier.name]
+    def __init__(self, manifest: Manifest) -> None:
+        self._manifest = manifest
+        self._places = Places(is_written_short(manifest))
+        self.entries: dict[str, bytes] = {}
+
+    def add_parts(self, geometries: Sequence[Geometry], textures: Mapping[str, Texture]) -> None:
+        """Geometry and textures of every part."""
+        parts = self._manifest.parts
+        if len(geometries) != len(parts):
+            found, expected = f"{len(geometries)} geometries", f"{len(parts)}, one a part"
+            refuse(Code.PARTS_DIFFER, "/parts", found, expected)
+        for k, (part, geometry) in enumerate(zip(parts, geometries, strict=True)):
+            where = self._places.part(k, "geometry")
+            self._add(where, part.geometry, geometry_to_bytes(geometry, part.kind, where))
+            for j, record in enumerate(part.transmittance):
+                where = self._places.part(k, "transmittance", j, "texture")
+                if record.texture not in textures:
+                    refuse(Code.REFERENCE_MISSING, where, "no such texture", record.texture)
+                data = texture_to_bytes(textures[record.texture], record.texture)
+                self._add(where, record.texture, data)
+
+    def add_tiers(self, data: Mapping[str, Sequence[TierData]]) -> None:
+        """Planes and decoders of every tier."""
+        tiers = self._manifest.tiers
+        names = [tier.name for tier in tiers]
+        if sorted(names) != sorted(data):
+            found, expected = f"data of {sorted(data)}", f"of {sorted(names)}"
+            refuse(Code.REFERENCE_MISSING, "/tiers", found, expected)
+        for i, tier in enumerate(tiers):
+            self._add_tier(i, tier, data[tier.name])
+
+    def _add_tier(self, i: int, tier: Tier, data: Sequence[TierData]) -> None:
+        if len(data) != len(tier.parts):
+            found, expected = f"data of {len(data)} parts", f"of {len(tier.parts)}"
+            refuse(Code.PARTS_DIFFER, f"/tiers/{i}", found, expected)
+        for k, (part, own) in enumerate(zip(tier.parts, data, strict=True)):
+            self._add_tier_part(i, k, part, own)
+
+    def _add_tier_part(self, i: int, k: int, part: TierPart, data: TierData) -> None:
+        where = self._places.tier_part(i, k)
         if data.planes.dtype.name not in DTYPES:
-            where = f"/tiers/{i}/planePrecision"
-            refuse(Code.PLANES_DTYPE, where, data.planes.dtype, tier.plane_precision)
-        made = {tier.planes: planes_to_bytes(data.planes), tier.decoder: bytes(data.decoder)}
-        for name, value in made.items():
-            # Tiers may share an entry, but then it must be the same.
-            if contents.setdefault(name, value) != value:
-                refuse(Code.ENTRY_HASH, f"/tiers/{i}", f"other data for {name}", "one content")
-    return contents
+            dtype, expected = data.planes.dtype, part.plane_precision
+            refuse(Code.PLANES_DTYPE, f"{where}/planePrecision", dtype, expected)
+        self._add(where, part.planes, planes_to_bytes(data.planes))
+        self._add(where, part.decoder, bytes(data.decoder))
+        if (part.emission is None) != (data.emission_decoder is None):
+            found = "none" if data.emission_decoder is None else "one"
+            refuse(Code.PARTS_DIFFER, f"{where}/emission", f"{found} in the data", "as here")
+        if part.emission and data.emission_decoder is not None:
+            self._add(f"{where}/emission", part.emission.decoder, bytes(data.emission_decoder))
+
+    def _add(self, where: str, name: str, data: bytes) -> None:
+        """Parts and tiers may share an entry, but then it must be the same."""
+        if self.entries.setdefault(name, data) != data:
+            refuse(Code.ENTRY_HASH, where, f"other data for {name}", "one content")

@@ -8,17 +8,24 @@ and of fibers
 >>> hair = load("hair.rna")
 >>> h = offset_across(normals, tangents, wo)
 >>> visible, shadowed = hair.evaluate(positions, tangents, h, wo, wi)
+
+An asset of several parts is asked part by part: `for part in asset.parts: part.evaluate(...)`.
+An asset of one part is its own part.
 """
 
 from rna_sdk.errors import PackageError, QueryError
-from rna_sdk.runtime.asset import Asset, FiberAsset, SurfaceAsset, load
+from rna_sdk.runtime.asset import Asset, CompositeAsset
 from rna_sdk.runtime.domain import in_region
+from rna_sdk.runtime.fiber_asset import FiberAsset
+from rna_sdk.runtime.load import load
 from rna_sdk.runtime.offset_across import offset_across
+from rna_sdk.runtime.surface_asset import SurfaceAsset
 from rna_sdk.runtime.tiers import choose_tier, expected_error, is_no_worse
 from rna_sdk.runtime.transforms import Transform
 
 __all__ = [
     "Asset",
+    "CompositeAsset",
     "FiberAsset",
     "PackageError",
     "QueryError",

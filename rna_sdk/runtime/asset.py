@@ -1,93 +1,134 @@
-"""An asset that is loaded and can be asked for its transport."""
+"""An asset that is loaded: what all kinds have in common, and one of several parts."""
 
 from __future__ import annotations
 
-from os import PathLike
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
-from rna_sdk.package import Package, Tier
-from rna_sdk.package.manifest import Kind
-from rna_sdk.runtime.arguments import results, scalars, thread_count, vectors
+from rna_sdk.package import Domain, Package, Tier, Transmittance
+from rna_sdk.package.manifest_fields import Kind
+from rna_sdk.runtime.arguments import results, vectors
 from rna_sdk.runtime.batch import Batch, Rows
 from rna_sdk.runtime.costs import kept_cost, median_seconds
-from rna_sdk.runtime.tiers import choose_tier
+
+if TYPE_CHECKING:
+    from rna_sdk.runtime.fiber_asset import FiberAsset
+    from rna_sdk.runtime.surface_asset import SurfaceAsset
 
 _MEASURED_ROWS = 32_768
-
-
-def load(
-    path: str | PathLike[str],
-    tier: str | None = None,
-    threads: int | None = None,
-    *,
-    min_psnr: float | None = None,
-    max_error: float | None = None,
-    pixels: float | None = None,
-) -> SurfaceAsset | FiberAsset:
-    """Open the package at `path` for evaluation. Its planes stay in the file, mapped to memory.
-
-    Which of the two it gives, the package's kind says.
-
-    tier: name of a tier; None takes the package's first.
-    threads: threads of an evaluation; None takes one for each core this process may use.
-    min_psnr: instead of a name: takes the tier with the fewest multiply-adds a query, those of
-        an int8 decoder counted half, among those whose recorded validation PSNR is at least
-        this many dB.
-    max_error: likewise, whose recorded mean FLIP is at most this.
-    pixels: with max_error, how high the asset is in the image: the sphere about its bounds. A
-        small asset is content with a cheaper tier. None: as high as the validation images.
-
-    Raises:
-        PackageError: the file cannot be read or breaks the format.
-        QueryError: there is no such tier, none is good enough, or an argument is no such value.
-    """
-    count = thread_count(threads)
-    with Package.open(path) as package:
-        kind = SurfaceAsset if package.manifest.kind == "surface" else FiberAsset
-        return kind(package, choose_tier(package, tier, min_psnr, max_error, pixels), count)
 
 
 class Asset:
     """One tier of a package, ready to evaluate; make one with `load`.
 
-    It is a `SurfaceAsset` or a `FiberAsset`. Threads may evaluate at the same time.
+    It is a `SurfaceAsset` or a `FiberAsset`, which are evaluated themselves, or a `CompositeAsset`
+    of several of them. Threads may evaluate at the same time.
 
     Attributes:
-        kind: "surface" or "fiber".
+        name: the asset's, for a person; of one of several parts, the part's.
         tier: the tier's record in the manifest (`tier.name`, `tier.validation`, ...).
         domain: the directions it was trained for; see `in_region`.
         threads: threads of an evaluation.
-        bounds: (2, 3) float32, read-only: lower and upper corner of the box that the features
-            span, object space, metres.
+        bounds: (2, 3) float32, read-only: lower and upper corner of the box around the boxes that
+            the features of all parts span, object space, metres.
+        emits: whether any part of it emits light.
     """
 
-    def __init__(self, package: Package, tier: Tier, threads: int) -> None:
-        """package: open; tier: one of its manifest's; threads: at least 1."""
-        # onnxruntime and numba load with the first asset, not with this module.
-        from rna_sdk.runtime.decoder import Decoder
-        from rna_sdk.runtime.tiles import QueryFiller, TileEvaluator
-
-        box = package.manifest.bounds
-        self.kind: Kind = package.manifest.kind
+    def __init__(
+        self,
+        name: str,
+        tier: Tier,
+        domain: Domain,
+        threads: int,
+        bounds: NDArray[np.float32],
+        emits: bool,
+    ) -> None:
+        self.name = name
         self.tier = tier
-        self.domain = package.manifest.domain
+        self.domain = domain
         self.threads = threads
-        self.bounds = box.corners()
+        self.bounds = bounds
         self.bounds.flags.writeable = False
-        filler = QueryFiller(package.planes(tier.name), box, tier, self.kind)
-        decoder = Decoder(package.decoder(tier.name), filler.largest_query)
-        self._evaluator = TileEvaluator(filler, decoder, threads)
-        entries = package.manifest.entries
-        self._digests = entries[tier.planes].sha256, entries[tier.decoder].sha256
+        self.emits = emits
+
+    emits = False
+    transmittance_records = ()
+
+    @property
+    def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
+        """What is evaluated, in the manifest's order; an asset of one part is that part."""
+        raise NotImplementedError
 
     def measured_ns_per_query(self) -> float:
         """Nanoseconds that a query takes on this processor, with `threads` threads.
 
-        Measured at the first call (some 0.1 s), on queries all over the bounds; then kept in the
-        user's cache for as long as processor, package and versions stay the same. The manifest's
-        `tier.cost` is what another machine took.
+        Of several parts the mean. Measured at the first call (some 0.1 s a part), on queries all
+        over the bounds; then kept in the user's cache for as long as processor, package and
+        versions stay the same. The manifest's `tier.cost` is what another machine took.
         """
+        costs = [part.measured_part_ns() for part in self.parts]
+        return sum(costs) / len(costs)
+
+
+class CompositeAsset(Asset):
+    """An asset of several parts, each evaluated by itself, which light each other."""
+
+    def __init__(self, name: str, parts: Sequence[SurfaceAsset | FiberAsset]) -> None:
+        """parts: of one tier of one package, two or more."""
+        first = parts[0]
+        low = np.min([part.bounds[0] for part in parts], axis=0)
+        high = np.max([part.bounds[1] for part in parts], axis=0)
+        emits = any(part.emits for part in parts)
+        bounds = np.stack([low, high])
+        super().__init__(name, first.tier, first.domain, first.threads, bounds, emits)
+        self._parts = tuple(parts)
+
+    @property
+    def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
+        return self._parts
+
+
+class AssetPart(Asset):
+    """What a `SurfaceAsset` and a `FiberAsset` have in common.
+
+    Attributes:
+        kind: "surface" or "fiber".
+        tier_part: the part's record in the tier.
+        transmittance_records: holes and thin glass of a surface; see `transmittance`.
+    """
+
+    def __init__(self, package: Package, tier: Tier, threads: int, part: int, name: str) -> None:
+        """package: open; tier: one of its manifest's; threads: at least 1; part: its number."""
+        # onnxruntime and numba load with the first asset, not with this module.
+        from rna_sdk.runtime.decoder import Decoder
+        from rna_sdk.runtime.tiles import QueryFiller, TileEvaluator
+
+        record, own = package.manifest.parts[part], tier.parts[part]
+        box, emission = record.bounds, package.emission_decoder(tier.name, part)
+        emits = emission is not None
+        super().__init__(name, tier, package.manifest.domain, threads, box.corners(), emits)
+        self.kind: Kind = record.kind
+        self.tier_part = own
+        self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
+        filler = QueryFiller(package.planes(tier.name, part), box, own, self.kind)
+        decoder = Decoder(package.decoder(tier.name, part), filler.largest_query)
+        self._evaluator = TileEvaluator(filler, decoder, threads)
+        self._emitter: TileEvaluator | None = None
+        if emission is not None and own.emission is not None:
+            filler = filler.laying_out(own.emission.inputs)
+            self._emitter = TileEvaluator(filler, Decoder(emission, filler.largest_query), threads)
+        entries = package.manifest.entries
+        self._digests = entries[own.planes].sha256, entries[own.decoder].sha256
+
+    @property
+    def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
+        return (cast("SurfaceAsset | FiberAsset", self),)
+
+    def measured_part_ns(self) -> float:
+        """`measured_ns_per_query` of this part."""
         return kept_cost(self._measure_ns_per_query, *self._digests, self.threads)
 
     def _measure_ns_per_query(self) -> float:
@@ -96,8 +137,8 @@ class Asset:
         positions = rng.uniform(low, high, (_MEASURED_ROWS, 3)).astype(np.float32)
         axes, wo, wi = rng.normal(size=(3, _MEASURED_ROWS, 3)).astype(np.float32)
         h = rng.uniform(-1, 1, _MEASURED_ROWS).astype(np.float32)
-        results = np.empty((2, _MEASURED_ROWS, 3), np.float32)
-        batch = Batch(positions, axes, h, wo, wi, *results)
+        visible, shadowed = np.empty((2, _MEASURED_ROWS, 3), np.float32)
+        batch = Batch(positions, axes, h, wo, wi, (visible, shadowed))
         return 1e9 * median_seconds(lambda: self._evaluator.run(batch)) / _MEASURED_ROWS
 
     def _evaluate(
@@ -111,98 +152,14 @@ class Asset:
             visible, shadowed = np.empty((2, count, 3), np.float32)
         else:
             visible, shadowed = results(out, count)
-        self._evaluator.run(Batch(positions, axes, h, wo, wi, visible, shadowed))
+        self._evaluator.run(Batch(positions, axes, h, wo, wi, (visible, shadowed)))
         return visible, shadowed
 
-
-class SurfaceAsset(Asset):
-    """An asset whose geometry is a mesh.
-
-    Attributes:
-        mesh: the geometry, object space, metres.
-    """
-
-    def __init__(self, package: Package, tier: Tier, threads: int) -> None:
-        """package: open, of a surface; tier: one of its manifest's; threads: at least 1."""
-        super().__init__(package, tier, threads)
-        self.mesh = package.mesh()
-
-    def evaluate(
-        self,
-        positions: Rows,
-        normals: Rows,
-        wo: Rows,
-        wi: Rows,
-        out: tuple[Rows, Rows] | None = None,
-    ) -> tuple[Rows, Rows]:
-        """Transport at surface points: radiance towards wo under irradiance 1 from wi.
-
-        positions: metres. normals: of the surface. wo, wi: where light goes to and comes from,
-        both away from the surface. All (n, 3) float32, object space; n may be 0. Vectors of
-        another length than 1 are brought to it; positions outside the bounds are moved to
-        their nearest point on them. out: two C-contiguous (n, 3) float32 arrays to write the
-        result into and return, which saves large batches the cost of fresh memory.
-
-        Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and never negative:
-        for the case that the asset itself does not, or does, block the ray from the position
-        along wi. Both contain the cosine. A row with NaN or an infinity, or with a normal, wo
-        or wi of length zero, gets 0. A row's result is the same to the bit in whatever batch
-        it comes and for any number of threads.
-
-        Raises:
-            QueryError: an argument is not an (n, 3) float32 array, or they differ in n; `out`
-                cannot be written as it is.
-        """
-        positions = vectors("positions", positions)
-        normals = vectors("normals", normals, len(positions))
-        return self._evaluate(positions, normals, _NO_OFFSETS, wo, wi, out)
-
-
-class FiberAsset(Asset):
-    """An asset whose geometry is curves: hair, fur, fibers of cloth.
-
-    Attributes:
-        curves: the geometry, object space, metres.
-    """
-
-    def __init__(self, package: Package, tier: Tier, threads: int) -> None:
-        """package: open, of fibers; tier: one of its manifest's; threads: at least 1."""
-        super().__init__(package, tier, threads)
-        self.curves = package.curves()
-
-    def evaluate(
-        self,
-        positions: Rows,
-        tangents: Rows,
-        h: Rows,
-        wo: Rows,
-        wi: Rows,
-        out: tuple[Rows, Rows] | None = None,
-    ) -> tuple[Rows, Rows]:
-        """Transport at points of fibers: radiance towards wo under irradiance 1 from wi.
-
-        positions: metres. tangents: along the fiber, from root to tip. h: (n,) float32, where
-        across the width of the fiber the ray towards wo leaves it, from -1 to 1 as
-        `offset_across` has it; values beyond are clamped. wo, wi: where light goes to and comes
-        from, both away from the fiber. All but h (n, 3) float32, object space; n may be 0.
-        Vectors of another length than 1 are brought to it; positions outside the bounds are
-        moved to their nearest point on them. out: two C-contiguous (n, 3) float32 arrays to
-        write the result into and return, which saves large batches the cost of fresh memory.
-
-        Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and never negative:
-        for the case that the asset itself does not, or does, block the ray from the position
-        along wi. Both contain the cosine. A row with NaN or an infinity, or with a tangent, wo
-        or wi of length zero, gets 0. A row's result is the same to the bit in whatever batch
-        it comes and for any number of threads.
-
-        Raises:
-            QueryError: an argument is not a float32 array of its shape, or they differ in n;
-                `out` cannot be written as it is.
-        """
-        positions = vectors("positions", positions)
-        tangents = vectors("tangents", tangents, len(positions))
-        h = scalars("h", h, len(positions))
-        return self._evaluate(positions, tangents, h, wo, wi, out)
-
-
-_NO_OFFSETS = np.empty(0, np.float32)
+    def _emission(self, positions: Rows, axes: Rows, h: Rows, wo: object) -> Rows:
+        """The first three as in `Batch`; wo is checked here."""
+        count = len(positions)
+        wo = vectors("wo", wo, count)
+        radiance = np.zeros((count, 3), np.float32)
+        if self._emitter is not None:  # whose blocks read no wi
+            self._emitter.run(Batch(positions, axes, h, wo, wo, (radiance,)))
+        return radiance

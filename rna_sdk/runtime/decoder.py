@@ -1,4 +1,4 @@
-"""A tier's decoder, ready to run."""
+"""A decoder of transport or of emission, ready to run."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Decoder:
     """
 
     def __init__(self, model: bytes | memoryview, largest_query: float = np.inf) -> None:
-        """model: ONNX bytes, input `queries` and output `transport`, float32.
+        """model: ONNX bytes, input `queries` and one output, float32.
 
         largest_query: no number in the queries will be further from 0.
 
@@ -58,7 +58,7 @@ class Decoder:
         self.tile_rows = fitting[0] if fitting else _LARGE_MODEL_TILE
 
     def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
-        """(n, 6) float32: visible and shadowed RGB of `queries`, (n, columns) float32, finite."""
+        """The output, (n, 6 or 3) float32, of `queries`, (n, columns) float32, finite."""
         return self._graph.run(queries)
 
 
@@ -90,8 +90,8 @@ class Graph:
     def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
         values = self._entry.quantized(queries) if self._entry else queries
         inputs = {self._input: values.reshape(self._shape)}
-        transport: NDArray[np.float32] = self._session.run(["transport"], inputs)[0]
-        return transport
+        output: NDArray[np.float32] = self._session.run(None, inputs)[0]
+        return output
 
 
 def _agree(fast: Graph, original: bytes, largest_query: float) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime.arguments import vectors
 
 

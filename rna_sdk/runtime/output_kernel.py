@@ -8,31 +8,29 @@ from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
 
-_ROWS = numba.types.float32[:, ::1]
 _LARGEST = np.float32(np.finfo(np.float32).max)
 
 
 @compiled(
     numba.types.Array(numba.types.float32, 2, "C", readonly=True),
+    numba.types.intp,
     numba.types.boolean[::1],
-    _ROWS,
-    _ROWS,
+    numba.types.float32[:, ::1],
 )
-def split_transport(
-    transport: NDArray[np.float32],
+def write_colours(
+    output: NDArray[np.float32],
+    column: int,
     valid: NDArray[np.bool_],
-    visible: NDArray[np.float32],
-    shadowed: NDArray[np.float32],
+    colours: NDArray[np.float32],
 ) -> None:
-    """Write columns 0 to 2 of `transport` to `visible` and 3 to 5 to `shadowed`.
+    """Write three columns of a decoder's output, from `column` on, to `colours`.
 
-    transport: (m, 6), m >= n; valid: (n,); visible, shadowed: (n, 3), written. Negative values
-    and NaN become 0, values too large the largest float32, rows that are not valid 0.
+    output: (m, k), m >= n; valid: (n,); colours: (n, 3), written. Negative values and NaN become
+    0, values too large the largest float32, rows that are not valid 0.
     """
     zero = np.float32(0.0)
-    for i in range(len(visible)):
+    for i in range(len(colours)):
         for k in range(3):
-            a, b = transport[i, k], transport[i, k + 3]
+            value = output[i, column + k]
             # NaN fails the comparison.
-            visible[i, k] = min(a, _LARGEST) if valid[i] and a > zero else zero
-            shadowed[i, k] = min(b, _LARGEST) if valid[i] and b > zero else zero
+            colours[i, k] = min(value, _LARGEST) if valid[i] and value > zero else zero

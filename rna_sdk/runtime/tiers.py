@@ -105,7 +105,8 @@ def _work(tier: Tier) -> float:
     """
     if tier.cost is None:
         return math.inf
-    return tier.cost.multiply_adds * (0.5 if tier.decoder_precision == "int8" else 1.0)
+    is_int8 = all(part.decoder_precision == "int8" for part in tier.parts)
+    return tier.cost.multiply_adds * (0.5 if is_int8 else 1.0)
 
 
 def _number(name: str, value: object, unit: str) -> float:

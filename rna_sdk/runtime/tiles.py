@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from copy import copy
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package import Bounds, Int8Planes, Planes, Tier
-from rna_sdk.package.manifest import Kind
+from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
+from rna_sdk.package.manifest_fields import Kind
 from rna_sdk.runtime.batch import Batch, Rows
 from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.output_kernel import split_transport
+from rna_sdk.runtime.output_kernel import write_colours
 from rna_sdk.runtime.query_kernel import block_columns, query_kernel
 
 _ROW_STEP = 16
@@ -25,24 +26,30 @@ _SMALLEST_TILE = 256
 
 
 class QueryFiller:
-    """Gathers features and lays out decoder inputs for one tier.
+    """Gathers features and lays out decoder inputs for one part in one part.
 
     Attributes:
         largest_query: no number in the queries is further from 0.
     """
 
-    def __init__(self, planes: Planes, bounds: Bounds, tier: Tier, kind: Kind) -> None:
+    def __init__(self, planes: Planes, bounds: Bounds, part: TierPart, kind: Kind) -> None:
         low, high = bounds.corners().astype(np.float64)
         self._box = np.stack([low, 1 / (high - low)])
-        self._columns = block_columns(tier.inputs, tier.channels)
-        self._resolution = tier.resolution
+        self._columns = block_columns(part.inputs, part.channels)
+        self._channels, self._resolution = part.channels, part.resolution
         # Planes stay as they are in the file, converted as they are read: less memory and cache.
         texels, scales = _parts(planes)
         self._texels = texels.view(np.uint16 if texels.dtype == np.float16 else texels.dtype)
         self._texels = self._texels.reshape(-1)
         self._scales = scales.reshape(-1)
         self.largest_query = _largest_query(planes)
-        self._kernel = query_kernel(kind, tier.channels, tier.plane_precision)
+        self._kernel = query_kernel(kind, part.channels, part.plane_precision)
+
+    def laying_out(self, inputs: tuple[str, ...]) -> QueryFiller:
+        """The like of it for other input blocks, on the same planes."""
+        other = copy(self)
+        other._columns = block_columns(inputs, self._channels)
+        return other
 
     def fill(self, batch: Batch, rows: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
         """Write K columns of `queries`, and `valid` (m,), for the m rows of the batch."""
@@ -91,7 +98,7 @@ class TileEvaluator:
         self._helpers = ThreadPoolExecutor(max(threads - 1, 1), thread_name_prefix="rna-tile")
 
     def run(self, batch: Batch) -> None:
-        """Write `batch.visible` and `batch.shadowed`."""
+        """Write `batch.results`."""
         count = len(batch.positions)
         rows = self._tile_rows(count)
         starts = iter(range(0, count, rows))  # shared: each tile goes to the next free thread
@@ -123,8 +130,9 @@ class TileEvaluator:
     def _run_tile(self, batch: Batch, tile: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
         count = tile.stop - tile.start
         self._filler.fill(batch, tile, queries[:count], valid[:count])
-        transport = self._decoder.run(queries[: _rounded_up(count)])
-        split_transport(transport, valid[:count], batch.visible[tile], batch.shadowed[tile])
+        output = self._decoder.run(queries[: _rounded_up(count)])
+        for k, result in enumerate(batch.results):
+            write_colours(output, 3 * k, valid[:count], result[tile])
 
 
 def _rounded_up(rows: int) -> int:

@@ -7,74 +7,76 @@ the renderer does not ask which kind it has.
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import Literal, Protocol
 
 import numpy as np
 
-from rna_render import fiber, surface
-from rna_render.embree import CurveScene, TriangleScene
+from rna_render import surface
+from rna_render.asset_parts import (
+    Asset,
+    FiberPart,
+    SurfacePart,
+    part_geometry,
+    part_transmittance,
+)
+from rna_render.embree import TriangleScene
+from rna_render.fiber import FiberPoints
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.neural_sampling import LobeMixture
+from rna_render.parts_scene import PartPoints, PartsScene
 from rna_render.points import Body, Points, Role
+from rna_render.surface import SurfacePoints
 from rna_render.tracing import ClosestHits
-from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
-
-
-class SurfaceAsset(Protocol):
-    """What the renderer needs of a surface; rna_sdk.runtime.SurfaceAsset has it."""
-
-    @property
-    def kind(self) -> Literal["surface"]: ...
-
-    @property
-    def mesh(self) -> surface.Mesh: ...
-
-    def evaluate(
-        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray]: ...
-
-
-class FiberAsset(Protocol):
-    """What the renderer needs of fibers; rna_sdk.runtime.FiberAsset has it."""
-
-    @property
-    def kind(self) -> Literal["fiber"]: ...
-
-    @property
-    def curves(self) -> Curves: ...
-
-    def evaluate(
-        self,
-        positions: np.ndarray,
-        tangents: np.ndarray,
-        h: np.ndarray,
-        wo: np.ndarray,
-        wi: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]: ...
-
-
-Asset = SurfaceAsset | FiberAsset
-
 
 # The lobes that rays leave assets in, by kind; see benchmarks/importance.py.
 SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45, mirror_kappa=20.0)
 FIBER_LOBES = LobeMixture(uniform=0.3, cone=0.45, cone_scale=0.06, forward=0.25, forward_kappa=5.0)
 
 
+class AssetBody:
+    """All parts of an asset. Its transport holds what happens inside it, among all parts.
+
+    Normals of meshes are interpolated from the corners, and not turned to the viewer; those of
+    strands are those of the round cones, outward.
+    """
+
+    role = Role.SCATTER
+    passes_through = True
+
+    def __init__(self, asset: Asset) -> None:
+        self._parts = asset.parts
+        self.part_count = len(self._parts)
+        tables = [part_transmittance(part) for part in self._parts]
+        self.scene = PartsScene([part_geometry(part) for part in self._parts], tables)
+
+    def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+        where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
+        points = self.scene.points(part, *where)
+        asset = self._parts[part]
+        if isinstance(points, FiberPoints):
+            return _StrandPoints(asset, self.scene, part, points, wo)
+        return _MeshPoints(asset, self.scene, part, points, wo)
+
+
 class _NeuralPoints(Points):
-    """Points of an asset: its decoder knows what scatters, and asks whether wi is free."""
+    """Points of a part of an asset: its decoder knows what scatters, and asks if wi is free."""
 
     _lobes: LobeMixture
-    _wo: np.ndarray
     tangents: np.ndarray
+
+    def __init__(self, scene: PartsScene, part: int, at: PartPoints, wo: np.ndarray) -> None:
+        self._scene, self._part, self._at, self._wo = scene, part, at, wo
+        self.x, self.n = at.x, at.n
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        seen = self._visible(row, wi, distance)
-        return np.where(seen[:, None], *self._evaluate(row, wi)), seen
+        v = self._scene.visible(self._part, self._at.take(row), wi, distance)
+        visible, shadowed = self._evaluate(row, wi)
+        if v.ndim == 1:
+            return np.where(v[:, None], visible, shadowed), v
+        return v * visible + (np.float32(1.0) - v) * shadowed, v.mean(axis=1)
 
     def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
         return self._lobes.sample(
@@ -90,95 +92,53 @@ class _NeuralPoints(Points):
         )
 
     @abstractmethod
-    def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray: ...
-
-    @abstractmethod
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
 
 
-class SurfaceBody:
-    """A mesh. Its normals are interpolated from the corners, and not turned to the viewer."""
-
-    role = Role.SCATTER
-    passes_through = True
-
-    def __init__(self, asset: SurfaceAsset) -> None:
-        self.asset = asset
-        self.scene = TriangleScene([(asset.mesh.positions, asset.mesh.triangles)])
-
-    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
-        return _SurfacePoints(self, hits.primitive[ray], hits.u[ray], hits.v[ray], wo)
-
-
-class _SurfacePoints(_NeuralPoints):
+class _MeshPoints(_NeuralPoints):
     _lobes = SURFACE_LOBES
 
     def __init__(
-        self, body: SurfaceBody, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
+        self, asset: SurfacePart, scene: PartsScene, part: int, at: SurfacePoints, wo: np.ndarray
     ) -> None:
-        self._body, self._wo = body, wo
-        self._at = surface.SurfacePoints.of(body.asset.mesh, triangle, u, v)
-        self.x, self.n = self._at.x, self._at.n
+        super().__init__(scene, part, at, wo)
+        self._asset = asset
         self.tangents = np.zeros_like(self.n)
 
-    def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
-        return surface.visible(self._body.scene, self._at.take(row), wi, distance)
-
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return self._body.asset.evaluate(
+        return self._asset.evaluate(
             self.x.take(row, axis=0), self.n.take(row, axis=0), self._wo.take(row, axis=0), wi
         )
 
 
-class FiberBody:
-    """Strands. Their normals are those of the round cones, outward."""
-
-    role = Role.SCATTER
-    passes_through = True
-
-    def __init__(self, asset: FiberAsset) -> None:
-        self.asset = asset
-        self.scene = CurveScene(asset.curves.points, asset.curves.radii, asset.curves.offsets)
-        self.first = asset.curves.segments()
-
-    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
-        return _FiberPoints(self, hits.primitive[ray], hits.u[ray], hits.ng[ray], wo)
-
-
-class _FiberPoints(_NeuralPoints):
+class _StrandPoints(_NeuralPoints):
     _lobes = FIBER_LOBES
 
     def __init__(
-        self, body: FiberBody, segment: np.ndarray, u: np.ndarray, n: np.ndarray, wo: np.ndarray
+        self, asset: FiberPart, scene: PartsScene, part: int, at: FiberPoints, wo: np.ndarray
     ) -> None:
-        curves, at = body.asset.curves, (body.first, segment)
-        self._body, self._segment, self._wo = body, segment, wo
-        self.x = fiber.hit_points(curves.points, curves.radii, *at, u, n)
-        self.n = n
-        self.tangents = fiber.tangents(curves.points, *at)
-        self._h = offset_across(n, self.tangents, wo)
-
-    def _visible(self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray) -> np.ndarray:
-        return fiber.visible(
-            self._body.scene, self.x.take(row, axis=0), self._segment[row], wi, distance
-        )
+        super().__init__(scene, part, at, wo)
+        self._asset = asset
+        self.tangents = at.tangent
+        self._h = offset_across(at.n, at.tangent, wo)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         at = self.x.take(row, axis=0), self.tangents.take(row, axis=0), self._h[row]
-        return self._body.asset.evaluate(*at, self._wo.take(row, axis=0), wi)
+        return self._asset.evaluate(*at, self._wo.take(row, axis=0), wi)
 
 
 class ObjectBody:
     """A mesh with materials. Rays that start on it can hit it again."""
 
     passes_through = False
+    part_count = 1
 
     def __init__(self, mesh: MeshObject) -> None:
         self.mesh = mesh
         self.scene = TriangleScene([(mesh.positions, mesh.triangles)])
         self.role = Role.CATCH_SHADOWS if mesh.catches_shadows else Role.SCATTER
 
-    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+    def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
         return _ObjectPoints(self.mesh, hits, ray, wo)
 
 
@@ -210,11 +170,12 @@ class LightBody:
 
     role = Role.SHINE
     passes_through = False
+    part_count = 1
 
     def __init__(self, light: PlacedLight) -> None:
         self.scene = light.scene
 
-    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+    def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
         raise NotImplementedError("a light scatters nothing")
 
 
@@ -222,9 +183,9 @@ Thing = Asset | MeshObject | PlacedLight
 
 
 def make_body(thing: Thing) -> Body:
-    """The body of an asset, by its kind, of an object or of a light."""
+    """The body of an asset, of an object or of a light."""
     if isinstance(thing, PlacedLight):
         return LightBody(thing)
     if isinstance(thing, MeshObject):
         return ObjectBody(thing)
-    return FiberBody(thing) if thing.kind == "fiber" else SurfaceBody(thing)
+    return AssetBody(thing)

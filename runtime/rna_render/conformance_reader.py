@@ -17,21 +17,22 @@ from rna_sdk.package import Mesh, Package
 def visibility(package: str, records: bytes) -> np.ndarray:
     """(n,) bool: whether the asset leaves the rays of n hits free."""
     # Here, since two hundred runs only check a package.
-    from rna_render import fiber, surface
-    from rna_render.embree import CurveScene, TriangleScene
+    from rna_render.fiber import FiberPoints
+    from rna_render.parts_scene import PartsScene
+    from rna_render.surface import SurfacePoints
 
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
     numbers, primitive = words.view("<f4").astype(np.float32), words[:, 0].astype(np.int32)
     with Package.open(package) as opened:
         geometry = opened.geometry()
+    scene = PartsScene([geometry])
     if isinstance(geometry, Mesh):
-        scene = TriangleScene([(geometry.positions, geometry.triangles)])
         b1, b2 = np.ascontiguousarray(numbers[:, 1:3].T)
-        points = surface.SurfacePoints.of(geometry, primitive, b1, b2)
-        return surface.visible(scene, points, np.ascontiguousarray(numbers[:, 3:6]))
-    curves = CurveScene(geometry.points, geometry.radii, geometry.offsets)
+        points = SurfacePoints.of(geometry, primitive, b1, b2)
+        return scene.visible(0, points, np.ascontiguousarray(numbers[:, 3:6]))
     x, wi = (np.ascontiguousarray(numbers[:, k : k + 3]) for k in (1, 4))
-    return fiber.visible(curves, x, primitive, wi)
+    no_use = np.zeros_like(x)
+    return scene.visible(0, FiberPoints(x, no_use, no_use, primitive), wi)
 
 
 if __name__ == "__main__":

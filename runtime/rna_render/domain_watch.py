@@ -19,10 +19,14 @@ class WatchedAsset:
     """An asset that counts the queries outside its domain; else as rna_sdk.runtime.Asset.
 
     name: of its file, for the warning.
+
+    Attributes:
+        parts: its parts, whose queries are counted.
     """
 
     def __init__(self, asset: Asset, name: str) -> None:
         self._asset, self._name = asset, name
+        self.parts = tuple(_WatchedPart(part, self) for part in asset.parts)
         self._counting = Lock()
         self._asked = self._from_outside = self._lit_outside = self._outside = 0
         self._told = False
@@ -30,9 +34,8 @@ class WatchedAsset:
     def __getattr__(self, name: str) -> object:
         return getattr(self._asset, name)
 
-    def evaluate(self, *arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """As the asset's own; wo and wi are the last two arguments."""
-        wo, wi = arguments[-2:]
+    def count(self, wo: np.ndarray, wi: np.ndarray) -> None:
+        """Count queries that a part is asked, directions (n, 3) float32 in object space."""
         seen = in_region(self._asset.domain.wo, wo)
         lit = in_region(self._asset.domain.wi, wi)
         with self._counting:
@@ -40,7 +43,6 @@ class WatchedAsset:
             self._from_outside += int(np.count_nonzero(~seen))
             self._lit_outside += int(np.count_nonzero(~lit))
             self._outside += int(np.count_nonzero(~(seen & lit)))
-        return self._asset.evaluate(*arguments)
 
     def complaint(self) -> str | None:
         """What part of the queries was outside, if any was; once."""
@@ -55,6 +57,21 @@ class WatchedAsset:
             f"{self._name}: {whole} of the queries are outside the directions that it was trained "
             f"for (views {views}, lights {lights})"
         )
+
+
+class _WatchedPart:
+    """A part of a watched asset; else as the part's own."""
+
+    def __init__(self, part: Asset, asset: WatchedAsset) -> None:
+        self._part, self._watched = part, asset
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(self._part, name)
+
+    def evaluate(self, *arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """As the part's own; wo and wi are the last two arguments."""
+        self._watched.count(*arguments[-2:])
+        return self._part.evaluate(*arguments)
 
 
 def watched(asset: Asset, name: str) -> Asset | WatchedAsset:

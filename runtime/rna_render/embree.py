@@ -1,4 +1,4 @@
-"""Geometry that rays are traced against in one space: meshes, round curves, spheres or discs."""
+"""Geometry that rays are traced against in one space: meshes, spheres or discs."""
 
 from __future__ import annotations
 
@@ -7,11 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render import embree_kernels as kernels
 from rna_render import embree_library as api
-from rna_render.embree_filters import own_strand_filter
-from rna_render.rays import per_ray
-from rna_render.tracing import GeometryScene, Passing, any_hits, closest_hits
+from rna_render.tracing import GeometryScene, closest_hits
+from rna_render.transmittance import Transmittance
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 
@@ -37,26 +35,26 @@ class TriangleScene(GeometryScene):
     """Meshes in one space, behind Embree's robust (watertight) triangle intersection.
 
     meshes: for each mesh, positions (v, 3) float32 and triangles (t, 3) uint32. Embree keeps a
-    copy of both. A scene with no triangles is legal; nothing hits it.
+    copy of both. A scene with no triangles is legal; nothing hits it. transmittance: of each mesh,
+    None where it is opaque; none at all if left out. `intersect` and `occluded` do not ask for it.
 
     Raises SceneError for other dtypes or shapes, for positions that are not finite, and for
     triangles that name a vertex that is not there.
     """
 
-    def __init__(self, meshes: Sequence[tuple[np.ndarray, np.ndarray]]) -> None:
+    def __init__(
+        self,
+        meshes: Sequence[tuple[np.ndarray, np.ndarray]],
+        transmittance: Sequence[Transmittance | None] = (),
+    ) -> None:
         super().__init__()
+        self._transmittance = transmittance
+        self.transmits = any(of_mesh is not None for of_mesh in transmittance)
+        self.coloured = any(of_mesh is not None and of_mesh.coloured for of_mesh in transmittance)
         for index, (positions, triangles) in enumerate(meshes):
-            _check_mesh(index, positions, triangles)
-            if len(triangles):
-                self._scene.add(
-                    api.GEOMETRY_TRIANGLE,
-                    index,
-                    [
-                        (api.BUFFER_VERTEX, api.FORMAT_FLOAT3, positions),
-                        (api.BUFFER_INDEX, api.FORMAT_UINT3, triangles),
-                    ],
-                )
-                self.extent = max(self.extent, float(np.abs(positions).max()))
+            table = transmittance[index] if transmittance else None
+            extent = add_mesh(self._scene, index, positions, triangles, table)
+            self.extent = max(self.extent, extent)
         self._scene.commit()
 
     def intersect(
@@ -68,95 +66,8 @@ class TriangleScene(GeometryScene):
     ) -> Hits:
         """The closest hit of each ray within [tnear, tfar]; arguments as for `occluded`."""
         rays = origins, directions, tnear, tfar
-        found = closest_hits(self._scene, kernels.HIT_GEOMETRY, *rays, with_normals=False)
-        return Hits(found.t, found.owner, found.primitive, found.u, found.v)
-
-
-@dataclass(frozen=True, slots=True)
-class CurveHits:
-    """The closest hit of each ray.
-
-    t: (n,) float32, distance in units of the direction's length; infinity for a miss.
-    segment: (n,) int32, place in `Curves.segments()`; -1 for a miss.
-    u: (n,) float32, in [0, 1] from the segment's first point to its second; 0 for a miss.
-    normals: (n, 3) float32, unit, outward, of the round cone or joint that was hit; 0 for a miss.
-    """
-
-    t: np.ndarray
-    segment: np.ndarray
-    u: np.ndarray
-    normals: np.ndarray
-
-
-class CurveScene(GeometryScene):
-    """Strands in one space: chains of round cones (Embree's round linear curves).
-
-    Joints inside a strand are spheres that the cones on both sides cover, so a ray inside a
-    strand meets no cap there; this is the surface that Cycles renders as THICK_LINEAR. Ends of
-    strands are capped by half spheres. Embree does not see a segment without taper along whose
-    axis a ray goes to within 1e-4, and a segment longer than some 1,000 radii has a rough outline
-    (float32: 1% of its rays fall to the wrong side, and 10% at 3,000).
-
-    points: (p, 3) float32. radii: (p,) float32. offsets: (s + 1,) uint32. All as in
-    rna_sdk.package.Curves; Embree keeps a copy.
-
-    Attributes:
-        strands: (m,) uint32, for each segment the strand it is part of.
-
-    Raises PackageError where they are no Curves, SceneError for points that are not finite and
-    for radii that are not finite and positive.
-    """
-
-    def __init__(self, points: np.ndarray, radii: np.ndarray, offsets: np.ndarray) -> None:
-        super().__init__()
-        self._filter = own_strand_filter()
-        segments = Curves(points, radii, offsets).segments()
-        if not np.isfinite(points).all():
-            raise SceneError("curves: points must be finite")
-        if not (np.isfinite(radii).all() and (radii > 0).all()):
-            raise SceneError("curves: radii must be finite and more than 0")
-        self.extent = float((np.abs(points).max(axis=1) + radii).max())
-        lengths = np.diff(offsets.astype(np.int64))
-        self.strands = np.repeat(np.arange(len(lengths), dtype=np.uint32), lengths - 1)
-        self._scene.add(
-            api.GEOMETRY_ROUND_LINEAR_CURVE,
-            0,
-            [
-                (api.BUFFER_VERTEX, api.FORMAT_FLOAT4, np.column_stack([points, radii])),
-                (api.BUFFER_INDEX, api.FORMAT_UINT, segments),
-                (api.BUFFER_FLAGS, api.FORMAT_UCHAR, _neighbours(segments)),
-            ],
-            self.strands.ctypes.data,
-        )
-        self._scene.commit()
-
-    def intersect(
-        self,
-        origins: np.ndarray,
-        directions: np.ndarray,
-        tnear: np.ndarray | float = 0.0,
-        tfar: np.ndarray | float = np.inf,
-    ) -> CurveHits:
-        """The closest hit of each ray within [tnear, tfar]; arguments as for `occluded`."""
-        found = closest_hits(
-            self._scene, kernels.HIT_GEOMETRY, origins, directions, tnear, tfar, with_normals=True
-        )
-        return CurveHits(found.t, found.primitive, found.u, found.ng)
-
-    def occluded_by_others(
-        self,
-        strand: np.ndarray,
-        origins: np.ndarray,
-        directions: np.ndarray,
-        tfar: np.ndarray | float = np.inf,
-    ) -> np.ndarray:
-        """Whether each ray enters any strand but its own within tfar: (n,) bool.
-
-        strand: (n,) uint32. Other arguments and errors are those of `occluded`.
-        """
-        own = per_ray("strand", strand, len(origins), np.uint32)
-        passing = Passing(self._filter.ctypes.data, own)
-        return any_hits(self._scene, origins, directions, 0.0, tfar, passing)
+        found = closest_hits(self._scene, *rays, with_normals=False)
+        return Hits(found.t, found.geometry, found.primitive, found.u, found.v)
 
 
 class SphereScene(GeometryScene):
@@ -210,6 +121,59 @@ def _check_points(name: str, centers: np.ndarray, radii: np.ndarray) -> None:
         raise SceneError(f"{name}: radii must be float32 {centers.shape[:1]}")
     if not (np.isfinite(centers).all() and np.isfinite(radii).all() and (radii > 0).all()):
         raise SceneError(f"{name}: centers and radii must be finite, and radii more than 0")
+
+
+def add_mesh(
+    scene: api.SceneHandle,
+    geometry_id: int,
+    positions: np.ndarray,
+    triangles: np.ndarray,
+    transmittance: Transmittance | None = None,
+) -> float:
+    """Add a mesh, unless it has no triangles; returns its largest absolute coordinate.
+
+    Arguments and errors are those of TriangleScene, but the caller keeps `transmittance` alive.
+    """
+    _check_mesh(geometry_id, positions, triangles)
+    if not len(triangles):
+        return 0.0
+    buffers = [
+        (api.BUFFER_VERTEX, api.FORMAT_FLOAT3, positions),
+        (api.BUFFER_INDEX, api.FORMAT_UINT3, triangles),
+    ]
+    table = 0 if transmittance is None else transmittance.address
+    scene.add(api.GEOMETRY_TRIANGLE, geometry_id, buffers, table)
+    return float(np.abs(positions).max())
+
+
+def add_curves(
+    scene: api.SceneHandle, geometry_id: int, curves: Curves, table: np.ndarray
+) -> float:
+    """Add chains of round cones, Embree's round linear curves; returns the largest coordinate
+    plus radius.
+
+    Joints inside a strand are spheres that the cones on both sides cover, so a ray inside a
+    strand meets no cap there; this is the surface that Cycles renders as THICK_LINEAR. Ends of
+    strands are capped by half spheres. Embree does not see a segment without taper along whose
+    axis a ray goes to within 1e-4, and a segment longer than some 1,000 radii has a rough outline
+    (float32: 1% of its rays fall to the wrong side, and 10% at 3,000).
+
+    table: of their strands, as transmittance.geometry_table; the caller keeps it alive. Raises
+    PackageError for Curves that are none, SceneError for points that are not finite and for radii
+    that are not finite and positive.
+    """
+    points, radii, segments = curves.points, curves.radii, curves.segments()
+    if not np.isfinite(points).all():
+        raise SceneError("curves: points must be finite")
+    if not (np.isfinite(radii).all() and (radii > 0).all()):
+        raise SceneError("curves: radii must be finite and more than 0")
+    buffers = [
+        (api.BUFFER_VERTEX, api.FORMAT_FLOAT4, np.column_stack([points, radii])),
+        (api.BUFFER_INDEX, api.FORMAT_UINT, segments),
+        (api.BUFFER_FLAGS, api.FORMAT_UCHAR, _neighbours(segments)),
+    ]
+    scene.add(api.GEOMETRY_ROUND_LINEAR_CURVE, geometry_id, buffers, table.ctypes.data)
+    return float((np.abs(points).max(axis=1) + radii).max())
 
 
 def _neighbours(segments: np.ndarray) -> np.ndarray:

@@ -23,6 +23,13 @@ RAY_WORDS = 12
 ALIGNMENT = 16
 INVALID_ID = 0xFFFFFFFF
 
+# RTCRayQueryContext (rtcore_common.h) with what is ours behind it, as 64-bit words: of a closest
+# hit what it does not let through over the chance to be one; the product over hits that were
+# passed; whether they were coloured; the hit to leave out: primitive, geometry, instance, uint32.
+CONTEXT_SHARE, CONTEXT_WEIGHT, CONTEXT_COLOURED, CONTEXT_LAST = 8, 11, 14, 15
+CONTEXT_WORDS = 17
+ARGUMENT_CONTEXT = 1
+
 # Rays in one unit of parallel work: enough to hide its start, few enough to balance.
 CHUNK = 1024
 # Rays written before the first of them is traced. Embree reads a ray in 16-byte loads, which
@@ -88,13 +95,13 @@ def intersect(
     arguments,
     ray_id,
     mask,
-    owner_word,
     origins,
     directions,
     tnear,
     tfar,
     t,
-    owner,
+    instance,
+    geometry,
     primitive,
     u,
     v,
@@ -105,10 +112,10 @@ def intersect(
     function, scene: addresses of rtcIntersect1 and of the scene.
     arguments, ray_id: as for `occluded`. mask: (n,) uint32, or (1,) for all
         rays; they meet instances that share a bit.
-    owner_word: HIT_GEOMETRY or HIT_INSTANCE, the number that `owner` gets.
     origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
     t: (n,) float32 out, infinity for a miss.
-    owner, primitive: (n,) int32 out, -1 for a miss.
+    instance, geometry, primitive: (n,) int32 out, -1 for a miss; instance also where there are
+        none.
     u, v: (n,) float32 out, 0 for a miss.
     ng: (n, 3) float32 out, unit, 0 for a miss; or (0, 3), and then it is not written.
     """
@@ -134,7 +141,8 @@ def intersect(
                 i = start + k
                 hit = bits[k, HIT_GEOMETRY] != INVALID_ID
                 t[i] = rays[k, RAY_TFAR] if hit else np.inf
-                owner[i] = np.int32(bits[k, owner_word]) if hit else -1
+                instance[i] = np.int32(bits[k, HIT_INSTANCE]) if hit else -1
+                geometry[i] = np.int32(bits[k, HIT_GEOMETRY]) if hit else -1
                 primitive[i] = np.int32(bits[k, HIT_PRIMITIVE]) if hit else -1
                 u[i] = rays[k, HIT_U] if hit else 0.0
                 v[i] = rays[k, HIT_V] if hit else 0.0
@@ -174,3 +182,129 @@ def occluded(function, scene, arguments, ray_id, mask, origins, directions, tnea
             for k in range(count):
                 # rtcOccluded1 reports a hit by setting tfar to minus infinity.
                 result[start + k] = rays[k, RAY_TFAR] == -np.inf
+
+
+@compiled(fastmath=())
+def _query(arguments):
+    """A copy of the arguments with a context of its own, and the context."""
+    context = np.full(CONTEXT_WORDS, 0xFFFFFFFFFFFFFFFF, np.uint64)
+    own = arguments.copy()
+    own[ARGUMENT_CONTEXT] = context.ctypes.data
+    return own, context
+
+
+@compiled(fastmath=())
+def _start(context):
+    """Set what a ray carries; the instance that it is in was left as it was found."""
+    values = context.view(np.float64)
+    values[CONTEXT_SHARE:CONTEXT_COLOURED] = 1.0
+    values[CONTEXT_COLOURED] = 0.0
+
+
+@compiled(fastmath=())
+def _aim(ray, bits, i, ray_id, mask, origins, directions, tnear, tfar):
+    """Fill the RTCRay with row i; False for a ray that meets nothing."""
+    near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
+    number, met = ray_id[min(i, len(ray_id) - 1)], mask[min(i, len(mask) - 1)]
+    _set_ray(ray, bits, origins[i], directions[i], near, far, met, number)
+    return ray[RAY_TNEAR] <= ray[RAY_TFAR]
+
+
+@compiled(parallel=True, fastmath=())
+def transmitted(function, scene, arguments, ray_id, mask, origins, directions, tnear, tfar, result):
+    """The product of what all hits between tnear and tfar let through.
+
+    arguments: (8,) uint64 of a transmittance filter. result: (n, 3) float32 out; 1 for a ray that
+    is not finite or has no direction. The others are those of `occluded`.
+    """
+    n = len(result)
+    for chunk in prange((n + CHUNK - 1) // CHUNK):
+        rays = _ray_block(RAY_WORDS)
+        bits = rays.view(np.uint32)
+        address = rays.ctypes.data
+        query, context = _query(arguments)
+        for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
+            line = ray_id, mask, origins, directions, tnear, tfar
+            result[i] = 1.0
+            if _aim(rays[0], bits[0], i, *line):
+                _start(context)
+                call_embree(function, scene, address, query.ctypes.data)
+                blocked = rays[0, RAY_TFAR] == -np.inf
+                for channel in range(3):
+                    weight = context.view(np.float64)[CONTEXT_WEIGHT + channel]
+                    result[i, channel] = 0.0 if blocked else weight
+
+
+@compiled(parallel=True, fastmath=())
+def intersect_through(
+    functions,
+    scene,
+    arguments,
+    weighing,
+    ray_id,
+    mask,
+    origins,
+    directions,
+    tnear,
+    tfar,
+    t,
+    instance,
+    geometry,
+    primitive,
+    u,
+    v,
+    ng,
+    weight,
+):
+    """Closest hits of rays that pass through hits at random, as often as these let light through.
+
+    functions: addresses of rtcIntersect1 and of rtcOccluded1. arguments, weighing: (8,) uint64
+    each, of `embree_filters.random_transmittance_filters`. weight: (n, 3) float32 out, by which
+    what is found has to be multiplied: 1 unless a hit is coloured; or (0, 3), where none is, and
+    then it is not written. The others are those of `intersect`.
+    """
+    n = len(t)
+    for chunk in prange((n + CHUNK - 1) // CHUNK):
+        rays = _ray_block(RAY_HIT_WORDS)
+        bits = rays.view(np.uint32)
+        address = rays.ctypes.data
+        query, context = _query(arguments)
+        weighing_query, _ = _query(weighing)
+        weighing_query[ARGUMENT_CONTEXT] = context.ctypes.data
+        ray, words = rays[0], bits[0]
+        for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
+            line = ray_id, mask, origins, directions, tnear, tfar
+            words[HIT_GEOMETRY] = INVALID_ID
+            words[HIT_INSTANCE] = INVALID_ID
+            _start(context)
+            traced = _aim(ray, words, i, *line)
+            if traced:
+                call_embree(functions[0], scene, address, query.ctypes.data)
+            hit = words[HIT_GEOMETRY] != INVALID_ID
+            t[i] = ray[RAY_TFAR] if hit else np.inf
+            instance[i] = np.int32(words[HIT_INSTANCE]) if hit else -1
+            geometry[i] = np.int32(words[HIT_GEOMETRY]) if hit else -1
+            primitive[i] = np.int32(words[HIT_PRIMITIVE]) if hit else -1
+            u[i] = ray[HIT_U] if hit else 0.0
+            v[i] = ray[HIT_V] if hit else 0.0
+            if len(ng) and hit:
+                _store_normal(ray, ng[i])
+            elif len(ng):
+                ng[i] = 0.0
+            if len(weight):
+                values = context.view(np.float64)
+                if traced and values[CONTEXT_COLOURED] > 0.0:
+                    _name_last(context, words)
+                    _aim(ray, words, i, *line)
+                    ray[RAY_TFAR] = min(ray[RAY_TFAR], t[i])
+                    call_embree(functions[1], scene, address, weighing_query.ctypes.data)
+                for channel in range(3):
+                    share = values[CONTEXT_SHARE + channel] if hit else 1.0
+                    weight[i, channel] = share * values[CONTEXT_WEIGHT + channel]
+
+
+@compiled(fastmath=())
+def _name_last(context, words):
+    last = context[CONTEXT_LAST:].view(np.uint32)
+    last[0], last[1] = words[HIT_PRIMITIVE], words[HIT_GEOMETRY]
+    last[2] = words[HIT_INSTANCE]

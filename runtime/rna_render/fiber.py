@@ -1,4 +1,4 @@
-"""Points on fibers: the point and tangent of a hit, and rays that leave a strand.
+"""Points on fibers: the point and tangent of a hit.
 
 What Embree gives for a hit on a round cone is the sphere of the cone that touches the surface
 there (by its place u along the segment) and the normal. Centre plus radius times normal is the
@@ -7,13 +7,15 @@ point, with an error of a few units in the last place however far the ray came f
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numba import prange
 
-from rna_render.embree import CurveScene
-from rna_render.rays import check_numbers, vectors
+from rna_render.rays import check_numbers
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
+from rna_sdk.package import Curves
 
 
 def hit_points(
@@ -27,8 +29,9 @@ def hit_points(
     """The points of hits: (n, 3) float32.
 
     points, radii, first: (p, 3) float32, (p,) float32 and (m,) uint32, as in
-    rna_sdk.package.Curves and its `segments()`. segment, u, normals: as in CurveHits, without
-    misses. Raises QueryError for a segment that is not there, or arrays of different length.
+    rna_sdk.package.Curves and its `segments()`. segment, u, normals: primitive, u and normals of
+    PartHits, without misses. Raises QueryError for a segment that is not there, or arrays
+    of different length.
     """
     check_numbers("segment", segment, len(first))
     if not len(segment) == len(u) == len(normals):
@@ -49,33 +52,39 @@ def tangents(points: np.ndarray, first: np.ndarray, segment: np.ndarray) -> np.n
     return result
 
 
-def visible(
-    scene: CurveScene,
-    positions: np.ndarray,
-    segment: np.ndarray,
-    wi: np.ndarray,
-    tfar: np.ndarray | float = np.inf,
-) -> np.ndarray:
-    """Whether the rays from fiber points along `wi` meet no other strand of `scene`: (n,) bool.
+@dataclass(frozen=True, slots=True)
+class FiberPoints:
+    """Points of strands.
 
-    This is the visibility of the transport contract for fibers, and the rule of Cycles, whose
-    shadow rays skip all segments of the curve they start on and all hits from inside
-    (kernel/device/cpu/bvh.h: kernel_embree_is_self_intersection compares curves, not segments;
-    kernel_embree_filter_occluded_func_backface_cull). Light that comes through its own strand is
-    part of the strand's scattering, and joints and bends shade nothing.
-
-    An offset along the normal, as on meshes, cannot do this: from inside a cone Embree reports
-    the exit. The self-intersection avoidance of Embree, which ignores hits within two radii, is
-    for flat curves alone: round ones are hit from however near, so touching strands are seen.
-
-    positions, wi: (n, 3) float32, in the scene's space; n may be 0. segment: (n,) int32, that
-    each position is on. tfar: one number or (n,), the distance to the light in units of wi's
-    length. Raises QueryError for other dtypes or shapes, or a segment that is not there.
+    x: (m, 3) float32, positions. n: (m, 3) float32, outward normals of the round cones.
+    tangent: (m, 3) float32, unit, root to tip. segment: (m,) int32, that each is on.
     """
-    positions = vectors("positions", positions)
-    wi = vectors("wi", wi, len(positions))
-    check_numbers("segment", segment, len(scene.strands))
-    return ~scene.occluded_by_others(scene.strands[segment], positions, wi, tfar)
+
+    x: np.ndarray
+    n: np.ndarray
+    tangent: np.ndarray
+    segment: np.ndarray
+
+    @classmethod
+    def of(
+        cls,
+        curves: Curves,
+        first: np.ndarray,
+        segment: np.ndarray,
+        u: np.ndarray,
+        normals: np.ndarray,
+    ) -> FiberPoints:
+        """The points of hits; arguments as for `hit_points`, first: `curves.segments()`."""
+        x = hit_points(curves.points, curves.radii, first, segment, u, normals)
+        return cls(x, normals, tangents(curves.points, first, segment), segment)
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def take(self, row: np.ndarray) -> FiberPoints:
+        """The given rows."""
+        x, n, tangent = (a.take(row, axis=0) for a in (self.x, self.n, self.tangent))
+        return FiberPoints(x, n, tangent, self.segment[row])
 
 
 @compiled(parallel=True, fastmath=())

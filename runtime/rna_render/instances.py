@@ -7,11 +7,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render import embree_kernels as kernels
 from rna_render import embree_library as api
-from rna_render.embree_filters import own_instance_filter
+from rna_render.embree_filters import (
+    own_instance_filter,
+    random_transmittance_filters,
+    transmittance_filter,
+)
 from rna_render.rays import per_ray
-from rna_render.tracing import ClosestHits, GeometryScene, Passing, any_hits, closest_hits
+from rna_render.tracing import (
+    ClosestHits,
+    GeometryScene,
+    Passing,
+    any_hits,
+    closest_hits,
+    closest_hits_through,
+    transmitted,
+)
 
 # Bits of Embree's masks. Up to as many instances have a bit each, and a ray that passes through
 # one does not enter it. Of more instances, bits stand for the sorts of rays that meet them, and a
@@ -40,16 +51,25 @@ class Instance:
 
 
 class InstanceScene:
-    """Scenes of one mesh or one set of curves each, placed in the world.
+    """Scenes, placed in the world.
 
     The same scene may be in many instances; it is stored once. Raises SceneError if Embree
     refuses one.
+
+    Attributes:
+        transmits: whether one of them may let light through: rays then pass through hits at
+            random, and shadow rays are weakened.
     """
 
     def __init__(self, instances: Sequence[Instance]) -> None:
         self._count = len(instances)
+        # Embree keeps the geometries alive, but not the tables that filters read.
+        self._scenes = {placed.scene for placed in instances}
         self._scene = api.SceneHandle(api.shared_device())
         self._filter = own_instance_filter()
+        self.transmits = any(placed.scene.transmits for placed in instances)
+        self._coloured = any(placed.scene.coloured for placed in instances)
+        self._random, self._weakened = random_transmittance_filters(), transmittance_filter()
         self._own_bits = len(instances) <= MASK_BITS
         self._met = {rays: _met_by(rays, instances) for rays in _SORTS} if self._own_bits else {}
         embree = api.library()
@@ -70,17 +90,23 @@ class InstanceScene:
         own: np.ndarray | None = None,
         rays: int = ALL_RAYS,
     ) -> ClosestHits:
-        """The closest hit of each ray; its owner is the instance, its normal in object space.
+        """The closest hit of each ray; its normal is in object space.
 
         origins_world, directions_world: (n, 3) float32; n may be 0. own: (n,) int32, the
         instance that each ray passes through; NO_INSTANCE, or None for all, for none of them.
         rays: which sort they are. Raises QueryError for other dtypes or shapes.
+
+        Where hits let light through, rays pass as often as they do; see `ClosestHits.weight`.
         """
         if self._passes_everything(own):
             return _misses(len(origins_world))
         interval, passing = (0.0, np.inf), self._passing(own, len(origins_world), rays)
         lines = origins_world, directions_world, *interval
-        return closest_hits(self._scene, kernels.HIT_INSTANCE, *lines, passing=passing)
+        if self.transmits:
+            ids = self._ids(own, len(origins_world))
+            how = self._random, self._coloured
+            return closest_hits_through(self._scene, *how, *lines, ids, passing.mask)
+        return closest_hits(self._scene, *lines, passing=passing)
 
     def occluded(
         self,
@@ -99,13 +125,36 @@ class InstanceScene:
         passing = self._passing(own, len(origins_world), SHADOW_RAY)
         return any_hits(self._scene, origins_world, directions_world, 0.0, tfar, passing)
 
+    def transmittance(
+        self,
+        origins_world: np.ndarray,
+        directions_world: np.ndarray,
+        tfar: np.ndarray | float = np.inf,
+        own: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """What each shadow ray keeps of its light: (n, 3) float32, 0 where it is blocked.
+
+        Arguments and errors are those of `occluded`, which knows nothing of transmittance.
+        """
+        if self._passes_everything(own):
+            return np.ones((len(origins_world), 3), np.float32)
+        ids = self._ids(own, len(origins_world))
+        passing = self._passing(own, len(origins_world), SHADOW_RAY)
+        lines = origins_world, directions_world, 0.0, tfar
+        return transmitted(self._scene, self._weakened, *lines, ids, passing.mask)
+
+    def _ids(self, own: np.ndarray | None, count: int) -> np.ndarray:
+        """(n,) or (1,) uint32, the instance that each ray passes through."""
+        values = per_ray("own", NO_INSTANCE if own is None else own, count, np.int32)
+        return values.view(np.uint32)
+
     def _passes_everything(self, own: np.ndarray | None) -> bool:
         return self._count == 1 and own is not None and bool((own == 0).all())
 
     def _passing(self, own: np.ndarray | None, count: int, rays: int) -> Passing:
         if own is None:
             return Passing(mask=np.full(1, self._met.get(rays, rays), np.uint32))
-        ids = per_ray("own", own, count, np.int32).view(np.uint32)
+        ids = self._ids(own, count)
         if not self._own_bits:
             return Passing(self._filter.ctypes.data, ids, np.full(1, rays, np.uint32))
         # A shift by 32, for NO_INSTANCE, leaves no bit in 64.
@@ -123,5 +172,8 @@ def _misses(n: int) -> ClosestHits:
     nothing = np.full(n, -1, np.int32)
     zeros = np.zeros(n, np.float32)
     return ClosestHits(
-        np.full(n, np.inf, np.float32), nothing, nothing, zeros, zeros, np.zeros((n, 3), np.float32)
+        np.full(n, np.inf, np.float32),
+        *(nothing, nothing, nothing),
+        *(zeros, zeros),
+        np.zeros((n, 3), np.float32),
     )

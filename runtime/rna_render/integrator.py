@@ -127,7 +127,7 @@ class Integrator:
         origin = np.tile(self._camera.position, (len(pixels), 1))
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
         self._report_first_hits()
-        beta = np.ones((len(pixels), 3), np.float32)
+        beta = np.ones((len(pixels), 3), np.float32) if hits.weight is None else hits.weight
         path, never = np.arange(len(pixels)), np.zeros(len(self._lights))
         return _Rays(path, origin, direction, hits, beta, None, never)
 
@@ -149,7 +149,7 @@ class Integrator:
 
     def _collect(self, band: Layers, rays: _Rays, depth: int) -> None:
         """Add the light that rays meet which have left a point of that depth, 0 for the camera."""
-        owner = rays.hits.owner
+        owner = rays.hits.instance
         from_camera = rays.pdf is None
         escaped = np.flatnonzero(owner < 0)
         if from_camera:
@@ -165,17 +165,18 @@ class Integrator:
             self._add_met(band, rays, depth, escaped, k, radiance, pdf)
             if from_camera:
                 band.beauty[rays.path[escaped], 3] = 1.0
-        for k, light in enumerate(self._world.lights):
-            met = np.flatnonzero((owner >= 0) & (self._world.light[owner] == k))
-            if len(met):
-                radiance, pdf = light.met(*self._meeting(rays, met))
-                self._add_met(band, rays, depth, met, k, radiance, pdf)
+        light = np.where(owner >= 0, self._world.light[owner], -1)
+        for k in np.flatnonzero(np.bincount(light + 1)[1:]):
+            met = np.flatnonzero(light == k)
+            radiance, pdf = self._world.lights[k].met(*self._meeting(rays, met))
+            self._add_met(band, rays, depth, met, k, radiance, pdf)
 
-    def _meeting(self, rays: _Rays, met: np.ndarray) -> tuple[np.ndarray, ...]:
+    def _meeting(
+        self, rays: _Rays, met: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, ClosestHits, np.ndarray]:
         """The arguments of ShapeLight.met."""
-        hits, lines = rays.hits, (rays.origin[met], rays.direction[met])
-        ng_world = self._world.to_world_directions(hits.owner[met], hits.ng[met])
-        return (*lines, hits.t[met], hits.primitive[met], hits.u[met], hits.v[met], ng_world)
+        hits, lines = rays.hits.take(met), (rays.origin[met], rays.direction[met])
+        return (*lines, hits, self._world.to_world_directions(hits.instance, hits.ng))
 
     def _add_met(
         self,
@@ -214,16 +215,18 @@ class Integrator:
         """Light from samples of lights, and which of them arrive."""
         world = self._world
         samples = self._sampling.sample(choice, vertices.x_world.take(choice.row, axis=0))
-        tried = np.flatnonzero((samples.pdf > 0.0) & samples.radiance.any(axis=1))
+        from_others = world.own_light[vertices.instance[choice.row]] != choice.light
+        shines = (samples.pdf > 0.0) & samples.radiance.any(axis=1)
+        tried = np.flatnonzero(shines & from_others)
         row = choice.row[tried]
         wi, distance = samples.wi_world.take(tried, axis=0), samples.distance[tried]
-        blocked = self._sampling.blocked(vertices, row, wi, distance, vertices.own[row])
-        free = np.flatnonzero(~blocked)
-        found, row = tried[free], row[free]
+        kept = self._sampling.kept(vertices, row, wi, distance, vertices.own[row])
+        free = np.flatnonzero(kept.any(axis=1))
+        found, row, kept = tried[free], row[free], kept.take(free, axis=0)
         instance = vertices.instance[row]
         wi = world.to_object_directions(instance, wi.take(free, axis=0))
         local_distance = distance[free] / world.scale[instance]
-        radiance, seen = np.zeros((len(row), 3), np.float32), np.zeros(len(row), bool)
+        radiance, seen = np.zeros((len(row), 3), np.float32), np.zeros(len(row), np.float32)
         own_pdf = np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
             radiance[part], seen[part] = points.transport(place, wi[part], local_distance[part])
@@ -233,8 +236,8 @@ class Integrator:
         pdf = samples.pdf[found] * probability[light]
         share = np.where(self._sampling.delta(light), 1.0, _share(pdf, own_pdf)[:, 0])
         weight = (share / pdf)[:, None].astype(np.float32)
-        radiance *= samples.radiance.take(found, axis=0) * weight
-        return _Found(choice.row[tried], row, light, radiance, seen)
+        radiance *= samples.radiance.take(found, axis=0) * weight * kept
+        return _Found(choice.row[tried], row, light, radiance, seen * kept.mean(axis=1))
 
     def _scatter(
         self,
@@ -262,13 +265,15 @@ class Integrator:
         hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
         # A ray into a black sky brings nothing, whatever the decoder says.
-        met = np.flatnonzero((hits.owner >= 0) | bool(self._infinite))
+        met = np.flatnonzero((hits.instance >= 0) | bool(self._infinite))
         for part, place, points in vertices.local_rows(row[met]):
             at = met[part]
             transport[at], _ = points.transport(place, wi[at], distance[at])
         scale = np.divide(1.0, pdf, out=np.zeros_like(pdf), where=pdf > 0.0)
         transport *= beta.take(row, axis=0)
         transport *= scale[:, None]
+        if hits.weight is not None:
+            transport *= hits.weight
         return _Rays(path[row], origin, direction, hits, transport, pdf, probability)
 
     def _catch_shadows(
@@ -285,6 +290,7 @@ class Integrator:
         for k in self._infinite:
             if self._lights[k].visible_to_camera:
                 radiance, _ = self._lights[k].escaped(rays.direction[at])
+                radiance = radiance * rays.beta.take(at, axis=0)
                 band.behind_catcher[at, :3] += radiance
                 band.behind_catcher[at, 3] = 1.0
                 if (group := self._group[k]) is not None:
@@ -297,8 +303,8 @@ class _Found:
 
     tried: vertices for which there was light to be found. row: (k,) vertices that nothing else
     keeps it from; both may name a vertex more than once. light: (k,) which one it was. radiance:
-    (k, 3) float32, towards the viewer. seen: (k,) bool, whether the body itself leaves the light
-    in sight.
+    (k, 3) float32, towards the viewer. seen: (k,) float32, from 0 to 1, how much of the light all
+    that is in the way leaves in sight, the body itself included.
     """
 
     tried: np.ndarray

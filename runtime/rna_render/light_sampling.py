@@ -92,7 +92,7 @@ class LightSampling:
         """Which of the given lights no ray can meet: (n,) bool."""
         return self._delta[light]
 
-    def blocked(
+    def kept(
         self,
         vertices: Vertices,
         row: np.ndarray,
@@ -100,15 +100,19 @@ class LightSampling:
         distance: np.ndarray,
         own: np.ndarray | None,
     ) -> np.ndarray:
-        """Whether something stands between the given rows and lights along wi: (k,) bool.
+        """What is left of light along wi by all that stands between the rows and the lights.
 
+        Returns (k, 3) float32; (k, 1), 0 or 1, where nothing in the scene lets light through.
         wi_world, distance: (k, 3) and (k,) float32, as in LightSamples. own: (k,) int32, the
         instances that the shadow rays pass through, if any.
         """
         origin = self._world.origins(vertices, row, wi_world)
         direction, length = np.empty_like(wi_world), np.empty_like(distance)
         _aim(vertices.x_world, row, wi_world, distance, origin, direction, length)
-        return self._world.scene.occluded(origin, direction, length, own)
+        scene = self._world.scene
+        if scene.transmits:
+            return scene.transmittance(origin, direction, length, own)
+        return (~scene.occluded(origin, direction, length, own)).astype(np.float32)[:, None]
 
 
 @compiled(parallel=True, fastmath=())

@@ -12,7 +12,7 @@ from rna_render.tracing import ClosestHits, GeometryScene
 
 
 class Points(ABC):
-    """Points of one body that are seen, and the directions wo to the viewer; object space.
+    """Points of a part of a body that are seen, and directions wo to the viewer; object space.
 
     x, n: (m, 3) float32, points and unit normals.
     """
@@ -24,11 +24,12 @@ class Points(ABC):
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Radiance towards the viewer under irradiance 1 from wi, and whether wi is free.
+        """Radiance towards the viewer under irradiance 1 from wi, and how free wi is.
 
         It contains the cosine. row: (k,) which points. wi: (k, 3) float32, unit. distance: (k,)
-        float32, to where the light comes from. Returns (k, 3) float32, and (k,) bool: whether
-        the body itself leaves that place in sight, if rays that start on it pass through it.
+        float32, to where the light comes from. Returns (k, 3) float32, and (k,) from 0 to 1: how
+        much of that place the body itself leaves in sight, if rays that start on it pass through
+        it.
         """
 
     @abstractmethod
@@ -55,17 +56,18 @@ class Body(Protocol):
     """A thing with its geometry in Embree, in its object space.
 
     passes_through: whether rays that start on it pass through it, since its transport holds what
-    happens inside it.
+    happens inside it. part_count: of parts, one a geometry of its scene.
     """
 
     role: Role
     passes_through: bool
+    part_count: int
 
     @property
     def scene(self) -> GeometryScene: ...
 
-    def points(self, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
-        """The points that the given rays, (m,), have hit. A body that shines has none.
+    def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+        """The points of a part that the given rays, (m,), have hit. A body that shines has none.
 
         wo: (m, 3) float32, object space.
         """

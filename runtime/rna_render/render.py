@@ -10,13 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_render.asset_parts import Asset
 from rna_render.bands import rendered_bands
-from rna_render.bodies import Asset
 from rna_render.camera import Camera
 from rna_render.domain_watch import watched
 from rna_render.film import Film, Layers
 from rna_render.integrator import Integrator
-from rna_render.lights import Light, MeshLight, PlacedLight, make_light
+from rna_render.lights import AssetLight, Light, MeshLight, PlacedLight, ShapeLight, make_light
 from rna_render.lights.models import AreaModel
 from rna_render.materials import MeshObject, ground, read_mesh_object
 from rna_render.sampling import Sampler
@@ -136,7 +136,8 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
                 loaded[path, tier] = watched(load(path, tier=tier, threads=1), path.name)
             except QueryError as error:
                 raise scene_file.error(("assets", index, "tier"), str(error)) from error
-        placements.append(Placement(loaded[path, tier], world_from_object(model.transform)))
+        asset, matrix = loaded[path, tier], world_from_object(model.transform)
+        placements.append(Placement(asset, matrix, light_of(asset, matrix, model.emission)))
     return placements
 
 
@@ -152,7 +153,7 @@ def _placed_objects(scene_file: SceneFile) -> list[Placement]:
             except SceneError as error:
                 raise scene_file.error(("objects", index), str(error)) from error
         matrix = world_from_object(model.transform)
-        placements.append(Placement(loaded[key], matrix, _mesh_light(loaded[key], matrix)))
+        placements.append(Placement(loaded[key], matrix, light_of(loaded[key], matrix)))
     return placements
 
 
@@ -161,7 +162,7 @@ def _placed_ground(scene_file: SceneFile) -> list[Placement]:
     if model is None:
         return []
     mesh = ground(model, scene_file.resolve)
-    return [Placement(mesh, np.eye(4), _mesh_light(mesh, np.eye(4)), boundless=True)]
+    return [Placement(mesh, np.eye(4), light_of(mesh, np.eye(4)), boundless=True)]
 
 
 def _placed_lights(scene_file: SceneFile) -> list[Placement]:
@@ -174,10 +175,15 @@ def _placed_lights(scene_file: SceneFile) -> list[Placement]:
     ]
 
 
-def _mesh_light(mesh: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
-    """What an object shines with, if it does."""
-    if not mesh.is_emissive:
+def light_of(
+    thing: Asset | MeshObject, world_from_object: np.ndarray, factor: float = 1.0
+) -> ShapeLight | None:
+    """What an asset or an object shines with, if it does. factor: on an asset's emission."""
+    if not isinstance(thing, MeshObject):
+        emits = factor > 0.0 and any(part.emits for part in thing.parts)
+        return AssetLight(thing, world_from_object, factor) if emits else None
+    if not thing.is_emissive:
         return None
     linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
-    positions = (mesh.positions @ linear.T + translation).astype(np.float32)
-    return MeshLight(positions, mesh.triangles, mesh.emitted_luminance, mesh.emission)
+    positions = (thing.positions @ linear.T + translation).astype(np.float32)
+    return MeshLight(positions, thing.triangles, thing.emitted_luminance, thing.emission)

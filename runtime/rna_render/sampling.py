@@ -37,7 +37,7 @@ class Sampler:
 
 
 @compiled(fastmath=())
-def _hash(x):
+def hash_bits(x):
     """A 32-bit mix: "lowbias32" of C. Wellons, Prospecting for Hash Functions (2018)."""
     x = np.uint32(x)
     x = np.uint32((x ^ (x >> np.uint32(16))) * np.uint32(0x7FEB352D))
@@ -87,10 +87,10 @@ def _second_sobol_dimension(index):
 
 @compiled(parallel=True, fastmath=())
 def _scrambled_sobol(pixels, first_sample, dimension, seed, points):
-    image_key = _hash(_hash(seed) + np.uint32(dimension))
+    image_key = hash_bits(hash_bits(seed) + np.uint32(dimension))
     for i in prange(len(pixels)):
-        key = _hash(image_key ^ _hash(pixels[i] + np.uint32(1)))
-        first_key, second_key = _hash(key + np.uint32(1)), _hash(key + np.uint32(2))
+        key = hash_bits(image_key ^ hash_bits(pixels[i] + np.uint32(1)))
+        first_key, second_key = hash_bits(key + np.uint32(1)), hash_bits(key + np.uint32(2))
         for part in range(points.shape[1]):
             index = _owen_scramble(np.uint32(first_sample + part), key)
             first = _owen_scramble(_reverse_bits(index), first_key)

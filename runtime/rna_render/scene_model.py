@@ -14,7 +14,16 @@ from pydantic import Field, model_validator
 from rna_render.lights.models import LightModel
 from rna_render.limits import MAX_DEPTH, MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
 from rna_render.materials.models import DiffuseModel, MaterialModel
-from rna_render.model_base import Length, Model, Number, Positive, TransformModel, Vector, is_short
+from rna_render.model_base import (
+    Length,
+    Model,
+    Nonnegative,
+    Number,
+    Positive,
+    TransformModel,
+    Vector,
+    is_short,
+)
 
 PixelCount = Annotated[int, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
 
@@ -28,6 +37,9 @@ class AssetModel(Model):
     )
     transform: TransformModel = Field(
         default=TransformModel(), description="Where it stands; at the origin if left out."
+    )
+    emission: Nonnegative = Field(
+        default=1.0, description="Factor on the light that it sends out itself, if it does."
     )
 
 

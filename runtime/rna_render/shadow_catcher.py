@@ -35,12 +35,12 @@ def _one_light(
 ) -> np.ndarray:
     row = choice.row
     samples = lighting.sample(choice, vertices.x_world[row])
-    blocked = lighting.blocked(vertices, row, samples.wi_world, samples.distance, None)
+    kept = lighting.kept(vertices, row, samples.wi_world, samples.distance, None)
     cosine = np.abs(np.sum(vertices.n_world[row] * samples.wi_world, axis=1))
     side = np.sum(vertices.ng_world * d_world, axis=1)[row]
     side *= np.sum(vertices.ng_world[row] * samples.wi_world, axis=1)
     cosine = np.where(side < 0.0, cosine, np.float32(0.0))
     pdf = samples.pdf * probability[choice.light]
     weight = np.divide(cosine, pdf, out=np.zeros_like(cosine), where=pdf > 0.0)
-    unblocked = samples.radiance.mean(axis=1) * weight
-    return np.column_stack([unblocked * ~blocked, unblocked])
+    received = (samples.radiance * kept).mean(axis=1) * weight
+    return np.column_stack([received, samples.radiance.mean(axis=1) * weight])

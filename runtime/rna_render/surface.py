@@ -12,7 +12,6 @@ from typing import Protocol
 import numpy as np
 from numba import prange
 
-from rna_render.embree import TriangleScene
 from rna_render.rays import check_numbers, vectors
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
@@ -125,6 +124,13 @@ class SurfacePoints:
     def __len__(self) -> int:
         return len(self.x)
 
+    def checked(self) -> SurfacePoints:
+        """The same, contiguous. Raises QueryError for another dtype or shape."""
+        count = len(self)
+        return SurfacePoints(
+            *(vectors(name, getattr(self, name), count) for name in SurfacePoints.__slots__)
+        )
+
     def take(self, row: np.ndarray) -> SurfacePoints:
         """The given rows."""
         return SurfacePoints(*(a.take(row, axis=0) for a in (self.x, self.n, self.ng, self.lift)))
@@ -148,27 +154,6 @@ def leaving_origins(points: SurfacePoints, directions: np.ndarray, extent: float
     at = points.x, points.n, points.ng, points.lift
     _leave(*at, directions, OFFSET * extent, result)
     return result
-
-
-def visible(
-    scene: TriangleScene,
-    points: SurfacePoints,
-    wi: np.ndarray,
-    tfar: np.ndarray | float = np.inf,
-) -> np.ndarray:
-    """Whether the rays from surface points along `wi` meet nothing of `scene`: (m,) bool.
-
-    This is the visibility of the transport contract: it picks the decoder's `visible` or
-    `shadowed` output. Light from behind a closed surface is blocked, because the ray starts on
-    the side that `wi` is on and so has to leave through the asset.
-
-    points and wi, (m, 3) float32: in the scene's space; m may be 0. tfar: one number or (m,), the
-    distance to the light in units of wi's length. Raises QueryError for other dtypes or shapes.
-    """
-    names, count = SurfacePoints.__slots__, len(points)
-    points = SurfacePoints(*(vectors(name, getattr(points, name), count) for name in names))
-    wi = vectors("wi", wi, count)
-    return ~scene.occluded(leaving_origins(points, wi, scene.extent), wi, 0.0, tfar)
 
 
 def _at_hits(values, triangles, triangle, u, v, normalise):

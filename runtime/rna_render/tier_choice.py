@@ -39,7 +39,7 @@ class TierChoice:
         paths = [scene_file.asset_path(index) for index in range(len(self._named))]
         opened = {path: Package.open(path) for path in dict.fromkeys(paths)}
         self._packages = [(path, opened[path]) for path in paths]
-        boxes = [package.manifest.bounds for package in (opened[path] for path in paths)]
+        boxes = [_bounds(opened[path]) for path in paths]
         self._pixels = _heights(scene_file.scene, views, boxes).tolist()
 
     def within(self, max_error: float) -> Tiers:
@@ -88,11 +88,17 @@ class TierChoice:
         return best.name, expected_error(best, pixels)
 
 
-def _heights(scene: Scene, views: Sequence[Scene], boxes: Sequence) -> np.ndarray:
+def _bounds(package: Package) -> np.ndarray:
+    """(2, 3): lower and upper corner of the box around the bounds of all parts."""
+    corners = np.array([(part.bounds.min, part.bounds.max) for part in package.manifest.parts])
+    return np.stack([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)])
+
+
+def _heights(scene: Scene, views: Sequence[Scene], boxes: Sequence[np.ndarray]) -> np.ndarray:
     """The largest height in any view of each asset's bounds, (n,) pixels."""
     if not boxes:
         return np.zeros(0)
-    corners = np.array([(box.min, box.max) for box in boxes])
+    corners = np.array(boxes)
     matrices = np.array([world_from_object(asset.transform) for asset in scene.assets])
     scale = np.linalg.norm(matrices[:, :3, 0], axis=1)
     radius = scale * np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1) / 2.0

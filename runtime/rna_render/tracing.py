@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 
 from rna_render import embree_kernels as kernels
 from rna_render import embree_library as api
+from rna_render.embree_filters import transmittance_filter
 from rna_render.rays import per_ray, vectors
 
 
@@ -15,18 +16,28 @@ from rna_render.rays import per_ray, vectors
 class ClosestHits:
     """The closest hit of each ray, in Embree's terms; each (n,), misses with -1, infinity or 0.
 
-    owner: int32, number of the geometry or of the instance, as asked for.
+    instance: int32, number of the instance; -1 in a scene without instances, too.
+    geometry: int32, number of the geometry in its scene.
     primitive: int32, number of the triangle or of the curve segment.
     ng: (n, 3) float32, unit geometric normals in the space of the geometry; (0, 3) if not asked
         for.
+    weight: (n, 3) float32, what the light found has to be multiplied by, since rays passed or met
+        something coloured at random; None for 1.
     """
 
     t: np.ndarray
-    owner: np.ndarray
+    instance: np.ndarray
+    geometry: np.ndarray
     primitive: np.ndarray
     u: np.ndarray
     v: np.ndarray
     ng: np.ndarray
+    weight: np.ndarray | None = None
+
+    def take(self, row: np.ndarray) -> ClosestHits:
+        """The given rows."""
+        values = (getattr(self, field.name) for field in fields(self))
+        return ClosestHits(*(None if a is None else a.take(row, axis=0) for a in values))
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +56,9 @@ class Passing:
 
 NOTHING = Passing()
 
+# The id of a ray that passes through no instance and no strand, in a scene of either.
+NO_OWN = 0xFFFFFFFE
+
 
 class GeometryScene:
     """Geometry in one space, for rays in that space and for instances of it.
@@ -56,6 +70,10 @@ class GeometryScene:
         self._scene = api.SceneHandle(api.shared_device())
         self.extent = 0.0
         """Largest absolute coordinate of the geometry: the scale of rounding errors here."""
+        self.transmits = False
+        """Whether hits may let light through, so that filters have to ask."""
+        self.coloured = False
+        """Whether some may let more through of one colour than of another."""
 
     @property
     def handle(self) -> api.SceneHandle:
@@ -77,10 +95,22 @@ class GeometryScene:
         """
         return any_hits(self._scene, origins, directions, tnear, tfar)
 
+    def transmittance(
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        tnear: np.ndarray | float = 0.0,
+        tfar: np.ndarray | float = np.inf,
+    ) -> np.ndarray:
+        """What each ray keeps between tnear and tfar: (n, 3) float32, 0 where it is blocked.
+
+        Arguments and errors are those of `occluded`.
+        """
+        return transmitted(self._scene, transmittance_filter(), origins, directions, tnear, tfar)
+
 
 def closest_hits(
     scene: api.SceneHandle,
-    owner_word: int,
     origins: np.ndarray,
     directions: np.ndarray,
     tnear: np.ndarray | float,
@@ -90,21 +120,20 @@ def closest_hits(
 ) -> ClosestHits:
     """Closest hits in any Embree scene.
 
-    owner_word says which number `owner` is: HIT_GEOMETRY or HIT_INSTANCE of the kernels. The
-    rest, and the errors, are those of GeometryScene.occluded.
+    Arguments and errors are those of GeometryScene.occluded.
     """
     origins = vectors("origins", origins)
     n = len(origins)
     directions = vectors("directions", directions, n)
     interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
     t, u, v = (np.empty(n, np.float32) for _ in range(3))
-    owner, primitive = np.empty(n, np.int32), np.empty(n, np.int32)
+    instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
     ng = np.empty((n if with_normals else 0, 3), np.float32)
     function = api.function_address("rtcIntersect1")
-    out = t, owner, primitive, u, v, ng
+    out = t, instance, geometry, primitive, u, v, ng
     through = passing.arguments, passing.ray_id, passing.mask
     rays = origins, directions, *interval
-    kernels.intersect(function, scene.handle, *through, owner_word, *rays, *out)
+    kernels.intersect(function, scene.handle, *through, *rays, *out)
     return ClosestHits(*out)
 
 
@@ -129,3 +158,62 @@ def any_hits(
     through = passing.arguments, passing.ray_id, passing.mask
     kernels.occluded(function, scene.handle, *through, origins, directions, *interval, result)
     return result
+
+
+def transmitted(
+    scene: api.SceneHandle,
+    arguments: np.ndarray,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+    ray_id: np.ndarray | None = None,
+    mask: np.ndarray = NOTHING.mask,
+) -> np.ndarray:
+    """What rays keep of their light in any Embree scene: (n, 3) float32.
+
+    arguments: of a transmittance filter. ray_id: (n,) or (1,) uint32, the instance or the strand
+    that rays pass through, as the filter has it; NO_OWN if None. mask: as in Passing. The rest,
+    and the errors, are those of GeometryScene.occluded.
+    """
+    origins = vectors("origins", origins)
+    n = len(origins)
+    directions = vectors("directions", directions, n)
+    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
+    own = np.full(1, NO_OWN, np.uint32) if ray_id is None else ray_id
+    result = np.empty((n, 3), np.float32)
+    function = api.function_address("rtcOccluded1")
+    lines = origins, directions, *interval
+    kernels.transmitted(function, scene.handle, arguments, own, mask, *lines, result)
+    return result
+
+
+def closest_hits_through(
+    scene: api.SceneHandle,
+    filters: tuple[np.ndarray, np.ndarray],
+    coloured: bool,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+    ray_id: np.ndarray | None = None,
+    mask: np.ndarray = NOTHING.mask,
+) -> ClosestHits:
+    """Closest hits of rays that pass through hits at random, as often as these let light through.
+
+    filters: random_transmittance_filters. coloured: whether `weight` is wanted, else it is 1. The
+    rest, and the errors, are those of `closest_hits` and of `transmitted`.
+    """
+    origins = vectors("origins", origins)
+    n = len(origins)
+    directions = vectors("directions", directions, n)
+    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
+    own = np.full(1, NO_OWN, np.uint32) if ray_id is None else ray_id
+    t, u, v = (np.empty(n, np.float32) for _ in range(3))
+    instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
+    ng, weight = np.empty((n, 3), np.float32), np.empty((n if coloured else 0, 3), np.float32)
+    functions = tuple(api.function_address(name) for name in ("rtcIntersect1", "rtcOccluded1"))
+    out = t, instance, geometry, primitive, u, v, ng
+    lines = own, mask, origins, directions, *interval
+    kernels.intersect_through(functions, scene.handle, *filters, *lines, *out, weight)
+    return ClosestHits(*out, weight if coloured else None)

@@ -1,4 +1,4 @@
-"""The scene as it is traced: instances of bodies, in an order that keeps each body's together."""
+"""The scene as it is traced: instances of bodies, whose hits come sorted by part of a body."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rna_render.bodies import Thing, make_body
 from rna_render.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_render.lights.base import PlacedLight, ShapeLight
 from rna_render.materials import MeshObject
-from rna_render.points import Points, Role
+from rna_render.points import Body, Points, Role
 from rna_render.surface import OFFSET
 from rna_render.tracing import ClosestHits
 from rna_sdk.compiled import compiled
@@ -36,10 +36,10 @@ class Placement:
 
 @dataclass(frozen=True, slots=True)
 class Vertices:
-    """Points of the scene that scatter light: m of them, sorted by instance (and so by body).
+    """Points of the scene that scatter light: m of them, sorted by body, part and instance.
 
     ray: (m,) place of the ray that hit them in its batch. instance: (m,) int32.
-    bodies: for each body that was hit its rows, and its points in object space.
+    parts: for each part of a body that was hit its rows, and its points in object space.
     x_world, n_world: (m, 3) float32, points and shading normals.
     ng_world: (m, 3) float32, geometric normals.
     own: (m,) int32, the instance that rays from here pass through, or NO_INSTANCE.
@@ -47,7 +47,7 @@ class Vertices:
 
     ray: np.ndarray
     instance: np.ndarray
-    bodies: list[tuple[slice, Points]]
+    parts: list[tuple[slice, Points]]
     x_world: np.ndarray
     n_world: np.ndarray
     ng_world: np.ndarray
@@ -57,9 +57,9 @@ class Vertices:
         return len(self.ray)
 
     def local_rows(self, row: np.ndarray) -> list[tuple[slice, np.ndarray, Points]]:
-        """The given rows, ascending, by body: which of them, their places in its points, these."""
+        """The given rows, ascending, by part: which of them, their places in its points, these."""
         result = []
-        for rows, points in self.bodies:
+        for rows, points in self.parts:
             start, stop = np.searchsorted(row, (rows.start, rows.stop))
             if start < stop:
                 result.append((slice(start, stop), row[start:stop] - rows.start, points))
@@ -68,8 +68,6 @@ class Vertices:
 
 class World:
     """Instances of bodies, in an order of their own: all instances of a body are neighbours.
-
-    So hits sorted by instance are sorted by body too.
 
     placements: the scene's things, in the order of its file; the same object twice is one body
     with two instances. Raises QueryError for a transform that is not a similarity.
@@ -81,6 +79,8 @@ class World:
         scale: (k,) float32, world units an object unit.
         lights: those of the placements.
         light: (k,) int32, for each instance its place in `lights`; -1 if it does not shine.
+        own_light: (k,) int32, the same where what the light throws on the instance itself is part
+            of its transport; else -1.
         radius: of a sphere about the scene, without what is boundless; world units.
         scatters: whether light can go from one thing to another, or to another part of the same.
     """
@@ -93,15 +93,14 @@ class World:
         ordered = [placements[index] for index in order]
         self.things = [placement.thing for placement in placements]
         self._bodies = [make_body(placements[group[0]].thing) for group in groups.values()]
-        # Body b has the instances from first[b] up to first[b + 1].
-        self._first = np.cumsum([0] + [len(group) for group in groups.values()])
+        self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
         transforms = [Transform(placement.world_from_object) for placement in ordered]
         scale = np.array([transform.scale for transform in transforms])
         self.scale = scale.astype(np.float32)
         self._matrices = np.array([transform.matrix for transform in transforms])
         self._rotations = self._matrices[:, :3, :3] / scale[:, None, None]
-        bodies = [self._bodies[b] for b in np.repeat(np.arange(len(groups)), np.diff(self._first))]
+        bodies = [self._bodies[b] for b in self._order.body]
         self.scene = InstanceScene(
             [
                 Instance(body.scene, matrix, _met_by(placement.thing))
@@ -111,8 +110,10 @@ class World:
         self.lights = [placement.light for placement in ordered if placement.light is not None]
         shines = np.array([placement.light is not None for placement in ordered])
         self.light = np.where(shines, np.cumsum(shines) - 1, -1).astype(np.int32)
+        passes = np.array([body.passes_through for body in bodies])
+        self.own_light = np.where(passes, self.light, -1).astype(np.int32)
         self._has_role = {role: np.array([body.role is role for body in bodies]) for role in Role}
-        self._passes = np.array([body.passes_through for body in bodies])
+        self._passes = passes
         size = scale * np.sqrt(3.0) * [body.scene.extent for body in bodies]
         reach = np.abs(self._matrices[:, :3, 3]).max(axis=1) + size
         self._step = np.where(self._passes, 0.0, OFFSET * reach).astype(np.float32)
@@ -125,24 +126,21 @@ class World:
 
         hits: of n rays. d_world: (n, 3) float32, their directions.
         """
-        ray = np.flatnonzero(hits.owner >= 0)
-        ray = ray[self._has_role[role][hits.owner[ray]]]
-        ray = ray[np.argsort(hits.owner[ray], kind="stable")]
-        instance = hits.owner[ray]
+        ray = np.flatnonzero(hits.instance >= 0)
+        ray = ray[self._has_role[role][hits.instance[ray]]]
+        ray, groups = self._order.sorted(ray, hits)
+        instance = hits.instance[ray]
         wo = self.to_object_directions(instance, -d_world.take(ray, axis=0))
         x, n = (np.empty((len(ray), 3), np.float32) for _ in range(2))
-        bodies = []
-        cuts = np.searchsorted(instance, self._first)
-        for body, (start, stop) in zip(self._bodies, pairwise(cuts), strict=True):
-            if start < stop:
-                rows = slice(start, stop)
-                points = body.points(hits, ray[rows], wo[rows])
-                x[rows], n[rows] = points.x, points.n
-                bodies.append((rows, points))
+        parts = []
+        for body, part, rows in groups:
+            points = self._bodies[body].points(part, hits, ray[rows], wo[rows])
+            x[rows], n[rows] = points.x, points.n
+            parts.append((rows, points))
         return Vertices(
             ray,
             instance,
-            bodies,
+            parts,
             self._to_world_points(instance, x),
             self.to_world_directions(instance, n),
             self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
@@ -178,6 +176,39 @@ class World:
     @property
     def _no_shift(self) -> np.ndarray:
         return np.zeros((len(self.number), 3))
+
+
+class _HitOrder:
+    """Hits by body, then by part of it, then by instance.
+
+    bodies: with their numbers of instances, which are neighbours. body: (k,) of each instance.
+    """
+
+    def __init__(self, bodies: Sequence[Body], instances: Sequence[int]) -> None:
+        self.body = np.repeat(np.arange(len(bodies)), instances)
+        most = max(body.part_count for body in bodies)
+        # The rank of a hit on a part of an instance; those of a part of a body are in a row.
+        self._rank = np.zeros((len(self.body), most), np.int64)
+        self._groups: list[tuple[int, int]] = []
+        starts, rank = [], 0
+        for number, body in enumerate(bodies):
+            for part in range(body.part_count):
+                self._groups.append((number, part))
+                starts.append(rank)
+                self._rank[self.body == number, part] = rank + np.arange(instances[number])
+                rank += instances[number]
+        self._starts = np.array([*starts, rank])
+
+    def sorted(
+        self, ray: np.ndarray, hits: ClosestHits
+    ) -> tuple[np.ndarray, list[tuple[int, int, slice]]]:
+        """The rays in order, and for each part of a body that was hit both, and its rows."""
+        rank = self._rank[hits.instance[ray], hits.geometry[ray]]
+        order = np.argsort(rank, kind="stable")
+        cuts = np.searchsorted(rank[order], self._starts)
+        spans = zip(self._groups, pairwise(cuts), strict=True)
+        found = [(*group, slice(*cut)) for group, cut in spans if cut[0] < cut[1]]
+        return ray[order], found
 
 
 def _met_by(thing: Thing) -> int:

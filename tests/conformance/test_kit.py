@@ -51,12 +51,13 @@ def test_packages_cover_the_format(kit: Kit) -> None:
     seen = set()
     for path in sorted({case.package for case in kit.evaluate}):
         with Package.open(path) as package:
-            seen.add(package.manifest.kind)
+            seen |= {part.kind for part in package.manifest.parts}
             seen.add("two tiers" if len(package.manifest.tiers) > 1 else "one tier")
             for tier in package.manifest.tiers:
-                seen |= {*tier.inputs, f"{tier.plane_precision} planes"}
-                seen |= {f"{tier.decoder_precision} decoder", f"R = {tier.resolution}"}
-                seen |= {f"C = {tier.channels}"}
+                for part in tier.parts:
+                    seen |= {*part.inputs, f"{part.plane_precision} planes"}
+                    seen |= {f"{part.decoder_precision} decoder", f"R = {part.resolution}"}
+                    seen |= {f"C = {part.channels}"}
     precisions = {f"{p} planes" for p in ("int8", "float16", "float32")}
     assert {*INPUT_BLOCKS, *precisions, "int8 decoder", "float32 decoder"} <= seen
     assert {"R = 1", "C = 1", "C = 2", "two tiers", "surface", "fiber"} <= seen

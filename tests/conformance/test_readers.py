@@ -12,7 +12,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from rna_render import conformance_reader, surface
+from rna_render import conformance_reader, parts_scene, surface
 from rna_render.surface import interpolate_positions
 from rna_sdk.conformance import reader, twin_reader
 from rna_sdk.conformance.cli import run_levels
@@ -153,7 +153,7 @@ def from_outside(package: str, records: bytes) -> np.ndarray:
         return points.x + np.float32(surface.OFFSET * extent) * points.ng
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(surface, "leaving_origins", above)
+        patch.setattr(parts_scene, "leaving_origins", above)
         return conformance_reader.visibility(package, records)
 
 

@@ -20,10 +20,16 @@ def open_worker(blender_python: Path, tmp_path: Path) -> Iterator[OpenWorker]:
     """Opens a worker on a file, or on the text of a script; ends it after the test."""
     opened = count()
 
-    def open_(scene: Path | str, *arguments: str) -> BlenderWorker:
+    def open_(
+        scene: Path | str,
+        *arguments: str,
+        front: str | None = None,
+        up: str | None = None,
+        parts: str = "kinds",
+    ) -> BlenderWorker:
         name = f"scene{next(opened)}"
         path = write_scene(tmp_path, name, scene) if isinstance(scene, str) else scene
-        source = Source(path, arguments)
+        source = Source(path, arguments, front=front, up=up, parts=parts)
         worker = BlenderWorker(blender_python, source, tmp_path / "scratch", 1, name)
         return workers.enter_context(worker)
 

@@ -6,7 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.dataset import CaptureManifest, Dataset, write_arrays
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.manifest import CapturedPart, CaptureManifest
+from rna_export.capture.sample_files import write_parts
 from rna_export.capture.settings import CaptureSettings
 from rna_export.training.presets import PRESETS, Preset
 from tests.render.assets import sphere, unit_vectors
@@ -14,6 +17,7 @@ from tests.render.assets import sphere, unit_vectors
 ALBEDO = np.array([0.8, 0.5, 0.2])
 LIGHTS_A_SHARD = 8
 RAYS = 256
+BALL_PART = CapturedPart(name="asset", kind="surface", bounds=((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)))
 
 
 def tiny(preset: str = "small", kind: str = "surface", **training: object) -> Preset:
@@ -24,8 +28,8 @@ def tiny(preset: str = "small", kind: str = "surface", **training: object) -> Pr
 
 def make_dataset(
     folder: Path, seed: int = 0, shards: int = 3, views: int = 2, domain: str = "sphere"
-) -> Dataset:
-    """A finished dataset without noise; `domain` is only what it says of itself."""
+) -> DatasetPart:
+    """The part of a finished dataset without noise; `domain` is only what it says of itself."""
     settings = CaptureSettings(
         lights=shards * LIGHTS_A_SHARD,
         lights_per_shard=LIGHTS_A_SHARD,
@@ -42,18 +46,17 @@ def make_dataset(
         settings=settings,
         blender="none",
         generator="tests",
-        kind="surface",
+        parts=(BALL_PART,),
         cutouts=False,
-        bounds=((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)),
     )
-    dataset = Dataset.create(folder, manifest, sphere(3))
+    dataset = Dataset.create(folder, manifest, {"asset": sphere(3)})
     rng = np.random.default_rng(seed)
     for shard in range(shards):
         wi = np.repeat(unit_vectors(rng, LIGHTS_A_SHARD), RAYS, axis=0)
-        write_arrays(dataset.train_path(shard), _samples(*_seen(rng, len(wi)), wi))
+        write_parts(dataset.train_path(shard), {"asset": _samples(*_seen(rng, len(wi)), wi)})
     for view in range(views):
         _write_view(dataset, view, rng)
-    return dataset
+    return dataset.only
 
 
 def transport(n: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -103,6 +106,5 @@ def _write_view(dataset: Dataset, view: int, rng: np.random.Generator) -> None:
     for half, sign in ((0, 1.0), (1, -1.0)):
         noise = (sign * 1e-4 * np.ones_like(n)).astype(np.float32)
         arrays = {**samples, "radiance": samples["radiance"] + noise}
-        write_arrays(
-            dataset.validation_path(view, half), {**arrays, "pixel": pixel.astype(np.int32)}
-        )
+        part = {**arrays, "pixel": pixel.astype(np.int32)}
+        write_parts(dataset.validation_path(view, half), {"asset": part})

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import CaptureManifest, Dataset
-from rna_export.capture.run import weld
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.manifest import CapturedPart, CaptureManifest
+from rna_export.capture.run import scene_of
 from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard
+from rna_export.capture.weld import weld
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
 
@@ -103,9 +104,9 @@ def test_a_hit_on_a_cutout_is_a_sample(open_worker: OpenWorker, tmp_path) -> Non
         "add(*square(1, z=1), principled(Alpha=0.0))\nadd(*square(1), diffuse((1, 1, 1)))"
     )
     dataset = one_light_dataset(tmp_path / "rays", worker)
-    scene = SurfaceScene(dataset.geometry())
+    scene = scene_of(dataset)
     TrainingShard(0).run(dataset, scene, worker)
-    samples = dataset.training_samples()
+    samples = dataset.only.training_samples()
     assert len(samples["wo"]) == dataset.manifest.settings.rays
     on_the_cutout = (samples["position"][:, 1] > 0.99) & (samples["wo"][:, 1] > 0.95)
     assert samples["radiance"][on_the_cutout].mean() > 0.05
@@ -114,6 +115,8 @@ def test_a_hit_on_a_cutout_is_a_sample(open_worker: OpenWorker, tmp_path) -> Non
 def one_light_dataset(folder, worker) -> Dataset:
     mesh = weld(worker.export_corners())
     low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+    bounds = tuple(low.tolist()), tuple(high.tolist())
+    part = CapturedPart(name="asset", kind="surface", bounds=bounds)
     manifest = CaptureManifest(
         name="test",
         source="test.py",
@@ -121,8 +124,7 @@ def one_light_dataset(folder, worker) -> Dataset:
         settings=CaptureSettings(samples=4, rays=512, lights=1, domain="hemisphere"),
         blender=worker.opened["blender"],
         generator="test",
-        kind="surface",
+        parts=(part,),
         cutouts=worker.opened["cutouts"],
-        bounds=(tuple(low.tolist()), tuple(high.tolist())),
     )
-    return Dataset.create(folder, manifest, mesh)
+    return Dataset.create(folder, manifest, {"asset": mesh})

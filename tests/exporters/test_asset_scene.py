@@ -1,31 +1,31 @@
 import numpy as np
 import pytest
 
-from rna_export.capture.surface_scene import SurfaceScene
+from rna_export.capture.asset_scene import AssetScene
 from tests.exporters.meshes import merged, moved, ring, sphere, square
 from tests.render.assets import unit_vectors
 
 
 def test_points_on_a_ball_are_where_the_ball_is() -> None:
-    scene = SurfaceScene(sphere(5))
+    scene = AssetScene([sphere(5)])
     towards = unit_vectors(np.random.default_rng(0), 500)
     points = scene.shade_points(3.0 * towards, -towards)
     assert points.hit.all()
     assert np.abs(points.position - towards).max() < 1e-3
-    assert np.sum(points.normal * towards, axis=1).min() > 0.99999
+    assert np.sum(points.on[0].points.n * towards, axis=1).min() > 0.99999
     assert np.sum(points.geometric_normal * towards, axis=1).min() > 0.999
 
 
 def test_a_miss_leaves_zeros() -> None:
-    points = SurfaceScene(sphere(2)).shade_points(np.float32([[0, 3, 0]]), np.float32([[0, 1, 0]]))
+    points = AssetScene([sphere(2)]).shade_points(np.float32([[0, 3, 0]]), np.float32([[0, 1, 0]]))
     assert not points.hit.any()
-    for values in (points.position, points.normal, points.geometric_normal):
+    for values in (points.position, points.geometric_normal):
         assert not values.any()
 
 
 def test_sampled_points_are_uniform_by_area() -> None:
     # One square four times the other's area, its triangles as few as the other's.
-    scene = SurfaceScene(merged(square(2.0), square(1.0, height=5.0)))
+    scene = AssetScene([merged(square(2.0), square(1.0, height=5.0))])
     points, normals = scene.sample_points(20_000, np.random.default_rng(0))
     assert np.mean(points[:, 1] > 2.5) == pytest.approx(0.2, abs=0.015)
     assert np.allclose(normals, [0, 1, 0])
@@ -33,7 +33,7 @@ def test_sampled_points_are_uniform_by_area() -> None:
 
 
 def test_a_ball_hides_the_square_below_it() -> None:
-    scene = SurfaceScene(merged(square(2.0), moved(sphere(4, radius=0.5), (0, 1, 0))))
+    scene = AssetScene([merged(square(2.0), moved(sphere(4, radius=0.5), (0, 1, 0)))])
     x = np.linspace(-1.5, 1.5, 61, dtype=np.float32)
     origins = np.stack([x, np.full_like(x, 0.3), np.zeros_like(x)], axis=1)
     points = scene.shade_points(origins, np.tile(np.float32([0, -1, 0]), (61, 1)))
@@ -43,7 +43,7 @@ def test_a_ball_hides_the_square_below_it() -> None:
 
 
 def test_free_distance_on_the_inside_of_a_ring() -> None:
-    scene = SurfaceScene(ring())
+    scene = AssetScene([ring()])
     point, inwards = np.float32([[0.9, 0, 0]]), np.float32([[-1, 0, 0]])
     across = scene.free_distance(point, inwards, inwards)
     assert across == pytest.approx(1.8, abs=0.01)
@@ -52,13 +52,13 @@ def test_free_distance_on_the_inside_of_a_ring() -> None:
 
 @pytest.mark.parametrize("sharpest", [0.02, 0.14])
 def test_views_of_highlights_are_spread_down_to_the_sharpest_lobe(sharpest: float) -> None:
-    scene, wi = SurfaceScene(sphere(5), sharpest), np.float32([0, 0, 1])
+    scene, wi = AssetScene([sphere(5)], sharpest), np.float32([0, 0, 1])
     towards = unit_vectors(np.random.default_rng(1), 20_000)
     points = scene.shade_points(3.0 * towards, -towards)
     rows, wo = scene.highlight_views(points, wi, np.random.default_rng(2))
     half = wo + wi
     half /= np.linalg.norm(half, axis=1, keepdims=True)
-    angle = np.linalg.norm(np.cross(points.normal[rows], half), axis=1)
+    angle = np.linalg.norm(np.cross(points.on[0].points.n[rows], half), axis=1)
     # Half of a GGX lobe lies within its alpha; alphas are even in the logarithm, up to 0.8.
     alpha = sharpest**2
     decades = np.log10(0.8 / alpha)

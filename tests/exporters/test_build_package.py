@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.export.cli import main
 from rna_export.metrics import flip, psnr
 from rna_export.training import run as run_module
@@ -23,7 +23,7 @@ from tests.exporters.synthetic import make_dataset, tiny
 
 @dataclass(frozen=True)
 class Exported:
-    dataset: Dataset
+    dataset: DatasetPart
     checkpoints: dict[str, Path]
     package: Path
     said: str
@@ -48,7 +48,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Exported:
     return Exported(dataset, checkpoints, package, "\n".join(said))
 
 
-def evaluate(package: Path, tier: str, dataset: Dataset) -> list[np.ndarray]:
+def evaluate(package: Path, tier: str, dataset: DatasetPart) -> list[np.ndarray]:
     """Radiance of the validation views, as a host would ask for it."""
     asset, radiance = load(package, tier=tier), []
     for view in dataset.validation_views():
@@ -65,8 +65,8 @@ def test_the_package_is_valid(exported: Exported) -> None:
 def test_a_tier_a_checkpoint_in_their_order(exported: Exported) -> None:
     with Package.open(exported.package) as package:
         assert [tier.name for tier in package.manifest.tiers] == ["small", "paper-small"]
-        assert package.manifest.tiers[0].inputs == tiny("small").model.inputs
-        assert package.manifest.tiers[1].inputs == tiny("paper-small").model.inputs
+        assert package.manifest.tiers[0].parts[0].inputs == tiny("small").model.inputs
+        assert package.manifest.tiers[1].parts[0].inputs == tiny("paper-small").model.inputs
 
 
 @pytest.mark.parametrize("tier", ["small", "paper-small"])
@@ -119,7 +119,7 @@ def test_cost_and_agreement_are_recorded(exported: Exported) -> None:
     for tier, columns in ((small, 25), (paper, 17)):
         assert tier.cost.multiply_adds == columns * 16 + 16 * 16 + 16 * 6
         assert tier.cost.ns_per_query > 0.0 and tier.cost.machine
-        assert 0.0 <= tier.agreement.max_relative < 1e-4
+        assert 0.0 <= tier.parts[0].agreement.max_relative < 1e-4
 
 
 def test_where_it_came_from_is_recorded(exported: Exported) -> None:
@@ -130,7 +130,7 @@ def test_where_it_came_from_is_recorded(exported: Exported) -> None:
     assert manifest.provenance.source == "a ball"
     assert manifest.provenance.training["small"]["steps"] == 60
     assert manifest.provenance.capture["rays"] == exported.dataset.manifest.settings.rays
-    low, high = np.array(manifest.bounds.min), np.array(manifest.bounds.max)
+    low, high = manifest.parts[0].bounds.corners()
     assert np.all(low < -1.0) and np.all(high > 1.0)
 
 

@@ -11,9 +11,11 @@ import pytest
 
 from rna_export.capture import blender_env
 from rna_export.capture.cli import main
-from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.settings import CaptureSettings
 from rna_sdk.errors import CaptureError
+from tests.exporters.synthetic import BALL_PART
 from tests.render.assets import sphere
 
 
@@ -40,11 +42,10 @@ def begun(source: Path, tmp_path: Path) -> Path:
         settings=CaptureSettings(lights=64),
         blender="4.5",
         generator="test",
-        kind="surface",
+        parts=(BALL_PART,),
         cutouts=False,
-        bounds=((-1, -1, -1), (1, 1, 1)),
     )
-    return Dataset.create(tmp_path / "begun.rays", manifest, sphere(1)).folder
+    return Dataset.create(tmp_path / "begun.rays", manifest, {"asset": sphere(1)}).folder
 
 
 def refusal(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:
@@ -126,16 +127,22 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     text = " ".join(text.split())
     assert "rna-capture helmet.gltf --out helmet.rays/" in text
     surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
-    for name in surfaces.keys() - {"lights_per_shard"}:
+    for name in surfaces.keys() - {"lights_per_shard", "front", "up"}:
         same = surfaces[name] == fibers[name]
-        told = f"default {surfaces[name]}" + ("" if same else f", for fibers {fibers[name]}")
-        assert f"{told})" in text, name
-    assert "for fibers" in text
+        told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
+        assert told in text, name
+    assert "for hair" in text
 
 
 @pytest.mark.parametrize(
     ("option", "value"),
-    [("--samples", 4), ("--rays", 100), ("--domain", "hemisphere"), ("--seed", 9)],
+    [
+        ("--samples", 4),
+        ("--rays", 100),
+        ("--domain", "hemisphere"),
+        ("--seed", 9),
+        ("--front", "-Z"),
+    ],
 )
 def test_other_settings_are_refused_on_resume(
     option: str, value: object, source: Path, begun: Path, some_python: None, capsys
@@ -202,7 +209,7 @@ def test_help_of_a_groom_needs_no_file_no_folder_and_no_blender(
     monkeypatch.setenv(blender_env.VARIABLE, "/nowhere/python")
     assert main([str(tmp_path / "groom.tfx"), "--", "--help"]) == 0
     text = capsys.readouterr().out
-    assert "rna-capture groom.hair --out groom.rays --" in text and "--melanin" in text
+    assert "rna-capture groom.tfx --out groom.rays --" in text and "--melanin" in text
 
 
 @pytest.mark.blender

@@ -10,13 +10,15 @@ import pytest
 
 from rna_export.capture import run as run_module
 from rna_export.capture import time_plan
-from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.run import Crew, finish
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.tasks import TrainingShard, ValidationHalf
 from rna_export.capture.time_plan import TimeLimit, planned, shrunk
 from rna_export.capture.worker import Source
 from rna_sdk.errors import CaptureError
+from tests.exporters.synthetic import BALL_PART
 from tests.render.assets import sphere
 
 SURFACE_RATE, FIBER_RATE = 0.15e6, 0.03e6  # paths a second of two slow cores
@@ -90,16 +92,15 @@ def test_too_few_minutes_are_refused(clock: Clock) -> None:
 def dataset(tmp_path: Path) -> Dataset:
     manifest = CaptureManifest(
         name="ball",
-        kind="surface",
+        parts=(BALL_PART,),
         source="ball.py",
         source_sha256="",
         settings=CaptureSettings(lights=320, validation_views=1),
         blender="none",
         generator="tests",
         cutouts=False,
-        bounds=((-1.0, -1.0, -1.0), (1.0, 1.0, 1.0)),
     )
-    return Dataset.create(tmp_path / "ball.rays", manifest, sphere(1))
+    return Dataset.create(tmp_path / "ball.rays", manifest, {"asset": sphere(1)})
 
 
 @pytest.mark.parametrize(("a_task", "shards"), [(5.0, 10), (10.0, 4), (20.0, 1), (200.0, 1)])

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import torch
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint, load_progress
 from rna_export.training.run import Run, train
@@ -18,18 +18,18 @@ from tests.exporters.synthetic import make_dataset, tiny
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
 @pytest.fixture(scope="module")
-def checkpoint(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def checkpoint(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Path:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(run_module, "draw_curves", lambda _: None)
         return train(Run(dataset, tiny(steps=10), "small", tmp_path_factory.mktemp("run"), seed=3))
 
 
-def test_says_all_that_is_needed_to_repeat_it(checkpoint: Path, dataset: Dataset) -> None:
+def test_says_all_that_is_needed_to_repeat_it(checkpoint: Path, dataset: DatasetPart) -> None:
     trained = load_checkpoint(checkpoint)
     assert trained.preset == tiny(steps=10, loss="log")  # a capture without noise
     assert (trained.preset_name, trained.seed, trained.steps) == ("small", 3, 10)
@@ -140,7 +140,9 @@ def test_a_model_alone_cannot_be_trained_on(checkpoint: Path, tmp_path: Path) ->
         load_progress(tmp_path / "last.ckpt")
 
 
-def test_a_run_tells_of_a_damaged_checkpoint_of_its_own(dataset: Dataset, tmp_path: Path) -> None:
+def test_a_run_tells_of_a_damaged_checkpoint_of_its_own(
+    dataset: DatasetPart, tmp_path: Path
+) -> None:
     (tmp_path / "last.ckpt").write_bytes(b"damaged")
     with pytest.raises(TrainingError, match=r"last\.ckpt.*delete it"):
         train(Run(dataset, tiny(steps=10), "small", tmp_path))

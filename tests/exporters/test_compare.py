@@ -8,10 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_export.capture.orientation import joined_axes, rotation
 from rna_export.compare.page import write_page
 from rna_export.compare.run import Pair
 from rna_export.compare.views import Shot, shots
 from rna_export.metrics import flip, psnr
+from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 
 CORNERS = np.float32([[-1, 0, -2], [1, 3, 2], [0, 1, 0], [-1, 3, 2]])
@@ -56,6 +58,27 @@ def test_turning_the_front_turns_eye_and_light_alike() -> None:
     turned = np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]])  # +Z to +X
     np.testing.assert_allclose(after.wi, turned @ before.wi, atol=1e-12)
     np.testing.assert_allclose(after.eye - centre, turned @ (before.eye - centre), atol=1e-9)
+
+
+@pytest.mark.parametrize("frame", [("-Z", "Y"), ("-Y", "Z"), ("X", "-Z")])
+def test_front_and_up_turn_the_camera_and_keep_it_upright(frame: tuple[str, str]) -> None:
+    turn = rotation(*frame)
+    turned = Mesh(CORNERS @ turn.T.astype(np.float32), MESH.normals, None, MESH.triangles)
+    for usual, shot in zip(shots(MESH, 32, 0.0), shots(turned, 32, 0.0, frame), strict=True):
+        expected = np.eye(4)
+        expected[:3, :3] = turn
+        np.testing.assert_allclose(shot.to_world, expected @ usual.to_world, atol=1e-6)
+        np.testing.assert_allclose(shot.wi, turn @ usual.wi, atol=1e-12)
+
+
+def test_front_and_up_along_one_axis_are_refused() -> None:
+    with pytest.raises(CaptureError, match="front Y and up -Y are along one axis"):
+        rotation("Y", "-Y")
+
+
+def test_an_axis_may_follow_its_option() -> None:
+    given = ["a", "--front", "-Z", "--up=X", "--up", "-Y", "-Z"]
+    assert joined_axes(given) == ["a", "--front=-Z", "--up=X", "--up=-Y", "-Z"]
 
 
 def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:

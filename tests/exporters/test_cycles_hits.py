@@ -61,7 +61,7 @@ kept_out.objects.link(item)
 
 
 def assert_same_points(traced: Traced, mesh_radius: float) -> None:
-    distance = np.linalg.norm(traced.points.position - traced.cycles_position, axis=1) / mesh_radius
+    distance = np.linalg.norm(traced.points.x - traced.cycles_position, axis=1) / mesh_radius
     assert len(distance) > 1000
     assert np.median(distance) < 1e-6
     assert np.percentile(distance, 99) < 1e-5
@@ -69,7 +69,7 @@ def assert_same_points(traced: Traced, mesh_radius: float) -> None:
 
 
 def radius(traced: Traced) -> float:
-    low, high = traced.points.position.min(axis=0), traced.points.position.max(axis=0)
+    low, high = traced.points.x.min(axis=0), traced.points.x.max(axis=0)
     return float(np.linalg.norm(high - low)) / 2.0
 
 

@@ -35,7 +35,7 @@ def test_a_diffuse_convex_body_answers_albedo_over_pi_times_the_cosine(
     worker = open_worker(scene)
     for wi in LIGHTS:
         traced = trace(worker, wi, 1024)
-        cosine = traced.points.normal @ wi
+        cosine = traced.points.n @ wi
         # Towards grazing light Cycles moves the shadow's edge of smooth meshes on purpose.
         clear = traced.front & traced.visible & (cosine > 0.25)
         assert clear.sum() > 100
@@ -47,7 +47,7 @@ def test_shadowed_points_are_black(open_worker: OpenWorker) -> None:
     worker = open_worker(CASTER)
     for wi in LIGHTS:
         traced = trace(worker, wi)
-        plane = traced.front & (traced.points.position[:, 1] < 0.1)
+        plane = traced.front & (traced.points.x[:, 1] < 0.1)
         shadowed = plane & ~traced.visible
         assert shadowed.sum() > 20
         assert np.median(traced.radiance[shadowed]) == 0.0
@@ -65,7 +65,7 @@ def test_smooth_bodies_are_lit_up_to_where_cycles_lights_them(
     lit, visible = [], []
     for wi in LIGHTS:
         traced = trace(worker, wi, 8192)
-        behind = (traced.points.geometric_normal @ wi < 0.0) & (traced.points.normal @ wi > 0.0)
+        behind = (traced.points.ng @ wi < 0.0) & (traced.points.n @ wi > 0.0)
         band = traced.front & behind
         lit.append(traced.radiance[band, 0] > 0.0)
         visible.append(traced.visible[band])
@@ -76,7 +76,7 @@ def test_smooth_bodies_are_lit_up_to_where_cycles_lights_them(
 def test_the_dark_side_of_a_closed_body_is_shadowed(open_worker: OpenWorker) -> None:
     wi = LIGHTS[1]
     traced = trace(open_worker(FACETED_BALL), wi)
-    facing = traced.points.geometric_normal @ wi
+    facing = traced.points.ng @ wi
     clear = np.abs(facing) > 0.01
     assert np.array_equal(traced.visible[clear], facing[clear] > 0)
     assert not traced.radiance[facing < -0.01].any()

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_export.capture.dataset import Dataset, write_arrays, write_atomically
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.sample_files import write_arrays, write_atomically
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset
@@ -16,30 +17,30 @@ from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset
 
 @pytest.fixture
 def dataset(tmp_path: Path) -> Dataset:
-    return make_dataset(tmp_path / "ball.rays")
+    return make_dataset(tmp_path / "ball.rays").dataset
 
 
 def test_reads_back_what_was_written(dataset: Dataset) -> None:
     again = Dataset(dataset.folder)
     assert again.manifest == dataset.manifest
-    assert np.array_equal(again.geometry().positions, sphere(3).positions)
-    assert np.array_equal(again.geometry().triangles, sphere(3).triangles)
-    assert again.geometry().uvs is None
+    assert np.array_equal(again.only.geometry().positions, sphere(3).positions)
+    assert np.array_equal(again.only.geometry().triangles, sphere(3).triangles)
+    assert again.only.geometry().uvs is None
 
 
 def test_unfinished_shards_and_views_are_left_out(dataset: Dataset) -> None:
-    whole = dataset.training_samples()
+    whole = dataset.only.training_samples()
     assert len(whole["visible"]) == 3 * LIGHTS_A_SHARD * RAYS
     dataset.train_path(1).unlink()
     dataset.validation_path(0, 1).unlink()
-    part = dataset.training_samples()
+    part = dataset.only.training_samples()
     kept = np.r_[0 : LIGHTS_A_SHARD * RAYS, 2 * LIGHTS_A_SHARD * RAYS : 3 * LIGHTS_A_SHARD * RAYS]
     assert np.array_equal(part["wi"], whole["wi"][kept])
-    assert [view.index for view in dataset.validation_views()] == [1]
+    assert [view.index for view in dataset.only.validation_views()] == [1]
 
 
 def test_a_view_is_the_mean_of_its_halves_as_an_image(dataset: Dataset) -> None:
-    view = dataset.validation_views()[0]
+    view = dataset.only.validation_views()[0]
     assert np.allclose(view.samples["radiance"], view.halves.mean(axis=0))
     image = view.image(view.samples["radiance"])
     assert image.shape == (24, 24, 3)
@@ -52,7 +53,7 @@ def test_nothing_finished_is_an_error(dataset: Dataset, part: str) -> None:
     for path in (dataset.folder / part).iterdir():
         path.unlink()
     with pytest.raises(CaptureError, match="no finished"):
-        dataset.training_samples() if part == "train" else dataset.validation_views()
+        dataset.only.training_samples() if part == "train" else dataset.only.validation_views()
 
 
 def test_a_folder_without_a_manifest_is_no_dataset(tmp_path: Path) -> None:
@@ -70,17 +71,29 @@ def test_a_manifest_that_says_something_else_is_refused(dataset: Dataset, change
         Dataset(dataset.folder)
 
 
+def test_a_dataset_of_before_parts_is_refused_in_one_line(dataset: Dataset) -> None:
+    path = dataset.folder / "manifest.json"
+    old = json.loads(path.read_text())
+    del old["parts"]
+    path.write_text(json.dumps({**old, "kind": "surface"}))
+    with pytest.raises(
+        CaptureError, match=r"manifest\.json: .*`parts`: capture it again$"
+    ) as refused:
+        Dataset(dataset.folder)
+    assert "\n" not in str(refused.value)
+
+
 def _cut(path: Path) -> None:
     path.write_bytes(path.read_bytes()[:-8])
 
 
 def _without_a_field(path: Path) -> None:
-    write_arrays(path, {k: v for k, v in load_file(path).items() if k != "wi"})
+    write_arrays(path, {k: v for k, v in load_file(path).items() if k != "asset/wi"})
 
 
 def _of_other_lengths(path: Path) -> None:
     arrays = load_file(path)
-    write_arrays(path, {**arrays, "wo": arrays["wo"][:-1]})
+    write_arrays(path, {**arrays, "asset/wo": arrays["asset/wo"][:-1]})
 
 
 def _empty(path: Path) -> None:
@@ -92,22 +105,22 @@ def test_a_damaged_file_is_named(dataset: Dataset, damage: Callable[[Path], None
     damage(dataset.train_path(1))
     damage(dataset.validation_path(0, 1))
     with pytest.raises(CaptureError, match=r"00001\.safetensors: damaged .*delete it"):
-        dataset.training_samples()
+        dataset.only.training_samples()
     with pytest.raises(CaptureError, match=r"00-1\.safetensors: damaged .*delete it"):
-        dataset.validation_views()
+        dataset.only.validation_views()
 
 
 def test_halves_of_other_pixels_are_refused(dataset: Dataset) -> None:
     path = dataset.validation_path(0, 1)
     write_arrays(path, {name: values[1:] for name, values in load_file(path).items()})
     with pytest.raises(CaptureError, match=r"00-1\.safetensors: damaged .*first half"):
-        dataset.validation_views()
+        dataset.only.validation_views()
 
 
 def test_damaged_geometry_is_named(dataset: Dataset) -> None:
-    _cut(dataset.folder / "geometry.safetensors")
-    with pytest.raises(CaptureError, match=r"geometry\.safetensors: damaged"):
-        dataset.geometry()
+    _cut(dataset.folder / "geometry" / "asset.safetensors")
+    with pytest.raises(CaptureError, match=r"asset\.safetensors: damaged"):
+        dataset.only.geometry()
 
 
 def test_the_last_shard_may_be_shorter(dataset: Dataset) -> None:

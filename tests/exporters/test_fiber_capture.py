@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import SAMPLE_FIELDS
-from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.manifest import SAMPLE_FIELDS
 from rna_export.capture.run import Crew, begin, finish
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import sample_view_rays
@@ -19,6 +19,7 @@ from tests.exporters.scenes import fur, write_scene
 from tests.render.strands import curls
 
 WI = np.float32([0.36, 0.8, 0.48])
+CURLS = curls(60)
 FUR = fur(400, bend=0.3, root=0.03, tip=0.01, melanin=0.2)
 
 
@@ -31,43 +32,46 @@ def distance_to_axis(curves: Curves, points: np.ndarray, segment: np.ndarray) ->
 
 
 @pytest.fixture(scope="module")
-def scene() -> FiberScene:
-    return FiberScene(curls(60))
+def scene() -> AssetScene:
+    return AssetScene([CURLS])
 
 
-def test_every_view_ray_hits_a_strand(scene: FiberScene) -> None:
+def test_every_view_ray_hits_a_strand(scene: AssetScene) -> None:
     rays = sample_view_rays(scene, WI, 2000, "sphere", np.random.default_rng(0))
     assert len(rays) == 2000
     points = scene.shade_points(rays.origins, rays.directions)
     assert points.hit.all()
-    apart = distance_to_axis(scene.curves, points.position, points.segment)
-    radius = scene.curves.radii[scene.curves.segments()[points.segment]]
+    segment = points.on[0].points.segment
+    apart = distance_to_axis(CURLS, points.position, segment)
+    radius = CURLS.radii[CURLS.segments()[segment]]
     assert np.all(apart < radius * 1.01) and np.all(apart > 0.3 * radius)
 
 
-def test_h_is_the_offset_of_the_ray_from_the_axis(scene: FiberScene) -> None:
+def test_h_is_the_offset_of_the_ray_from_the_axis(scene: AssetScene) -> None:
     """A ray that passes the axis at a distance of h radii, on the side of t x wo."""
     straight = Curves(
         np.float32([[0, -1, 0], [0, 1, 0]]), np.float32([0.1, 0.1]), np.uint32([0, 2])
     )
     x = np.linspace(-0.099, 0.099, 23, dtype=np.float32)
     origins = np.stack([x, np.zeros_like(x), np.full_like(x, 2)], axis=1)
-    points = FiberScene(straight).shade_points(origins, np.tile(np.float32([0, 0, -1]), (23, 1)))
-    assert np.allclose(points.tangent, [0, 1, 0])
-    assert np.allclose(points.h, x / 0.1, atol=1e-4)  # t x wo is +x
+    points = AssetScene([straight]).shade_points(origins, np.tile(np.float32([0, 0, -1]), (23, 1)))
+    at = points.on[0].fields
+    assert np.allclose(at["tangent"], [0, 1, 0])
+    assert np.allclose(at["h"], x / 0.1, atol=1e-4)  # t x wo is +x
 
 
-def test_a_miss_leaves_zeros(scene: FiberScene) -> None:
+def test_a_miss_leaves_zeros(scene: AssetScene) -> None:
     points = scene.shade_points(np.float32([[0, 9, 0]]), np.float32([[0, 1, 0]]))
     assert not points.hit.any()
-    for rows in points.sample_fields().values():
+    assert not len(points.on[0].rows)
+    for rows in (points.position, points.geometric_normal):
         assert not rows.any()
 
 
-def test_sampled_points_lie_on_strands_by_area(scene: FiberScene) -> None:
+def test_sampled_points_lie_on_strands_by_area(scene: AssetScene) -> None:
     points, normals = scene.sample_points(4000, np.random.default_rng(0))
     assert np.allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-5)
-    curves, first = scene.curves, scene.curves.segments()
+    curves, first = CURLS, CURLS.segments()
     near = np.array(
         [distance_to_axis(curves, np.tile(p, (len(first), 1)), np.arange(len(first))).min()
          for p in points[:50]]
@@ -75,11 +79,11 @@ def test_sampled_points_lie_on_strands_by_area(scene: FiberScene) -> None:
     assert near.max() <= curves.radii.max() * 1.001
 
 
-def test_highlight_views_lie_about_the_cone_of_mirrored_light(scene: FiberScene) -> None:
+def test_highlight_views_lie_about_the_cone_of_mirrored_light(scene: AssetScene) -> None:
     rays = sample_view_rays(scene, WI, 1500, "sphere", np.random.default_rng(1))
     points = scene.shade_points(rays.origins, rays.directions)
     rows, wo = scene.highlight_views(points, WI, np.random.default_rng(2))
-    total = np.sum(points.tangent[rows] * (wo + WI), axis=1)
+    total = np.sum(points.on[0].points.tangent[rows] * (wo + WI), axis=1)
     assert np.median(np.abs(total)) < 0.12
     assert np.std(np.arctan2(wo[:, 1], wo[:, 0])) > 1.0  # all azimuths
 
@@ -89,7 +93,7 @@ def test_direct_light_has_no_noise_and_is_there_where_we_see_the_light(
     open_worker: OpenWorker,
 ) -> None:
     worker = open_worker(FUR)
-    ours = FiberScene(worker.export_curves())
+    ours = AssetScene([worker.export_curves()])
     rays = sample_view_rays(ours, WI, 4096, "sphere", np.random.default_rng(0))
     points = ours.shade_points(rays.origins, rays.directions)
     visible = ours.visible(points, np.tile(WI, (len(rays), 1)))
@@ -109,15 +113,16 @@ def test_a_dataset_of_fibers(tmp_path: Path, blender_python: Path) -> None:
     crew = Crew(blender_python, tmp_path / "scratch", 1)
     dataset = begin(source, asked, tmp_path / "fur.rays", crew, None, lambda _: None)
     finish(dataset, source, crew)
+    dataset = dataset.only
     usual = CaptureSettings.usual("fiber")
-    assert dataset.manifest.kind == "fiber"
+    assert dataset.kind == "fiber"
     assert dataset.manifest.settings.samples == usual.samples != CaptureSettings().samples
     assert len(dataset.geometry().offsets) == 401
     samples = dataset.training_samples()
     assert list(samples) == list(SAMPLE_FIELDS["fiber"])
     assert len(samples["h"]) == pytest.approx(900, abs=3)
     assert np.all(samples["direct"] <= samples["radiance"] + 1e-6)
-    low, high = np.array(dataset.manifest.bounds)
+    low, high = np.array(dataset.bounds)
     assert np.all(samples["position"] >= low - 1e-5) and np.all(samples["position"] <= high + 1e-5)
     view = dataset.validation_views()[0]
     assert list(view.queries) == ["position", "tangent", "h", "wo", "wi"]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.fit.cli import main
 from rna_export.trials import grid as grid_module
 from rna_export.trials.trial import Trial
@@ -24,7 +24,7 @@ def grid(kind: str, steps: int) -> list[Trial]:
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
@@ -33,12 +33,14 @@ def few_models(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(grid_module, "short_grid", grid)
 
 
-def run(dataset: Dataset, out: Path, *limit: str) -> int:
+def run(dataset: DatasetPart, out: Path, *limit: str) -> int:
     common = ["--out", str(out), "--steps", "32", "--workers", "1", "--device", "cpu"]
     return main([str(dataset.folder), *limit, *common])
 
 
-def test_package_meets_the_limit_and_the_page_says_why(dataset: Dataset, tmp_path: Path) -> None:
+def test_package_meets_the_limit_and_the_page_says_why(
+    dataset: DatasetPart, tmp_path: Path
+) -> None:
     out = tmp_path / "ball.rna"
     assert run(dataset, out, "--max-error", "0.9") == 0
     tier = load(out).tier
@@ -50,7 +52,7 @@ def test_package_meets_the_limit_and_the_page_says_why(dataset: Dataset, tmp_pat
 
 
 def test_impossible_limit_is_one_line(
-    dataset: Dataset, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    dataset: DatasetPart, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = tmp_path / "ball.rna"
     assert run(dataset, out, "--budget-us", "1e-6") == 1
@@ -62,7 +64,7 @@ def test_impossible_limit_is_one_line(
 @pytest.mark.parametrize(
     "limit", [(), ("--max-error", "0"), ("--max-error", "1", "--min-psnr", "3")]
 )
-def test_one_limit_above_zero_is_needed(dataset: Dataset, tmp_path: Path, limit: tuple) -> None:
+def test_one_limit_above_zero_is_needed(dataset: DatasetPart, tmp_path: Path, limit: tuple) -> None:
     with pytest.raises(SystemExit) as ended:
         run(dataset, tmp_path / "ball.rna", *limit)
     assert ended.value.code == 2

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.asset_scene import AssetScene
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
 
@@ -34,7 +34,7 @@ bpy.context.scene.collection.objects.link(copy)
 @pytest.mark.parametrize("scene", SCENES)
 def test_cycles_hits_what_we_hit(scene: str, open_worker: OpenWorker) -> None:
     worker = open_worker(CURLS + SCENES[scene])
-    ours = FiberScene(worker.export_curves())
+    ours = AssetScene([worker.export_curves()])
     rng = np.random.default_rng(2)
     around = rng.normal(size=(4000, 3))
     around *= 2.0 * ours.radius / np.linalg.norm(around, axis=1, keepdims=True)

@@ -11,7 +11,7 @@ import OpenEXR
 import pytest
 
 from rna_export.blender.rna_hair import Strands, write_hair
-from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.worker import BlenderWorker
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
@@ -198,11 +198,22 @@ bpy.ops.render.render(write_still=True)
 """
 
 
+INSTANCE = """
+group = bpy.data.collections.new("group")
+group.objects.link(item)
+bpy.context.scene.collection.objects.unlink(item)
+empty = bpy.data.objects.new("empty", None)
+empty.instance_type, empty.instance_collection = "COLLECTION", group
+bpy.context.scene.collection.objects.link(empty)
+"""
+
+
+@pytest.mark.parametrize("instance", ["", INSTANCE], ids=["itself", "instance"])
 def test_converted_hair_covers_what_particle_hair_covered(
-    save: Save, open_worker: OpenWorker, tmp_path: Path
+    instance: str, save: Save, open_worker: OpenWorker, tmp_path: Path
 ) -> None:
     picture = tmp_path / "particles.exr"
-    body = f"CHILDREN = 'SIMPLE'\nPICTURE = {str(picture)!r}\n{PARTICLES}"
+    body = f"CHILDREN = 'SIMPLE'\nPICTURE = {str(picture)!r}\n{PARTICLES}{instance}"
     worker = open_worker(save(body + "fur.use_close_tip = True\n" + RENDER))
     with OpenEXR.File(str(picture)) as file:
         alpha = file.channels()["RGBA"].pixels[..., 3]
@@ -211,7 +222,7 @@ def test_converted_hair_covers_what_particle_hair_covered(
     x, up = np.meshgrid(1.0 + across, 3.0 - across)
     origins = np.stack([x, up, np.full_like(x, 8.0)], axis=-1).reshape(-1, 3).astype(np.float32)
     directions = np.broadcast_to(np.float32([0, 0, -1]), origins.shape).copy()
-    hit = FiberScene(worker.export_curves()).shade_points(origins, directions).hit
+    hit = AssetScene([worker.export_curves()]).shade_points(origins, directions).hit
     assert hit.sum() > 300
     assert np.sum(hit != (alpha.reshape(-1) > 0.5)) < 0.01 * hit.sum()
 
@@ -226,30 +237,14 @@ def test_an_emitter_that_is_rendered_counts_as_a_surface(
     save: Save, open_worker: OpenWorker
 ) -> None:
     body = f"CHILDREN = 'NONE'\n{PARTICLES}item.show_instancer_for_render = True\n"
-    with pytest.raises(CaptureError, match=r"surface \('emitter'\) and hair"):
-        open_worker(save(body))
-
-
-def test_particle_hair_in_an_instance_is_refused(save: Save, open_worker: OpenWorker) -> None:
-    body = f"""CHILDREN = 'NONE'
-{PARTICLES}
-group = bpy.data.collections.new("group")
-group.objects.link(item)
-bpy.context.scene.collection.objects.unlink(item)
-empty = bpy.data.objects.new("empty", None)
-empty.instance_type, empty.instance_collection = "COLLECTION", group
-bpy.context.scene.collection.objects.link(empty)
-"""
-    with pytest.raises(CaptureError, match="'emitter' has particle hair and is only shown by"):
-        open_worker(save(body))
+    worker = open_worker(save(body))
+    assert [(part.name, part.kind) for part in worker.parts] == [
+        ("surface", "surface"),
+        ("hair", "fiber"),
+    ]
 
 
 MIXED = HAIR + 'add(CUBE, SIDES).name = "head"\n'
-
-
-def test_hair_and_a_surface_are_refused(open_worker: OpenWorker) -> None:
-    with pytest.raises(CaptureError, match=r"surface \('head'\) and hair \('wig'\).*hide_render"):
-        open_worker(MIXED)
 
 
 @pytest.mark.parametrize(("hidden", "kind"), [("head", "fiber"), ("wig", "surface")])

@@ -164,7 +164,8 @@ def test_the_command_writes_a_tier_a_precision(checkpoint: Path, tmp_path: Path)
     with Package.open(path) as package:
         plain, int8 = package.manifest.tiers
     assert (plain.name, int8.name) == ("small", "small-int8")
-    assert (int8.decoder_precision, int8.plane_precision) == ("int8", "int8")
+    part = int8.parts[0]
+    assert (part.decoder_precision, part.plane_precision) == ("int8", "int8")
     assert int8.cost.multiply_adds == plain.cost.multiply_adds
     assert int8.validation.psnr > plain.validation.psnr - 0.5
     assert load(path, min_psnr=int8.validation.psnr - 0.01).tier.name == "small-int8"

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import torch
 
-from rna_export.capture.dataset import SAMPLE_FIELDS
+from rna_export.capture.manifest import SAMPLE_FIELDS
 from rna_export.training.lightning_module import NeuralAssetTraining
 from rna_export.training.pace import StepPace
 from rna_export.training.presets import PRESETS

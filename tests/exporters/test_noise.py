@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.validation_view import ValidationView
 from rna_export.training.noise import darkening, with_fitting_loss
 from rna_export.training.presets import PRESETS
 from tests.exporters.synthetic import make_dataset, tiny
@@ -16,7 +17,7 @@ from tests.exporters.synthetic import make_dataset, tiny
 UNIT = 0.3
 
 
-class NoisyDataset(Dataset):
+class NoisyPart(DatasetPart):
     """The same, with noise in its validation images: of this relative deviation a sample."""
 
     deviation = 0.0
@@ -33,8 +34,9 @@ class NoisyDataset(Dataset):
 
 
 @pytest.fixture
-def dataset(tmp_path: Path) -> NoisyDataset:
-    return NoisyDataset(make_dataset(tmp_path / "ball.rays").folder)
+def dataset(tmp_path: Path) -> NoisyPart:
+    part = make_dataset(tmp_path / "ball.rays")
+    return NoisyPart(part.dataset, part.captured)
 
 
 def learnt(x: np.ndarray, deviation: float) -> np.ndarray:
@@ -46,7 +48,7 @@ def learnt(x: np.ndarray, deviation: float) -> np.ndarray:
 
 
 @pytest.mark.parametrize("deviation", [0.0, 0.1, 0.3])
-def test_darkening_is_what_the_log_loss_loses(dataset: NoisyDataset, deviation: float) -> None:
+def test_darkening_is_what_the_log_loss_loses(dataset: NoisyPart, deviation: float) -> None:
     dataset.deviation = deviation
     x = np.concatenate([v.samples["radiance"] for v in dataset.validation_views()]).astype(float)
     lost = 1.0 - learnt(x, deviation).sum() / x.sum()
@@ -54,7 +56,7 @@ def test_darkening_is_what_the_log_loss_loses(dataset: NoisyDataset, deviation: 
 
 
 @pytest.mark.parametrize(("deviation", "loss"), [(0.05, "log"), (0.5, "unbiased")])
-def test_presets_of_surfaces_choose(dataset: NoisyDataset, deviation: float, loss: str) -> None:
+def test_presets_of_surfaces_choose(dataset: NoisyPart, deviation: float, loss: str) -> None:
     dataset.deviation = deviation
     assert PRESETS["surface"]["small"].training.loss == "auto"
     assert with_fitting_loss(tiny(), dataset, UNIT).training.loss == loss

@@ -7,22 +7,25 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.manifest import CaptureManifest
+from rna_export.capture.run import scene_of
 from rna_export.capture.scene_domain import MARGIN, scene_domain
 from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import all_tasks
 from rna_export.capture.worker import RenderedRays
 from rna_render.cli import main as render
 from rna_render.scene_file import read_scene
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Domain
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 from tests.exporters.meshes import ring, sphere
+from tests.exporters.synthetic import BALL_PART
 from tests.render.packages import write_lambert_package
 
-BALL = SurfaceScene(sphere(3))
+BALL = AssetScene([sphere(3)])
 SCENE = """\
 assets: [{path: packages/ball.rna, transform: {TRANSFORM}}]
 camera: {position: [0, 0, 10], look_at: [0, 0, 0]}
@@ -152,19 +155,18 @@ def test_every_sample_of_a_capture_is_in_the_domain(tmp_path: Path) -> None:
         settings=CaptureSettings(rays=300, lights=12, validation_resolution=24),
         blender="none",
         generator="tests",
-        kind="surface",
+        parts=(BALL_PART,),
         cutouts=False,
-        bounds=((-1, -1, -1), (1, 1, 1)),
         scene_domain=limited,
     )
-    dataset = Dataset.create(tmp_path / "ring.rays", manifest, ring())
+    dataset = Dataset.create(tmp_path / "ring.rays", manifest, {"asset": ring()})
     assert dataset.manifest.domain == limited  # also after it went through the file
-    scene = SurfaceScene(dataset.geometry())
+    scene = scene_of(dataset)
     for task in all_tasks(dataset):
         task.run(dataset, scene, Teacher())
-    samples = dataset.training_samples()
+    samples = dataset.only.training_samples()
     assert len(samples["wo"]) == 12 * 300
-    views = [view.samples for view in dataset.validation_views()]
+    views = [view.samples for view in dataset.only.validation_views()]
     for at in (samples, *views):
         assert in_region(limited.wo, at["wo"]).all()
         assert in_region(limited.wi, at["wi"]).all()

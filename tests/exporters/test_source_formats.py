@@ -9,7 +9,10 @@ import numpy as np
 import pytest
 import trimesh
 
+from rna_export.blender.groom_options import GROOMS
 from rna_export.capture.axes import from_blender, to_blender
+from rna_export.capture.cli import SUFFIXES
+from rna_export.capture.orientation import rotation
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
@@ -36,6 +39,9 @@ def sources(tmp_path_factory: pytest.TempPathFactory, blender_python: Path) -> d
     body = f"add({up_is_z.vertices.tolist()!r}, {FACES.tolist()!r})\n"
     script = write_scene(folder, "t", body)
     save = f"bpy.ops.wm.save_as_mainfile(filepath={str(folder / 't.blend')!r})\n"
+    save += f"bpy.ops.wm.alembic_export(filepath={str(folder / 't.abc')!r})\n"
+    for suffix in ("usda", "usdc", "usdz", "usd"):
+        save += f"bpy.ops.wm.usd_export(filepath={str(folder / f't.{suffix}')!r})\n"
     writer = write_scene(
         folder, "save", f"bpy.ops.wm.read_factory_settings(use_empty=True)\n{body}{save}"
     )
@@ -43,11 +49,43 @@ def sources(tmp_path_factory: pytest.TempPathFactory, blender_python: Path) -> d
     return {path.suffix: path for path in (script, *folder.glob("t.*"))}
 
 
-@pytest.mark.parametrize("suffix", [".blend", ".gltf", ".glb", ".obj", ".ply", ".py"])
+@pytest.mark.parametrize("suffix", [s for s in SUFFIXES if s not in GROOMS])
 def test_format(suffix: str, sources: dict[str, Path], open_worker: OpenWorker) -> None:
     positions = open_worker(sources[suffix]).export_corners()["positions"]
     found = np.unique(np.round(positions, 5) + 0.0, axis=0)
     assert np.allclose(found, np.unique(VERTICES, axis=0), atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "axes"),
+    [
+        (".obj", {"up": "Z"}),
+        (".obj", {"front": "-Z"}),
+        (".glb", {"front": "X", "up": "-Y"}),
+        (".ply", {"up": "Y"}),
+        (".blend", {"front": "Y"}),
+        (".usda", {"front": "Y"}),
+        (".abc", {"front": "-X"}),
+    ],
+)
+def test_front_and_up_are_axes_of_the_file(
+    suffix: str, axes: dict[str, str], sources: dict[str, Path], open_worker: OpenWorker
+) -> None:
+    """Whatever the file calls front and up is +Z and +Y afterwards."""
+    up_is_z = suffix in (".ply", ".blend", ".usda")  # Blender writes USD with its own axes
+    up = axes.get("up", "Z" if up_is_z else "Y")
+    front = axes.get("front", "-Y" if up == "Z" else "Z")
+    in_file = to_blender(VERTICES) if up_is_z else VERTICES
+    positions = open_worker(sources[suffix], **axes).export_corners()["positions"]
+    found = np.unique(np.round(positions, 5) + 0.0, axis=0)
+    assert np.allclose(found, np.unique(in_file @ rotation(front, up), axis=0), atol=1e-5)
+
+
+def test_front_and_up_along_one_axis_are_refused(
+    sources: dict[str, Path], open_worker: OpenWorker
+) -> None:
+    with pytest.raises(CaptureError, match="front Y and up Y are along one axis: give --front"):
+        open_worker(sources[".glb"], front="Y")
 
 
 def test_a_script_gets_its_arguments(open_worker: OpenWorker) -> None:
@@ -66,11 +104,12 @@ def test_an_empty_scene_is_refused(open_worker: OpenWorker) -> None:
         open_worker("").export_corners()
 
 
-def test_a_broken_file_is_refused(open_worker: OpenWorker, tmp_path: Path) -> None:
-    broken = tmp_path / "broken.glb"
+@pytest.mark.parametrize("suffix", [".glb", ".abc", ".usda", ".usdc", ".usdz"])
+def test_a_broken_file_is_refused(suffix: str, open_worker: OpenWorker, tmp_path: Path) -> None:
+    broken = tmp_path / f"broken{suffix}"
     broken.write_bytes(b"glTF but not really")
-    with pytest.raises(CaptureError, match=r"broken\.glb"):
-        open_worker(broken).export_corners()
+    with pytest.raises(CaptureError, match=rf"^[^\n]*broken\{suffix}[^\n]*$"):
+        open_worker(broken)
 
 
 def test_an_interpreter_without_bpy_is_refused(tmp_path: Path) -> None:

@@ -8,13 +8,16 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.manifest import CaptureManifest
+from rna_export.capture.run import scene_of
 from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.worker import RenderedRays
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import ring, sphere
+from tests.exporters.synthetic import BALL_PART
 
 
 class Teacher:
@@ -30,7 +33,7 @@ class Teacher:
         return RenderedRays(radiance, alpha, origins, None)
 
 
-def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) -> Dataset:
+def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) -> DatasetPart:
     manifest = CaptureManifest(
         name="test",
         source="test.py",
@@ -38,17 +41,16 @@ def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) ->
         settings=CaptureSettings(**{"rays": 200, "lights": 5, "lights_per_shard": 2, **settings}),
         blender="none",
         generator="tests",
-        kind="surface",
+        parts=(BALL_PART,),
         cutouts=cutouts,
-        bounds=((-1, -1, -1), (1, 1, 1)),
     )
-    return Dataset.create(folder, manifest, mesh)
+    return Dataset.create(folder, manifest, {"asset": mesh}).only
 
 
-def run_all(dataset: Dataset, teacher: Teacher) -> None:
-    scene = SurfaceScene(dataset.geometry())
-    for task in all_tasks(dataset):
-        task.run(dataset, scene, teacher)
+def run_all(dataset: DatasetPart, teacher: Teacher) -> None:
+    scene = scene_of(dataset.dataset)
+    for task in all_tasks(dataset.dataset):
+        task.run(dataset.dataset, scene, teacher)
 
 
 def test_samples_are_what_the_teacher_said_of_the_ray(tmp_path: Path) -> None:
@@ -67,7 +69,7 @@ def test_samples_are_what_the_teacher_said_of_the_ray(tmp_path: Path) -> None:
 def test_a_plan_is_every_light_once(tmp_path: Path) -> None:
     dataset = make(tmp_path, sphere(2))
     run_all(dataset, Teacher())
-    sizes = [len(load_file(dataset.train_path(k))["wi"]) for k in range(3)]
+    sizes = [len(load_file(dataset.dataset.train_path(k))["asset/wi"]) for k in range(3)]
     assert sizes == [400, 400, 200]
     assert len(np.unique(dataset.training_samples()["wi"], axis=0)) == 5
 
@@ -80,7 +82,7 @@ def test_see_through_hits_are_kept_for_cutouts_only(
         alpha[::2] = 0.4
 
     dataset = make(tmp_path, sphere(3), cutouts, lights=1)
-    TrainingShard(0).run(dataset, SurfaceScene(dataset.geometry()), Teacher(spoil))
+    TrainingShard(0).run(dataset.dataset, scene_of(dataset.dataset), Teacher(spoil))
     assert len(dataset.training_samples()["wo"]) == kept
 
 
@@ -89,7 +91,7 @@ def test_radiance_that_is_not_finite_is_dropped(tmp_path: Path) -> None:
         radiance[:3, 1] = np.nan, np.inf, -np.inf
 
     dataset = make(tmp_path, sphere(3), lights=1)
-    TrainingShard(0).run(dataset, SurfaceScene(dataset.geometry()), Teacher(spoil))
+    TrainingShard(0).run(dataset.dataset, scene_of(dataset.dataset), Teacher(spoil))
     assert len(dataset.training_samples()["wo"]) == 197
 
 
@@ -134,8 +136,8 @@ def test_hemisphere_looks_and_is_lit_from_above(tmp_path: Path) -> None:
 def test_every_view_sees_something(tmp_path: Path) -> None:
     """Also of a ring, whose middle is empty."""
     dataset = make(tmp_path, ring(), validation_views=24, validation_resolution=32)
-    scene, teacher = SurfaceScene(dataset.geometry()), Teacher()
+    scene, teacher = scene_of(dataset.dataset), Teacher()
     for view in range(24):
         for half in (0, 1):
-            ValidationHalf(view, half).run(dataset, scene, teacher)
+            ValidationHalf(view, half).run(dataset.dataset, scene, teacher)
     assert all(len(view.pixel) > 10 for view in dataset.validation_views())

@@ -12,7 +12,7 @@ import pytest
 import torch
 from PIL import Image
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.cli import main
@@ -24,12 +24,12 @@ from tests.exporters.synthetic import make_dataset, tiny
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
 @pytest.fixture(scope="module")
-def trained(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def trained(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a finished run of 40 steps."""
     return train(plan(dataset, tmp_path_factory.mktemp("run"))).parent
 
@@ -40,7 +40,7 @@ def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(run_module, "draw_curves", lambda _: None)
 
 
-def plan(dataset: Dataset, out: Path, steps: int = 40, seed: int = 0) -> Run:
+def plan(dataset: DatasetPart, out: Path, steps: int = 40, seed: int = 0) -> Run:
     return Run(dataset, tiny(steps=steps), "small", out, seed)
 
 
@@ -53,7 +53,7 @@ def curve(folder: Path, name: str) -> dict[int, float]:
         return {int(row["step"]): float(row[name]) for row in csv.DictReader(file) if row[name]}
 
 
-def test_what_a_run_leaves(trained: Path, dataset: Dataset) -> None:
+def test_what_a_run_leaves(trained: Path, dataset: DatasetPart) -> None:
     kept = [path.name for path in trained.glob("step=*.ckpt")]
     assert len(kept) == 3
     assert (trained / "last.ckpt").is_file() and (trained / "best.ckpt").is_file()
@@ -75,20 +75,22 @@ def test_the_three_best_are_kept_and_the_best_of_them_named(trained: Path) -> No
     assert top.read_bytes() == (trained / "best.ckpt").read_bytes()
 
 
-def test_the_best_checkpoint_scores_what_the_curve_says(trained: Path, dataset: Dataset) -> None:
+def test_the_best_checkpoint_scores_what_the_curve_says(
+    trained: Path, dataset: DatasetPart
+) -> None:
     model, views = load_checkpoint(trained / "best.ckpt").model, dataset.validation_views()
     scores = score([shade(model, view) for view in views], views)
     assert scores.psnr == pytest.approx(max(curve(trained, "psnr").values()), abs=1e-3)
     assert scores.images == 2
 
 
-def test_training_learns(dataset: Dataset, tmp_path: Path) -> None:
+def test_training_learns(dataset: DatasetPart, tmp_path: Path) -> None:
     train(plan(dataset, tmp_path, steps=250))
     scores = curve(tmp_path, "psnr")
     assert max(scores.values()) > max(20.0, min(scores.values()) + 3.0)
 
 
-def test_a_seed_repeats_to_the_bit(dataset: Dataset, trained: Path, tmp_path: Path) -> None:
+def test_a_seed_repeats_to_the_bit(dataset: DatasetPart, trained: Path, tmp_path: Path) -> None:
     train(plan(dataset, tmp_path / "again"))
     train(plan(dataset, tmp_path / "other", seed=1))
     first, again, other = (
@@ -110,7 +112,7 @@ class Continued:
 
 
 @pytest.fixture(scope="module")
-def continued(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Continued:
+def continued(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Continued:
     folder = tmp_path_factory.mktemp("continued")
     step, done = NeuralAssetTraining.training_step, []
 
@@ -154,7 +156,7 @@ def test_a_stopped_run_ends_as_if_it_had_not_been(continued: Continued, trained:
     assert all(torch.equal(whole[name], stopped[name]) for name in whole)
 
 
-def test_a_finished_run_stays_as_it_is(dataset: Dataset, tmp_path: Path) -> None:
+def test_a_finished_run_stays_as_it_is(dataset: DatasetPart, tmp_path: Path) -> None:
     folder = tmp_path / "run"
     train(plan(dataset, folder, steps=20))
     before = (folder / "best.ckpt").read_bytes(), curve(folder, "psnr")
@@ -164,7 +166,7 @@ def test_a_finished_run_stays_as_it_is(dataset: Dataset, tmp_path: Path) -> None
 
 @pytest.mark.parametrize("change", [{"seed": 1}, {"steps": 50}], ids=str)
 def test_another_run_in_the_same_folder_is_refused(
-    dataset: Dataset, trained: Path, change: dict[str, int]
+    dataset: DatasetPart, trained: Path, change: dict[str, int]
 ) -> None:
     ((name, value),) = change.items()
     with pytest.raises(TrainingError, match=rf"{name}.* found {value}"):
@@ -177,34 +179,32 @@ def test_another_dataset_in_the_same_folder_is_refused(trained: Path, tmp_path: 
         train(plan(other, trained))
 
 
-def test_the_last_step_is_in_the_last_checkpoint(dataset: Dataset, tmp_path: Path) -> None:
+def test_the_last_step_is_in_the_last_checkpoint(dataset: DatasetPart, tmp_path: Path) -> None:
     train(plan(dataset, tmp_path, steps=21))
     saved = torch.load(tmp_path / "last.ckpt", weights_only=True)
     assert saved["global_step"] == saved["hyper_parameters"]["steps"] >= 21
 
 
-def test_the_ceiling_is_above_all_that_was_seen(trained: Path, dataset: Dataset) -> None:
+def test_the_ceiling_is_above_all_that_was_seen(trained: Path, dataset: DatasetPart) -> None:
     seen = float(dataset.training_samples()["radiance"].max())
     assert load_checkpoint(trained / "best.ckpt").model.ceiling.item() == pytest.approx(1.5 * seen)
 
 
-def test_the_unit_is_the_median_of_what_is_lit(trained: Path, dataset: Dataset) -> None:
+def test_the_unit_is_the_median_of_what_is_lit(trained: Path, dataset: DatasetPart) -> None:
     samples = dataset.training_samples()
     median = float(np.median(samples["radiance"][samples["visible"] > 0]))
     assert load_checkpoint(trained / "best.ckpt").model.unit.item() == pytest.approx(median)
 
 
-def test_bounds_hold_the_geometry_and_are_never_flat(dataset: Dataset) -> None:
+def test_bounds_hold_the_geometry_and_are_never_flat(dataset: DatasetPart) -> None:
     low, high = padded_bounds(dataset)
     assert torch.all(low < -1.0) and torch.all(high > 1.0) and torch.all(high < 1.1)
-    flat = dataset.manifest.model_copy(update={"bounds": ((-1.0, 0.0, -2.0), (1.0, 0.0, 2.0))})
-    dataset = Dataset(dataset.folder)
-    dataset.manifest = flat
-    low, high = padded_bounds(dataset)
+    flat = dataset.captured.model_copy(update={"bounds": ((-1.0, 0.0, -2.0), (1.0, 0.0, 2.0))})
+    low, high = padded_bounds(DatasetPart(dataset.dataset, flat))
     assert high[1] - low[1] >= 0.4
 
 
-def test_the_command_line(dataset: Dataset, tmp_path: Path, capsys, monkeypatch) -> None:
+def test_the_command_line(dataset: DatasetPart, tmp_path: Path, capsys, monkeypatch) -> None:
     monkeypatch.setattr("rna_export.training.cli.PRESETS", {"surface": {"small": tiny()}})
     arguments = [str(dataset.folder), "--out", str(tmp_path), "--device", "cpu"]
     assert main([*arguments, "--steps", "20"]) == 0
@@ -214,7 +214,7 @@ def test_the_command_line(dataset: Dataset, tmp_path: Path, capsys, monkeypatch)
     assert "error: " in capsys.readouterr().err
 
 
-def test_the_loss_is_the_one_asked_for(dataset: Dataset, tmp_path: Path, monkeypatch) -> None:
+def test_the_loss_is_the_one_asked_for(dataset: DatasetPart, tmp_path: Path, monkeypatch) -> None:
     presets = {kind: {"small": tiny(kind=kind)} for kind in ("surface", "fiber")}
     monkeypatch.setattr("rna_export.training.cli.PRESETS", presets)
     arguments = ["--out", str(tmp_path), "--device", "cpu", "--steps", "20", "--loss", "unbiased"]
@@ -231,7 +231,7 @@ def test_fibers_have_no_loss_to_choose(tmp_path: Path, capsys) -> None:
 
 
 @pytest.mark.parametrize("option", ["--steps 0", "--steps -5", "--minutes 0", "--minutes -1"])
-def test_wrong_usage(dataset: Dataset, tmp_path: Path, option: str, monkeypatch) -> None:
+def test_wrong_usage(dataset: DatasetPart, tmp_path: Path, option: str, monkeypatch) -> None:
     monkeypatch.setattr("rna_export.training.run.train", lambda _: tmp_path)
     with pytest.raises(SystemExit) as exit_:
         main([str(dataset.folder), "--out", str(tmp_path), *option.split()])
@@ -243,7 +243,7 @@ def test_a_folder_that_is_no_dataset(tmp_path: Path, capsys) -> None:
     assert "not a dataset" in capsys.readouterr().err
 
 
-def test_shading_in_pieces_is_the_same(trained: Path, dataset: Dataset, monkeypatch) -> None:
+def test_shading_in_pieces_is_the_same(trained: Path, dataset: DatasetPart, monkeypatch) -> None:
     model = load_checkpoint(trained / "best.ckpt").model
     view = dataset.validation_views()[0]
     whole = shade(model, view)
@@ -252,7 +252,7 @@ def test_shading_in_pieces_is_the_same(trained: Path, dataset: Dataset, monkeypa
 
 
 @pytest.mark.gpu
-def test_cuda_trains_what_the_cpu_trains(dataset: Dataset, tmp_path: Path) -> None:
+def test_cuda_trains_what_the_cpu_trains(dataset: DatasetPart, tmp_path: Path) -> None:
     scores = []
     for device in ("cpu", "cuda"):
         train(Run(dataset, tiny(steps=400), "small", tmp_path / device, device=device))

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import torch
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training import pace as pace_module
 from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
@@ -41,7 +41,7 @@ class Clock:
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
@@ -49,9 +49,9 @@ def ticking(monkeypatch: pytest.MonkeyPatch) -> Clock:
     """Training on a clock of its own: it loads for 2 s, and its steps are slow while it blurs."""
     clock = Clock()
     step, validation = NeuralAssetTraining.training_step, NeuralAssetTraining.validation_step
-    load = Dataset.training_samples
+    load = DatasetPart.training_samples
 
-    def loading(self: Dataset) -> Any:
+    def loading(self: DatasetPart) -> Any:
         clock.now += 2.0
         return load(self)
 
@@ -68,7 +68,7 @@ def ticking(monkeypatch: pytest.MonkeyPatch) -> Clock:
         clock.now += clock.validation
         validation(self, *arguments)
 
-    monkeypatch.setattr(Dataset, "training_samples", loading)
+    monkeypatch.setattr(DatasetPart, "training_samples", loading)
     monkeypatch.setattr(NeuralAssetTraining, "training_step", training_step)
     monkeypatch.setattr(NeuralAssetTraining, "validation_step", validation_step)
     monkeypatch.setattr(run_module, "draw_curves", lambda _: None)
@@ -91,7 +91,7 @@ class Finished:
 
 
 @pytest.fixture(scope="module")
-def finished(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Finished:
+def finished(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Finished:
     folder = tmp_path_factory.mktemp("finished")
     with pytest.MonkeyPatch.context() as patch:
         clock = ticking(patch)
@@ -99,7 +99,7 @@ def finished(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Fini
     return Finished(clock, folder)
 
 
-def run(dataset: Dataset, out: Path, minutes: float = MINUTES) -> Run:
+def run(dataset: DatasetPart, out: Path, minutes: float = MINUTES) -> Run:
     return Run(dataset, tiny(), "small", out, minutes=minutes)
 
 
@@ -126,7 +126,7 @@ def test_a_checkpoint_says_how_many_steps_it_took(finished: Finished) -> None:
 
 
 def test_a_stopped_run_takes_the_rest_of_its_time(
-    dataset: Dataset, clock: Clock, tmp_path: Path
+    dataset: DatasetPart, clock: Clock, tmp_path: Path
 ) -> None:
     clock.stop_at = 1000.0 + 40.0
     with pytest.raises(KeyboardInterrupt):
@@ -140,13 +140,15 @@ def test_a_stopped_run_takes_the_rest_of_its_time(
     assert len(clock.validated_at) >= 10 and clock.validated_at[-1] == 1.0
 
 
-def test_a_finished_run_stays_as_it_is(finished: Finished, dataset: Dataset, clock: Clock) -> None:
+def test_a_finished_run_stays_as_it_is(
+    finished: Finished, dataset: DatasetPart, clock: Clock
+) -> None:
     best = (finished.folder / "best.ckpt").read_bytes()
     assert train(run(dataset, finished.folder)).read_bytes() == best
     assert clock.progress == []
 
 
-def test_another_length_is_refused(finished: Finished, dataset: Dataset) -> None:
+def test_another_length_is_refused(finished: Finished, dataset: DatasetPart) -> None:
     with pytest.raises(TrainingError, match=r"another length 1 minutes, found 2 minutes"):
         train(run(dataset, finished.folder, minutes=2.0))
     with pytest.raises(TrainingError, match=r"another length 1 minutes, found 40 steps"):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.export.build import build_package
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.run import train
@@ -29,26 +29,26 @@ def trial(name: str = "tiny", **training: object) -> Trial:
 
 
 @pytest.fixture(scope="module")
-def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
 
 
 @pytest.fixture(scope="module")
-def finished(dataset: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def finished(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("trial")
     run_trial(trial(), dataset, folder, "cpu")
     return folder
 
 
 def test_record_is_what_the_exporter_says_of_the_package(
-    finished: Path, dataset: Dataset, tmp_path: Path
+    finished: Path, dataset: DatasetPart, tmp_path: Path
 ) -> None:
     record = read_record(finished, trial(), dataset.manifest.source_sha256)
     assert record is not None and record.seconds > 0.0
     trained = load_checkpoint(finished / "best.ckpt")
     for name, point in record.points.items():
         path = tmp_path / "exported.rna"
-        build_package([trained], dataset, path, None, "CC0-1.0", print, [PRECISIONS[name]])
+        build_package([trained], dataset.dataset, path, None, "CC0-1.0", print, [PRECISIONS[name]])
         tier = load(path).tier
         assert point.scores.psnr == pytest.approx(tier.validation.psnr, abs=0.01)
         assert point.scores.flip == pytest.approx(tier.validation.flip, abs=1e-4)
@@ -60,14 +60,14 @@ def test_record_is_what_the_exporter_says_of_the_package(
 
 
 def test_finished_trial_is_not_trained_again(
-    finished: Path, dataset: Dataset, monkeypatch: pytest.MonkeyPatch
+    finished: Path, dataset: DatasetPart, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(run_module, "train", None)
     assert run_trial(trial(), dataset, finished, "cpu").trial == trial()
 
 
 def test_training_that_ended_before_the_export_is_not_repeated(
-    dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    dataset: DatasetPart, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with monkeypatch.context() as broken:
         broken.setattr(run_module, "write_packages", None)
@@ -78,7 +78,7 @@ def test_training_that_ended_before_the_export_is_not_repeated(
 
 
 def test_training_that_ended_before_its_time_was_written_is_repeated(
-    dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    dataset: DatasetPart, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def stopped(path: Path, _: bytes) -> None:
         raise KeyboardInterrupt(path)
@@ -94,7 +94,7 @@ def test_training_that_ended_before_its_time_was_written_is_repeated(
 
 
 def test_finished_trial_gets_a_precision_that_is_new(
-    finished: Path, dataset: Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    finished: Path, dataset: DatasetPart, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = tmp_path / "copy"
     shutil.copytree(finished, folder)
@@ -107,13 +107,13 @@ def test_finished_trial_gets_a_precision_that_is_new(
     assert found.seconds == record.seconds
 
 
-def test_folder_of_another_model_is_refused(finished: Path, dataset: Dataset) -> None:
+def test_folder_of_another_model_is_refused(finished: Path, dataset: DatasetPart) -> None:
     with pytest.raises(TrainingError, match="another model or dataset"):
         run_trial(trial(batch=256), dataset, finished, "cpu")
 
 
 def test_one_that_fails_is_named_after_the_others_are_done(
-    dataset: Dataset, tmp_path: Path
+    dataset: DatasetPart, tmp_path: Path
 ) -> None:
     good, bad = trial("good"), trial("bad", learning_rate=float("nan"))
     with (

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rna_export.trials.grid import short_grid
-from rna_export.trials.unwrap import Unwrapped, UnwrappedDataset, check_unwrapping
+from rna_export.trials.unwrap import Unwrapped, UnwrappedPart, check_unwrapping
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset
 from tests.render.assets import sphere
@@ -32,8 +32,7 @@ def test_uv_are_those_of_the_triangle_that_the_point_is_on() -> None:
 
 
 def test_dataset_has_uv_in_samples_and_views(tmp_path: Path) -> None:
-    folder = make_dataset(tmp_path / "ball.rays").folder
-    dataset = UnwrappedDataset(folder)
+    dataset = UnwrappedPart(make_dataset(tmp_path / "ball.rays"))
     samples = dataset.training_samples()
     assert samples["uv"].shape == (len(samples["visible"]), 2)
     assert samples["uv"].min() >= 0.0 and samples["uv"].max() <= 1.0

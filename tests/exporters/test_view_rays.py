@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
+from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.directions import reflect
-from rna_export.capture.surface_scene import SurfaceScene
 from rna_export.capture.view_rays import sample_view_rays
 from tests.exporters.meshes import ring, sphere
 
@@ -12,21 +12,21 @@ WI = np.float32([0.36, 0.8, 0.48])
 @pytest.mark.parametrize("domain", ["sphere", "hemisphere"])
 @pytest.mark.parametrize("mesh", [sphere(3), ring()], ids=["ball", "ring"])
 def test_every_ray_hits(mesh, domain) -> None:
-    scene = SurfaceScene(mesh)
+    scene = AssetScene([mesh])
     rays = sample_view_rays(scene, WI, 3000, domain, np.random.default_rng(0))
     assert len(rays) == 3000
-    assert scene.hit_mask(rays.origins, rays.directions).all()
+    assert (scene.part_hit(rays.origins, rays.directions) == 0).all()
     assert np.allclose(np.linalg.norm(rays.directions, axis=1), 1.0, atol=1e-5)
 
 
 def test_hemisphere_looks_from_above() -> None:
-    scene = SurfaceScene(ring())
+    scene = AssetScene([ring()])
     rays = sample_view_rays(scene, WI, 2000, "hemisphere", np.random.default_rng(0))
     assert rays.directions[:, 1].max() <= 0.0
 
 
 def test_some_rays_start_close() -> None:
-    scene = SurfaceScene(sphere(4))
+    scene = AssetScene([sphere(4)])
     rays = sample_view_rays(scene, WI, 4000, "sphere", np.random.default_rng(0))
     height = np.linalg.norm(rays.origins, axis=1) - 1.0
     assert np.mean(height < 0.2) > 0.02
@@ -34,17 +34,18 @@ def test_some_rays_start_close() -> None:
 
 
 def test_the_highlight_is_looked_at() -> None:
-    scene = SurfaceScene(sphere(4))
+    scene = AssetScene([sphere(4)])
     rays = sample_view_rays(scene, WI, 8000, "sphere", np.random.default_rng(0))
     points = scene.shade_points(rays.origins, rays.directions)
-    mirror = reflect(np.broadcast_to(WI, points.normal.shape), points.normal)
+    normals = points.on[0].points.n
+    mirror = reflect(np.broadcast_to(WI, normals.shape), normals)
     near = np.sum(mirror * -rays.directions, axis=1) > 0.98
     uniform = (1.0 - 0.98) / 2.0
     assert near.mean() > 4.0 * uniform
 
 
 def test_a_seed_repeats() -> None:
-    scene = SurfaceScene(sphere(3))
+    scene = AssetScene([sphere(3)])
     first, again, other = (
         sample_view_rays(scene, WI, 500, "sphere", np.random.default_rng(seed))
         for seed in (1, 1, 2)

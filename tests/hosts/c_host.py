@@ -55,6 +55,7 @@ class CAsset:
         status = self._rna.rna_evaluate(
             self._asset,
             self._tier,
+            0,
             ctypes.c_size_t(len(positions)),
             *pointers,
             _address(visible),

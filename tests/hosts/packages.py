@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_sdk.package import Tier, TierData, write_package
+from rna_sdk.package import Tier, TierData, TierPart, write_package
 from tests.conformance.kit.decoders import make_decoder, make_int8_decoder
 from tests.package.builders import (
     make_curves,
@@ -33,19 +33,19 @@ def write_profile_package(
     path: Path, *tiers: Tier, kind: str = "surface", widths: tuple[int, ...] = (8,)
 ) -> Path:
     """Write a package of `kind` with these tiers: random planes, and random layers of `widths`."""
-    data = {tier.name: _tier_data(tier, widths) for tier in tiers}
+    data = {tier.name: [_part_data(tier.parts[0], widths)] for tier in tiers}
     geometry = make_curves() if kind == "fiber" else make_mesh()
-    write_package(path, make_manifest(*tiers, kind=kind), geometry, data)
+    write_package(path, make_manifest(*tiers, kind=kind), [geometry], data)
     return path
 
 
-def _tier_data(tier: Tier, widths: tuple[int, ...]) -> TierData:
-    rng = np.random.default_rng(len(tier.name) + sum(widths))
-    queries = np.clip(rng.normal(0, 0.6, (400, tier.query_width)), -2, 2)
+def _part_data(part: TierPart, widths: tuple[int, ...]) -> TierData:
+    rng = np.random.default_rng(sum(widths))
+    queries = np.clip(rng.normal(0, 0.6, (400, part.query_width)), -2, 2)
     decoder = make_decoder(rng, queries, widths, mixing=9 if len(widths) == 2 else 0)
-    is_int8 = tier.decoder_precision == "int8"
+    is_int8 = part.decoder_precision == "int8"
     file = (make_int8_decoder(decoder, queries) if is_int8 else decoder).file()
-    planes = make_planes(tier.resolution, tier.channels, tier.plane_precision)
+    planes = make_planes(part.resolution, part.channels, part.plane_precision)
     return TierData(planes, file)
 
 

@@ -76,7 +76,7 @@ def test_every_precision_means_the_same(
     package = write_profile_package(tmp_path / "all.rna", *tiers, kind=kind, widths=(20, 16))
     for tier in tiers:
         difference = differences(programs["librna.so"], package, tier.name)
-        if tier.decoder_precision == "float32":
+        if tier.parts[0].decoder_precision == "float32":
             assert difference.max() < TOLERANCE, tier.name
         else:
             assert np.mean(difference > TOLERANCE) <= INT8_SHARE, tier.name
@@ -85,7 +85,7 @@ def test_every_precision_means_the_same(
 def test_int8_sums_of_a_wide_layer_are_exact(programs: dict[str, Path], tmp_path: Path) -> None:
     """Sums beyond what float32 holds, of which the bias leaves a few steps."""
     tier = make_profile_tier("wide", "surface", decoder_precision="int8")
-    columns, wide, unit = tier.query_width, 1100, np.float32(0.25)
+    columns, wide, unit = tier.parts[0].query_width, 1100, np.float32(0.25)
     ones, steps = np.ones(columns, np.float32), np.arange(1, 7)
     weight = (126 + np.arange(wide * 6).reshape(wide, 6) % 2).astype(np.int8)
     full = Int8Layer(
@@ -96,7 +96,7 @@ def test_int8_sums_of_a_wide_layer_are_exact(programs: dict[str, Path], tmp_path
     file = Int8Decoder(ones, ones, layers, np.float32(1)).file()
     package = write_profile_package(tmp_path / "wide.rna", tier)
     # In place of a good decoder: an engine that sums in float32 calls this one inconsistent.
-    package.write_bytes(with_entry(read_entries(package), tier.decoder, file))
+    package.write_bytes(with_entry(read_entries(package), tier.parts[0].decoder, file))
     asset = CAsset(programs["librna.so"], package, "wide")
     found = asset.evaluate(*random_rows("surface", np.float32([[-1] * 3, [1] * 3]), 60))
     asset.close()
@@ -138,7 +138,8 @@ def run(*command: object) -> subprocess.CompletedProcess[str]:
 def test_render_makes_a_picture(programs: dict[str, Path], tmp_path: Path) -> None:
     for package in (TOY, CURLS):
         path = tmp_path / "picture.ppm"
-        assert run(programs["render"], package, path, 48, 27, 1).returncode == 0
+        size = "--size", 48, 27
+        assert run(programs["render"], package, path, *size, "--samples", 1).returncode == 0
         data = path.read_bytes()
         assert data.startswith(b"P6\n48 27\n255\n")
         pixels = np.frombuffer(data[-48 * 27 * 3 :], np.uint8).reshape(27, 48, 3)

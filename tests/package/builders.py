@@ -22,15 +22,17 @@ from rna_sdk.package import (
     Int8Planes,
     Manifest,
     Mesh,
+    Part,
     Provenance,
     Tier,
     TierData,
+    TierPart,
     Validation,
-    query_width,
     write_package,
 )
 from rna_sdk.package.container import MANIFEST_NAME, Container
 from rna_sdk.package.container_writer import write_container
+from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES
 
 INPUTS = ("features", "normal", "wo", "wi", "half_vector")
 FIBER_INPUTS = ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_lobes")
@@ -82,10 +84,10 @@ def make_decoder_model(
 ) -> onnx.ModelProto:
     """An MLP of ReLU layers that ends in exp(x) - 1, safe for every finite input.
 
-    `overrides`: opset, ir_version, outputs.
+    `overrides`: opset, ir_version, outputs (6; 3 for emission), output (its name).
     """
     rng = np.random.default_rng(seed)
-    outputs = overrides.get("outputs", 6)
+    outputs = outputs_of(overrides)
     sizes = [columns, *[width] * layers, outputs]
     constants: dict[str, NDArray[np.float32]] = {
         "low": np.float32(-65504.0),
@@ -111,7 +113,7 @@ def make_int8_decoder_model(
     each column instead of the zero point.
     """
     rng = np.random.default_rng(seed)
-    sizes = [columns, *[width] * layers, overrides.get("outputs", 6)]
+    sizes = [columns, *[width] * layers, outputs_of(overrides)]
     largest, in_profile = overrides.get("largest", 127), overrides.get("in_profile", False)
     step = np.float32(1 / 30)
     constants: dict[str, NDArray[Any]] = {"low": np.float32(-65504.0), "high": np.float32(65504.0)}
@@ -147,6 +149,11 @@ def make_int8_decoder_model(
     return _decoder(nodes, constants, value, columns, **overrides)
 
 
+def outputs_of(overrides: dict[str, Any]) -> int:
+    """Columns of the output."""
+    return overrides.get("outputs", 3 if overrides.get("output") == "emission" else 6)
+
+
 def _decoder(
     nodes: list[onnx.NodeProto],
     constants: dict[str, NDArray[Any]],
@@ -155,7 +162,7 @@ def _decoder(
     **overrides: Any,
 ) -> onnx.ModelProto:
     """The model of these nodes and exp(value) - 1."""
-    outputs = overrides.get("outputs", 6)
+    output = overrides.get("output", "transport")
     ends = {"one": 1.0, "zero": 0.0, "largest": 11.0, "unit": 1.0}
     constants = constants | {name: np.float32(number) for name, number in ends.items()}
     nodes = [
@@ -163,13 +170,13 @@ def _decoder(
         helper.make_node("Clip", [value, "zero", "largest"], ["logs"]),
         helper.make_node("Exp", ["logs"], ["exps"]),
         helper.make_node("Sub", ["exps", "one"], ["above"]),
-        helper.make_node("Mul", ["above", "unit"], ["transport"]),
+        helper.make_node("Mul", ["above", "unit"], [output]),
     ]
     graph = helper.make_graph(
         nodes,
         "decoder",
         [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", columns])],
-        [helper.make_tensor_value_info("transport", TensorProto.FLOAT, ["N", outputs])],
+        [helper.make_tensor_value_info(output, TensorProto.FLOAT, ["N", outputs_of(overrides)])],
         [numpy_helper.from_array(np.asarray(value), name) for name, value in constants.items()],
     )
     opsets = [helper.make_opsetid("", overrides.get("opset", 18))]
@@ -178,10 +185,9 @@ def _decoder(
     )
 
 
-def make_tier(name: str = "small", **changes: Any) -> Tier:
-    """The manifest's record of a tier that `make_planes` and `make_decoder_model` fit."""
+def make_tier_part(name: str = "small", **changes: Any) -> TierPart:
+    """The record of a tier part that `make_planes` and `make_decoder_model` fit."""
     fields: dict[str, Any] = {
-        "name": name,
         "planes": f"features/{name}.safetensors",
         "decoder": f"decoders/{name}.onnx",
         "inputs": INPUTS,
@@ -190,15 +196,37 @@ def make_tier(name: str = "small", **changes: Any) -> Tier:
         "plane_precision": "float16",
         "decoder_precision": "float32",
     }
-    return Tier(**{**fields, **changes})
+    return TierPart(**{**fields, **changes})
+
+
+def make_tier(name: str = "small", **changes: Any) -> Tier:
+    """The record of a tier of one part; `changes` are fields of the tier or of its part."""
+    own = {key: changes.pop(key) for key in ("parts", "validation", "cost") if key in changes}
+    return Tier(**{"name": name, "parts": (make_tier_part(name, **changes),), **own})
+
+
+def make_part(**changes: Any) -> Part:
+    """The record of a part in the bounds [-1, 1]^3."""
+    kind = changes.get("kind", "surface")
+    fields: dict[str, Any] = {
+        "name": "asset",
+        "kind": kind,
+        "bounds": Bounds(min=(-1, -1, -1), max=(1, 1, 1)),
+        "geometry": GEOMETRY_ENTRIES[kind],
+    }
+    return Part(**{**fields, **changes})
 
 
 def make_manifest(*tiers: Tier, **changes: Any) -> Manifest:
-    """A manifest without entries, for these tiers (or for one, `small`)."""
+    """A manifest without entries, for these tiers (or for one, `small`).
+
+    `changes` are fields of the manifest or of its one part.
+    """
+    own = {key: changes.pop(key) for key in ("kind", "bounds", "geometry") if key in changes}
     fields: dict[str, Any] = {
         "generator": "tests",
         "name": "tetrahedron",
-        "bounds": Bounds(min=(-1, -1, -1), max=(1, 1, 1)),
+        "parts": (make_part(**own),),
         "domain": Domain(wo="sphere", wi="sphere"),
         "tiers": tiers or (make_tier(),),
         "provenance": Provenance(source="tests/package/builders.py", tool="tests"),
@@ -225,23 +253,36 @@ def make_measured_tier(
     return make_tier(name, validation=validation or None, cost=cost or None)
 
 
-def make_tier_data(tier: Tier, width: int = 8, layers: int = 1, seed: int = 1) -> TierData:
-    """Random planes and a random decoder that fit the tier."""
-    columns = query_width(tier.inputs, tier.channels)
-    is_int8 = tier.decoder_precision == "int8"
-    make = make_int8_decoder_model if is_int8 else make_decoder_model
+def make_tier_data(tier: Tier, width: int = 8, layers: int = 1, seed: int = 1) -> list[TierData]:
+    """For each part, random planes and random decoders that fit the tier."""
+    return [make_part_data(part, width, layers, seed + k) for k, part in enumerate(tier.parts)]
+
+
+def make_part_data(part: TierPart, width: int = 8, layers: int = 1, seed: int = 1) -> TierData:
+    """Random planes and random decoders that fit the tier part."""
+    emission = None
+    if part.emission:
+        columns, precision = part.emission_query_width, part.emission.decoder_precision
+        emission = make_decoder(precision, columns, width, layers, seed, output="emission")
     return TierData(
-        planes=make_planes(tier.resolution, tier.channels, tier.plane_precision, seed),
-        decoder=make(columns, width, layers, seed).SerializeToString(),
+        planes=make_planes(part.resolution, part.channels, part.plane_precision, seed),
+        decoder=make_decoder(part.decoder_precision, part.query_width, width, layers, seed),
+        emission_decoder=emission,
     )
 
 
+def make_decoder(precision: str, *sizes: int, **overrides: Any) -> bytes:
+    """The file of a random decoder of this precision."""
+    make = make_int8_decoder_model if precision == "int8" else make_decoder_model
+    return make(*sizes, **overrides).SerializeToString()
+
+
 def make_tiny_package(path: str | Path, *tiers: Tier, **changes: Any) -> Path:
-    """Write a good package of a few kilobytes to `path`; `changes` are manifest fields."""
+    """Write a good package of a few kilobytes to `path`; `changes` as for `make_manifest`."""
     manifest = make_manifest(*tiers, **changes)
     data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
-    geometry = make_curves() if manifest.kind == "fiber" else make_mesh()
-    write_package(path, manifest, geometry, data)
+    geometries = [make_curves() if p.kind == "fiber" else make_mesh() for p in manifest.parts]
+    write_package(path, manifest, geometries, data)
     return Path(path)
 
 
@@ -269,14 +310,18 @@ __all__ = [
     "INPUTS",
     "MANIFEST_NAME",
     "make_curves",
+    "make_decoder",
     "make_decoder_model",
     "make_int8_decoder_model",
     "make_manifest",
     "make_measured_tier",
     "make_mesh",
+    "make_part",
+    "make_part_data",
     "make_planes",
     "make_tier",
     "make_tier_data",
+    "make_tier_part",
     "make_tiny_fiber_package",
     "make_tiny_package",
     "pack",

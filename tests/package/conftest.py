@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from tests.package.builders import make_tiny_fiber_package, make_tiny_package, read_entries
+from tests.package.corpus.registry import Base, Entries, good_entries
+from tests.package.lantern import make_lantern
 
 
 @pytest.fixture(scope="session")
@@ -31,3 +33,15 @@ def tuft(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def fiber_entries(tuft: Path) -> dict[str, bytes]:
     """Its entries, name -> data."""
     return read_entries(tuft)
+
+
+@pytest.fixture(scope="session")
+def lantern(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Path of a good package of two parts with all that is new in 1.1; do not change it."""
+    return make_lantern(tmp_path_factory.mktemp("package") / "lantern.rna")
+
+
+@pytest.fixture(scope="session")
+def good(tmp_path_factory: pytest.TempPathFactory) -> dict[Base, Entries]:
+    """Entries of the packages that the corpus breaks."""
+    return good_entries(tmp_path_factory.mktemp("good"))

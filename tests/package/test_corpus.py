@@ -12,10 +12,24 @@ import pytest
 from rna_sdk.package import Code, Package, PackageError, Severity, validate
 from rna_sdk.package.limits import MAX_FILE_BYTES
 from tests.package.builders import pack
-from tests.package.corpus import container_cases, content_cases, curve_cases, manifest_cases
-from tests.package.corpus.registry import CASES, Case, Entries
+from tests.package.corpus import (
+    container_cases,
+    content_cases,
+    curve_cases,
+    manifest_cases,
+    part_cases,
+    quantised_cases,
+)
+from tests.package.corpus.registry import CASES, Base, Case, Entries
 
-MODULES = (container_cases, manifest_cases, content_cases, curve_cases)
+MODULES = (
+    container_cases,
+    manifest_cases,
+    content_cases,
+    curve_cases,
+    part_cases,
+    quantised_cases,
+)
 
 OUTSIDE_THE_CORPUS = {"FILE_UNREADABLE", "FILE_TOO_LARGE"}
 """Codes about the file itself, with tests of their own below."""
@@ -23,10 +37,10 @@ OUTSIDE_THE_CORPUS = {"FILE_UNREADABLE", "FILE_TOO_LARGE"}
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_broken_package_gets_its_code(
-    case: Case, entries: Entries, fiber_entries: Entries, tmp_path: Path
+    case: Case, good: dict[Base, Entries], tmp_path: Path
 ) -> None:
     path = tmp_path / f"{case.name}.rna"
-    path.write_bytes(case.breaker(entries if case.kind == "surface" else fiber_entries))
+    path.write_bytes(case.breaker(good[case.base]))
     issues = validate(path)
     assert [issue.code for issue in issues] == [case.code], "\n".join(map(str, issues))
     assert issues[0].found and issues[0].expected
@@ -93,12 +107,10 @@ def test_every_flipped_byte_of_a_header_is_noticed(entries: Entries, tmp_path: P
         assert any(i.severity is Severity.ERROR for i in validate(path)), f"byte {at}"
 
 
-@pytest.mark.parametrize("kind", ["entries", "fiber_entries"])
-def test_random_damage_never_escapes(
-    kind: str, request: pytest.FixtureRequest, tmp_path: Path
-) -> None:
+@pytest.mark.parametrize("base", ["surface", "fiber", "parts"])
+def test_random_damage_never_escapes(base: Base, good: dict[Base, Entries], tmp_path: Path) -> None:
     """Garbage inside entries whose hashes were made to fit gives issues, not exceptions."""
-    entries: Entries = request.getfixturevalue(kind)
+    entries = good[base]
     rng = np.random.default_rng(7)
     path = tmp_path / "damaged.rna"
     names = [name for name in entries if name != "manifest.json"]

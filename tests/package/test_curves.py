@@ -35,7 +35,7 @@ NAMES = ("points", "radii", "offsets")
 def test_curves_come_back_as_views(tuft: Path) -> None:
     assert validate(tuft) == []
     package = Package.open(tuft)
-    assert (package.manifest.kind, package.manifest.geometry) == ("fiber", CURVES)
+    assert (package.manifest.parts[0].kind, package.manifest.parts[0].geometry) == ("fiber", CURVES)
     curves, good = package.curves(), make_curves()
     package.close()
     for name in NAMES:
@@ -76,9 +76,9 @@ def test_box_holds_every_sphere() -> None:
 
 def test_each_kind_has_its_own_geometry(tiny: Path, tuft: Path) -> None:
     with Package.open(tuft) as fiber, Package.open(tiny) as surface:
-        with pytest.raises(QueryError, match=r"a fiber asset has no mesh; ask for its curves\(\)"):
+        with pytest.raises(QueryError, match=r"a fiber part has no mesh; ask for its curves\(\)"):
             fiber.mesh()
-        with pytest.raises(QueryError, match=r"a surface asset has no curves; .* mesh\(\)"):
+        with pytest.raises(QueryError, match=r"a surface part has no curves; .* mesh\(\)"):
             surface.curves()
         assert isinstance(fiber.geometry(), Curves)
         np.testing.assert_array_equal(
@@ -101,8 +101,8 @@ def test_writer_refuses_the_other_geometry(
 ) -> None:
     tier = make_tier(inputs=inputs)
     manifest = make_manifest(tier, kind=kind)
-    with pytest.raises(PackageError, match=f"GEOMETRY_CONTAINER at /geometry.*a {kind} asset"):
-        write_package(tmp_path / "x.rna", manifest, geometry, {"small": make_tier_data(tier)})
+    with pytest.raises(PackageError, match=f"GEOMETRY_CONTAINER at /geometry.*a {kind} part"):
+        write_package(tmp_path / "x.rna", manifest, [geometry], {"small": make_tier_data(tier)})
     assert list(tmp_path.iterdir()) == []
 
 
@@ -121,7 +121,8 @@ def test_writer_refuses_blocks_of_another_kind(tmp_path: Path) -> None:
     tier = make_tier(inputs=("features", "half_vector"))
     manifest = make_manifest(tier, kind="fiber")
     with pytest.raises(PackageError, match="INPUT_KIND at /tiers/0/inputs/1"):
-        write_package(tmp_path / "x.rna", manifest, make_curves(), {"small": make_tier_data(tier)})
+        data = {"small": make_tier_data(tier)}
+        write_package(tmp_path / "x.rna", manifest, [make_curves()], data)
 
 
 def test_geometry_may_have_any_name(tmp_path: Path) -> None:

@@ -74,7 +74,7 @@ VALUES = [
     ("/tiers/0/cost", COST + "1e16}", "FIELD_VALUE", LARGEST),
     ("/tiers/0/inputs", "[]", "FIELD_VALUE", BLOCKS),
     ("/tiers/0/inputs", '["wo", "wo"]', "INPUT_UNKNOWN", BLOCKS),
-    ("/tiers/0/inputs", '["h"]', "*INPUT_KIND", "only blocks for the `kind`"),
+    ("/tiers/0/inputs", '["h"]', "*INPUT_KIND", "only blocks for the part's `kind`"),
     ("/tiers/0/name", '"a\\n"', "FIELD_VALUE", PATTERN),
     ("/tiers/0/validation", "null", "", NOT_RECORDED),
     ("/tiers/0/cost", "null", "", NOT_RECORDED),
@@ -175,7 +175,7 @@ def test_reader_schema_and_text_agree(
 
 def test_spelling_of_a_number_changes_nothing(entries: dict[str, bytes]) -> None:
     plain, spelt = (
-        parse_manifest(with_value(entries["manifest.json"], PLANES_SIZE, size).encode())
+        parse_manifest(with_value(entries["manifest.json"], PLANES_SIZE, size).encode())[0]
         for size in ("1500", "1.5e3")
     )
     assert plain == spelt
@@ -208,8 +208,9 @@ def test_false_is_no_zero_in_a_mesh(entries: dict[str, bytes], tmp_path: Path) -
 
 
 def test_bounds_are_rounded_for_every_reader(entries: dict[str, bytes]) -> None:
-    manifest = parse_manifest(with_value(entries["manifest.json"], "/bounds/min/0", "0.1").encode())
-    corners = manifest.bounds.corners()
+    text = with_value(entries["manifest.json"], "/bounds/min/0", "0.1")
+    manifest, _ = parse_manifest(text.encode())
+    corners = manifest.parts[0].bounds.corners()
     assert (corners.dtype, corners.shape) == ("float32", (2, 3))
     assert corners[0, 0] == 0.100000001490116119384765625
 

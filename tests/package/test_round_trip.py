@@ -31,9 +31,11 @@ from tests.package.builders import (
     make_decoder_model,
     make_manifest,
     make_mesh,
+    make_part_data,
     make_planes,
     make_tier,
     make_tier_data,
+    make_tier_part,
     make_tiny_package,
     read_entries,
 )
@@ -47,14 +49,14 @@ def test_arrays_and_manifest_come_back(tmp_path: Path) -> None:
     manifest = make_manifest(small, large, extras={"note": "grün", "list": [1, 2.5, None]})
     data = {tier.name: make_tier_data(tier) for tier in (small, large)}
     mesh = make_mesh()
-    written = write_package(tmp_path / "two.rna", manifest, mesh, data)
+    written = write_package(tmp_path / "two.rna", manifest, [mesh], data)
 
     with Package.open(tmp_path / "two.rna") as package:
         assert package.manifest == written
         assert package.manifest.model_copy(update={"entries": {}}) == manifest
         for name in ("positions", "normals", "uvs", "triangles"):
             np.testing.assert_array_equal(getattr(package.mesh(), name), getattr(mesh, name))
-        for name, tier_data in data.items():
+        for name, (tier_data,) in data.items():
             planes = package.planes(name)
             assert planes.dtype == tier_data.planes.dtype
             np.testing.assert_array_equal(planes, tier_data.planes)
@@ -74,7 +76,7 @@ def test_int8_planes_come_back(tmp_path: Path) -> None:
 def test_mesh_without_uvs(tmp_path: Path) -> None:
     tier = make_tier()
     mesh = make_mesh(uvs=False)
-    write_package(tmp_path / "x.rna", make_manifest(), mesh, {"small": make_tier_data(tier)})
+    write_package(tmp_path / "x.rna", make_manifest(), [mesh], {"small": make_tier_data(tier)})
     assert Package.open(tmp_path / "x.rna").mesh().uvs is None
 
 
@@ -160,30 +162,30 @@ def test_tier_lookup_names_the_tiers(tiny: Path) -> None:
 def test_writer_refuses_what_does_not_fit(tmp_path: Path, change: dict, code: str) -> None:
     path = tmp_path / "x.rna"
     path.write_bytes(b"what was there before")
-    data = replace(make_tier_data(make_tier()), **change)
+    data = replace(make_part_data(make_tier_part()), **change)
     with pytest.raises(PackageError, match=code):
-        write_package(path, make_manifest(), make_mesh(), {"small": data})
+        write_package(path, make_manifest(), [make_mesh()], {"small": [data]})
     assert path.read_bytes() == b"what was there before"
     assert list(tmp_path.iterdir()) == [path]
 
 
 def test_writer_wants_data_for_each_tier(tmp_path: Path) -> None:
     with pytest.raises(PackageError, match="REFERENCE_MISSING"):
-        write_package(tmp_path / "x.rna", make_manifest(), make_mesh(), {})
+        write_package(tmp_path / "x.rna", make_manifest(), [make_mesh()], {})
 
 
 def test_tiers_may_share_planes(tmp_path: Path) -> None:
     shared = {"planes": "features/shared.safetensors"}
     tiers = (make_tier("a", **shared), make_tier("b", **shared))
     decoders = [make_decoder_model(seed=s).SerializeToString() for s in (1, 2)]
-    data = {t.name: TierData(make_planes(), d) for t, d in zip(tiers, decoders, strict=True)}
-    write_package(tmp_path / "x.rna", make_manifest(*tiers), make_mesh(), data)
+    data = {t.name: [TierData(make_planes(), d)] for t, d in zip(tiers, decoders, strict=True)}
+    write_package(tmp_path / "x.rna", make_manifest(*tiers), [make_mesh()], data)
     package = Package.open(tmp_path / "x.rna")
     assert package.planes("a").ctypes.data == package.planes("b").ctypes.data
 
-    data["b"] = TierData(make_planes(seed=9), decoders[1])
+    data["b"] = [TierData(make_planes(seed=9), decoders[1])]
     with pytest.raises(PackageError, match="ENTRY_HASH"):
-        write_package(tmp_path / "x.rna", make_manifest(*tiers), make_mesh(), data)
+        write_package(tmp_path / "x.rna", make_manifest(*tiers), [make_mesh()], data)
 
 
 def test_mesh_refuses_wrong_arrays() -> None:

@@ -27,6 +27,12 @@ class LambertAsset:
     albedo: tuple[float, float, float] = (0.8, 0.5, 0.2)
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "surface"
+    emits: bool = False
+    transmittance_records: tuple = ()
+
+    @property
+    def parts(self):
+        return (self,)
 
     def evaluate(self, positions, normals, wo, wi):
         cosine = np.maximum(np.sum(normals * wi, axis=1, keepdims=True), 0.0)
@@ -45,6 +51,11 @@ class FiberProbe:
     curves: Curves
     shadowed: tuple[float, float, float] = (0.0, 0.0, 0.0)
     kind: str = "fiber"
+    emits: bool = False
+
+    @property
+    def parts(self):
+        return (self,)
 
     def evaluate(self, positions, tangents, h, wo, wi):
         sine = np.linalg.norm(np.cross(tangents, wi), axis=1)

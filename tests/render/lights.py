@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from pydantic import TypeAdapter
 
-from rna_render import embree_kernels as kernels
 from rna_render.embree import TriangleScene
 from rna_render.lights import InfiniteLight, Light, LightSamples, MeshLight, PlacedLight, make_light
 from rna_render.lights.models import LightModel
@@ -71,11 +70,11 @@ def found(
         return of.escaped(d_world)
     shape = of.light if isinstance(of, Quad) else of
     x_world, hits = at(x, len(d_world)), _traced(of, x, d_world)
-    hit = hits.owner >= 0
+    hit = hits.geometry >= 0
     radiance, pdf = np.zeros((len(hit), 3), np.float32), np.zeros(len(hit), np.float32)
     ng_world = (hits.ng @ _placed(of)[1][:3, :3].T).astype(np.float32)
-    parts = (x_world, d_world, hits.t, hits.primitive, hits.u, hits.v, ng_world)
-    radiance[hit], pdf[hit] = shape.met(*(part[hit] for part in parts))
+    lines = x_world[hit], d_world[hit]
+    radiance[hit], pdf[hit] = shape.met(*lines, hits.take(np.flatnonzero(hit)), ng_world[hit])
     return radiance, pdf
 
 
@@ -98,4 +97,4 @@ def _traced(
     object_from_world = np.linalg.inv(matrix)
     x = at(tuple(object_from_world[:3, :3] @ x_world + object_from_world[:3, 3]), len(d_world))
     d = (d_world @ object_from_world[:3, :3].T).astype(np.float32)
-    return closest_hits(scene.handle, kernels.HIT_GEOMETRY, x, d, 0.0, np.inf)
+    return closest_hits(scene.handle, x, d, 0.0, np.inf)

@@ -31,8 +31,8 @@ def write_lambert_package(
     weights = np.zeros((COLUMNS, 6), np.float32)
     weights[COSINE_COLUMN, :3] = np.divide(ALBEDO, np.pi)
     decoder = _linear_decoder(weights, np.zeros(3))
-    data = {tier.name: TierData(planes=make_planes(), decoder=decoder) for tier in records}
-    write_package(path, make_manifest(*records, **changes), mesh, data)
+    data = {tier.name: [TierData(planes=make_planes(), decoder=decoder)] for tier in records}
+    write_package(path, make_manifest(*records, **changes), [mesh], data)
     return path
 
 
@@ -42,7 +42,7 @@ def write_offset_package(path: Path, curves: Curves) -> Path:
     weights = np.zeros((FIBER_COLUMNS, 6), np.float32)
     weights[H_COLUMN, :3] = 0.5
     data = TierData(planes=make_planes(), decoder=_linear_decoder(weights, np.full(3, 0.5)))
-    write_package(path, make_manifest(tier, kind="fiber"), curves, {tier.name: data})
+    write_package(path, make_manifest(tier, kind="fiber"), [curves], {tier.name: [data]})
     return path
 
 

@@ -14,10 +14,10 @@ import numpy as np
 from rna_render.bodies import Thing
 from rna_render.camera import Camera
 from rna_render.integrator import Integrator
-from rna_render.lights import MeshLight, PlacedLight, make_light
+from rna_render.lights import PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
-from rna_render.render import render
+from rna_render.render import light_of, render
 from rna_render.scene_model import Scene
 from rna_render.transforms import world_from_object
 from rna_render.world import Placement, World
@@ -78,11 +78,7 @@ def one_thread() -> Iterator[None]:
 
 
 def _placed(thing: Thing, matrix: np.ndarray) -> Placement:
-    if not (isinstance(thing, MeshObject) and thing.is_emissive):
-        return Placement(thing, matrix)
-    positions = (thing.positions @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
-    light = MeshLight(positions, thing.triangles, thing.emitted_luminance, thing.emission)
-    return Placement(thing, matrix, light)
+    return Placement(thing, matrix, light_of(thing, matrix))
 
 
 def seen(channels: Channels) -> Estimate:

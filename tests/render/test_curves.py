@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.embree import CurveScene
 from rna_render.instances import Instance, InstanceScene
+from rna_render.parts_scene import PartsScene
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object
 from rna_sdk.errors import PackageError, QueryError, SceneError
@@ -16,8 +16,8 @@ from tests.render.round_cones import entries
 from tests.render.strands import curls, straight
 
 
-def scene_of(curves: Curves) -> CurveScene:
-    return CurveScene(curves.points, curves.radii, curves.offsets)
+def scene_of(curves: Curves) -> PartsScene:
+    return PartsScene([curves])
 
 
 def rays_through(curves: Curves, n: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
@@ -43,7 +43,7 @@ def test_a_cylinder_a_cone_and_caps_are_hit_where_they_are():
     directions[3] += np.float32([0, 0, 1e-3])  # a ray that is parallel to the axis is not seen
     origins[3, 2] -= 2.92e-3
     hits = scene_of(curves).intersect(origins, directions)
-    assert hits.segment.tolist() == [0, 0, 1, 0, 1]
+    assert hits.primitive.tolist() == [0, 0, 1, 0, 1]
     end = 4 + np.sqrt(0.4**2 - 0.24**2)
     radius = 0.2 + 0.2 * u
     np.testing.assert_allclose(hits.t, [4.9, 4.92, 5 - radius * tilt, 2.92, 9 - end], rtol=1e-5)
@@ -60,12 +60,12 @@ def test_closest_hits_are_those_of_the_exact_twin(spread):
     hits = scene_of(curves).intersect(origins, directions)
     exact = entries(curves, origins, directions)
     t = exact.min(axis=1)
-    found = hits.segment >= 0
+    found = hits.primitive >= 0
     assert np.sum(found != np.isfinite(t)) <= 1  # one that grazes may fall to either side
     rows = np.flatnonzero(found & np.isfinite(t))
     assert 0.5 < len(rows) / len(t) < 1.0
     np.testing.assert_allclose(hits.t[rows], t[rows], atol=1e-5)
-    assert np.mean(hits.segment[rows] == exact[rows].argmin(axis=1)) > 0.99  # joints are of both
+    assert np.mean(hits.primitive[rows] == exact[rows].argmin(axis=1)) > 0.99  # joints are of both
     np.testing.assert_allclose(np.linalg.norm(hits.normals[rows], axis=1), 1, atol=1e-6)
     assert (np.sum(hits.normals[rows] * directions[rows], axis=1) <= 1e-3).all()
     assert (hits.normals[~found] == 0).all() and (hits.t[~found] == np.inf).all()
@@ -77,7 +77,7 @@ def test_a_strand_has_no_caps_inside():
     """From the axis of a bent strand with a joint, a ray meets nothing but its own way out."""
     bent = straight(((-1, 0, 0), (0, 0, 0), (1, 0.2, 0)))
     hits = scene_of(bent).intersect(np.float32([[-0.9, 0, 0]]), np.float32([[1, 0.05, 0]]))
-    assert hits.t[0] > 1.5 and hits.segment[0] == 1
+    assert hits.t[0] > 1.5 and hits.primitive[0] == 1
     # Two strands that meet there do have caps: the first one's is the way out.
     apart = straight(((-1, 0, 0), (0, 0, 0)), ((0, 0, 0), (1, 0.2, 0)))
     hits = scene_of(apart).intersect(np.float32([[-0.9, 0, 0]]), np.float32([[1, 0.05, 0]]))
@@ -103,7 +103,7 @@ def test_a_sphere_that_holds_the_rest_of_its_segment_is_hit():
     origins = (0.25 * unit_vectors(rng, 2000) - 3 * directions).astype(np.float32)
     hits = scene_of(curves).intersect(origins, directions)
     t = entries(curves, origins, directions)[:, 0]
-    clear = np.isfinite(t) == (hits.segment >= 0)
+    clear = np.isfinite(t) == (hits.primitive >= 0)
     assert np.sum(~clear) <= 2 and 0.3 < np.mean(np.isfinite(t)) < 1.0
     np.testing.assert_allclose(hits.t[clear], t[clear], atol=1e-4)
 
@@ -121,8 +121,8 @@ def test_an_instance_is_hit_as_the_strands_are_in_their_own_space(scale):
     hits = InstanceScene([Instance(scene_of(curves), matrix)]).intersect(
         origins_world, directions_world
     )
-    same = hits.primitive == expected.segment
-    assert same.mean() > 0.99 and np.mean(expected.segment >= 0) > 0.4
+    same = hits.primitive == expected.primitive
+    assert same.mean() > 0.99 and np.mean(expected.primitive >= 0) > 0.4
     # At a scale of 0.01 the world's coordinates are rounded to 2e-5 of the strands' own.
     near = np.abs(hits.ng - expected.normals)[same].max(axis=1) < 0.1
     assert near.mean() > 0.98
@@ -133,22 +133,22 @@ def test_an_instance_is_hit_as_the_strands_are_in_their_own_space(scale):
 def test_no_rays_are_legal():
     none = np.zeros((0, 3), np.float32)
     hits = scene_of(straight(((0, 0, 0), (0, 1, 0)))).intersect(none, none)
-    assert hits.t.shape == hits.segment.shape == (0,) and hits.normals.shape == (0, 3)
+    assert hits.t.shape == hits.primitive.shape == (0,) and hits.normals.shape == (0, 3)
 
 
 def test_wrong_curves_are_refused():
     points, radii = np.float32([[0, 0, 0], [0, 1, 0]]), np.ones(2, np.float32)
     offsets = np.uint32([0, 2])
     with pytest.raises(PackageError, match="GEOMETRY_ARRAY"):
-        CurveScene(points.astype(np.float64), radii, offsets)
+        PartsScene([Curves(points.astype(np.float64), radii, offsets)])
     with pytest.raises(PackageError, match="GEOMETRY_STRANDS"):
-        CurveScene(points, radii, np.uint32([0, 1, 2]))
+        PartsScene([Curves(points, radii, np.uint32([0, 1, 2]))])
     for bad in (np.nan, np.inf):
         with pytest.raises(SceneError, match="points must be finite"):
-            CurveScene(np.float32([[0, 0, 0], [0, bad, 0]]), radii, offsets)
+            PartsScene([Curves(np.float32([[0, 0, 0], [0, bad, 0]]), radii, offsets)])
     for bad in (np.nan, np.inf, 0.0, -1.0):
         with pytest.raises(SceneError, match="radii must be finite and more than 0"):
-            CurveScene(points, np.float32([1, bad]), offsets)
+            PartsScene([Curves(points, np.float32([1, bad]), offsets)])
 
 
 def test_wrong_rays_are_refused():
@@ -156,5 +156,3 @@ def test_wrong_rays_are_refused():
     ray = np.zeros((2, 3), np.float32)
     with pytest.raises(QueryError):
         scene.intersect(ray, ray.astype(np.float64))
-    with pytest.raises(QueryError, match="strand"):
-        scene.occluded_by_others(np.zeros(3, np.uint32), ray, ray)

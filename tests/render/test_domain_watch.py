@@ -41,7 +41,8 @@ def test_queries_outside_are_counted_and_answered(tmp_path: Path) -> None:
     watch = watched(asset, "a.rna")
     wo, wi = rows(FRONT, FRONT, UP, UP), rows(UP, DOWN, DOWN, UP)
     points = np.zeros((4, 3), np.float32), rows(UP, UP, UP, UP), wo, wi
-    for found, expected in zip(watch.evaluate(*points), asset.evaluate(*points), strict=True):
+    (part,) = watch.parts
+    for found, expected in zip(part.evaluate(*points), asset.evaluate(*points), strict=True):
         np.testing.assert_array_equal(found, expected)
     assert watch.complaint() == (
         "a.rna: 75.0% of the queries are outside the directions that it was trained for "
@@ -60,7 +61,7 @@ def test_a_warning_comes_once(tmp_path: Path) -> None:
     watch = WatchedAsset(asset, "a.rna")
     zero = np.zeros((1, 3), np.float32)
     warn_of_extrapolation([watch])  # nothing was asked: no warning, which would be an error
-    watch.evaluate(zero, rows(UP), rows(DOWN), rows(UP))
+    watch.parts[0].evaluate(zero, rows(UP), rows(DOWN), rows(UP))
     with pytest.warns(DomainWarning) as caught:
         warn_of_extrapolation([watch, watch])
     assert len(caught) == 1

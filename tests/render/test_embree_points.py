@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render import embree_kernels as kernels
 from rna_render.embree import DiscScene, SphereScene
 from rna_render.tracing import closest_hits
 from rna_sdk.errors import SceneError
@@ -13,7 +12,7 @@ from tests.render.assets import unit_vectors
 
 
 def hits(scene, origins, directions):
-    return closest_hits(scene.handle, kernels.HIT_GEOMETRY, origins, directions, 0.0, np.inf)
+    return closest_hits(scene.handle, origins, directions, 0.0, np.inf)
 
 
 @pytest.mark.parametrize("start", [3.0, 0.2])
@@ -35,7 +34,7 @@ def test_spheres(start):
     expected = np.where(near > 0, near, far)
     clear = np.abs(discriminant) > 1e-3
     hit = (discriminant > 0) & (far > 0)
-    np.testing.assert_array_equal((found.owner >= 0)[clear], hit[clear])
+    np.testing.assert_array_equal((found.geometry >= 0)[clear], hit[clear])
     both = clear & hit
     np.testing.assert_allclose(found.t[both], expected[both], rtol=1e-4)
     normals = (origins + expected[:, None] * d64 - center) / 0.7
@@ -56,7 +55,7 @@ def test_discs_from_both_sides():
     distance = np.linalg.norm(origins + t[:, None] * d - center, axis=1)
     clear = np.abs(distance - 0.7) > 1e-3
     hit = (distance < 0.7) & (t > 0)
-    np.testing.assert_array_equal((found.owner >= 0)[clear], hit[clear])
+    np.testing.assert_array_equal((found.geometry >= 0)[clear], hit[clear])
     both = clear & hit
     assert 0.2 < both.mean() < 0.8
     np.testing.assert_allclose(found.t[both], t[both], rtol=1e-4)
@@ -72,7 +71,7 @@ def test_several_are_told_apart_and_none_are_legal():
     assert scene.extent == 7
     none = np.zeros((0, 3), np.float32)
     for scene in (SphereScene(none, none[:, 0]), DiscScene(none, none, none[:, 0])):
-        assert hits(scene, *ray).owner.tolist() == [-1, -1]
+        assert hits(scene, *ray).geometry.tolist() == [-1, -1]
 
 
 CENTER, RADIUS = np.zeros((1, 3), np.float32), np.ones(1, np.float32)

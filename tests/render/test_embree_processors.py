@@ -12,8 +12,10 @@ import numpy as np
 import pytest
 
 from rna_render import embree_library
-from rna_render.embree import CurveScene, TriangleScene
+from rna_render.embree import TriangleScene
+from rna_render.parts_scene import PartsScene
 from rna_sdk.errors import SceneError
+from rna_sdk.package import Curves
 from tests.render.assets import EMBREE_ROUNDING, sphere, unit_vectors
 
 PROCESSORS = ["avx512", "avx2", "avx", "sse4.2"]
@@ -57,11 +59,12 @@ def test_curves_are_hit_where_the_default_kernels_hit_them(set_up, rays, process
     points = np.cumsum(steps, axis=1).reshape(-1, 3).astype(np.float32)
     radii = np.full(len(points), 0.02, np.float32)
     offsets = np.arange(0, len(points) + 1, 6, dtype=np.uint32)
-    expected = CurveScene(points, radii, offsets).intersect(*rays)
+    curves = Curves(points, radii, offsets)
+    expected = PartsScene([curves]).intersect(*rays)
     set_up(f"isa={processor}")
-    hits = CurveScene(points, radii, offsets).intersect(*rays)
-    same = hits.segment == expected.segment
-    assert same.mean() > 0.999 and (hits.segment >= 0).mean() > 0.1
+    hits = PartsScene([curves]).intersect(*rays)
+    same = hits.primitive == expected.primitive
+    assert same.mean() > 0.999 and (hits.primitive >= 0).mean() > 0.1
     np.testing.assert_allclose(hits.t[same], expected.t[same], rtol=5e-5)
     np.testing.assert_allclose(hits.normals[same], expected.normals[same], atol=5e-3)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.embree import CurveScene
-from rna_render.fiber import hit_points, tangents, visible
+from rna_render.fiber import FiberPoints, hit_points, tangents
+from rna_render.parts_scene import PartsScene
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves
 from tests.render.assets import unit_vectors
@@ -14,8 +14,13 @@ from tests.render.round_cones import depths, entries
 from tests.render.strands import curls, straight
 
 
-def scene_of(curves: Curves) -> CurveScene:
-    return CurveScene(curves.points, curves.radii, curves.offsets)
+def scene_of(curves: Curves) -> PartsScene:
+    return PartsScene([curves])
+
+
+def visible(scene: PartsScene, x, segment, wi, tfar=np.inf) -> np.ndarray:
+    """Of points x of the first part; their normals and tangents have no say in it."""
+    return scene.visible(0, FiberPoints(x, x, x, segment), wi, tfar)
 
 
 def seen_points(curves: Curves, n: int, far: float = 3.0, seed: int = 1):
@@ -25,10 +30,10 @@ def seen_points(curves: Curves, n: int, far: float = 3.0, seed: int = 1):
     targets = rng.choice(curves.points, n) + 0.02 * rng.normal(size=(n, 3))
     origins = (targets - far * directions).astype(np.float32)
     hits = scene_of(curves).intersect(origins, directions)
-    row = np.flatnonzero(hits.segment >= 0)
-    at = hits.segment[row], hits.u[row], hits.normals[row]
+    row = np.flatnonzero(hits.primitive >= 0)
+    at = hits.primitive[row], hits.u[row], hits.normals[row]
     points = hit_points(curves.points, curves.radii, curves.segments(), *at)
-    return hits.segment[row], points, origins[row], directions[row]
+    return hits.primitive[row], points, origins[row], directions[row]
 
 
 def test_hit_points_are_those_of_the_exact_twin():
@@ -64,7 +69,8 @@ def test_visibility_is_that_of_the_exact_twin(strands, spread):
     segment, points, *_ = seen_points(curves, 1500)
     wi = unit_vectors(np.random.default_rng(2), len(points))
     scene = scene_of(curves)
-    own = scene.strands == scene.strands[segment][:, None]
+    strand = np.repeat(np.arange(strands), 19)
+    own = strand == strand[segment][:, None]
     blocked = (np.isfinite(entries(curves, points, wi)) & ~own).any(axis=1)
     assert 0.1 < blocked.mean() < 0.9
     disagreements = np.sum(visible(scene, points, segment, wi) == blocked)

@@ -73,4 +73,4 @@ def test_all_instances_are_there(count):
     origins = np.column_stack([x, np.full(count, 5.0), 0 * x]).astype(np.float32)
     down = np.tile(np.float32([0, -1, 0]), (count, 1))
     hits = world.scene.intersect(origins, down)
-    np.testing.assert_array_equal(np.sort(world.number[hits.owner]), np.arange(count) + 1)
+    np.testing.assert_array_equal(np.sort(world.number[hits.instance]), np.arange(count) + 1)

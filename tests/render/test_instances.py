@@ -39,7 +39,7 @@ def test_an_instance_is_hit_where_a_moved_mesh_would_be():
     hits = InstanceScene([Instance(scene_of(mesh), matrix)]).intersect(origins, directions)
     expected = TriangleScene([(moved, mesh.triangles)]).intersect(origins, directions)
     assert np.mean(hits.primitive == expected.triangle) > 0.999
-    same = (hits.primitive == expected.triangle) & (hits.owner >= 0)
+    same = (hits.primitive == expected.triangle) & (hits.instance >= 0)
     assert same.mean() > 0.4
     np.testing.assert_allclose(hits.t[same], expected.t[same], rtol=1e-4)
     np.testing.assert_allclose(hits.u[same], expected.u[same], atol=2e-3)
@@ -51,7 +51,7 @@ def test_hits_name_the_instance_in_front():
     origins = np.float32([[0, 3, 0], [0, -1, 0], [0, 1.5, 0], [9, 3, 0]])
     directions = np.float32([[0, -1, 0], [0, 1, 0], [0, -1, 0], [0, -1, 0]])
     hits = scene.intersect(origins, directions)
-    assert hits.owner.tolist() == [1, 0, 2, -1]
+    assert hits.instance.tolist() == [1, 0, 2, -1]
     np.testing.assert_allclose(hits.t, [1, 1, 0.5, np.inf], rtol=EMBREE_ROUNDING)
     assert hits.primitive[-1] == -1
 
@@ -113,6 +113,6 @@ def test_what_rays_pass_through_does_not_depend_on_how_they_are_told(monkeypatch
         start = np.float32([[0.25, 1.5 if owner in (2, -1) else 0, 0]])
         passed = None if own is None else np.int32(own)
         hits = scene.intersect(start, up, passed, rays)
-        assert hits.owner.tolist() == [owner], (own, rays)
+        assert hits.instance.tolist() == [owner], (own, rays)
     blocked = scene.occluded(np.float32([[0.25, 1.5, 0]]), up, own=np.int32([2]))
     assert blocked.tolist() == [False]

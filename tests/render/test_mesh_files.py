@@ -12,9 +12,9 @@ import trimesh
 from PIL import Image
 from pydantic import TypeAdapter
 
+from rna_render.bilinear import CLAMP, REPEAT
 from rna_render.materials import MeshFileWarning, MeshObject, read_mesh_object
 from rna_render.materials.models import MaterialModel
-from rna_render.materials.textures import CLAMP, REPEAT
 from rna_render.surface import geometric_normals
 from rna_sdk.errors import SceneError
 

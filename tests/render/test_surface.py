@@ -7,14 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rna_render.embree import TriangleScene
+from rna_render.parts_scene import PartsScene
 from rna_render.surface import (
     SurfacePoints,
     geometric_normals,
     interpolate_normals,
     interpolate_positions,
     leaving_origins,
-    visible,
 )
 from rna_sdk.errors import QueryError
 from rna_sdk.package.mesh import Mesh
@@ -35,8 +34,8 @@ def flat(x: np.ndarray, ng: np.ndarray) -> SurfacePoints:
     return SurfacePoints(x, ng, ng, np.zeros_like(x))
 
 
-def scene_of(mesh: Mesh) -> TriangleScene:
-    return TriangleScene([(mesh.positions, mesh.triangles)])
+def visible(mesh: Mesh, points: SurfacePoints, wi, tfar=np.inf) -> np.ndarray:
+    return PartsScene([mesh]).visible(0, points, wi, tfar)
 
 
 def moved(mesh: Mesh, scale: float, shift: float) -> Mesh:
@@ -83,7 +82,7 @@ def test_a_convex_body_blocks_exactly_the_light_from_behind(scale, shift):
     plane, smooth = (np.sum(a.astype(np.float64) * wi, axis=1) for a in (points.ng, points.n))
     rough = 1e-3 * (1.0 + shift / 3.0)  # at 300 m the facets themselves are
     clear = (np.abs(plane) > rough) & ((np.abs(smooth) > 0.02) | (plane > 0.0))
-    free = visible(scene_of(mesh), points, wi)
+    free = visible(mesh, points, wi)
     np.testing.assert_array_equal(free[clear], (plane > 0)[clear] | (smooth > 0)[clear])
 
 
@@ -96,8 +95,8 @@ def test_facets_do_not_block_light_that_the_smooth_surface_sees(subdivisions):
     plane, smooth = (np.sum(a * wi, axis=1) for a in (points.ng, points.n))
     behind_facet = (plane < 0.0) & (smooth > 0.02)
     assert behind_facet.sum() > 100
-    assert visible(scene_of(mesh), points, wi)[behind_facet].mean() > 0.99
-    assert not visible(scene_of(mesh), points, wi)[(plane < 0.0) & (smooth < 0.0)].any()
+    assert visible(mesh, points, wi)[behind_facet].mean() > 0.99
+    assert not visible(mesh, points, wi)[(plane < 0.0) & (smooth < 0.0)].any()
 
 
 def test_points_are_lifted_onto_the_smooth_surface():
@@ -114,20 +113,20 @@ def test_a_flat_sheet_never_blocks_its_own_light(scale, shift):
     mesh = moved(square(size=3.0), scale, shift)
     points = points_on(mesh, 100_000)
     wi = unit_vectors(np.random.default_rng(2), len(points))
-    assert visible(scene_of(mesh), points, wi).all()
+    assert visible(mesh, points, wi).all()
 
 
 def test_a_roof_close_above_blocks():
     mesh = merged(square(), square(size=10.0, height=1e-3))
     x, ng = np.float32([[0.3, 0, 0.1]] * 2), np.float32([[0, 1, 0]] * 2)
     wi = np.float32([[0, 1, 0], [0, -1, 0]])
-    assert visible(scene_of(mesh), flat(x, ng), wi).tolist() == [False, True]
+    assert visible(mesh, flat(x, ng), wi).tolist() == [False, True]
 
 
 def test_what_lies_behind_the_light_does_not_block():
     mesh = merged(square(), square(height=2.0))
     x, ng = np.float32([[0.3, 0, 0.1]] * 2), np.float32([[0, 1, 0]] * 2)
-    free = visible(scene_of(mesh), flat(x, ng), ng, tfar=np.float32([1.5, 2.5]))
+    free = visible(mesh, flat(x, ng), ng, tfar=np.float32([1.5, 2.5]))
     assert free.tolist() == [True, False]
 
 
@@ -144,9 +143,9 @@ def test_wrong_points_are_told():
     for name, wrong in (("x", np.zeros((2, 3), np.float32)), ("lift", np.zeros((1, 3)))):
         points = replace(flat(right, right), **{name: wrong})
         with pytest.raises(QueryError, match="expected"):
-            visible(scene_of(square()), points, right)
+            visible(square(), points, right)
 
 
 def test_no_points_are_legal():
     none = np.zeros((0, 3), np.float32)
-    assert visible(scene_of(square()), flat(none, none), none).shape == (0,)
+    assert visible(square(), flat(none, none), none).shape == (0,)

@@ -29,7 +29,7 @@ def asset_path(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
         path = tmp_path_factory.mktemp("asset") / "asset.rna"
         data = make_tier_data(tier, width, layers)
         geometry = make_mesh() if kind == "surface" else make_curves()
-        write_package(path, make_manifest(tier, kind=kind), geometry, {tier.name: data})
+        write_package(path, make_manifest(tier, kind=kind), [geometry], {tier.name: data})
         return path
 
     return write
@@ -70,5 +70,5 @@ def tiers_path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     path = tmp_path_factory.mktemp("tiers") / "tiers.rna"
     data = {t.name: make_tier_data(t, seed=seed) for seed, t in enumerate(tiers)}
-    write_package(path, make_manifest(*tiers), make_mesh(), data)
+    write_package(path, make_manifest(*tiers), [make_mesh()], data)
     return path

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.package import Bounds, Int8Planes, Planes, query_width
 from rna_sdk.runtime.tiles import Batch, QueryFiller
-from tests.package.builders import make_tier
+from tests.package.builders import make_tier_part
 from tests.runtime.points import FiberPoints, Points
 
 BOUNDS = Bounds(min=(-1.0, -2.0, 0.1), max=(0.5, 1.0, 0.9))
@@ -21,7 +21,7 @@ def filled(
     texels = planes.texels if isinstance(planes, Int8Planes) else planes
     _, resolution, _, channels = texels.shape
     precision = str(texels.dtype)
-    tier = make_tier(
+    part = make_tier_part(
         resolution=resolution, channels=channels, plane_precision=precision, inputs=inputs
     )
     n = len(points.positions)
@@ -30,9 +30,9 @@ def filled(
     else:
         kind, axes, h = "surface", points.normals, np.empty(0, np.float32)
     outputs = np.empty((2, n, 3), np.float32)
-    batch = Batch(points.positions, axes, h, points.wo, points.wi, *outputs)
+    batch = Batch(points.positions, axes, h, points.wo, points.wi, tuple(outputs))
     queries = np.full((n, query_width(inputs, channels)), np.nan, np.float32)
     valid = np.zeros(n, np.bool_)
-    filler = QueryFiller(planes, BOUNDS, tier, kind)
+    filler = QueryFiller(planes, BOUNDS, part, kind)
     filler.fill(batch, slice(0, n), queries, valid)
     return queries, valid

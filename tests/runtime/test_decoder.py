@@ -17,8 +17,8 @@ from rna_sdk.runtime.tiles import QueryFiller
 from tests.package.builders import (
     make_decoder_model,
     make_int8_decoder_model,
-    make_manifest,
-    make_tier,
+    make_part,
+    make_tier_part,
 )
 
 
@@ -168,10 +168,10 @@ def test_a_clip_that_changes_no_query_is_left_out(largest: float, clips: int) ->
 def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision: str) -> None:
     planes = np.full((3, 8, 8, 4), -40.0, precision)
     planes[0, 0, 0, 0] = 30
-    tier = make_tier(plane_precision=precision)
-    bounds = make_manifest().bounds
-    assert 120 <= QueryFiller(planes, bounds, tier, "surface").largest_query < 121
-    assert QueryFiller(planes / 1000, bounds, tier, "surface").largest_query == 4
+    part = make_tier_part(plane_precision=precision)
+    bounds = make_part().bounds
+    assert 120 <= QueryFiller(planes, bounds, part, "surface").largest_query < 121
+    assert QueryFiller(planes / 1000, bounds, part, "surface").largest_query == 4
 
 
 @pytest.mark.parametrize("make", [make_decoder_model, make_int8_decoder_model])

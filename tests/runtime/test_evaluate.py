@@ -34,8 +34,8 @@ def test_equals_the_package_evaluated_by_hand(asset_path: Callable[..., Path], k
     reference = fiber_queries_reference if kind == "fiber" else queries_reference
     with Package.open(path) as package:
         tier = package.manifest.tiers[0]
-        bounds = package.manifest.bounds.corners()
-        queries = reference(package.planes(tier.name), bounds, tier.inputs, *points)
+        bounds, inputs = package.manifest.parts[0].bounds.corners(), tier.parts[0].inputs
+        queries = reference(package.planes(tier.name), bounds, inputs, *points)
         session = ort.InferenceSession(
             bytes(package.decoder(tier.name)), providers=["CPUExecutionProvider"]
         )

@@ -101,7 +101,7 @@ def test_the_kind_of_the_package_decides_what_is_loaded(asset_path: Callable[...
     surface, fiber = (load(asset_path(kind=kind)) for kind in ("surface", "fiber"))
     assert isinstance(surface, SurfaceAsset) and isinstance(fiber, FiberAsset)
     assert (surface.kind, fiber.kind) == ("surface", "fiber")
-    assert fiber.tier.inputs == FIBER_INPUTS
+    assert fiber.tier_part.inputs == FIBER_INPUTS
     assert fiber.bounds.tolist() == [[-1, -1, -1], [1, 1, 1]]
     curves = make_curves()
     np.testing.assert_array_equal(fiber.curves.points, curves.points)
@@ -115,13 +115,13 @@ def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str
     views: list[np.ndarray] = []
     planes = package.planes
 
-    def remembered(tier: str) -> np.ndarray:
-        found = planes(tier)
+    def remembered(tier: str, part: int) -> np.ndarray:
+        found = planes(tier, part)
         views.append(found.texels if precision == "int8" else found)
         return found
 
     package.planes = remembered  # type: ignore[assignment, method-assign]
-    asset = SurfaceAsset(package, package.manifest.tiers[0], threads=1)
+    asset = SurfaceAsset(package, package.manifest.tiers[0], 1, 0, "asset")
     assert np.shares_memory(asset._evaluator._filler._texels, views[0])
     assert not views[0].flags.writeable
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.runtime.output_kernel import split_transport
+from rna_sdk.runtime.output_kernel import write_colours
 
 
 def test_any_decoder_output_becomes_finite_and_non_negative() -> None:
@@ -18,6 +18,7 @@ def test_any_decoder_output_becomes_finite_and_non_negative() -> None:
         ]
     )
     visible, shadowed = np.empty((2, 3, 3), np.float32)
-    split_transport(transport, np.array([True, True, False]), visible, shadowed)
+    for column, colours in ((0, visible), (3, shadowed)):
+        write_colours(transport, column, np.array([True, True, False]), colours)
     np.testing.assert_array_equal(visible, np.float32([[1, 2, 3], [0, largest, 0], [0, 0, 0]]))
     np.testing.assert_array_equal(shadowed, np.float32([[4, 5, 6], [0, 0, 1e-45], [0, 0, 0]]))

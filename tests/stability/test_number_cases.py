@@ -9,7 +9,7 @@ import pytest
 
 from rna_bench.stability.answers import of_package
 from rna_bench.stability.cases import energy, numbers
-from rna_export.capture.surface_scene import SurfaceScene
+from rna_export.capture.asset_scene import AssetScene
 from rna_sdk.runtime import load
 from tests.package.builders import make_tiny_package
 from tests.render.assets import LambertAsset, sphere, unit_vectors
@@ -44,7 +44,7 @@ def test_the_decoder_in_double_precision_agrees(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("albedo", "passes"), [(1.0, True), (1.03, False)])
 def test_the_integral_of_a_diffuse_ball_is_its_albedo(albedo: float, passes: bool) -> None:
     asset = LambertAsset(sphere(3), albedo=(albedo, 0.5, 0.2))
-    scene = SurfaceScene(asset.mesh)
+    scene = AssetScene([asset.mesh])
     rows = energy.furnace(of_package(asset), scene, 100)
     assert len(rows) == 100
     total = np.array([row["integral"] for row in rows])

@@ -10,12 +10,14 @@ from pathlib import Path
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
-from safetensors.numpy import load_file
 
 from rna_export.capture import blender_env
-from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.run import scene_of
+from rna_export.capture.sample_files import read_part
 from rna_export.capture.tasks import ValidationHalf
+from rna_export.capture.validation_view import ValidationView
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.machine import default_workers
 from rna_export.trials.scores import ModelScores, judge, write_strips
@@ -43,7 +45,7 @@ class CyclesCurve(BaseModel):
     points: tuple[CyclesPoint, ...]
 
 
-def render_curve(dataset: Dataset, source: Path, seconds: float, folder: Path) -> CyclesCurve:
+def render_curve(dataset: DatasetPart, source: Path, seconds: float, folder: Path) -> CyclesCurve:
     """Render the validation images with 1, 2, 4, ... paths a pixel, for about so many seconds.
 
     The original is opened with the arguments of the capture. Writes the pictures as
@@ -54,7 +56,8 @@ def render_curve(dataset: Dataset, source: Path, seconds: float, folder: Path) -
     rendered: dict[int, list[np.ndarray]] = {}
     taken: dict[int, float] = {}
     with tempfile.TemporaryDirectory(prefix="rna-bench-") as scratch:
-        opened = Source(source.resolve(), dataset.manifest.arguments)
+        manifest = dataset.manifest
+        opened = Source.captured(source.resolve(), manifest.arguments, manifest.settings)
         python = blender_env.find_python()
         with BlenderWorker(python, opened, Path(scratch), default_workers()) as worker:
             for samples in _doubling(taken, seconds, dataset.manifest.settings.validation_samples):
@@ -87,22 +90,22 @@ def _doubling(taken: dict[int, float], seconds: float, reference: int) -> Iterat
         yield 2**k
 
 
-def _at(dataset: Dataset, samples: int, folder: Path) -> Dataset:
+def _at(dataset: DatasetPart, samples: int, folder: Path) -> DatasetPart:
     """The same plan with other paths a pixel, in a folder of its own."""
     settings = dataset.manifest.settings.model_copy(update={"validation_samples": 2 * samples})
     manifest = dataset.manifest.model_copy(update={"settings": settings})
-    return Dataset.create(folder, manifest, dataset.geometry())
+    return Dataset.create(folder, manifest, {dataset.name: dataset.geometry()}).only
 
 
 def _render(
-    dataset: Dataset, views: list[ValidationView], worker: BlenderWorker
+    dataset: DatasetPart, views: list[ValidationView], worker: BlenderWorker
 ) -> list[np.ndarray]:
     """Radiance (n, 3) at the rows of each view."""
-    scene, radiance = scene_of(dataset.geometry()), []
+    scene, radiance = scene_of(dataset.dataset), []
     for view in views:
         task = ValidationHalf(view.index, _NOISE)
-        task.run(dataset, scene, worker)
-        found = load_file(task.path(dataset))
+        task.run(dataset.dataset, scene, worker)
+        found = read_part(task.path(dataset.dataset), dataset.name, ("radiance", "pixel"))
         image = np.zeros((view.resolution**2, 3), np.float32)
         image[found["pixel"]] = found["radiance"]
         radiance.append(image[view.pixel])

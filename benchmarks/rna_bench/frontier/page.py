@@ -17,7 +17,7 @@ from rna_bench.frontier.findings import sentences
 from rna_bench.frontier.paper_tables import paper_tables
 from rna_bench.frontier.pictures import brightest, cut
 from rna_bench.frontier.points import COSTS, ERRORS, label_of
-from rna_export.capture.dataset import ValidationView
+from rna_export.capture.validation_view import ValidationView
 from rna_export.metrics import to_png
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ import matplotlib
 import numpy as np
 from PIL import Image
 
-from rna_export.capture.dataset import ValidationView
+from rna_export.capture.validation_view import ValidationView
 from rna_export.metrics import display
 
 

@@ -18,7 +18,10 @@ from rna_bench.frontier.page import write_page
 from rna_bench.frontier.points import label_of, points_of
 from rna_bench.frontier.sheet import draw_sheet
 from rna_bench.step_times import step_times
-from rna_export.capture.dataset import Dataset, all_queries, write_atomically
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.sample_files import write_atomically
+from rna_export.capture.validation_view import all_queries
 from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
 from rna_export.trials.cost import Costs, measure_costs
 from rna_export.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
@@ -39,7 +42,7 @@ _CYCLES_SECONDS = 60.0
 class Study:
     """A grid of models on one dataset, in one folder."""
 
-    dataset: Dataset
+    dataset: DatasetPart
     trials: list[Trial]
     chosen: list[Trial]  # to train now
     out: Path
@@ -48,9 +51,9 @@ class Study:
     @classmethod
     def of(cls, args: argparse.Namespace) -> Study:
         """As the options say. Raises `TrainingError` for names that are not in the grid."""
-        dataset = Dataset(args.dataset)
+        dataset = Dataset(args.dataset).only
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
-        trials = grid(dataset.manifest.kind, args.steps or usual)
+        trials = grid(dataset.kind, args.steps or usual)
         crew = Crew.usual(args.device, args.workers)
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew)
 

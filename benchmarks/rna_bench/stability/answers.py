@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from rna_export.capture.dataset import queries_of
+from rna_export.capture.validation_view import queries_of
 from rna_export.training.model import NeuralAsset
 from rna_export.training.validation import answer
 from rna_sdk.runtime import Asset

@@ -6,21 +6,22 @@ from collections.abc import Callable
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.validation_view import ValidationView
 
 Samples = dict[str, np.ndarray]
 
 
-class ChosenSamples(Dataset):
+class ChosenSamples(DatasetPart):
     """A dataset whose training samples pass through `choose`, and its views through `view`."""
 
     def __init__(
         self,
-        dataset: Dataset,
+        dataset: DatasetPart,
         choose: Callable[[Samples], Samples],
         view: Callable[[ValidationView], ValidationView] = lambda view: view,
     ):
-        super().__init__(dataset.folder)
+        super().__init__(dataset.dataset, dataset.captured)
         self._choose, self._view_as = choose, view
 
     def training_samples(self) -> Samples:

@@ -108,7 +108,7 @@ def _workshop(args: argparse.Namespace) -> Any:
     for path in (args.package, args.source):
         if path is not None and not path.is_file():
             raise CaptureError(f"{path}: no such file")
-    dataset = Dataset(args.dataset) if args.dataset else None
+    dataset = Dataset(args.dataset).only if args.dataset else None
     arguments = dataset.manifest.arguments if dataset else ()
     source = Source(args.source, arguments) if args.source else None
     subject = Subject(dataset, args.package, args.tier, source)

@@ -24,7 +24,7 @@ from rna_bench.stability.cases import (
     zoom,
 )
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.dataset import write_atomically
+from rna_export.capture.sample_files import write_atomically
 from rna_sdk.errors import TrainingError
 
 CASES: tuple[Case, ...] = tuple(

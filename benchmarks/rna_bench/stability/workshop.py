@@ -17,7 +17,9 @@ from safetensors.numpy import load_file
 
 from rna_bench.stability.answers import Answers, of_package
 from rna_export.capture import blender_env
-from rna_export.capture.dataset import Dataset, write_arrays
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.sample_files import write_arrays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.export.build import build_package
 from rna_export.training.checkpoint import Trained, load_checkpoint
@@ -36,7 +38,7 @@ _SHORT = 8  # times less of everything
 class Subject:
     """The asset that was given, as far as it was."""
 
-    dataset: Dataset | None = None
+    dataset: DatasetPart | None = None
     package: Path | None = None
     tier: str | None = None
     source: Source | None = None
@@ -73,7 +75,7 @@ class Workshop:
     def kind(self) -> str | None:
         """Of the given asset, if there is one."""
         if self.subject.dataset is not None:
-            return self.subject.dataset.manifest.kind
+            return self.subject.dataset.kind
         return self.asset.kind if self.subject.package is not None else None
 
     @property
@@ -83,13 +85,13 @@ class Workshop:
         return given.stem if given else "the suite's own assets"
 
     @property
-    def dataset(self) -> Dataset:
+    def dataset(self) -> DatasetPart:
         """The given asset's. Raises CaptureError when there is none."""
         if self.subject.dataset is None:
             raise CaptureError("found no dataset, expected ASSET.rays/")
         return self.subject.dataset
 
-    def capture(self, name: str, script: str, *arguments: str, **settings: Any) -> Dataset:
+    def capture(self, name: str, script: str, *arguments: str, **settings: Any) -> DatasetPart:
         """A dataset of one of the suite's own assets; settings as in `CaptureSettings`."""
         out = self._folder / "captures" / f"{name}.rays"
         out.parent.mkdir(parents=True, exist_ok=True)
@@ -100,9 +102,9 @@ class Workshop:
         ended = subprocess.run([*map(str, command), "--", *arguments])
         if ended.returncode:
             raise CaptureError(f"the capture of {name} failed, status {ended.returncode}")
-        return Dataset(out)
+        return Dataset(out).only
 
-    def train(self, name: str, dataset: Dataset, preset: Preset, seed: int = 0) -> Trained:
+    def train(self, name: str, dataset: DatasetPart, preset: Preset, seed: int = 0) -> Trained:
         """The model after the last step: the best by a few views would hide overfitting."""
         out = self._folder / "runs" / dataset.folder.stem / name
         if not (out / "best.ckpt").is_file():
@@ -122,7 +124,7 @@ class Workshop:
     @cached_property
     def base(self) -> Trained:
         """`small` trained on the given dataset: what variants are compared with."""
-        return self.train("base", self.dataset, self.preset(self.dataset.manifest.kind))
+        return self.train("base", self.dataset, self.preset(self.dataset.kind))
 
     @cached_property
     def package(self) -> Path:
@@ -131,7 +133,7 @@ class Workshop:
             return self.subject.package
         out = self._folder / f"{self.dataset.manifest.name}.rna"
         if not out.is_file():
-            build_package([self.base], self.dataset, out, None, "unknown", print)
+            build_package([self.base], self.dataset.dataset, out, None, "unknown", print)
         return out
 
     def packages_of_base(self) -> dict[str, Path]:

@@ -1,8 +1,9 @@
 /* The C host as a reader program of the conformance kit: `rna-conform -- ./conform`.
  *
  *     conform levels
- *     conform evaluate PACKAGE TIER QUERIES RESULTS
- *     conform visibility PACKAGE HITS PICKS
+ *     conform evaluate PACKAGE TIER PART QUERIES RESULTS
+ *     conform emission PACKAGE TIER PART QUERIES RESULTS
+ *     conform visibility PACKAGE HITS RESULTS
  *     conform validate PACKAGE
  *
  * Files are little-endian, without headers; spec/conformance/README.md describes them. */
@@ -14,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { QUERY_FLOATS = 13, RESULT_FLOATS = 6, HIT_BYTES = 32 };
+enum { HIT_BYTES = 32 };
 
 static int fails(const char *what, const char *which) {
     fprintf(stderr, "conform: %s: %s\n", which, what);
@@ -55,41 +56,55 @@ static RnaAsset *open_or_tell(const char *path) {
     return asset;
 }
 
-/* rows: [n, 13]; results: [n, 6], written. */
-static RnaStatus evaluate_rows(const RnaAsset *asset, int tier, size_t n, const float *rows, float *results) {
+/* What is asked: transport takes 13 numbers a row and gives 6, emission takes 10 and gives 3. */
+typedef struct Question {
+    const RnaAsset *asset;
+    int tier, part;
+    bool emission;
+    size_t columns, results;
+} Question;
+
+/* rows: [n, columns]; results: [n, results], written. */
+static RnaStatus answer_rows(const Question *question, size_t n, const float *rows, float *results) {
     float *arrays = malloc((n + 1) * 19 * sizeof *arrays);
     if (!arrays) return RNA_OUT_OF_MEMORY;
     float *positions = arrays, *axes = positions + 3 * n, *h = axes + 3 * n, *wo = h + n, *wi = wo + 3 * n;
-    float *visible = wi + 3 * n, *shadowed = visible + 3 * n;
-    for (size_t i = 0; i < n; i++, rows += QUERY_FLOATS) {
+    float *colours[2] = {wi + 3 * n, wi + 6 * n};
+    for (size_t i = 0; i < n; i++, rows += question->columns) {
         memcpy(positions + 3 * i, rows, 3 * sizeof *rows);
         memcpy(axes + 3 * i, rows + 3, 3 * sizeof *rows);
         h[i] = rows[6];
         memcpy(wo + 3 * i, rows + 7, 3 * sizeof *rows);
-        memcpy(wi + 3 * i, rows + 10, 3 * sizeof *rows);
+        if (!question->emission) memcpy(wi + 3 * i, rows + 10, 3 * sizeof *rows);
     }
-    RnaStatus status = rna_evaluate(asset, tier, n, positions, axes, h, wo, wi, visible, shadowed);
-    for (size_t i = 0; i < n; i++, results += RESULT_FLOATS) {
-        memcpy(results, visible + 3 * i, 3 * sizeof *results);
-        memcpy(results + 3, shadowed + 3 * i, 3 * sizeof *results);
-    }
+    const RnaAsset *asset = question->asset;
+    const int tier = question->tier, part = question->part;
+    RnaStatus status = question->emission
+                           ? rna_emission(asset, tier, part, n, positions, axes, h, wo, colours[0])
+                           : rna_evaluate(asset, tier, part, n, positions, axes, h, wo, wi, colours[0],
+                                          colours[1]);
+    for (size_t i = 0; i < n * question->results; i++)
+        results[i] = colours[i % question->results / 3][i / question->results * 3 + i % 3];
     free(arrays);
     return status;
 }
 
-static int evaluate(const RnaAsset *asset, const char *tier, const char *queries, const char *out) {
-    int index = rna_tier_index(asset, tier);
-    if (index < 0) return fails("no such tier", tier);
-    size_t size;
+static int answer(Question question, const char *tier, const char *part, const char *queries, const char *out) {
+    char *end;
+    question.tier = rna_tier_index(question.asset, tier);
+    question.part = (int)strtol(part, &end, 10);
+    if (question.tier < 0) return fails("no such tier", tier);
+    if (*end || end == part || !rna_part(question.asset, question.part)) return fails("no such part", part);
+    size_t size, row = question.columns * sizeof(float);
     float *rows = read_file(queries, &size);
-    if (!rows || size % (QUERY_FLOATS * sizeof *rows)) {
+    if (!rows || size % row) {
         free(rows);
-        return fails("not float32 [n, 13]", queries);
+        return fails("not whole rows of float32", queries);
     }
-    size_t n = size / (QUERY_FLOATS * sizeof *rows);
-    float *results = calloc(n + 1, RESULT_FLOATS * sizeof *results);
-    RnaStatus status = results ? evaluate_rows(asset, index, n, rows, results) : RNA_OUT_OF_MEMORY;
-    bool written = status == RNA_OK && write_file(out, results, n * RESULT_FLOATS * sizeof *results);
+    size_t n = size / row;
+    float *results = calloc(n + 1, question.results * sizeof *results);
+    RnaStatus status = results ? answer_rows(&question, n, rows, results) : RNA_OUT_OF_MEMORY;
+    bool written = status == RNA_OK && write_file(out, results, n * question.results * sizeof *results);
     free(results);
     free(rows);
     if (status != RNA_OK) return fails(rna_status_text(status), tier);
@@ -102,39 +117,43 @@ static void load_vector(const unsigned char *bytes, double v[3]) {
     for (int k = 0; k < 3; k++) v[k] = values[k];
 }
 
-/* 0 visible, 1 shadowed, for a hit record. */
-static unsigned char pick(const Tracer *tracer, bool is_fiber, uint32_t primitive,
-                          const unsigned char *record) {
-    double wi[3], position[3];
-    if (is_fiber) {
+/* The visibility v of a hit record, RGB; false where there is no such triangle or segment. */
+static bool look(const RnaAsset *asset, const Tracer *tracer, const unsigned char *record, float seen[3]) {
+    uint32_t primitive, number;
+    double wi[3], position[3], v[3];
+    memcpy(&primitive, record, sizeof primitive);
+    memcpy(&number, record + 28, sizeof number);
+    const RnaPart *part = number < RNA_MAX_PARTS ? rna_part(asset, (int)number) : NULL;
+    if (!part || primitive >= trace_primitive_count(tracer, (int)number)) return false;
+    if (part->kind == RNA_FIBER) {
         load_vector(record + 4, position);
         load_vector(record + 16, wi);
-        return !trace_visible_on_fiber(tracer, primitive, position, wi);
+        trace_visible_on_fiber(tracer, (int)number, primitive, position, wi, v);
+    } else {
+        float b[2];
+        memcpy(b, record + 4, sizeof b);
+        load_vector(record + 12, wi);
+        trace_visible_on_mesh(tracer, (int)number, primitive, b[0], b[1], wi, v);
     }
-    float b[2];
-    memcpy(b, record + 4, sizeof b);
-    load_vector(record + 12, wi);
-    return !trace_visible_on_mesh(tracer, primitive, b[0], b[1], wi);
+    for (int k = 0; k < 3; k++) seen[k] = (float)v[k];
+    return true;
 }
 
 static int visibility(const RnaAsset *asset, const char *hits, const char *out) {
     size_t size;
-    unsigned char *records = read_file(hits, &size), *picks = records ? malloc(size / HIT_BYTES + 1) : NULL;
+    unsigned char *records = read_file(hits, &size);
+    const size_t n = records ? size / HIT_BYTES : 0;
+    float *seen = malloc((n + 1) * 3 * sizeof *seen);
     Tracer *tracer = trace_new(asset);
     const char *problem = !records || size % HIT_BYTES ? "not records of 32 bytes" : NULL;
-    if (!problem && (!tracer || !picks)) problem = "out of memory";
-    for (size_t i = 0; !problem && i < size / HIT_BYTES; i++) {
-        uint32_t primitive;
-        memcpy(&primitive, records + HIT_BYTES * i, sizeof primitive);
-        if (primitive >= trace_primitive_count(tracer))
+    if (!problem && (!tracer || !seen)) problem = "out of memory";
+    for (size_t i = 0; !problem && i < n; i++)
+        if (!look(asset, tracer, records + HIT_BYTES * i, seen + 3 * i))
             problem = "a triangle or segment that is not there";
-        else
-            picks[i] = pick(tracer, rna_kind(asset) == RNA_FIBER, primitive, records + HIT_BYTES * i);
-    }
-    if (!problem && !write_file(out, picks, size / HIT_BYTES)) problem = "the picks cannot be written";
+    if (!problem && !write_file(out, seen, n * 3 * sizeof *seen)) problem = "the results cannot be written";
     trace_free(tracer);
     free(records);
-    free(picks);
+    free(seen);
     return problem ? fails(problem, hits) : 0;
 }
 
@@ -149,15 +168,19 @@ int main(int argc, char **argv) {
     const char *level = argc > 1 ? argv[1] : "";
     if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nvisibility\nvalidate") < 0;
     if (argc == 3 && strcmp(level, "validate") == 0) return validate(argv[2]);
-    bool evaluates = argc == 6 && strcmp(level, "evaluate") == 0;
-    if (!evaluates && !(argc == 5 && strcmp(level, "visibility") == 0)) {
-        fputs("usage: conform levels | evaluate PACKAGE TIER QUERIES RESULTS |\n"
-              "       visibility PACKAGE HITS PICKS | validate PACKAGE\n", stderr);
+    const bool evaluates = strcmp(level, "evaluate") == 0, emits = strcmp(level, "emission") == 0;
+    const bool looks = argc == 5 && strcmp(level, "visibility") == 0;
+    if (!looks && !(argc == 7 && (evaluates || emits))) {
+        fputs("usage: conform levels | evaluate PACKAGE TIER PART QUERIES RESULTS |\n"
+              "       emission PACKAGE TIER PART QUERIES RESULTS |\n"
+              "       visibility PACKAGE HITS RESULTS | validate PACKAGE\n", stderr);
         return 2;
     }
     RnaAsset *asset = open_or_tell(argv[2]);
     if (!asset) return 2;
-    int status = evaluates ? evaluate(asset, argv[3], argv[4], argv[5]) : visibility(asset, argv[3], argv[4]);
+    Question question = {asset, .emission = emits, .columns = emits ? 10 : 13, .results = emits ? 3 : 6};
+    int status = looks ? visibility(asset, argv[3], argv[4])
+                       : answer(question, argv[3], argv[4], argv[5], argv[6]);
     rna_close(asset);
     return status;
 }

@@ -53,34 +53,54 @@ static float odd_number(unsigned i) {
     return i % 5 ? NUMBERS[i % 8] : NUMBERS[i % 16];
 }
 
-static void evaluate(const RnaAsset *asset, Tally *tally, unsigned long long seed) {
-    float in[5][3 * POINTS], out[2][3 * POINTS];
+/* Ends the program where one of n colours is not finite or below 0. */
+static void check_colours(const float *colours, size_t n, unsigned long long seed) {
+    for (size_t i = 0; i < 3 * n; i++)
+        if (!(isfinite(colours[i]) && colours[i] >= 0)) stop("a colour that is not finite and >= 0", seed);
+}
+
+static void evaluate_part(const RnaAsset *asset, int tier, int part, Tally *tally, unsigned long long seed) {
+    float in[5][3 * POINTS], out[3][3 * POINTS];
     for (unsigned k = 0; k < 5; k++)
         for (unsigned i = 0; i < 3 * POINTS; i++) in[k][i] = odd_number((unsigned)seed + 1000 * k + i);
-    for (int tier = 0; tier < rna_tier_count(asset); tier++) {
-        RnaStatus status = rna_evaluate(asset, tier, POINTS, in[0], in[1], in[2], in[3], in[4], out[0],
-                                        out[1]);
-        tally->unsupported += status == RNA_UNSUPPORTED_DECODER;
-        if (status != RNA_OK && status != RNA_UNSUPPORTED_DECODER) stop(rna_status_text(status), seed);
-        for (int i = 0; status == RNA_OK && i < 3 * POINTS; i++)
-            if (!(isfinite(out[0][i]) && out[0][i] >= 0 && isfinite(out[1][i]) && out[1][i] >= 0))
-                stop("transport that is not finite and >= 0", seed);
-        tally->evaluated += status == RNA_OK;
+    RnaStatus status = rna_evaluate(asset, tier, part, POINTS, in[0], in[1], in[2], in[3], in[4], out[0],
+                                    out[1]);
+    RnaStatus emitted = rna_emission(asset, tier, part, POINTS, in[0], in[1], in[2], in[3], out[2]);
+    tally->unsupported += status == RNA_UNSUPPORTED_DECODER;
+    tally->evaluated += status == RNA_OK;
+    if (status != RNA_OK && status != RNA_UNSUPPORTED_DECODER) stop(rna_status_text(status), seed);
+    if (emitted != RNA_OK && emitted != RNA_UNSUPPORTED_DECODER) stop(rna_status_text(emitted), seed);
+    if (status == RNA_OK) check_colours(out[0], 2 * POINTS, seed);
+    if (emitted == RNA_OK) check_colours(out[2], POINTS, seed);
+}
+
+/* Rays about a point of the part. */
+static void trace_part(const RnaAsset *asset, const Tracer *tracer, int part, unsigned long long seed) {
+    for (unsigned i = 0; i < RAYS; i++) {
+        double wi[3] = {i % 3 - 1.0, i % 2 - 0.4, i / 7.0}, position[3] = {0.1, i / 9.0, -0.2}, v[3];
+        float tau[3], direction[3] = {odd_number(i), odd_number(i + 100), odd_number(i + 200)};
+        uint32_t primitive = (uint32_t)(seed + i) % trace_primitive_count(tracer, part);
+        TraceHit hit, behind;
+        if (rna_part(asset, part)->mesh)
+            trace_visible_on_mesh(tracer, part, primitive, 0.3, 0.2, wi, v);
+        else
+            trace_visible_on_fiber(tracer, part, primitive, position, wi, v);
+        rna_transmittance(asset, part, primitive, odd_number(i + 300), 0.2, direction, tau);
+        for (int k = 0; k < 3; k++)
+            if (!(v[k] >= 0 && v[k] <= 1 && tau[k] >= 0 && tau[k] <= 1)) stop("not from 0 to 1", seed);
+        if (trace_closest(tracer, position, wi, NULL, &hit) &&
+            trace_closest(tracer, position, wi, &hit, &behind) && !(behind.t >= hit.t))
+            stop("hits out of order", seed);
     }
 }
 
-static void trace(const RnaAsset *asset, unsigned long long seed) {
+/* Asks everything of the asset. */
+static void use(const RnaAsset *asset, Tally *tally, unsigned long long seed) {
     Tracer *tracer = trace_new(asset);
     if (!tracer) stop("no memory for the tracer", seed);
-    for (unsigned i = 0; i < RAYS; i++) {
-        double wi[3] = {i % 3 - 1.0, i % 2 - 0.4, i / 7.0}, position[3] = {0.1, i / 9.0, -0.2};
-        uint32_t primitive = (uint32_t)(seed + i) % trace_primitive_count(tracer);
-        TraceHit hit;
-        if (rna_kind(asset) == RNA_SURFACE)
-            trace_visible_on_mesh(tracer, primitive, 0.3, 0.2, wi);
-        else
-            trace_visible_on_fiber(tracer, primitive, position, wi);
-        trace_closest(tracer, position, wi, &hit);
+    for (int part = 0; part < rna_part_count(asset); part++) {
+        for (int tier = 0; tier < rna_tier_count(asset); tier++) evaluate_part(asset, tier, part, tally, seed);
+        trace_part(asset, tracer, part, seed);
     }
     trace_free(tracer);
 }
@@ -108,8 +128,7 @@ static void try_mutation(const Package *package, unsigned long long seed, unsign
     if ((asset == NULL) != (report.errors > 0)) stop("verdict and report differ", seed);
     if (asset) {
         tally->accepted++;
-        evaluate(asset, tally, seed);
-        trace(asset, seed);
+        use(asset, tally, seed);
     } else {
         count_refusal(tally, &report);
     }

@@ -2,19 +2,19 @@
 #include "mutate.h"
 #include "rna.c" /* for its CRC-32, its SHA-256 and its wire format */
 
-enum { MAX_PART = 1 << 18, MAX_PARTS = 16 };
+enum { MAX_ITEM = 1 << 18, MAX_ITEMS = 24 };
 
 /* An entry of the package. */
-typedef struct Part {
+typedef struct Item {
     char name[MAX_NAME + 1];
     uint8_t *data;
     size_t size;
     char digest[65]; /* of the data as it was */
-} Part;
+} Item;
 
 typedef struct Mutator {
     uint64_t state; /* of the random numbers */
-    Part parts[MAX_PARTS];
+    Item items[MAX_ITEMS];
     int count;
 } Mutator;
 
@@ -38,52 +38,52 @@ static uint32_t odd_word(Mutator *m) {
 }
 
 /* Replaces `gone` bytes at `at` by others; does nothing where they do not fit. */
-static void splice(Part *part, size_t at, size_t gone, const void *bytes, size_t count) {
-    if (at > part->size) return;
-    if (gone > part->size - at) gone = part->size - at;
-    if (part->size - gone + count > MAX_PART) return;
+static void splice(Item *item, size_t at, size_t gone, const void *bytes, size_t count) {
+    if (at > item->size) return;
+    if (gone > item->size - at) gone = item->size - at;
+    if (item->size - gone + count > MAX_ITEM) return;
     uint8_t *copy = malloc(count + 1);
     if (!copy) return;
-    if (count) memcpy(copy, bytes, count); /* they may be of the part itself */
-    memmove(part->data + at + count, part->data + at + gone, part->size - at - gone);
-    memcpy(part->data + at, copy, count);
-    part->size = part->size - gone + count;
+    if (count) memcpy(copy, bytes, count); /* they may be of the item itself */
+    memmove(item->data + at + count, item->data + at + gone, item->size - at - gone);
+    memcpy(item->data + at, copy, count);
+    item->size = item->size - gone + count;
     free(copy);
 }
 
-static void mutate_bytes(Mutator *m, Part *part, size_t from, size_t to) {
+static void mutate_bytes(Mutator *m, Item *item, size_t from, size_t to) {
     if (to <= from) return;
     size_t at = from + below(m, to - from), count = 1 + below(m, 16);
     uint32_t word = odd_word(m);
     switch (below(m, 8)) {
-    case 0: part->data[at] ^= (uint8_t)(1u << below(m, 8)); break;
-    case 1: part->data[at] = (uint8_t)word; break;
-    case 2: splice(part, at, count, NULL, 0); break;
-    case 3: splice(part, at, 0, part->data + at, count < to - at ? count : to - at); break;
+    case 0: item->data[at] ^= (uint8_t)(1u << below(m, 8)); break;
+    case 1: item->data[at] = (uint8_t)word; break;
+    case 2: splice(item, at, count, NULL, 0); break;
+    case 3: splice(item, at, 0, item->data + at, count < to - at ? count : to - at); break;
     default:
         at = from + (at - from) / 4 * 4;
-        if (to - at >= 4) memcpy(part->data + at, &word, 4);
+        if (to - at >= 4) memcpy(item->data + at, &word, 4);
     }
 }
 
 /* ----------------------------------------------------------------- JSON text */
 
 /* A token from a random place on, before `to`: a number or word, or a string; its size. */
-static size_t find_token(Mutator *m, const Part *part, size_t from, size_t to, size_t *at) {
+static size_t find_token(Mutator *m, const Item *item, size_t from, size_t to, size_t *at) {
     if (to <= from) return 0;
     *at = from + below(m, to - from);
-    while (*at < to && !memchr("\"0123456789-", part->data[*at], 12)) ++*at;
+    while (*at < to && !memchr("\"0123456789-", item->data[*at], 12)) ++*at;
     if (*at >= to) return 0;
     size_t end = *at + 1;
-    if (part->data[*at] == '"') {
-        while (end < to && part->data[end] != '"') end++;
+    if (item->data[*at] == '"') {
+        while (end < to && item->data[end] != '"') end++;
         return end < to ? end + 1 - *at : 0;
     }
-    while (end < to && memchr("0123456789.eE+-", part->data[end], 15)) end++;
+    while (end < to && memchr("0123456789.eE+-", item->data[end], 15)) end++;
     return end - *at;
 }
 
-static void mutate_text(Mutator *m, Part *part, size_t from, size_t to) {
+static void mutate_text(Mutator *m, Item *item, size_t from, size_t to) {
     static const char *const VALUES[] = {
         "0", "-0", "1", "-1", "2", "3", "8.0", "1e0", "8e-1", "1e400", "-1e400", "1e-400", "64", "65", "4096",
         "4097", "4294967295", "4294967296", "9007199254740991", "9007199254740993",
@@ -91,32 +91,33 @@ static void mutate_text(Mutator *m, Part *part, size_t from, size_t to) {
         ".5", "1e", "true", "false", "null", "[]", "{}", "[0]", "{\"a\":1}", "\"\"", "\"8\"", "\"\\ud800\"",
         "\"\\ud83d\\ude00\"", "\"\\u0000\"", "\"\\q\"", "\"../x\"", "\"float16\"", "\"int8\"", "\"float32\"",
         "\"fiber\"", "\"surface\"", "\"1.0\"", "\"1.1\"", "\"01.0\"", "\"1.0\\n\"", "\"F32\"", "\"U32\"",
-        "\"VEC3\"", "\"SCALAR\"", "\"hemisphere\"", "\"features\"", "\"h\"", "\"learned_normal\"",
+        "\"VEC3\"", "\"SCALAR\"", "\"U8\"", "\"U16\"", "\"I16\"", "\"I32\"", "5122", "5123", "[1.5,1.5]", "[0,3]",
+        "[1,1,3]", "\"KHR_mesh_quantization\"", "\"hemisphere\"", "\"features\"", "\"h\"", "\"learned_normal\"",
         "[{\"axis\":[0,1,0],\"halfAngle\":0.5}]", "\"\xc3\x28\"", "\"\xed\xa0\x80\"", "\"\xf4\x90\x80\x80\"",
         "[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[["};
     static const char MARKS[] = "{}[]\",:0123456789eE+-. \\ntrufalsx/\t\n";
-    size_t at, size = find_token(m, part, from, to, &at), other, other_size;
+    size_t at, size = find_token(m, item, from, to, &at), other, other_size;
     const char *value = VALUES[below(m, sizeof VALUES / sizeof *VALUES)];
     switch (below(m, 12)) {
     case 0:
     case 1:
     case 2: /* another token of the text */
-        other_size = find_token(m, part, from, to, &other);
-        if (size && other_size) splice(part, at, size, part->data + other, other_size);
+        other_size = find_token(m, item, from, to, &other);
+        if (size && other_size) splice(item, at, size, item->data + other, other_size);
         break;
     case 3:
     case 4: /* a whole line again, or gone */
         at = from + below(m, to - from);
-        for (size = 0; at + size < to && part->data[at + size] != ','; size++) {}
+        for (size = 0; at + size < to && item->data[at + size] != ','; size++) {}
         if (below(m, 2))
-            splice(part, at, size, NULL, 0);
+            splice(item, at, size, NULL, 0);
         else
-            splice(part, at, 0, part->data + at, size + (at + size < to));
+            splice(item, at, 0, item->data + at, size + (at + size < to));
         break;
-    case 5: part->data[from + below(m, to - from)] = (uint8_t)MARKS[below(m, sizeof MARKS - 1)]; break;
+    case 5: item->data[from + below(m, to - from)] = (uint8_t)MARKS[below(m, sizeof MARKS - 1)]; break;
     case 6:
-    case 7: mutate_bytes(m, part, from, to); break;
-    default: splice(part, at, size, value, size ? strlen(value) : 0);
+    case 7: mutate_bytes(m, item, from, to); break;
+    default: splice(item, at, size, value, size ? strlen(value) : 0);
     }
 }
 
@@ -150,10 +151,10 @@ static uint64_t odd_varint(Mutator *m, uint64_t value) {
 static void put_odd_bytes(Mutator *m, Output *out, Span bytes) {
     static const char *const TEXTS[] = {
         "Relu", "Gemm", "Clip", "Exp", "Sub", "Mul", "MatMul", "Concat", "Add", "QuantizeLinear",
-        "DequantizeLinear", "Identity", "Loop", "queries", "transport", "ai.onnx", "axis", "c0", "c1",
+        "DequantizeLinear", "Identity", "Loop", "queries", "transport", "emission", "ai.onnx", "axis", "c0", "c1",
         "c2", "v0", "v1", "v2", ""};
     uint8_t *copy = malloc(bytes.size + 16);
-    Part part = {.data = copy, .size = bytes.size};
+    Item item = {.data = copy, .size = bytes.size};
     if (!copy) return;
     memcpy(copy, bytes.at, bytes.size);
     const char *text = TEXTS[below(m, sizeof TEXTS / sizeof *TEXTS)];
@@ -163,7 +164,7 @@ static void put_odd_bytes(Mutator *m, Output *out, Span bytes) {
         put_bytes(out, text, strlen(text));
         free(copy);
         return;
-    case 1: part.size = below(m, bytes.size + 1); break;
+    case 1: item.size = below(m, bytes.size + 1); break;
     default:
         for (size_t k = 1 + below(m, 4); k && bytes.size; k--) {
             uint32_t word = odd_word(m);
@@ -174,8 +175,8 @@ static void put_odd_bytes(Mutator *m, Output *out, Span bytes) {
                 copy[at] = (uint8_t)word;
         }
     }
-    put_varint(out, part.size);
-    put_bytes(out, part.data, part.size);
+    put_varint(out, item.size);
+    put_bytes(out, item.data, item.size);
     free(copy);
 }
 
@@ -201,7 +202,7 @@ static void mutate_message(Mutator *m, Span message, Output *out, int depth) {
         }
         size_t action = below(m, 16);
         if (is_bytes && depth < 6 && count_fields(field.bytes) && action > 2) {
-            Output inner = {malloc(MAX_PART), 0, MAX_PART};
+            Output inner = {malloc(MAX_ITEM), 0, MAX_ITEM};
             if (!inner.at) return;
             mutate_message(m, field.bytes, &inner, depth + 1);
             put_varint(out, tag);
@@ -228,66 +229,66 @@ static void mutate_message(Mutator *m, Span message, Output *out, int depth) {
 
 /* ------------------------------------------------------------------- Entries */
 
-static void mutate_glb(Mutator *m, Part *part) {
-    bool whole = part->size >= 28 && u32_at(part->data + 12) <= part->size - 28; /* as yet */
+static void mutate_glb(Mutator *m, Item *item) {
+    bool whole = item->size >= 28 && u32_at(item->data + 12) <= item->size - 28; /* as yet */
     if (!whole || below(m, 16) == 0) {
-        mutate_bytes(m, part, 0, part->size < 64 ? part->size : 64);
+        mutate_bytes(m, item, 0, item->size < 64 ? item->size : 64);
         return;
     }
-    uint32_t text = u32_at(part->data + 12), before = (uint32_t)part->size;
+    uint32_t text = u32_at(item->data + 12), before = (uint32_t)item->size;
     if (below(m, 2)) {
-        mutate_bytes(m, part, 20 + text, part->size);
+        mutate_bytes(m, item, 20 + text, item->size);
     } else {
-        mutate_text(m, part, 20, 20 + text);
-        while (part->size % 4) splice(part, 20, 0, " ", 1);
-        text += (uint32_t)part->size - before;
+        mutate_text(m, item, 20, 20 + text);
+        while (item->size % 4) splice(item, 20, 0, " ", 1);
+        text += (uint32_t)item->size - before;
     }
-    uint32_t size = (uint32_t)part->size, blob = size - text - 28;
-    if (below(m, 16) == 0 || (size_t)text + 28 > part->size) return;
-    memcpy(part->data + 8, &size, 4);
-    memcpy(part->data + 12, &text, 4);
-    memcpy(part->data + 20 + text, &blob, 4);
+    uint32_t size = (uint32_t)item->size, blob = size - text - 28;
+    if (below(m, 16) == 0 || (size_t)text + 28 > item->size) return;
+    memcpy(item->data + 8, &size, 4);
+    memcpy(item->data + 12, &text, 4);
+    memcpy(item->data + 20 + text, &blob, 4);
 }
 
-static void mutate_tensors(Mutator *m, Part *part) {
-    bool whole = part->size >= 8 && u64_at(part->data) <= part->size - 8; /* as yet */
+static void mutate_tensors(Mutator *m, Item *item) {
+    bool whole = item->size >= 8 && u64_at(item->data) <= item->size - 8; /* as yet */
     if (!whole || below(m, 16) == 0) {
-        mutate_bytes(m, part, 0, part->size < 64 ? part->size : 64);
+        mutate_bytes(m, item, 0, item->size < 64 ? item->size : 64);
         return;
     }
-    size_t header = (size_t)u64_at(part->data), before = part->size;
+    size_t header = (size_t)u64_at(item->data), before = item->size;
     if (below(m, 2)) {
-        for (size_t k = 1 + below(m, 3); k; k--) mutate_bytes(m, part, 8 + header, part->size);
+        for (size_t k = 1 + below(m, 3); k; k--) mutate_bytes(m, item, 8 + header, item->size);
         return;
     }
-    mutate_text(m, part, 8, 8 + header);
-    header += part->size - before;
-    while (header > 0 && part->data[8 + header - 1] == ' ') splice(part, 8 + --header, 1, NULL, 0);
-    while ((8 + header) % 64 && part->size < MAX_PART) splice(part, 8 + header++, 0, " ", 1);
+    mutate_text(m, item, 8, 8 + header);
+    header += item->size - before;
+    while (header > 0 && item->data[8 + header - 1] == ' ') splice(item, 8 + --header, 1, NULL, 0);
+    while ((8 + header) % 64 && item->size < MAX_ITEM) splice(item, 8 + header++, 0, " ", 1);
     uint64_t size = header;
-    if (below(m, 16)) memcpy(part->data, &size, 8);
+    if (below(m, 16)) memcpy(item->data, &size, 8);
 }
 
-static void mutate_decoder(Mutator *m, Part *part) {
-    Output out = {malloc(MAX_PART), 0, MAX_PART};
+static void mutate_decoder(Mutator *m, Item *item) {
+    Output out = {malloc(MAX_ITEM), 0, MAX_ITEM};
     if (!out.at) return;
-    mutate_message(m, (Span){part->data, part->size}, &out, 0);
+    mutate_message(m, (Span){item->data, item->size}, &out, 0);
     if (below(m, 32) == 0) out.size = below(m, out.size);
-    memcpy(part->data, out.at, out.size);
-    part->size = out.size;
+    memcpy(item->data, out.at, out.size);
+    item->size = out.size;
     free(out.at);
 }
 
-static void mutate_part(Mutator *m, Part *part) {
-    const char *dot = strrchr(part->name, '.');
+static void mutate_item(Mutator *m, Item *item) {
+    const char *dot = strrchr(item->name, '.');
     if (strcmp(dot, ".json") == 0)
-        mutate_text(m, part, 0, part->size);
+        mutate_text(m, item, 0, item->size);
     else if (strcmp(dot, ".glb") == 0)
-        mutate_glb(m, part);
+        mutate_glb(m, item);
     else if (strcmp(dot, ".onnx") == 0)
-        mutate_decoder(m, part);
+        mutate_decoder(m, item);
     else
-        mutate_tensors(m, part);
+        mutate_tensors(m, item);
 }
 
 /* ------------------------------------------------------------------- Package */
@@ -295,37 +296,37 @@ static void mutate_part(Mutator *m, Part *part) {
 static bool take_apart(Mutator *m, Span package) {
     const uint8_t *end = package.at + package.size - END_SIZE;
     m->count = (int)u16_at(end + 10);
-    if (m->count > MAX_PARTS) return false;
+    if (m->count > MAX_ITEMS) return false;
     size_t at = u32_at(end + 16);
     for (int i = 0; i < m->count; i++) {
         const uint8_t *central = package.at + at;
         size_t name = u16_at(central + 28), header = u32_at(central + 42);
         const uint8_t *local = package.at + header;
-        Part *part = &m->parts[i];
-        memcpy(part->name, central + CENTRAL_SIZE, name);
-        part->size = u32_at(central + 24);
-        part->data = malloc(MAX_PART);
-        if (!part->data || part->size > MAX_PART) return false;
-        memcpy(part->data, local + LOCAL_SIZE + name + u16_at(local + 28), part->size);
-        sha256((Span){part->data, part->size}, part->digest);
+        Item *item = &m->items[i];
+        memcpy(item->name, central + CENTRAL_SIZE, name);
+        item->size = u32_at(central + 24);
+        item->data = malloc(MAX_ITEM);
+        if (!item->data || item->size > MAX_ITEM) return false;
+        memcpy(item->data, local + LOCAL_SIZE + name + u16_at(local + 28), item->size);
+        sha256((Span){item->data, item->size}, item->digest);
         at += CENTRAL_SIZE + name;
     }
     return true;
 }
 
-/* Makes the manifest's size and SHA-256 of the part fit it again. */
-static void declare(Part *manifest, const Part *part) {
+/* Makes the manifest's size and SHA-256 of the item fit it again. */
+static void declare(Item *manifest, const Item *item) {
     char digest[65], size[24];
-    sha256((Span){part->data, part->size}, digest);
+    sha256((Span){item->data, item->size}, digest);
     for (size_t i = 64; i + 64 < manifest->size; i++) {
-        if (memcmp(manifest->data + i, part->digest, 64)) continue;
+        if (memcmp(manifest->data + i, item->digest, 64)) continue;
         memcpy(manifest->data + i, digest, 64);
         while (i > 8 && memcmp(manifest->data + i, "\"size\": ", 8)) i--;
         size_t start = i + 8, digits = 0;
         while (start + digits < manifest->size && manifest->data[start + digits] >= '0' &&
                manifest->data[start + digits] <= '9')
             digits++;
-        snprintf(size, sizeof size, "%zu", part->size);
+        snprintf(size, sizeof size, "%zu", item->size);
         splice(manifest, start, digits, size, strlen(size));
         return;
     }
@@ -342,47 +343,47 @@ static void put_u32(Output *out, size_t value) {
 }
 
 /* What local and central header have in common, from the version on. */
-static void put_header(Output *out, const Part *part, uint32_t crc, unsigned extra) {
+static void put_header(Output *out, const Item *item, uint32_t crc, unsigned extra) {
     put_u16(out, 20);
     put_u32(out, 0);
     put_u16(out, 0);
     put_u16(out, 0x0021);
     put_u32(out, crc);
-    put_u32(out, part->size);
-    put_u32(out, part->size);
-    put_u16(out, (unsigned)strlen(part->name));
+    put_u32(out, item->size);
+    put_u32(out, item->size);
+    put_u16(out, (unsigned)strlen(item->name));
     put_u16(out, extra);
 }
 
 static void assemble(Mutator *m, Output *out, bool wrong_crc) {
-    size_t offsets[MAX_PARTS];
-    uint32_t crcs[MAX_PARTS];
+    size_t offsets[MAX_ITEMS];
+    uint32_t crcs[MAX_ITEMS];
     for (int i = 0; i < m->count; i++) {
-        const Part *part = &m->parts[i];
-        unsigned extra = (unsigned)(-(out->size + LOCAL_SIZE + strlen(part->name)) % ALIGNMENT);
+        const Item *item = &m->items[i];
+        unsigned extra = (unsigned)(-(out->size + LOCAL_SIZE + strlen(item->name)) % ALIGNMENT);
         extra += extra && extra < 4 ? ALIGNMENT : 0;
-        crcs[i] = crc32((Span){part->data, part->size}) ^ (wrong_crc && i == m->count - 1);
+        crcs[i] = crc32((Span){item->data, item->size}) ^ (wrong_crc && i == m->count - 1);
         offsets[i] = out->size;
         put_u32(out, 0x04034B50);
-        put_header(out, part, crcs[i], extra);
-        put_bytes(out, part->name, strlen(part->name));
+        put_header(out, item, crcs[i], extra);
+        put_bytes(out, item->name, strlen(item->name));
         if (extra) {
             uint8_t padding[2 * ALIGNMENT] = {0};
             put_u16(out, PADDING_ID);
             put_u16(out, extra - 4);
             put_bytes(out, padding, extra - 4);
         }
-        put_bytes(out, part->data, part->size);
+        put_bytes(out, item->data, item->size);
     }
     size_t directory = out->size;
     for (int i = 0; i < m->count; i++) {
         uint8_t zeros[12] = {0};
         put_u32(out, 0x02014B50);
         put_u16(out, 20);
-        put_header(out, &m->parts[i], crcs[i], 0);
+        put_header(out, &m->items[i], crcs[i], 0);
         put_bytes(out, zeros, 10);
         put_u32(out, offsets[i]);
-        put_bytes(out, m->parts[i].name, strlen(m->parts[i].name));
+        put_bytes(out, m->items[i].name, strlen(m->items[i].name));
     }
     size_t size = out->size - directory;
     put_u32(out, 0x06054B50);
@@ -395,7 +396,7 @@ static void assemble(Mutator *m, Output *out, bool wrong_crc) {
 }
 
 /* Changes a header, the directory, or any bytes of the whole. */
-static void mutate_container(Mutator *m, Part *whole) {
+static void mutate_container(Mutator *m, Item *whole) {
     size_t directory = u32_at(whole->data + whole->size - 6);
     switch (below(m, 4)) {
     case 0: mutate_bytes(m, whole, 0, 64); break;
@@ -413,17 +414,17 @@ size_t rna_mutate(const uint8_t *package, size_t size, uint64_t seed, uint8_t *o
     if (take_apart(&m, (Span){package, size}) && m.count > 1) {
         repair = below(&m, 24);
         if (repair > 3 || below(&m, 2)) {
-            Part *part = &m.parts[below(&m, 3) ? 1 + below(&m, (size_t)m.count - 1) : 0];
-            for (size_t k = below(&m, 4) ? 1 : 1 + below(&m, 4); k; k--) mutate_part(&m, part);
-            if (part != m.parts && repair != 0) declare(&m.parts[0], part);
+            Item *item = &m.items[below(&m, 3) ? 1 + below(&m, (size_t)m.count - 1) : 0];
+            for (size_t k = below(&m, 4) ? 1 : 1 + below(&m, 4); k; k--) mutate_item(&m, item);
+            if (item != m.items && repair != 0) declare(&m.items[0], item);
         }
         assemble(&m, &whole, repair == 1);
     }
     if (repair == 2 || repair == 3) {
-        Part bytes = {.data = out, .size = whole.size};
-        if (room >= MAX_PART) mutate_container(&m, &bytes);
+        Item bytes = {.data = out, .size = whole.size};
+        if (room >= MAX_ITEM) mutate_container(&m, &bytes);
         whole.size = bytes.size;
     }
-    for (int i = 0; i < m.count && i < MAX_PARTS; i++) free(m.parts[i].data);
+    for (int i = 0; i < m.count && i < MAX_ITEMS; i++) free(m.items[i].data);
     return whole.size;
 }

@@ -1,10 +1,16 @@
-/* Renders an asset under one directional light: rays of its own, transport of the C host.
+/* Renders an asset under one sun: rays of its own, transport and emission of the C host.
  *
- *     render ASSET.rna OUT.ppm [WIDTH HEIGHT [SAMPLES]]
+ *     render ASSET.rna OUT.ppm [OPTION VALUES]...
  *
- * The camera and the light are those of examples/quickstart/scene.yaml for a surface, and of
- * examples/fibers/scene.yaml for fibers; without its other lights.  An asset is asked in batches: all
- * hits of a line of the picture at once. */
+ *     --size WIDTH HEIGHT      480 270
+ *     --samples N              rays along each side of a pixel; 4
+ *     --tier NAME              the first
+ *     --camera X Y Z X Y Z FOV position, point looked at, vertical field of view in degrees; +Y is up
+ *     --sun X Y Z R G B        direction to it and irradiance
+ *     --glow FACTOR            of the asset's own light; 1
+ *
+ * The default camera has the whole asset in view.  Options have the meaning of the same words in
+ * scenes of rna-run.  Parts are asked in batches: hits are kept until there are many. */
 #include "rna.h"
 #include "trace.h"
 
@@ -13,14 +19,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct View {
-    double position[3], look_at[3], vertical_fov_deg; /* +Y is up */
-    double wi[3], irradiance[3];                      /* of the light */
-} View;
+enum { ROWS = 2048, MAX_LAYERS = 256 };
 
-static const View QUICKSTART = {
-    {1.42, 0.80, 0.78}, {0.38, 0.17, -0.16}, 26, {0.55, 0.75, 0.65}, {2.5, 2.35, 2.1}};
-static const View FIBERS = {{0.75, 0.45, 1.1}, {0, 0, 0}, 32, {0.8, 0.55, 0.5}, {3.6, 3.4, 3.1}};
+typedef struct View {
+    int width, height, samples, tier;
+    double camera[7], sun[6], glow;
+} View;
 
 static void normalize(double v[3]) {
     double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -31,21 +35,41 @@ static void cross(const double a[3], const double b[3], double out[3]) {
     for (int k = 0; k < 3; k++) out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
+/* -------------------------------------------------------------------- Camera */
+
+/* A camera that has the bounds of all parts in view. */
+static void look_at_asset(const RnaAsset *asset, double camera[7]) {
+    static const double FROM[3] = {0.66, 0.37, 0.66}, FOV = 30;
+    double low[3], high[3], square = 0;
+    for (int i = 0; i < rna_part_count(asset); i++)
+        for (int k = 0; k < 3; k++) {
+            const RnaPart *part = rna_part(asset, i);
+            low[k] = i ? fmin(low[k], part->low[k]) : part->low[k];
+            high[k] = i ? fmax(high[k], part->high[k]) : part->high[k];
+        }
+    for (int k = 0; k < 3; k++) square += (high[k] - low[k]) * (high[k] - low[k]) / 4;
+    double distance = sqrt(square) / sin(FOV * 3.141592653589793 / 360);
+    for (int k = 0; k < 3; k++) {
+        camera[3 + k] = (low[k] + high[k]) / 2;
+        camera[k] = camera[3 + k] + distance * FROM[k];
+    }
+    camera[6] = FOV;
+}
+
 /* Directions through the picture: (x, y) from the top left corner, in pixels. */
 typedef struct Camera {
-    double origin[3], forward[3], right[3], up[3], scale, half_width, half_height;
+    double forward[3], right[3], up[3], scale, half_width, half_height;
 } Camera;
 
-static Camera place_camera(const View *view, int width, int height) {
+static Camera place_camera(const View *view) {
     const double vertical[3] = {0, 1, 0};
-    Camera camera = {.half_width = width / 2.0, .half_height = height / 2.0};
-    memcpy(camera.origin, view->position, sizeof camera.origin);
-    for (int k = 0; k < 3; k++) camera.forward[k] = view->look_at[k] - view->position[k];
+    Camera camera = {.half_width = view->width / 2.0, .half_height = view->height / 2.0};
+    for (int k = 0; k < 3; k++) camera.forward[k] = view->camera[3 + k] - view->camera[k];
     normalize(camera.forward);
     cross(camera.forward, vertical, camera.right);
     normalize(camera.right);
     cross(camera.right, camera.forward, camera.up);
-    camera.scale = tan(view->vertical_fov_deg * 3.141592653589793 / 360) / camera.half_height;
+    camera.scale = tan(view->camera[6] * 3.141592653589793 / 360) / camera.half_height;
     return camera;
 }
 
@@ -56,64 +80,127 @@ static void ray_through(const Camera *camera, double x, double y, double directi
     normalize(direction);
 }
 
-/* Rows for rna_evaluate, one a hit. */
+/* ---------------------------------------------------------------------- Hits */
+
+/* Hits of a part, as rna_evaluate and rna_emission take them. */
 typedef struct Rows {
     size_t count;
-    float *positions, *axes, *h, *wo, *wi, *visible, *shadowed;
-    bool *seen;   /* whether the asset leaves the way to the light free */
-    int *pixel;   /* column of the picture */
+    float positions[3 * ROWS], axes[3 * ROWS], h[ROWS], wo[3 * ROWS], wi[3 * ROWS];
+    float visible[3 * ROWS], shadowed[3 * ROWS], emission[3 * ROWS]; /* results */
+    float v[3 * ROWS];     /* visibility of the sun */
+    float share[3 * ROWS]; /* of the hit in its pixel */
+    float *pixel[ROWS];    /* three linear colours */
 } Rows;
 
-/* Notes a hit: what section 7 asks for, and the pick between the two colours. */
-static void add_hit(const RnaAsset *asset, const Tracer *tracer, const View *view, const double direction[3],
-                    const TraceHit *hit, int pixel, Rows *rows) {
-    double x[3], axis[3], h = 0, across[3], wo[3];
-    for (int k = 0; k < 3; k++) wo[k] = -direction[k];
-    if (rna_kind(asset) == RNA_SURFACE) {
-        trace_surface_point(rna_mesh(asset), hit->primitive, hit->b1, hit->b2, x, axis);
-        rows->seen[rows->count] = trace_visible_on_mesh(tracer, hit->primitive, hit->b1, hit->b2, view->wi);
-    } else {
-        for (int k = 0; k < 3; k++) x[k] = view->position[k] + hit->t * direction[k];
-        trace_tangent(tracer, hit->primitive, axis);
-        cross(axis, wo, across);
-        double width = sqrt(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]);
-        for (int k = 0; k < 3; k++) h += width > 1e-6 ? hit->n[k] * across[k] / width : 0;
-        rows->seen[rows->count] = trace_visible_on_fiber(tracer, hit->primitive, x, view->wi);
+typedef struct Renderer {
+    const RnaAsset *asset;
+    const Tracer *tracer;
+    const View *view;
+    Camera camera;
+    Rows *rows; /* one a part */
+} Renderer;
+
+/* Asks for the colours of the hits of a part, and adds them to their pixels. */
+static RnaStatus shade(Renderer *renderer, int part) {
+    const View *view = renderer->view;
+    Rows *rows = &renderer->rows[part];
+    RnaStatus status = rna_evaluate(renderer->asset, view->tier, part, rows->count, rows->positions, rows->axes,
+                                    rows->h, rows->wo, rows->wi, rows->visible, rows->shadowed);
+    if (status == RNA_OK)
+        status = rna_emission(renderer->asset, view->tier, part, rows->count, rows->positions, rows->axes,
+                              rows->h, rows->wo, rows->emission);
+    for (size_t i = 0; status == RNA_OK && i < 3 * rows->count; i++) {
+        double v = rows->v[i], transport = v * rows->visible[i] + (1 - v) * rows->shadowed[i];
+        double light = view->sun[3 + i % 3] * transport + view->glow * rows->emission[i];
+        rows->pixel[i / 3][i % 3] += (float)(rows->share[i] * light);
     }
+    rows->count = 0;
+    return status;
+}
+
+/* What section 7 asks for of a hit of the ray towards `direction`. */
+static void describe_hit(const Renderer *renderer, const TraceHit *hit, const double direction[3],
+                         double x[3], double axis[3], double *h, double v[3]) {
+    const RnaMesh *mesh = rna_part(renderer->asset, hit->part)->mesh;
+    const double *sun = renderer->view->sun;
+    *h = 0;
+    if (mesh) {
+        trace_surface_point(mesh, hit->primitive, hit->b1, hit->b2, x, axis);
+        trace_visible_on_mesh(renderer->tracer, hit->part, hit->primitive, hit->b1, hit->b2, sun, v);
+        return;
+    }
+    double wo[3], across[3];
+    for (int k = 0; k < 3; k++) {
+        wo[k] = -direction[k];
+        x[k] = renderer->view->camera[k] + hit->t * direction[k];
+    }
+    trace_tangent(renderer->tracer, hit->part, hit->primitive, axis);
+    cross(axis, wo, across);
+    double width = sqrt(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]);
+    for (int k = 0; k < 3; k++) *h += width > 1e-6 ? hit->n[k] * across[k] / width : 0;
+    trace_visible_on_fiber(renderer->tracer, hit->part, hit->primitive, x, sun, v);
+}
+
+/* Notes a hit that has `share` of its pixel. */
+static RnaStatus add_hit(Renderer *renderer, const TraceHit *hit, const double direction[3],
+                         const double share[3], float *pixel) {
+    Rows *rows = &renderer->rows[hit->part];
+    double x[3], axis[3], h, v[3];
+    describe_hit(renderer, hit, direction, x, axis, &h, v);
     for (size_t k = 0; k < 3; k++) {
-        rows->positions[3 * rows->count + k] = (float)x[k];
-        rows->axes[3 * rows->count + k] = (float)axis[k];
-        rows->wo[3 * rows->count + k] = (float)wo[k];
-        rows->wi[3 * rows->count + k] = (float)view->wi[k];
+        size_t i = 3 * rows->count + k;
+        rows->positions[i] = (float)x[k];
+        rows->axes[i] = (float)axis[k];
+        rows->wo[i] = (float)-direction[k];
+        rows->wi[i] = (float)renderer->view->sun[k];
+        rows->v[i] = (float)v[k];
+        rows->share[i] = (float)share[k];
     }
     rows->h[rows->count] = (float)h;
     rows->pixel[rows->count++] = pixel;
+    return rows->count == ROWS ? shade(renderer, hit->part) : RNA_OK;
 }
 
-/* One line of the picture: linear RGB, width x 3. */
-static RnaStatus render_line(const RnaAsset *asset, const Tracer *tracer, const View *view,
-                             const Camera *camera, int y, int width, int samples, Rows *rows,
-                             float *line) {
-    rows->count = 0;
-    for (int x = 0; x < width; x++)
-        for (int s = 0; s < samples * samples; s++) {
-            double direction[3], dx = (s % samples + 0.5) / samples, dy = (s / samples + 0.5) / samples;
-            TraceHit hit;
-            ray_through(camera, x + dx, y + dy, direction);
-            if (trace_closest(tracer, camera->origin, direction, &hit))
-                add_hit(asset, tracer, view, direction, &hit, x, rows);
+/* All hits of a camera ray: through holes and glass it goes on behind them (section 4.4). */
+static RnaStatus trace_ray(Renderer *renderer, const double direction[3], double weight, float *pixel) {
+    const float d[3] = {(float)direction[0], (float)direction[1], (float)direction[2]};
+    double through[3] = {weight, weight, weight}, share[3];
+    RnaStatus status = RNA_OK;
+    TraceHit hit, before;
+    for (int layer = 0; layer < MAX_LAYERS && status == RNA_OK; layer++, before = hit) {
+        float tau[3];
+        if (!trace_closest(renderer->tracer, renderer->view->camera, direction, layer ? &before : NULL, &hit))
+            break;
+        rna_transmittance(renderer->asset, hit.part, hit.primitive, hit.b1, hit.b2, d, tau);
+        for (int k = 0; k < 3; k++) {
+            share[k] = through[k] * (1 - (double)tau[k]);
+            through[k] *= tau[k];
         }
-    RnaStatus status = rna_evaluate(asset, 0, rows->count, rows->positions, rows->axes, rows->h, rows->wo,
-                                    rows->wi, rows->visible, rows->shadowed);
-    memset(line, 0, 3 * (size_t)width * sizeof *line);
-    for (size_t i = 0; status == RNA_OK && i < rows->count; i++)
-        for (size_t k = 0; k < 3; k++) {
-            float transport = (rows->seen[i] ? rows->visible : rows->shadowed)[3 * i + k];
-            line[3 * (size_t)rows->pixel[i] + k] +=
-                (float)view->irradiance[k] * transport / (float)(samples * samples);
-        }
+        if (share[0] + share[1] + share[2] > 0) status = add_hit(renderer, &hit, direction, share, pixel);
+        if (through[0] + through[1] + through[2] == 0) break;
+    }
     return status;
 }
+
+/* Adds the light of the whole picture to `pixels`. */
+static RnaStatus trace_picture(Renderer *renderer, float *pixels) {
+    const View *view = renderer->view;
+    const int n = view->samples;
+    RnaStatus status = RNA_OK;
+    for (int y = 0; y < view->height; y++)
+        for (int x = 0; x < view->width; x++)
+            for (int s = 0; s < n * n && status == RNA_OK; s++) {
+                double direction[3], dx = (s % n + 0.5) / n, dy = (s / n + 0.5) / n;
+                ray_through(&renderer->camera, x + dx, y + dy, direction);
+                status = trace_ray(renderer, direction, 1.0 / (n * n),
+                                   &pixels[3 * ((size_t)y * (size_t)view->width + (size_t)x)]);
+            }
+    for (int part = 0; part < rna_part_count(renderer->asset) && status == RNA_OK; part++)
+        status = shade(renderer, part);
+    return status;
+}
+
+/* ------------------------------------------------------------------- Picture */
 
 /* The sRGB transfer function (IEC 61966-2-1), in 8 bits. */
 static unsigned char encoded(float linear) {
@@ -122,56 +209,72 @@ static unsigned char encoded(float linear) {
     return (unsigned char)(srgb * 255 + 0.5);
 }
 
-static bool allocate(Rows *rows, size_t room) {
-    float *block = calloc(room * 19 + 1, sizeof *block);
-    rows->positions = block;
-    if (!block) return false;
-    rows->axes = block + 3 * room;
-    rows->wo = block + 6 * room;
-    rows->wi = block + 9 * room;
-    rows->visible = block + 12 * room;
-    rows->shadowed = block + 15 * room;
-    rows->h = block + 18 * room;
-    rows->seen = calloc(room + 1, sizeof *rows->seen);
-    rows->pixel = calloc(room + 1, sizeof *rows->pixel);
-    return rows->seen && rows->pixel;
+static bool write_picture(const char *path, const View *view, const float *pixels) {
+    FILE *out = fopen(path, "wb");
+    if (!out) return false;
+    fprintf(out, "P6\n%d %d\n255\n", view->width, view->height);
+    for (size_t i = 0; i < 3 * (size_t)view->width * (size_t)view->height; i++) putc(encoded(pixels[i]), out);
+    return (ferror(out) | fclose(out)) == 0;
 }
 
-static const char *render(const RnaAsset *asset, FILE *out, int width, int height, int samples) {
-    View view = rna_kind(asset) == RNA_SURFACE ? QUICKSTART : FIBERS;
-    Camera camera = place_camera(&view, width, height);
+static const char *render(const RnaAsset *asset, const View *view, const char *path) {
     Tracer *tracer = trace_new(asset);
-    Rows rows = {0};
-    float *line = malloc(3 * (size_t)width * sizeof *line);
-    unsigned char *bytes = malloc(3 * (size_t)width);
-    const char *problem = NULL;
-    normalize(view.wi);
-    if (!allocate(&rows, (size_t)(width * samples * samples)) || !tracer || !line || !bytes)
-        problem = "out of memory";
-    fprintf(out, "P6\n%d %d\n255\n", width, height);
-    for (int y = 0; y < height && !problem; y++) {
-        RnaStatus status = render_line(asset, tracer, &view, &camera, y, width, samples, &rows, line);
-        if (status != RNA_OK) problem = rna_status_text(status);
-        for (int i = 0; i < 3 * width; i++) bytes[i] = encoded(line[i]);
-        fwrite(bytes, 3, (size_t)width, out);
-    }
+    float *pixels = calloc((size_t)view->width * (size_t)view->height, 3 * sizeof *pixels);
+    Rows *rows = calloc((size_t)rna_part_count(asset), sizeof *rows);
+    Renderer renderer = {asset, tracer, view, place_camera(view), rows};
+    RnaStatus status = tracer && pixels && rows ? trace_picture(&renderer, pixels) : RNA_OUT_OF_MEMORY;
+    const char *problem = status == RNA_OK ? NULL : rna_status_text(status);
+    if (!problem && !write_picture(path, view, pixels)) problem = "cannot be written";
     trace_free(tracer);
-    free(rows.positions);
-    free(rows.seen);
-    free(rows.pixel);
-    free(line);
-    free(bytes);
+    free(pixels);
+    free(rows);
     return problem;
 }
 
-int main(int argc, char **argv) {
-    int width = argc > 4 ? atoi(argv[3]) : 480, height = argc > 4 ? atoi(argv[4]) : 270;
-    int samples = argc > 5 ? atoi(argv[5]) : 4; /* along each side of a pixel */
-    if (argc < 3 || argc == 4 || width < 1 || width > 8192 || height < 1 || height > 8192 || samples < 1 ||
-        samples > 64) {
-        fputs("usage: render ASSET.rna OUT.ppm [WIDTH HEIGHT [SAMPLES]]\n", stderr);
-        return 2;
+/* ------------------------------------------------------------------ Arguments */
+
+static int usage(void) {
+    fputs("usage: render ASSET.rna OUT.ppm [--size WIDTH HEIGHT] [--samples N] [--tier NAME]\n"
+          "       [--camera X Y Z X Y Z FOV] [--sun X Y Z R G B] [--glow FACTOR]\n", stderr);
+    return 2;
+}
+
+/* `count` numbers from argv[*at] on; false where they are not there. */
+static bool take_numbers(int argc, char **argv, int *at, int count, double *numbers) {
+    for (int i = 0; i < count; i++, ++*at) {
+        char *end = NULL;
+        if (*at >= argc) return false;
+        numbers[i] = strtod(argv[*at], &end);
+        if (end == argv[*at] || *end || !isfinite(numbers[i])) return false;
     }
+    return true;
+}
+
+static bool take_options(int argc, char **argv, const RnaAsset *asset, View *view) {
+    double size[2] = {480, 270}, samples = 4;
+    for (int at = 3; at < argc;) {
+        const char *option = argv[at++];
+        bool good = strcmp(option, "--size") == 0      ? take_numbers(argc, argv, &at, 2, size)
+                    : strcmp(option, "--samples") == 0 ? take_numbers(argc, argv, &at, 1, &samples)
+                    : strcmp(option, "--camera") == 0  ? take_numbers(argc, argv, &at, 7, view->camera)
+                    : strcmp(option, "--sun") == 0     ? take_numbers(argc, argv, &at, 6, view->sun)
+                    : strcmp(option, "--glow") == 0    ? take_numbers(argc, argv, &at, 1, &view->glow)
+                    : strcmp(option, "--tier") == 0 && at < argc
+                        ? (view->tier = rna_tier_index(asset, argv[at++])) >= 0
+                        : false;
+        if (!good) return false;
+    }
+    if (!(size[0] >= 1 && size[0] <= 8192 && size[1] >= 1 && size[1] <= 8192 && samples >= 1 && samples <= 64))
+        return false;
+    view->width = (int)size[0];
+    view->height = (int)size[1];
+    view->samples = (int)samples;
+    normalize(view->sun);
+    return true;
+}
+
+int main(int argc, char **argv) {
+    if (argc < 3) return usage();
     RnaReport report;
     RnaAsset *asset = rna_open(argv[1], &report);
     for (int i = 0; !asset && i < report.count; i++) {
@@ -180,10 +283,11 @@ int main(int argc, char **argv) {
                 issue->found, issue->expected);
     }
     if (!asset) return 1;
-    FILE *out = fopen(argv[2], "wb");
-    const char *problem = out ? render(asset, out, width, height, samples) : "cannot be written";
-    if (out && (ferror(out) | fclose(out))) problem = "cannot be written";
+    View view = {.sun = {0.6, 0.75, 0.55, 2.5, 2.35, 2.1}, .glow = 1};
+    look_at_asset(asset, view.camera);
+    const bool understood = take_options(argc, argv, asset, &view);
+    const char *problem = understood ? render(asset, &view, argv[2]) : NULL;
     if (problem) fprintf(stderr, "render: %s: %s\n", argv[2], problem);
     rna_close(asset);
-    return problem != NULL;
+    return understood ? problem != NULL : usage();
 }

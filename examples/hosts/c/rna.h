@@ -1,10 +1,13 @@
-/* RNA 1.0 packages in C: open, check, evaluate.  One source file, C11, the C library alone.
+/* RNA 1.1 packages in C: open, check, evaluate.  C11, the C library alone; rna.c is all to compile.
  *
  *     RnaReport report;
  *     RnaAsset *asset = rna_open("toy.rna", &report);
  *     if (!asset) { fprintf(stderr, "%s\n", report.issues[0].code); return 1; }
- *     rna_evaluate(asset, 0, n, positions, normals, NULL, wo, wi, visible, shadowed);
+ *     rna_evaluate(asset, 0, 0, n, positions, normals, NULL, wo, wi, visible, shadowed);
  *     rna_close(asset);
+ *
+ * An asset has one part or several, each a mesh or curves with planes and decoders of its own, and
+ * tiers, choices of speed and accuracy; both are named by their numbers, from 0 on.
  *
  * Everything is in the asset's object space: right-handed, +Y up, metres.  Vectors are three floats
  * after each other.  Section numbers refer to spec/RNA.md.
@@ -29,7 +32,7 @@ typedef struct RnaIssue {
     char expected[96];
 } RnaIssue;
 
-enum { RNA_MAX_ISSUES = 32 };
+enum { RNA_MAX_ISSUES = 32, RNA_MAX_PARTS = 16 };
 
 typedef struct RnaReport {
     int count;  /* of the issues below; what comes beyond RNA_MAX_ISSUES is left out */
@@ -41,15 +44,15 @@ typedef enum RnaKind { RNA_SURFACE, RNA_FIBER } RnaKind;
 
 typedef enum RnaStatus {
     RNA_OK,
-    RNA_BAD_ARGUMENT,        /* a NULL array, or no such tier */
+    RNA_BAD_ARGUMENT,        /* a NULL array, or no such tier or part */
     RNA_UNSUPPORTED_DECODER, /* legal, but no chain of the profile's operators: needs an ONNX engine */
     RNA_OUT_OF_MEMORY
 } RnaStatus;
 
 typedef struct RnaTier {
     const char *name;
-    bool runs;            /* whether rna_evaluate can run its decoder */
-    bool is_int8;         /* the decoder's arithmetic */
+    bool runs;            /* whether rna_evaluate and rna_emission can run its decoders */
+    bool is_int8;         /* the arithmetic of the decoders, where it is that of all parts */
     double multiply_adds; /* a query; int8 ones count half when tiers are compared.  Below 0: unknown */
     double flip;          /* mean error on images the training never saw.  Below 0: unknown */
 } RnaTier;
@@ -71,6 +74,27 @@ typedef struct RnaCurves {
     const uint32_t *offsets; /* strand_count + 1 */
 } RnaCurves;
 
+/* What light goes straight through a range of triangles (section 4.4); rna_transmittance looks it up. */
+typedef struct RnaTransmittance {
+    uint32_t first, count;            /* triangles */
+    uint32_t width, height, channels; /* of the texture; channels: 1 or 3 */
+    const uint8_t *texels;            /* [height][width][channels], over 255, linear; row 0 at v = 0 */
+    double cutoff;                    /* above it 1, else 0; 0 where there is no cutoff */
+    double ior[2];                    /* Fresnel reflection, front and back; 0 where there is none */
+} RnaTransmittance;
+
+/* A geometry with planes and decoders of its own. */
+typedef struct RnaPart {
+    const char *name;
+    RnaKind kind;
+    float low[3], high[3];   /* the bounds: the box that the planes span */
+    const RnaMesh *mesh;     /* of a surface, else NULL */
+    const RnaCurves *curves; /* of fibers, else NULL */
+    bool emits;              /* whether rna_emission gives more than 0 */
+    int record_count;        /* of transmittance; 0: every hit is opaque */
+    const RnaTransmittance *records; /* in the order of their triangles */
+} RnaPart;
+
 typedef struct RnaAsset RnaAsset;
 
 /* The asset in a file, which is mapped, checked as section 10 asks, and not written to; NULL where
@@ -84,27 +108,36 @@ RnaAsset *rna_open_memory(const void *data, size_t size, RnaReport *report);
 /* Frees the asset, and with it all that its functions returned.  NULL is fine. */
 void rna_close(RnaAsset *asset);
 
-RnaKind rna_kind(const RnaAsset *asset);
-void rna_bounds(const RnaAsset *asset, float low[3], float high[3]);
-const RnaMesh *rna_mesh(const RnaAsset *asset);     /* NULL for fibers */
-const RnaCurves *rna_curves(const RnaAsset *asset); /* NULL for surfaces */
-
+int rna_part_count(const RnaAsset *asset);                   /* 1 to RNA_MAX_PARTS */
+const RnaPart *rna_part(const RnaAsset *asset, int part);    /* NULL where there is none */
 int rna_tier_count(const RnaAsset *asset);
 int rna_tier_index(const RnaAsset *asset, const char *name); /* -1 where there is none */
 const RnaTier *rna_tier(const RnaAsset *asset, int tier);    /* NULL where there is none */
 
-/* Transport at n points: radiance towards wo under irradiance 1 from wi, linear RGB (section 7).
+/* Transport at n points of a part: radiance towards wo under irradiance 1 from wi, linear RGB
+ * (section 7.1).
  *
  * positions, axes, wo, wi: n x 3.  axes: normals of a surface, tangents of fibers.  h: n offsets
  * across the fiber; not read for surfaces.  visible, shadowed: n x 3, written: for the case that the
- * asset itself does not, or does, block the ray from the position along wi.
+ * asset itself, with all its parts, does not, or does, block the ray from the position along wi.
  *
  * Results are finite and never negative whatever comes in (section 8), the same to the bit in
  * whatever batch a row comes, and contain the cosine.  Rows are computed 48 at a time: a call for
  * one costs as much as a call for 48.  Any number of threads may call this for one asset at once. */
-RnaStatus rna_evaluate(const RnaAsset *asset, int tier, size_t n, const float *positions,
+RnaStatus rna_evaluate(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
                        const float *axes, const float *h, const float *wo, const float *wi,
                        float *visible, float *shadowed);
+
+/* Emission at n points of a part: radiance towards wo where nothing lights the asset (section 7.2).
+ * emission: n x 3, written: 0 where the part does not emit.  All else as for rna_evaluate. */
+RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, const float *positions,
+                       const float *axes, const float *h, const float *wo, float *emission);
+
+/* tau, linear RGB: the part of the light that goes straight on where a ray of this direction hits the
+ * triangle at barycentric coordinates b1, b2 of its second and third corner (section 4.4).  0 for an
+ * opaque one, and for a part or triangle that is not there; where it is 1, there is no hit. */
+void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2,
+                       const float direction[3], float tau[3]);
 
 /* A sentence for a status. */
 const char *rna_status_text(RnaStatus status);

@@ -12,20 +12,32 @@ typedef struct Node {
     uint32_t first, count; /* of a leaf: places in Tracer.order; count 0: the right child is `first` */
 } Node;
 
-struct Tracer {
+/* A triangle or segment of a part. */
+typedef struct Primitive {
+    uint32_t part, index;
+} Primitive;
+
+/* What the tracer knows of a part. */
+typedef struct Shape {
     const RnaMesh *mesh;     /* one of the two */
     const RnaCurves *curves;
     uint32_t count;          /* primitives */
-    uint32_t *order;         /* of the primitives in the leaves */
     uint32_t *strand;        /* of each segment */
+} Shape;
+
+struct Tracer {
+    const RnaAsset *asset;
+    int parts;
+    Shape shapes[RNA_MAX_PARTS];
+    Primitive *order;        /* as they stand in the leaves */
     Node *nodes;             /* the left child stands behind its parent */
     uint32_t node_count;
-    double extent;           /* largest absolute coordinate of the positions */
+    double extent;           /* largest absolute coordinate of the asset (section 7.1) */
 };
 
 typedef struct Ray {
     double origin[3], direction[3], inverse[3];
-    double far;
+    double near, far;
 } Ray;
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -58,14 +70,22 @@ static void corners_of(const RnaMesh *mesh, uint32_t triangle, double v[3][3]) {
     for (int k = 0; k < 3; k++) load(&mesh->positions[3 * (size_t)corner[k]], v[k]);
 }
 
-/* Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): both sides block, and
- * of two triangles that share an edge one is hit at least. */
+/* The sign of the area between the ray and the edge from a to b, as seen along the ray.  Where the ray
+ * meets the edge it is that of a ray beside it, always on the same side: of the triangles around an edge
+ * or a corner a ray meets one. */
+static double edge_sign(const double a[3], const double b[3], int x, int y, double area) {
+    if (area != 0) return area;
+    return a[y] != b[y] ? b[y] - a[y] : a[x] - b[x];
+}
+
+/* Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): both sides block. */
 static bool hit_triangle(const RnaMesh *mesh, uint32_t triangle, const Ray *ray, TraceHit *hit) {
     const double *d = ray->direction;
     int z = fabs(d[0]) > fabs(d[1]) ? 0 : 1;
     if (fabs(d[2]) > fabs(d[z])) z = 2;
     const int x = (z + 1) % 3, y = (z + 2) % 3;
     double v[3][3], u[3], sum = 0, t = 0;
+    int positive = 0;
     corners_of(mesh, triangle, v);
     for (int k = 0; k < 3; k++) {
         subtract(v[k], ray->origin, v[k]);
@@ -76,12 +96,12 @@ static bool hit_triangle(const RnaMesh *mesh, uint32_t triangle, const Ray *ray,
         const double *a = v[(k + 1) % 3], *b = v[(k + 2) % 3];
         u[k] = b[x] * a[y] - b[y] * a[x];
         sum += u[k];
+        positive += edge_sign(a, b, x, y, u[k]) > 0;
     }
-    bool outside = (u[0] < 0 || u[1] < 0 || u[2] < 0) && (u[0] > 0 || u[1] > 0 || u[2] > 0);
-    if (outside || sum == 0) return false;
+    if (sum == 0 || positive != (sum > 0 ? 3 : 0)) return false;
     for (int k = 0; k < 3; k++) t += u[k] * v[k][z] / d[z];
     t /= sum;
-    if (!(t >= 0 && t < ray->far)) return false;
+    if (!(t >= ray->near && t <= ray->far)) return false;
     *hit = (TraceHit){.t = t, .primitive = triangle, .b1 = u[1] / sum, .b2 = u[2] / sum};
     return true;
 }
@@ -93,11 +113,11 @@ typedef struct Cone {
     double a[3], b[3], ra, rb;
 } Cone;
 
-static Cone cone_of(const Tracer *tracer, uint32_t segment) {
-    uint32_t i = segment + tracer->strand[segment]; /* its first point */
-    Cone cone = {.ra = tracer->curves->radii[i], .rb = tracer->curves->radii[i + 1]};
-    load(&tracer->curves->points[3 * (size_t)i], cone.a);
-    load(&tracer->curves->points[3 * (size_t)i + 3], cone.b);
+static Cone cone_of(const Shape *shape, uint32_t segment) {
+    uint32_t i = segment + shape->strand[segment]; /* its first point */
+    Cone cone = {.ra = shape->curves->radii[i], .rb = shape->curves->radii[i + 1]};
+    load(&shape->curves->points[3 * (size_t)i], cone.a);
+    load(&shape->curves->points[3 * (size_t)i + 3], cone.b);
     return cone;
 }
 
@@ -161,22 +181,22 @@ static double distance_to(const Cone *cone, const double p[3]) {
 }
 
 /* Whether the entry point lies inside the segment before or after on the strand: no surface there. */
-static bool is_in_neighbour(const Tracer *tracer, uint32_t segment, const double p[3]) {
+static bool is_in_neighbour(const Shape *shape, uint32_t segment, const double p[3]) {
     for (int step = -1; step <= 1; step += 2) {
         uint32_t other = segment + (uint32_t)step;
-        if (other >= tracer->count || tracer->strand[other] != tracer->strand[segment]) continue;
-        Cone cone = cone_of(tracer, other);
+        if (other >= shape->count || shape->strand[other] != shape->strand[segment]) continue;
+        Cone cone = cone_of(shape, other);
         if (distance_to(&cone, p) < -1e-7 * (cone.ra < cone.rb ? cone.ra : cone.rb)) return true;
     }
     return false;
 }
 
-static bool hit_segment(const Tracer *tracer, uint32_t segment, const Ray *ray, TraceHit *hit) {
-    Cone cone = cone_of(tracer, segment);
+static bool hit_segment(const Shape *shape, uint32_t segment, const Ray *ray, TraceHit *hit) {
+    Cone cone = cone_of(shape, segment);
     double t, n[3], p[3];
-    if (!enter_cone(&cone, ray, &t, n) || !(t >= 0 && t < ray->far)) return false;
+    if (!enter_cone(&cone, ray, &t, n) || !(t >= ray->near && t <= ray->far)) return false;
     for (int k = 0; k < 3; k++) p[k] = ray->origin[k] + t * ray->direction[k];
-    if (is_in_neighbour(tracer, segment, p)) return false;
+    if (is_in_neighbour(shape, segment, p)) return false;
     *hit = (TraceHit){.t = t, .primitive = segment};
     memcpy(hit->n, n, sizeof n);
     return true;
@@ -184,32 +204,33 @@ static bool hit_segment(const Tracer *tracer, uint32_t segment, const Ray *ray, 
 
 /* ------------------------------------------------------- Bounding volumes */
 
-static void box_of(const Tracer *tracer, uint32_t primitive, double low[3], double high[3]) {
-    if (tracer->mesh) {
+static void box_of(const Tracer *tracer, Primitive primitive, double low[3], double high[3]) {
+    const Shape *shape = &tracer->shapes[primitive.part];
+    if (shape->mesh) {
         double v[3][3];
-        corners_of(tracer->mesh, primitive, v);
+        corners_of(shape->mesh, primitive.index, v);
         for (int k = 0; k < 3; k++) {
             low[k] = fmin(v[0][k], fmin(v[1][k], v[2][k]));
             high[k] = fmax(v[0][k], fmax(v[1][k], v[2][k]));
         }
         return;
     }
-    Cone cone = cone_of(tracer, primitive);
+    Cone cone = cone_of(shape, primitive.index);
     for (int k = 0; k < 3; k++) {
         low[k] = fmin(cone.a[k] - cone.ra, cone.b[k] - cone.rb);
         high[k] = fmax(cone.a[k] + cone.ra, cone.b[k] + cone.rb);
     }
 }
 
-static double middle_of(const Tracer *tracer, uint32_t primitive, int axis) {
+static double middle_of(const Tracer *tracer, Primitive primitive, int axis) {
     double low[3], high[3];
     box_of(tracer, primitive, low, high);
     return (low[axis] + high[axis]) / 2;
 }
 
-/* Parts order[first .. first + count) in the middle of the box, or in two halves where that fails;
+/* Splits order[first .. first + count) in the middle of the box, or in two halves where that fails;
  * the number on the left. */
-static uint32_t part(Tracer *tracer, uint32_t first, uint32_t count, const Node *node, int depth) {
+static uint32_t split_order(Tracer *tracer, uint32_t first, uint32_t count, const Node *node, int depth) {
     int axis = 0;
     for (int k = 1; k < 3; k++)
         if (node->high[k] - node->low[k] > node->high[axis] - node->low[axis]) axis = k;
@@ -217,7 +238,7 @@ static uint32_t part(Tracer *tracer, uint32_t first, uint32_t count, const Node 
     uint32_t left = first;
     for (uint32_t i = first; i < first + count; i++)
         if (middle_of(tracer, tracer->order[i], axis) < split) {
-            uint32_t swap = tracer->order[i];
+            Primitive swap = tracer->order[i];
             tracer->order[i] = tracer->order[left];
             tracer->order[left++] = swap;
         }
@@ -238,7 +259,7 @@ static uint32_t build(Tracer *tracer, uint32_t first, uint32_t count, int depth)
         }
     }
     if (count > LEAF) {
-        uint32_t left = part(tracer, first, count, &node, depth);
+        uint32_t left = split_order(tracer, first, count, &node, depth);
         node.count = 0;
         build(tracer, first, left, depth + 1);
         node.first = build(tracer, first + left, count - left, depth + 1);
@@ -263,13 +284,50 @@ static bool meets_box(const Node *node, const Ray *ray) {
     return near <= far * (1 + 1e-12) + 1e-300;
 }
 
-/* Hits of a ray, each handed to `take`, which may shorten the ray; stops where it returns true. */
+/* What a ray looks for: the first hit behind `after`, or, where `v` is there, what is left of the light
+ * behind all hits. */
 typedef struct Query {
     Ray ray;
+    const TraceHit *after;
     TraceHit hit;
-    bool found, any;   /* any: the first hit will do */
-    uint32_t skipped;  /* strand that the ray passes through, or UINT32_MAX */
+    bool found;
+    double *v;
+    uint32_t part, strand; /* that the ray passes through; strand UINT32_MAX: none */
 } Query;
+
+/* Hits in the order of the ray; those at one place in the order of their numbers. */
+static bool comes_before(const TraceHit *a, const TraceHit *b) {
+    if (a->t != b->t) return a->t < b->t;
+    return a->part != b->part ? a->part < b->part : a->primitive < b->primitive;
+}
+
+/* Notes a hit; true where no other one matters. */
+static bool take_hit(const Tracer *tracer, Query *query, const TraceHit *hit) {
+    if (query->v) {
+        float tau[3], direction[3];
+        for (int k = 0; k < 3; k++) direction[k] = (float)query->ray.direction[k];
+        rna_transmittance(tracer->asset, hit->part, hit->primitive, hit->b1, hit->b2, direction, tau);
+        for (int k = 0; k < 3; k++) query->v[k] *= tau[k];
+        return query->v[0] + query->v[1] + query->v[2] == 0;
+    }
+    bool behind = !query->after || comes_before(query->after, hit);
+    if (!behind || (query->found && comes_before(&query->hit, hit))) return false;
+    query->found = true;
+    query->hit = *hit;
+    query->ray.far = hit->t;
+    return false;
+}
+
+static bool try_primitive(const Tracer *tracer, Query *query, Primitive primitive) {
+    const Shape *shape = &tracer->shapes[primitive.part];
+    TraceHit hit;
+    if (shape->curves && primitive.part == query->part && shape->strand[primitive.index] == query->strand)
+        return false;
+    bool meets = shape->mesh ? hit_triangle(shape->mesh, primitive.index, &query->ray, &hit)
+                             : hit_segment(shape, primitive.index, &query->ray, &hit);
+    hit.part = (int)primitive.part;
+    return meets && take_hit(tracer, query, &hit);
+}
 
 static void search(const Tracer *tracer, Query *query) {
     uint32_t stack[STACK], top = 0;
@@ -282,21 +340,13 @@ static void search(const Tracer *tracer, Query *query) {
             stack[top++] = (uint32_t)(node - tracer->nodes) + 1;
             continue;
         }
-        for (uint32_t i = node->first; i < node->first + node->count; i++) {
-            uint32_t primitive = tracer->order[i];
-            if (tracer->curves && tracer->strand[primitive] == query->skipped) continue;
-            bool hit = tracer->mesh ? hit_triangle(tracer->mesh, primitive, &query->ray, &query->hit)
-                                    : hit_segment(tracer, primitive, &query->ray, &query->hit);
-            if (!hit) continue;
-            query->found = true;
-            query->ray.far = query->hit.t;
-            if (query->any) return;
-        }
+        for (uint32_t i = node->first; i < node->first + node->count; i++)
+            if (try_primitive(tracer, query, tracer->order[i])) return;
     }
 }
 
-static Query new_query(const double origin[3], const double direction[3], bool any, uint32_t skipped) {
-    Query query = {.any = any, .skipped = skipped, .ray.far = HUGE_VAL};
+static Query new_query(const double origin[3], const double direction[3]) {
+    Query query = {.strand = UINT32_MAX, .ray.far = HUGE_VAL};
     memcpy(query.ray.origin, origin, sizeof query.ray.origin);
     memcpy(query.ray.direction, direction, sizeof query.ray.direction);
     normalize(query.ray.direction);
@@ -306,47 +356,78 @@ static Query new_query(const double origin[3], const double direction[3], bool a
 
 /* --------------------------------------------------------- The interface */
 
-static void number_segments(Tracer *tracer) {
+static void number_segments(Shape *shape) {
     uint32_t segment = 0;
-    for (uint32_t s = 0; s < tracer->curves->strand_count; s++)
-        for (uint32_t i = tracer->curves->offsets[s]; i + 1 < tracer->curves->offsets[s + 1]; i++)
-            tracer->strand[segment++] = s;
+    for (uint32_t s = 0; s < shape->curves->strand_count; s++)
+        for (uint32_t i = shape->curves->offsets[s]; i + 1 < shape->curves->offsets[s + 1]; i++)
+            shape->strand[segment++] = s;
+}
+
+/* The largest absolute coordinate of a part's geometry, radii added. */
+static double extent_of(const Shape *shape) {
+    double extent = 0;
+    const float *points = shape->mesh ? shape->mesh->positions : shape->curves->points;
+    size_t count = shape->mesh ? shape->mesh->vertex_count : shape->curves->point_count;
+    for (size_t i = 0; i < 3 * count; i++)
+        extent = fmax(extent, fabs(points[i]) + (shape->mesh ? 0 : (double)shape->curves->radii[i / 3]));
+    return extent;
+}
+
+static bool add_shape(Tracer *tracer, const RnaPart *part) {
+    Shape *shape = &tracer->shapes[tracer->parts++];
+    shape->mesh = part->mesh;
+    shape->curves = part->curves;
+    shape->count = part->mesh ? part->mesh->triangle_count
+                              : part->curves->point_count - part->curves->strand_count;
+    tracer->extent = fmax(tracer->extent, extent_of(shape));
+    if (part->mesh) return true;
+    shape->strand = malloc(shape->count * sizeof *shape->strand);
+    if (shape->strand) number_segments(shape);
+    return shape->strand != NULL;
 }
 
 Tracer *trace_new(const RnaAsset *asset) {
     Tracer *tracer = calloc(1, sizeof *tracer);
-    if (!tracer) return NULL;
-    tracer->mesh = rna_mesh(asset);
-    tracer->curves = rna_curves(asset);
-    tracer->count = tracer->mesh ? tracer->mesh->triangle_count
-                                 : tracer->curves->point_count - tracer->curves->strand_count;
-    tracer->order = malloc(tracer->count * sizeof *tracer->order);
-    tracer->strand = malloc(tracer->count * sizeof *tracer->strand);
-    tracer->nodes = malloc(2 * (size_t)tracer->count * sizeof *tracer->nodes);
-    if (!tracer->order || !tracer->strand || !tracer->nodes) {
+    uint64_t count = 0;
+    bool good = tracer != NULL;
+    for (int i = 0; good && i < rna_part_count(asset); i++) {
+        good = add_shape(tracer, rna_part(asset, i));
+        count += tracer->shapes[i].count;
+    }
+    if (good) {
+        tracer->asset = asset;
+        tracer->order = malloc(count * sizeof *tracer->order);
+        tracer->nodes = malloc(2 * count * sizeof *tracer->nodes);
+        good = tracer->order && tracer->nodes && count < UINT32_MAX / 2;
+    }
+    if (!good) {
         trace_free(tracer);
         return NULL;
     }
-    for (uint32_t i = 0; i < tracer->count; i++) tracer->order[i] = i;
-    if (tracer->curves) number_segments(tracer);
-    for (size_t i = 0; tracer->mesh && i < 3 * (size_t)tracer->mesh->vertex_count; i++)
-        tracer->extent = fmax(tracer->extent, fabs(tracer->mesh->positions[i]));
-    build(tracer, 0, tracer->count, 0);
+    uint32_t n = 0;
+    for (uint32_t part = 0; part < (uint32_t)tracer->parts; part++)
+        for (uint32_t i = 0; i < tracer->shapes[part].count; i++) tracer->order[n++] = (Primitive){part, i};
+    build(tracer, 0, n, 0);
     return tracer;
 }
 
 void trace_free(Tracer *tracer) {
     if (!tracer) return;
+    for (int i = 0; i < tracer->parts; i++) free(tracer->shapes[i].strand);
     free(tracer->order);
-    free(tracer->strand);
     free(tracer->nodes);
     free(tracer);
 }
 
-uint32_t trace_primitive_count(const Tracer *tracer) { return tracer->count; }
+uint32_t trace_primitive_count(const Tracer *tracer, int part) {
+    return part >= 0 && part < tracer->parts ? tracer->shapes[part].count : 0;
+}
 
-bool trace_closest(const Tracer *tracer, const double origin[3], const double direction[3], TraceHit *hit) {
-    Query query = new_query(origin, direction, false, UINT32_MAX);
+bool trace_closest(const Tracer *tracer, const double origin[3], const double direction[3],
+                   const TraceHit *after, TraceHit *hit) {
+    Query query = new_query(origin, direction);
+    query.after = after;
+    if (after) query.ray.near = after->t;
     search(tracer, &query);
     *hit = query.hit;
     return query.found;
@@ -366,47 +447,60 @@ void trace_surface_point(const RnaMesh *mesh, uint32_t triangle, double b1, doub
     normalize(n);
 }
 
-void trace_tangent(const Tracer *tracer, uint32_t segment, double t[3]) {
-    Cone cone = cone_of(tracer, segment);
+void trace_tangent(const Tracer *tracer, int part, uint32_t segment, double t[3]) {
+    Cone cone = cone_of(&tracer->shapes[part], segment);
     subtract(cone.b, cone.a, t);
     normalize(t);
 }
 
-/* Section 7: from the side of the triangle that wi is on; near the terminator from the smooth surface
- * that the flat triangles stand for. */
-bool trace_visible_on_mesh(const Tracer *tracer, uint32_t triangle, double b1, double b2,
-                           const double wi[3]) {
-    const RnaMesh *mesh = tracer->mesh;
+/* What is left of the light along the ray. */
+static void find_visibility(const Tracer *tracer, Query *query, double v[3]) {
+    for (int k = 0; k < 3; k++) v[k] = 1;
+    query->v = v;
+    search(tracer, query);
+}
+
+/* How far the smooth surface, which the flat triangles stand for, lies above x. */
+static void add_lift(const RnaMesh *mesh, uint32_t triangle, double corners[3][3], const double b[3],
+                     double share, double x[3]) {
+    double lift[3] = {0};
+    for (int i = 0; i < 3; i++) {
+        double to_corner[3], normal[3];
+        subtract(corners[i], x, to_corner);
+        load(&mesh->normals[3 * (size_t)mesh->triangles[3 * (size_t)triangle + (size_t)i]], normal);
+        double height = fmax(0, dot(to_corner, normal));
+        for (int k = 0; k < 3; k++) lift[k] += share * b[i] * height * normal[k];
+    }
+    for (int k = 0; k < 3; k++) x[k] += lift[k];
+}
+
+/* Section 7.1: from the side of the triangle that wi is on; near the terminator from the smooth surface. */
+void trace_visible_on_mesh(const Tracer *tracer, int part, uint32_t triangle, double b1, double b2,
+                           const double wi[3], double v[3]) {
+    const RnaMesh *mesh = tracer->shapes[part].mesh;
     const double b[3] = {1 - b1 - b2, b1, b2};
-    double v[3][3], x[3], n[3], ng[3], e1[3], e2[3], lift[3] = {0};
-    corners_of(mesh, triangle, v);
+    double corners[3][3], x[3], n[3], ng[3], e1[3], e2[3];
+    corners_of(mesh, triangle, corners);
     trace_surface_point(mesh, triangle, b1, b2, x, n);
-    subtract(v[1], v[0], e1);
-    subtract(v[2], v[0], e2);
+    subtract(corners[1], corners[0], e1);
+    subtract(corners[2], corners[0], e2);
     cross(e1, e2, ng);
     normalize(ng);
     double step = tracer->extent * 0x1p-18, above = dot(ng, wi), side = above < 0 ? -1 : 1;
     if (dot(n, wi) > 0 && dot(n, ng) > 0 && above < 0.1) {
-        double smooth = 1 - fmax(0, above) / 0.1;
+        add_lift(mesh, triangle, corners, b, 1 - fmax(0, above) / 0.1, x);
         side = 1;
-        for (int corner = 0; corner < 3; corner++) {
-            double to_corner[3], normal[3];
-            subtract(v[corner], x, to_corner);
-            load(&mesh->normals[3 * (size_t)mesh->triangles[3 * (size_t)triangle + (size_t)corner]], normal);
-            double height = fmax(0, dot(to_corner, normal));
-            for (int k = 0; k < 3; k++) lift[k] += smooth * b[corner] * height * normal[k];
-        }
     }
-    for (int k = 0; k < 3; k++) x[k] += lift[k] + side * step * ng[k];
-    Query query = new_query(x, wi, true, UINT32_MAX);
-    search(tracer, &query);
-    return !query.found;
+    for (int k = 0; k < 3; k++) x[k] += side * step * ng[k];
+    Query query = new_query(x, wi);
+    find_visibility(tracer, &query, v);
 }
 
-/* Only other strands block, where the ray enters them. */
-bool trace_visible_on_fiber(const Tracer *tracer, uint32_t segment, const double position[3],
-                            const double wi[3]) {
-    Query query = new_query(position, wi, true, tracer->strand[segment]);
-    search(tracer, &query);
-    return !query.found;
+/* Other strands block, where the ray enters them, and triangles. */
+void trace_visible_on_fiber(const Tracer *tracer, int part, uint32_t segment, const double position[3],
+                            const double wi[3], double v[3]) {
+    Query query = new_query(position, wi);
+    query.part = (uint32_t)part;
+    query.strand = tracer->shapes[part].strand[segment];
+    find_visibility(tracer, &query, v);
 }

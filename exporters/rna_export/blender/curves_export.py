@@ -1,34 +1,27 @@
-"""Exports every strand of hair in the scene, as Cycles will render it; tells hair from surfaces."""
+"""Exports every strand of hair in the scene, as Cycles will render it."""
 
-import bpy
-import mesh_export
 import numpy as np
+import shown_objects
+from top_objects import HAIR, top_object
 
 _THINNEST = 1e-3  # of the greatest radius: a package has no strand of radius 0
 _NO_RADIUS = 0.005  # what Cycles takes where curves have no radius
 
 
-def scene_kind():
-    """What renders show: "fiber" or "surface"; refuses a scene that shows both."""
-    hair = next((i.object.name for i in _curve_instances() if len(i.object.data.points)), None)
-    if hair is None:
-        return "surface"
-    mesh = mesh_export.first_with_faces()
-    if mesh is not None:
-        raise ValueError(
-            f"the scene shows a surface ({mesh!r}) and hair ({hair!r}), and a package holds one "
-            "kind: hide one of them from renders (hide_render, the camera icon in the outliner) "
-            "and capture each for itself"
-        )
-    return "fiber"
+def owners():
+    """Names of the top objects with strands, each once."""
+    shown = [top_object(i) for i in shown_curves() if len(i.object.data.points)]
+    return list(dict.fromkeys(shown))
 
 
-def export_curves(path):
+def export_curves(path, owner=None):
     """Write an .npz with `points` (p, 3), `radii` (p,) float32 and `offsets` (s + 1,) int64.
 
-    World space, Blender's axes. Strand k is points[offsets[k]:offsets[k + 1]], root first.
+    World space, Blender's axes. Strand k is points[offsets[k]:offsets[k + 1]], root first. owner:
+    the top object whose strands are meant; None: all.
     """
-    parts = [part for instance in _curve_instances() if (part := _strands(instance)) is not None]
+    shown = (i for i in shown_curves() if owner in (None, top_object(i)))
+    parts = [part for instance in shown if (part := strands_of(instance)) is not None]
     if not parts:
         raise ValueError("the scene has no hair")
     points, radii, counts = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
@@ -40,14 +33,14 @@ def export_curves(path):
     return {"strands": len(counts)}
 
 
-def _curve_instances():
-    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
-        if instance.object.type == "CURVES" and instance.show_self:
-            if not instance.object.original.hide_render:
-                yield instance
+def shown_curves():
+    """Instances of hair curves that renders show."""
+    for instance in shown_objects.instances():
+        if instance.object.type == HAIR:
+            yield instance
 
 
-def _strands(instance):
+def strands_of(instance):
     """World points, radii and points a strand; None without strands of two points or more."""
     curves = instance.object.data
     offsets = _read(curves.curve_offset_data, "value", len(curves.curves) + 1, np.int32)

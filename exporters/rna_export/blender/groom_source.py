@@ -10,22 +10,20 @@ from rna_hair.objects import add_curves, chiang_material
 
 def load(source, arguments):
     """Add the groom to the scene as one curves object."""
-    args = parser().parse_args(arguments)
-    _check(args)
-    material = chiang_material(
-        melanin=None if args.colour else args.melanin,
-        redness=args.redness,
-        colour=args.colour,
-        roughness=args.roughness,
-        radial_roughness=args.radial_roughness,
-        coat=args.coat,
-        ior=args.ior,
-        offset_deg=args.offset,
-    )
-    add_curves(_strands(Path(source), args), Path(source).stem, material)
+    path = Path(source)
+    args = options(path, arguments)
+    is_tfx = path.suffix.lower() == ".tfx"
+    strands = rna_hair.read_tfx(path, 1.0) if is_tfx else rna_hair.read_hair(path)
+    strands = strands.moved(args.unit, np.zeros(3))
+    if not is_tfx and args.radius is None and not strands.radii.max() > 0.0:
+        raise ValueError(f"{path.name}: thickness 0: give --radius")
+    usual = half_diagonal(strands.points) / 2000.0 if is_tfx else None
+    add_curves(shaped(strands, args, args.strands, usual), path.stem, hair_material(args))
 
 
-def _check(args):
+def options(path, arguments):
+    """The arguments after `--`, checked."""
+    args = parser(path.suffix.lower()).parse_args(arguments)
     ranges = {"unit": 1e-9, "radius": 1e-12, "points": 2, "strands": 1, "ior": 1.0}
     for name, least in ranges.items():
         value = getattr(args, name)
@@ -36,25 +34,40 @@ def _check(args):
         if value is not None and not 0.0 <= value <= 1.0:
             option = name.replace("_", "-")
             raise ValueError(f"--{option}: found {value:g}, expected 0 to 1")
+    return args
 
 
-def _strands(path, args):
-    is_tfx = path.suffix.lower() == ".tfx"
-    strands = rna_hair.read_tfx(path, 1.0) if is_tfx else rna_hair.read_hair(path)
-    strands = strands.moved(args.unit, np.zeros(3))
-    if args.strands is not None:
+def hair_material(args):
+    """Principled Hair as the options have it."""
+    return chiang_material(
+        melanin=None if args.colour else args.melanin,
+        redness=args.redness,
+        colour=args.colour,
+        roughness=args.roughness,
+        radial_roughness=args.radial_roughness,
+        coat=args.coat,
+        ior=args.ior,
+        offset_deg=args.offset,
+    )
+
+
+def half_diagonal(points):
+    """Of the box around points (p, 3)."""
+    return 0.5 * np.linalg.norm(np.ptp(points, axis=0))
+
+
+def shaped(strands, args, count, usual_radius):
+    """The strands as --points, --radius and --tip have them, `count` of them unless it is None.
+
+    usual_radius: for strands whose file has no radii; None keeps those of the file.
+    """
+    if count is not None:
         most = int(strands.counts.max())
-        strands = rna_hair.interpolate(strands, args.strands, points=most, seed=args.seed)
+        strands = rna_hair.interpolate(strands, count, points=most, seed=args.seed)
     if args.points is not None:
         strands = rna_hair.resample(strands, args.points)
-    if not is_tfx and args.radius is None and args.tip is None:
-        if not strands.radii.max() > 0.0:
-            raise ValueError(f"{path.name}: thickness 0: give --radius")
+    if usual_radius is None and args.radius is None and args.tip is None:
         return strands
-    radius = args.radius
-    if radius is None and is_tfx:
-        half = 0.5 * np.linalg.norm(np.ptp(strands.points, axis=0))
-        radius = half / 2000.0
-    elif radius is None:
-        radius = float(strands.radii.max())
+    greatest = usual_radius or float(strands.radii.max())
+    radius = greatest if args.radius is None else args.radius
     return rna_hair.taper(strands, radius, tip=TAPER if args.tip is None else args.tip)

@@ -22,16 +22,24 @@ def prepare_hair(materials_with_nodes):
                 )
                 node.model = "CHIANG"
     bpy.context.view_layer.update()
-    for item in list(bpy.context.view_layer.objects):
-        if any(_is_hair(system) for system in item.particle_systems):
-            _convert(item)
-    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
-        if any(_is_hair(system) for system in instance.object.particle_systems):
-            raise ValueError(
-                f"object {instance.object.name!r} has particle hair and is only shown by an "
-                "instance of its collection: make that instance real (Ctrl-A) first"
-            )
+    for emitter in _shown_emitters():
+        _convert(emitter)
     return notes
+
+
+def _shown_emitters():
+    """Objects with particle hair, in the view layer or shown by instances of their collections."""
+    emitters = {}
+    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
+        item = instance.object.original
+        if any(_is_hair(system) for system in item.particle_systems):
+            if instance.is_instance and instance.parent.instance_type != "COLLECTION":
+                raise ValueError(
+                    f"object {item.name!r} has particle hair and is instanced by "
+                    f"{instance.parent.name!r}: make these instances real (Ctrl-A) first"
+                )
+            emitters[item.name_full] = item
+    return list(emitters.values())
 
 
 def _is_hair(system):
@@ -39,7 +47,14 @@ def _is_hair(system):
 
 
 def _convert(emitter):
-    """Replace the particle hair of an object by curves objects, as renders show it."""
+    """Replace the particle hair of an object by curves objects, as renders show it.
+
+    They are in the collections that the object is in: its instances have the hair too.
+    """
+    scene, homes = bpy.context.scene.collection, emitter.users_collection
+    is_elsewhere = emitter.name_full not in bpy.context.view_layer.objects
+    if is_elsewhere:
+        scene.objects.link(emitter)
     particles = [m for m in emitter.modifiers if m.type == "PARTICLE_SYSTEM"]
     modifiers = {m.particle_system.name: m for m in particles}
     systems = [s for s in emitter.particle_systems if _is_hair(s)]
@@ -50,7 +65,13 @@ def _convert(emitter):
     hidden_emitter = not emitter.show_instancer_for_render
     for name, visible in zip(names, shown, strict=True):
         if visible:
-            _add_curves_of(emitter, name)
+            curves = _add_curves_of(emitter, name)
+            for home in curves.users_collection:
+                home.objects.unlink(curves)
+            for home in homes:
+                home.objects.link(curves)
+    if is_elsewhere:
+        scene.objects.unlink(emitter)
     for name in names:
         emitter.modifiers.remove(modifiers[name])
     # An object without particles is no emitter: the switch that hid it means nothing now.
@@ -76,13 +97,15 @@ def _add_curves_of(emitter, name):
     made = set(bpy.data.objects) - before
     if len(made) != 1:
         raise ValueError(f"could not convert the particle hair {name!r} of {emitter.name!r}")
-    curves = made.pop().data
+    item = made.pop()
+    curves = item.data
     _set_radii(curves, settings)
     slot = settings.material - 1
     materials = [s.material for s in emitter.material_slots]
     curves.materials.clear()
     if materials:
         curves.materials.append(materials[min(slot, len(materials) - 1)])
+    return item
 
 
 def _set_radii(curves, settings):

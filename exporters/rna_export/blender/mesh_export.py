@@ -1,15 +1,18 @@
 """Exports every mesh of the scene, as Cycles will render it, into one triangle soup."""
 
-import bpy
 import numpy as np
+import shown_objects
+from top_objects import SURFACES, top_object
 
 
-def export_mesh(path):
+def export_mesh(path, owner=None):
     """Write an .npz with `positions`, `normals` (3t, 3), `uvs` (3t, 2) and `has_uv`.
 
-    One row a triangle corner, world space, Blender's axes, float32.
+    One row a triangle corner, world space, Blender's axes, float32. owner: the top object whose
+    meshes are meant; None: all.
     """
-    corners = [_corners(instance) for instance in _mesh_instances()]
+    shown = (i for i in _mesh_instances() if owner in (None, top_object(i)))
+    corners = [_corners(instance) for instance in shown]
     if not corners:
         raise ValueError("the scene has no mesh with faces")
     positions, normals, uvs, has_uv = zip(*corners, strict=True)
@@ -23,27 +26,26 @@ def export_mesh(path):
     return {"triangles": int(sum(len(p) for p in positions) // 3)}
 
 
-def first_with_faces():
-    """The name of an object that renders show as a surface, or None."""
+def owners():
+    """Names of the top objects that renders show as a surface, each once."""
+    found = {}
     for instance in _mesh_instances():
-        faces = len(instance.object.to_mesh().polygons)
-        instance.object.to_mesh_clear()
-        if faces:
-            return instance.object.name
-    return None
+        owner = top_object(instance)
+        if owner not in found and _has_faces(instance.object):
+            found[owner] = True
+    return list(found)
+
+
+def _has_faces(item):
+    faces = len(item.to_mesh().polygons)
+    item.to_mesh_clear()
+    return faces > 0
 
 
 def _mesh_instances():
-    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
-        if instance.show_self and instance.object.type in (
-            "MESH",
-            "CURVE",
-            "SURFACE",
-            "FONT",
-            "META",
-        ):
-            if not instance.object.original.hide_render:
-                yield instance
+    for instance in shown_objects.instances():
+        if instance.object.type in SURFACES:
+            yield instance
 
 
 def _corners(instance):

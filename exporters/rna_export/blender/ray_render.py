@@ -1,9 +1,9 @@
 """Renders rays given one by one with stock Cycles, under one sun."""
 
-import sys
 from pathlib import Path
 
 import bpy
+import bundled
 import mathutils
 
 _FORMATS = {
@@ -114,10 +114,7 @@ def _camera(name, kind):
 
 
 def _compile_ray_camera(camera):
-    # The wheel ships oslquery in a folder that is not on sys.path. It goes last: an old numpy
-    # lies beside it.
-    root = Path(bpy.utils.resource_path("LOCAL"))
-    sys.path.append(str(root / "python" / "lib" / "python3.11" / "site-packages"))
+    bundled.add_to_path()
     from cycles import osl
 
     text = bpy.data.texts.new("ray_camera.osl")

@@ -9,16 +9,32 @@ from pathlib import Path
 import bpy
 import groom_source
 import hair_scene
+import material_check
+import orientation
+import scene_import
+import usd_curves
+from groom_options import ALEMBIC_AND_USD, GROOMS, USD
+
+_UP_IS_Z = (".blend", ".ply", ".hair", ".py")  # or no up that they say; Blender's then
 
 
-def load(source, arguments):
+def load(source, arguments, front, up):
     """Replace the current scene by `source`.
 
     `arguments` become a script's `sys.argv[1:]`, or set what a groom does not say of its hair.
+    `front`, `up`: axes of the file, such as "-Y"; None for the usual ones of its kind.
     """
     suffix = Path(source).suffix.lower()
+    _open(source, suffix, arguments)
+    up_is_z = usd_curves.up_is_z(source) if suffix in USD else suffix in _UP_IS_Z
+    orientation.turn(front, up, up_is_z)
+
+
+def _open(source, suffix, arguments):
     if suffix == ".blend":
         bpy.ops.wm.open_mainfile(filepath=source)
+        _check_libraries()
+        _make_local()
         return
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if suffix in (".gltf", ".glb"):
@@ -29,11 +45,36 @@ def load(source, arguments):
         bpy.ops.wm.ply_import(filepath=source)
     elif suffix == ".py":
         _run_script(source, arguments)
-    elif suffix in (".hair", ".tfx"):
+    elif suffix in GROOMS:
         groom_source.load(source, arguments)
+    elif suffix in ALEMBIC_AND_USD:
+        scene_import.load(source, arguments)
     else:
-        kinds = ".blend, .gltf, .glb, .obj, .ply, .hair, .tfx or .py"
+        kinds = ".blend, .gltf, .glb, .obj, .ply, .abc, .usd, .hair, .tfx or .py"
         raise ValueError(f"cannot load {source}: expected {kinds}")
+
+
+def _check_libraries():
+    """Refuse a file whose linked parts are not there; Blender shows nothing in their place."""
+    kinds = "objects collections meshes hair_curves curves materials node_groups images".split()
+    missing = [item for kind in kinds for item in getattr(bpy.data, kind) if item.is_missing]
+    if not missing:
+        return
+    library = missing[0].library
+    path = bpy.path.abspath(library.filepath, library=library.parent)
+    here = [item for item in missing if item.library == library]
+    names = ", ".join(f"{item.rna_type.identifier} {item.name!r}" for item in here[:3])
+    more = f" and {len(here) - 3} more" if len(here) > 3 else ""
+    lacks = f"has no {names}{more}"
+    raise ValueError(f"the linked library {path} {lacks if Path(path).is_file() else 'is missing'}")
+
+
+def _make_local():
+    """Linked objects and their collections cannot change; converted hair has to."""
+    for kind in (bpy.data.collections, bpy.data.objects):
+        for item in list(kind):
+            if item.library is not None:
+                item.make_local()
 
 
 def _run_script(source, arguments):
@@ -73,7 +114,7 @@ def keep_only_the_asset():
                 f"material {material.name!r} emits light; emission is not part of the "
                 "transport and was switched off"
             )
-    return notes
+    return notes + material_check.problems()
 
 
 def _show_what_is_rendered():

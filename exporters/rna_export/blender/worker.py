@@ -15,18 +15,20 @@ sys.path.insert(0, str(Path(__file__).parent))
 import curves_export
 import mesh_export
 import ray_render
+import scene_parts
 import scene_render
 import source_scene
 
 
 def open_scene(request):
-    source_scene.load(request["source"], request["arguments"])
+    source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
     notes = source_scene.keep_only_the_asset()
-    kind = curves_export.scene_kind()
+    parts = scene_parts.find_parts(request["parts"])
     clamps = request["clampDirect"], request["clampIndirect"]
-    ray_render.configure(request["threads"], *clamps, separate_direct=kind == "fiber")
+    has_hair = any(part["kind"] == "fiber" for part in parts)
+    ray_render.configure(request["threads"], *clamps, separate_direct=has_hair)
     return {
-        "kind": kind,
+        "parts": parts,
         "notes": notes,
         "blender": source_scene.blender_version(),
         "cutouts": source_scene.has_cutouts(),
@@ -35,8 +37,8 @@ def open_scene(request):
 
 HANDLERS = {
     "open": open_scene,
-    "exportCurves": lambda request: curves_export.export_curves(request["out"]),
-    "exportMesh": lambda request: mesh_export.export_mesh(request["out"]),
+    "exportCurves": lambda request: curves_export.export_curves(request["out"], request["owner"]),
+    "exportMesh": lambda request: mesh_export.export_mesh(request["out"], request["owner"]),
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,
     "renderView": ray_render.render_view,
@@ -55,7 +57,8 @@ def main():
             reply({"ok": True, **(HANDLERS[request["op"]](request) or {})})
         except Exception as error:
             traceback.print_exc()
-            reply({"ok": False, "error": f"{type(error).__name__}: {error}"})
+            line = " ".join(str(error).split())  # Blender's are of several
+            reply({"ok": False, "error": f"{type(error).__name__}: {line}"})
     os._exit(0)  # bpy may crash while it unloads; every result is already a file
 
 

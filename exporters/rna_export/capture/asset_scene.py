@@ -2,47 +2,113 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from collections.abc import Mapping
-from typing import Protocol
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
+from rna_export.capture.fiber_shape import FiberShape
+from rna_export.capture.settings import SHARPEST
+from rna_export.capture.surface_shape import SurfaceShape
+from rna_render.parts_scene import PartPoints, PartsScene
+from rna_sdk.package import Curves, Mesh
 
-class ShadePoints(Protocol):
-    """Where rays met the asset; every array has one row a ray, rows without a hit are zero."""
 
-    hit: np.ndarray  # (n,) bool
+@dataclass(frozen=True)
+class PartRows:
+    """Where rays met one part.
+
+    rows: (k,) int64, which of the rays. points: (k) of them. fields: what a sample records of the
+    point, but for its directions: name -> (k,) or (k, c) rows.
+    """
+
+    rows: np.ndarray
+    points: PartPoints
+    fields: dict[str, np.ndarray]
+
+
+@dataclass(frozen=True)
+class ShadePoints:
+    """Where rays met the asset; arrays have one row a ray, rows without a hit are zero."""
+
+    part: np.ndarray  # (n,) int32, place of the part; -1 for a miss
     position: np.ndarray  # (n, 3) float32
     geometric_normal: np.ndarray  # (n, 3) float32
+    on: tuple[PartRows, ...]  # for each part
 
-    def sample_fields(self) -> Mapping[str, np.ndarray]:
-        """What a sample records of the point, but for its directions: name -> rows."""
+    @property
+    def hit(self) -> np.ndarray:
+        """(n,) bool."""
+        return self.part >= 0
 
 
-class AssetScene(ABC):
-    """Ray queries against one asset's geometry.
+class AssetScene:
+    """Ray queries against all parts of an asset.
+
+    sharpest: roughness of the smoothest material whose highlights views are to find.
 
     Attributes:
+        shapes: of the parts, in order.
         centre: (3,) float32, of the bounding box; radius: of the sphere around it.
     """
 
-    centre: np.ndarray
-    radius: float
+    def __init__(self, geometries: Sequence[Mesh | Curves], sharpest: float = SHARPEST):
+        self.shapes = tuple(
+            FiberShape(g) if isinstance(g, Curves) else SurfaceShape(g, sharpest)
+            for g in geometries
+        )
+        self._scene = PartsScene(geometries)
+        corners = np.concatenate([shape.points for shape in self.shapes])
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        self.centre = ((low + high) / 2).astype(np.float32)
+        self.radius = max(shape.reach(self.centre) for shape in self.shapes)
+        area = np.array([shape.area for shape in self.shapes])
+        self._by_area = area / area.sum()
 
-    @abstractmethod
     def distance(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """How far rays (n, 3) go before they meet the asset, (n,); inf: never."""
+        return self._scene.intersect(origins, directions).t
 
-    @abstractmethod
+    def part_hit(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Which part each ray meets first, (n,) int32; -1: none."""
+        return self._scene.intersect(origins, directions).part
+
+    def free_distance(self, points: np.ndarray, normals: np.ndarray, wo: np.ndarray) -> np.ndarray:
+        """How far a ray leaves points (n, 3) along wo before it meets the asset; inf: never."""
+        return self.distance(points + np.float32(1e-4 * self.radius) * normals, wo)
+
     def shade_points(self, origins: np.ndarray, directions: np.ndarray) -> ShadePoints:
         """First hits of rays (n, 3), with everything that a sample records."""
+        hits = self._scene.intersect(origins, directions)
+        position = np.zeros((len(origins), 3), np.float32)
+        on = []
+        for part, shape in enumerate(self.shapes):
+            rows = np.flatnonzero(hits.part == part)
+            found = (a[rows] for a in (hits.primitive, hits.u, hits.v, hits.normals))
+            points = self._scene.points(part, *found)
+            position[rows] = points.x
+            on.append(PartRows(rows, points, shape.sample_fields(points, directions[rows])))
+        return ShadePoints(hits.part, position, hits.normals, tuple(on))
 
-    @abstractmethod
-    def sample_points(self, n: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-        """n points uniform by area and their geometric normals, (n, 3) float32 each."""
+    def visible(self, points: ShadePoints, wi: np.ndarray) -> np.ndarray:
+        """Whether wi (n, 3) is free of the asset itself at each point, (n,) bool."""
+        free = np.zeros(len(points.part), bool)
+        for part, on in enumerate(points.on):
+            free[on.rows] = self._scene.visible(part, on.points, wi[on.rows])
+        return free
 
-    @abstractmethod
+    def sample_points(
+        self, n: int, rng: np.random.Generator, shares: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """n points and their geometric normals, (n, 3) float32 each, uniform by area on each part.
+
+        shares: of each part among the points, which add up to 1; None: by area, too.
+        """
+        wanted = part_counts(n, self._by_area if shares is None else shares)
+        drawn = [s.sample_points(k, rng) for s, k in zip(self.shapes, wanted, strict=True)]
+        points, normals = (np.concatenate(arrays) for arrays in zip(*drawn, strict=True))
+        return points, normals
+
     def highlight_views(
         self, points: ShadePoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
@@ -50,15 +116,16 @@ class AssetScene(ABC):
 
         Returns the rows (k,) that have one, and the unit directions (k, 3).
         """
+        rows, views = [], []
+        for shape, on in zip(self.shapes, points.on, strict=True):
+            of_part, wo = shape.highlight_views(on.points, wi, rng)
+            rows.append(on.rows[of_part])
+            views.append(wo)
+        every = np.concatenate(rows)
+        order = np.argsort(every)
+        return every[order], np.concatenate(views)[order]
 
-    @abstractmethod
-    def visible(self, points: ShadePoints, wi: np.ndarray) -> np.ndarray:
-        """Whether wi (n, 3) is free of the asset itself at each point, (n,) bool."""
 
-    def hit_mask(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        """Which rays hit, (n,) bool."""
-        return np.isfinite(self.distance(origins, directions))
-
-    def free_distance(self, points: np.ndarray, normals: np.ndarray, wo: np.ndarray) -> np.ndarray:
-        """How far a ray leaves points (n, 3) along wo before it meets the asset; inf: never."""
-        return self.distance(points + np.float32(1e-4 * self.radius) * normals, wo)
+def part_counts(n: int, shares: np.ndarray) -> np.ndarray:
+    """n divided among parts as the shares say, whole numbers that add up to n."""
+    return np.diff(np.round(n * np.concatenate([[0.0], np.cumsum(shares)])).astype(int))

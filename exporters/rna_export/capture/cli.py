@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
+from rna_export.blender.groom_options import ALEMBIC_AND_USD, GROOMS
 from rna_export.capture import blender_env, source_help
+from rna_export.capture.orientation import AXES, joined_axes
 from rna_export.capture.settings import CaptureSettings
 from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
@@ -24,12 +26,19 @@ if TYPE_CHECKING:
     from rna_render.scene_file import SceneFile
 
 _GO_ON = "run the same command again to continue"
-_SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", ".hair", ".tfx", ".py")
+SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", *ALEMBIC_AND_USD, *GROOMS, ".py")
+_BECOMES = {
+    "front": "+Z (X, Y, Z, -X, -Y or -Z, default: -Y where up is Z, as in Blender; Z elsewhere, as "
+    "in glTF)",
+    "up": "+Y (the same, default: Z for .blend, .ply, .hair and .py; what the file says for USD; Y "
+    "for the others)",
+}
 _OPTIONS = (  # fields of CaptureSettings
     "samples",
     "rays",
     "lights",
     "domain",
+    "parts",
     "sharpest",
     "clamp_direct",
     "clamp_indirect",
@@ -38,6 +47,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "validation_samples",
     "seed",
 )
+_CHOICES = {"domain": ("sphere", "hemisphere"), "parts": ("kinds", "objects")}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -47,11 +57,11 @@ def parser() -> argparse.ArgumentParser:
         "Render an asset in all views and lights with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
         epilog="The same command continues a capture that was stopped.\nArguments after -- go to a "
-        "source that is a Python script, or say what a .hair or .tfx\nfile does not; they are "
-        "listed by: rna-capture groom.tfx -- --help",
+        "source that is a Python script, or say what a groom, an\nAlembic or a USD file does "
+        "not; they are listed by: rna-capture groom.tfx -- --help",
     )
     p.add_argument(
-        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(_SUFFIXES)}"
+        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(SUFFIXES)}"
     )
     p.add_argument(
         "--out",
@@ -79,17 +89,21 @@ def parser() -> argparse.ArgumentParser:
         "validation images smaller where they would take more than a quarter (float, default: no "
         "limit)",
     )
-    of_fibers = CaptureSettings.usual("fiber")
     for name in _OPTIONS:
         info = CaptureSettings.model_fields[name]
-        usual = f"{type(info.default).__name__}, default {info.default}"
-        if getattr(of_fibers, name) != info.default:
-            usual += f", for fibers {getattr(of_fibers, name)}"
         p.add_argument(
             "--" + name.replace("_", "-"),
             type=type(info.default),
-            choices=("sphere", "hemisphere") if name == "domain" else None,
-            help=f"{info.description or 'of the random numbers'} ({usual})",
+            choices=_CHOICES.get(name),
+            help=f"{info.description or 'of the random numbers'} ({_usual(name)})",
+        )
+    for name in ("front", "up"):
+        p.add_argument(
+            f"--{name}",
+            choices=AXES,
+            metavar="AXIS",
+            help=f"{CaptureSettings.model_fields[name].description}; the asset is turned such that "
+            f"it becomes {_BECOMES[name]}",
         )
     p.add_argument(
         "--workers",
@@ -103,11 +117,19 @@ def parser() -> argparse.ArgumentParser:
     return p
 
 
+def _usual(name: str) -> str:
+    default = CaptureSettings.model_fields[name].default
+    hair, both = (getattr(CaptureSettings.usual(kind), name) for kind in ("fiber", "both"))
+    text = f"{type(default).__name__}, default {default}"
+    text += f", for hair {hair}" if hair != default else ""
+    return text + (f", beside a surface {both}" if both != hair else "")
+
+
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     own, arguments = split_script_arguments(argv)
     options = parser()
-    args = options.parse_args(own)
+    args = options.parse_args(joined_axes(own))
     if args.source is not None and source_help.is_asked(arguments):
         return run_command(lambda: source_help.show(args.source), args.debug, _GO_ON, "capture")
     if not args.setup_blender and (args.source is None or args.out is None):
@@ -122,7 +144,11 @@ def main(argv: list[str] | None = None) -> int:
 
 def _asked(args: argparse.Namespace) -> dict[str, Any]:
     """The settings given on the command line."""
-    return {name: value for name in _OPTIONS if (value := getattr(args, name)) is not None}
+    return {
+        name: value
+        for name in (*_OPTIONS, "front", "up")
+        if (value := getattr(args, name)) is not None
+    }
 
 
 def _check_numbers(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:
@@ -161,10 +187,10 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         if begun:
             dataset = _continue(args.out, args.source, arguments, asked)
             _check_scene(dataset, for_scene)
-            clamps = dataset.manifest.settings
+            settings = dataset.manifest.settings
         else:
-            clamps = CaptureSettings(**asked)
-        source = Source(args.source, arguments, clamps.clamp_direct, clamps.clamp_indirect)
+            settings = CaptureSettings(**asked)
+        source = Source.captured(args.source, arguments, settings)
         if not begun:
             dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
         finish(dataset, source, crew, limit)
@@ -178,9 +204,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 def _check_source(source: Path) -> None:
     if not source.is_file():
         raise CaptureError(f"{source}: no such file")
-    if source.suffix.lower() not in _SUFFIXES:
+    if source.suffix.lower() not in SUFFIXES:
         raise CaptureError(
-            f"{source}: found {source.suffix!r}, expected one of {', '.join(_SUFFIXES)}"
+            f"{source}: found {source.suffix!r}, expected one of {', '.join(SUFFIXES)}"
         )
 
 
@@ -209,7 +235,7 @@ def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
     manifest = dataset.manifest
     if for_scene is None:
         return
-    domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset.geometry()))
+    domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset))
     if domain != manifest.scene_domain:
         raise CaptureError(
             f"{dataset.folder} was begun for other views or lights than {for_scene.path}'s"

@@ -10,7 +10,7 @@ import numpy as np
 
 from rna_sdk.package import Cone
 from rna_sdk.package.limits import MAX_CONES
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 
 
 @dataclass(frozen=True)

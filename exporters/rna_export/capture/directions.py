@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 
 # R2, the two-dimensional golden ratio: M. Roberts, "The Unreasonable Effectiveness of
 # Quasirandom Sequences", 2018.

@@ -6,32 +6,31 @@ import hashlib
 import queue
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import monotonic
 from typing import Any
 
 import numpy as np
-import trimesh
 from tqdm import tqdm
 
 import rna_sdk
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import CaptureManifest, Dataset
+from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import light_direction
-from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.manifest import CapturedPart, CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.settings import SHARPEST, CaptureSettings
-from rna_export.capture.surface_scene import SurfaceScene
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_export.capture.view_rays import sample_view_rays
-from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.capture.weld import weld
+from rna_export.capture.worker import BlenderWorker, ScenePart, Source
 from rna_render.scene_file import SceneFile
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Domain, Mesh
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
 _COUNTED = 4096
@@ -48,32 +47,6 @@ class Crew:
 
     def worker(self, source: Source, name: str) -> BlenderWorker:
         return BlenderWorker(self.python, source, self.scratch, threads=1, name=name)
-
-
-def weld(corners: dict[str, np.ndarray]) -> Mesh:
-    """One vertex for each different corner (position, normal, uv); degenerate triangles go.
-
-    A corner without a normal gets its triangle's.
-    """
-    with_uv = bool(corners["has_uv"])
-    normals = _whole_normals(corners["positions"], corners["normals"])
-    rows = np.concatenate(
-        [corners["positions"], normals] + ([corners["uvs"]] if with_uv else []), axis=1
-    )
-    vertices, index = np.unique(rows.astype(np.float32) + 0.0, axis=0, return_inverse=True)
-    triangles = index.reshape(-1, 3).astype(np.uint32)
-    area = trimesh.triangles.area(vertices[:, :3].astype(np.float64)[triangles])
-    vertices = np.ascontiguousarray(vertices, np.float32)
-    normals = np.ascontiguousarray(vertices[:, 3:6])
-    uvs = np.ascontiguousarray(vertices[:, 6:8]) if with_uv else None
-    return Mesh(np.ascontiguousarray(vertices[:, :3]), normals, uvs, triangles[area > 0.0])
-
-
-def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
-    corners = positions.reshape(-1, 3, 3).astype(np.float64)
-    flat = np.repeat(trimesh.triangles.cross(corners), 3, axis=0)
-    chosen = np.where(np.linalg.norm(normals, axis=1, keepdims=True) > 0.5, normals, flat)
-    return chosen / np.maximum(np.linalg.norm(chosen, axis=1, keepdims=True), 1e-30)
 
 
 def begin(
@@ -94,10 +67,9 @@ def begin(
     start = monotonic()
     with crew.worker(source, "probe") as worker:
         opening = monotonic() - start
-        fibers = worker.kind == "fiber"
-        geometry = worker.export_curves() if fibers else weld(worker.export_corners())
+        geometries = {part.name: _exported(worker, part) for part in worker.parts}
         settings = CaptureSettings.usual(worker.kind, **asked)
-        scene = scene_of(geometry, settings.sharpest)
+        scene = AssetScene(tuple(geometries.values()), settings.sharpest)
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         rate = _paths_a_second(scene, settings, domain, worker) * crew.workers
@@ -106,10 +78,9 @@ def begin(
         usual, settings = settings, planned(settings, limit, opening, rate, asked)
         if note := shrunk(usual, settings):
             say(note)
-    low, high = geometry.box()
     manifest = CaptureManifest(
         name=source.path.stem,
-        kind=worker.kind,
+        parts=tuple(_captured(part, geometries[part.name]) for part in worker.parts),
         source=source.path.name,
         source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
         arguments=source.arguments,
@@ -117,22 +88,32 @@ def begin(
         blender=opened["blender"],
         generator=f"rna-capture {rna_sdk.__version__}",
         cutouts=opened["cutouts"],
-        bounds=(tuple(low.tolist()), tuple(high.tolist())),
         notes=tuple(opened["notes"]),
         scene_domain=limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
-    dataset = Dataset.create(out, manifest, geometry)
-    say(_plan(dataset, geometry, rate))
+    dataset = Dataset.create(out, manifest, geometries)
+    say(_plan(dataset, geometries, rate))
     return dataset
 
 
-def scene_of(geometry: Mesh | Curves, sharpest: float = SHARPEST) -> AssetScene:
-    """The geometry, ready to be asked with rays; `sharpest` as in `CaptureSettings`."""
-    if isinstance(geometry, Curves):
-        return FiberScene(geometry)
-    return SurfaceScene(geometry, sharpest)
+def scene_of(dataset: Dataset) -> AssetScene:
+    """All parts of a dataset, ready to be asked with rays."""
+    geometries = [part.geometry() for part in dataset.parts]
+    return AssetScene(geometries, dataset.manifest.settings.sharpest)
+
+
+def _exported(worker: BlenderWorker, part: ScenePart) -> Mesh | Curves:
+    if part.kind == "fiber":
+        return worker.export_curves(part.owner)
+    return weld(worker.export_corners(part.owner))
+
+
+def _captured(part: ScenePart, geometry: Mesh | Curves) -> CapturedPart:
+    low, high = geometry.box()
+    bounds = tuple(low.tolist()), tuple(high.tolist())
+    return CapturedPart(name=part.name, kind=part.kind, bounds=bounds)
 
 
 def finish(
@@ -152,7 +133,7 @@ def finish(
     if not missing:
         return
     total = sum(task.paths_to_trace(dataset) for task in missing)
-    scene = scene_of(dataset.geometry(), dataset.manifest.settings.sharpest)
+    scene = scene_of(dataset)
     with tqdm(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
         shift = _Shift(dataset, scene, source, crew, bar, limit)
         for task in missing:
@@ -258,20 +239,33 @@ def _paths_a_second(
     return settings.rays * settings.samples / float(np.mean(seconds[1:]))
 
 
-def _plan(dataset: Dataset, geometry: Mesh | Curves, rate: float) -> str:
+def _plan(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float) -> str:
     settings = dataset.manifest.settings
     paths = sum(task.paths_to_trace(dataset) for task in all_tasks(dataset))
     samples = settings.lights * settings.rays
     return (
-        f"{dataset.manifest.name}: {_size(geometry)}\n"
+        f"{_parts_lines(dataset.manifest.name, geometries)}"
         f"{_domain_line(dataset.manifest)}"
         f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
         f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
         f"validation: {settings.validation_views} images of {settings.validation_resolution}"
         f"x{settings.validation_resolution}, {settings.validation_samples} paths a pixel\n"
         f"about {paths / rate / 60.0:.1f} minutes at {rate / 1e6:.2f} M paths/s, "
-        f"{samples * 4 * sum(dataset.manifest.fields.values()) / 1e6:,.0f} MB"
+        f"{samples * 4 * _widest(dataset) / 1e6:,.0f} MB"
     )
+
+
+def _parts_lines(name: str, geometries: Mapping[str, Mesh | Curves]) -> str:
+    sizes = {part: _size(geometry) for part, geometry in geometries.items()}
+    if len(sizes) == 1:
+        return f"{name}: {next(iter(sizes.values()))}\n"
+    lines = (f"  {part}: {size}\n" for part, size in sizes.items())
+    return f"{name}, {len(sizes)} parts:\n{''.join(lines)}"
+
+
+def _widest(dataset: Dataset) -> int:
+    """Columns of the samples that have the most."""
+    return max(sum(part.fields.values()) for part in dataset.parts)
 
 
 def _domain_line(manifest: CaptureManifest) -> str:

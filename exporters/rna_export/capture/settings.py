@@ -24,6 +24,12 @@ class CaptureSettings(DatasetModel):
     rays: int = Field(4096, gt=0, description="view rays a light direction")
     lights: int = Field(2000, gt=0, description="light directions, one small render each")
     domain: str = Field("sphere", pattern="^(sphere|hemisphere)$", description="of wo and of wi")
+    parts: str = Field(
+        "kinds",
+        pattern="^(kinds|objects)$",
+        description="what has planes and a decoder of its own: all surfaces and all hair, or each "
+        "object that is parented to no other",
+    )
     sharpest: float = Field(
         SHARPEST, gt=0, le=0.8, description="roughness of the smoothest material of a surface"
     )
@@ -31,6 +37,10 @@ class CaptureSettings(DatasetModel):
         CLAMP_DIRECT, description="Cycles' clamp of direct light (the paper's)"
     )
     clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' clamp of indirect light")
+    front: str | None = Field(
+        None, pattern="^-?[XYZ]$", description="axis of the file that is the asset's front"
+    )
+    up: str | None = Field(None, pattern="^-?[XYZ]$", description="axis of the file that is up")
     validation_views: int = Field(8, ge=1, description="whole images kept from training")
     validation_resolution: int = Field(160, gt=0, description="their width and height, pixels")
     validation_samples: int = Field(512, ge=2, description="paths a pixel, in two halves")
@@ -44,12 +54,13 @@ class CaptureSettings(DatasetModel):
 
     @classmethod
     def usual(cls, kind: str, **asked: object) -> CaptureSettings:
-        """The defaults for a kind of asset, but for what was asked for."""
-        return cls(**{**(_FIBER_DEFAULTS if kind == "fiber" else {}), **asked})
+        """The defaults for "surface", "fiber" or "both", but for what was asked for."""
+        return cls(**{**_DEFAULTS.get(kind, {}), **asked})
 
 
 # Hair's paths are dear and noisy: more points, of fewer paths, teach more (docs/decisions.md).
-_FIBER_DEFAULTS = {
+# Beside a surface, whose paths are cheap, as many paths a light serve both.
+_FIBERS = {
     "samples": 2,
     "rays": 16384,
     "lights": 1500,
@@ -57,3 +68,4 @@ _FIBER_DEFAULTS = {
     "validation_samples": 256,
     "lights_per_shard": 8,
 }
+_DEFAULTS = {"fiber": _FIBERS, "both": {**_FIBERS, "samples": 4, "rays": 12288}}

@@ -5,11 +5,11 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
+from rna_export.blender.groom_options import ALEMBIC_AND_USD, GROOMS, parser
 from rna_export.capture.blender_env import find_python
 from rna_sdk.errors import CaptureError
 
-GROOMS = (".hair", ".tfx")
-
+_WITH_OPTIONS = (*GROOMS, *ALEMBIC_AND_USD)
 _SCRIPT_HELP = Path(__file__).parent.parent / "blender" / "script_help.py"
 
 
@@ -21,16 +21,16 @@ def is_asked(arguments: tuple[str, ...]) -> bool:
 def show(source: Path) -> None:
     """Print the source's options; a script, which must exist, runs in Blender to tell its own."""
     suffix = source.suffix.lower()
-    if suffix in GROOMS:
-        from rna_export.blender.groom_options import parser
-
-        parser().print_help()
+    if suffix in _WITH_OPTIONS:
+        parser(suffix).print_help()
     elif suffix == ".py":
         if not source.is_file():
             raise CaptureError(f"{source}: no such file")
         _show_script(source)
     else:
-        raise CaptureError(f"{source}: nothing can follow --, only for .py, {', '.join(GROOMS)}")
+        raise CaptureError(
+            f"{source}: nothing can follow --, only for .py, {', '.join(_WITH_OPTIONS)}"
+        )
 
 
 def _show_script(source: Path) -> None:

@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import Dataset, joined, write_arrays
+from rna_export.capture.asset_scene import AssetScene, PartRows
+from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import directions_in, light_direction
+from rna_export.capture.sample_files import joined, write_parts
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_render.camera import Camera
 from rna_render.scene_model import CameraModel
 from rna_sdk.errors import CaptureError
-from rna_sdk.package.manifest import Region
+from rna_sdk.package.manifest_fields import Region
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
+
+Samples = dict[str, dict[str, np.ndarray]]
+"""Part -> field -> rows."""
 
 
 @dataclass(frozen=True)
@@ -36,8 +42,8 @@ class TrainingShard:
         return len(self._lights(dataset)) * settings.rays * settings.samples
 
     def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
-        parts = [self._light(dataset, scene, worker, light) for light in self._lights(dataset)]
-        write_arrays(self.path(dataset), joined(parts))
+        lights = [self._light(dataset, scene, worker, light) for light in self._lights(dataset)]
+        write_parts(self.path(dataset), _all_rows(lights))
 
     def _lights(self, dataset: Dataset) -> range:
         settings = dataset.manifest.settings
@@ -46,7 +52,7 @@ class TrainingShard:
 
     def _light(
         self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker, light: int
-    ) -> dict[str, np.ndarray]:
+    ) -> Samples:
         settings = dataset.manifest.settings
         domain = dataset.manifest.domain
         wi = light_direction(light, settings.seed, domain.wi)
@@ -78,12 +84,12 @@ class ValidationHalf:
         samples = settings.validation_samples // 2
         noise = np.random.default_rng([settings.seed, 3, self.view, self.half])
         seed = int(noise.integers(2**31))
-        parts = []
+        pieces = []
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
             extra = {"pixel": pixel.astype(np.int32)}
-            parts.append(_capture(dataset, scene, worker, rays[pixel], wi, samples, seed, extra))
-        write_arrays(self.path(dataset), joined(parts))
+            pieces.append(_capture(dataset, scene, worker, rays[pixel], wi, samples, seed, extra))
+        write_parts(self.path(dataset), _all_rows(pieces))
 
 
 def all_tasks(dataset: Dataset) -> list[TrainingShard | ValidationHalf]:
@@ -91,6 +97,10 @@ def all_tasks(dataset: Dataset) -> list[TrainingShard | ValidationHalf]:
     settings = dataset.manifest.settings
     views = [ValidationHalf(v, half) for v in range(settings.validation_views) for half in (0, 1)]
     return views + [TrainingShard(k) for k in range(dataset.manifest.shards)]
+
+
+def _all_rows(pieces: list[Samples]) -> Samples:
+    return {part: joined([piece[part] for piece in pieces]) for part in pieces[0]}
 
 
 def _capture(
@@ -102,25 +112,37 @@ def _capture(
     samples: int,
     seed: int,
     extra: dict[str, np.ndarray] | None = None,
-) -> dict[str, np.ndarray]:
+) -> Samples:
     """Samples of view rays under one light: geometry from our scene, radiance from Cycles."""
     points = scene.shade_points(rays.origins, rays.directions)
     rendered = worker.render_rays(rays.origins, rays.directions, wi, samples, seed)
     wi_rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), rays.origins.shape))
-    sample = {
-        **points.sample_fields(),
+    of_ray = {
         "wo": -rays.directions,
         "wi": wi_rows,
         "radiance": rendered.radiance,
+        "direct": rendered.direct,
         "visible": scene.visible(points, wi_rows).astype(np.uint8),
         **(extra or {}),
     }
-    if rendered.direct is not None:
-        sample["direct"] = rendered.direct
     # A ray along a silhouette may hit here and miss there; such a sample would be black.
     seen = dataset.manifest.cutouts | (rendered.alpha > 0.999)
-    keep = points.hit & seen & np.isfinite(rendered.radiance).all(axis=1)
-    return {name: values[keep] for name, values in sample.items()}
+    keep = seen & np.isfinite(rendered.radiance).all(axis=1)
+    return {
+        part.name: _kept(on, keep, of_ray, (*part.fields, *(extra or {})))
+        for part, on in zip(dataset.parts, points.on, strict=True)
+    }
+
+
+def _kept(
+    on: PartRows, keep: np.ndarray, of_ray: dict[str, Any], fields: Iterable[str]
+) -> dict[str, np.ndarray]:
+    """The fields of the rows of one part that are to be kept."""
+    kept = keep[on.rows]
+    return {
+        name: on.fields[name][kept] if name in on.fields else of_ray[name][on.rows[kept]]
+        for name in fields
+    }
 
 
 def _validation_rays(
@@ -129,7 +151,7 @@ def _validation_rays(
     """A view's rays and which of them hit; drawn again while, as through a ring, hardly any do."""
     for _ in range(50):
         rays = _validation_camera(scene, settings, wo, view, rng)
-        hit = np.flatnonzero(scene.hit_mask(rays.origins, rays.directions))
+        hit = np.flatnonzero(scene.part_hit(rays.origins, rays.directions) >= 0)
         if len(hit) > 0.01 * len(rays):
             return rays, hit
     raise CaptureError(f"validation view {view}: no camera that sees the asset was found")

@@ -14,7 +14,7 @@ import numpy as np
 import OpenEXR
 
 from rna_export.capture.axes import from_blender, to_blender
-from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT
+from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
 
@@ -29,6 +29,24 @@ class Source:
     arguments: tuple[str, ...] = ()
     clamp_direct: float = CLAMP_DIRECT
     clamp_indirect: float = CLAMP_INDIRECT
+    front: str | None = None  # axes of the file; None: the usual ones of its kind
+    up: str | None = None
+    parts: str = "kinds"  # see CaptureSettings
+
+    @classmethod
+    def captured(cls, path: Path, arguments: tuple[str, ...], settings: CaptureSettings) -> Source:
+        """The source as a capture of these settings opens it."""
+        clamps = settings.clamp_direct, settings.clamp_indirect
+        return cls(path, arguments, *clamps, settings.front, settings.up, settings.parts)
+
+
+@dataclass(frozen=True)
+class ScenePart:
+    """What of an opened source becomes a part of the asset."""
+
+    name: str
+    kind: str  # "surface" or "fiber"
+    owner: str | None  # the top object that it is; None: whatever is of the kind
 
 
 @dataclass(frozen=True)
@@ -37,7 +55,7 @@ class RenderedRays:
 
     radiance: (n, 3) under irradiance 1. alpha: (n,), 1 for a hit. position: (n, 3) Cycles' own
     hits, object space. direct: (n, 3) the part of the radiance that scattered once, at the hit
-    itself: without noise. Fibers have it, surfaces None.
+    itself: without noise on fibers. None of a source without fibers.
     """
 
     radiance: np.ndarray
@@ -86,7 +104,11 @@ class BlenderWorker:
                 threads=self._threads,
                 clampDirect=self._source.clamp_direct,
                 clampIndirect=self._source.clamp_indirect,
+                front=self._source.front,
+                up=self._source.up,
+                parts=self._source.parts,
             )
+            self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])
         except BaseException:
             self.close()
             raise
@@ -130,25 +152,26 @@ class BlenderWorker:
 
     @property
     def kind(self) -> str:
-        """Of the opened source: "surface" or "fiber"."""
-        return self.opened["kind"]
+        """Of the opened source's parts: "surface", "fiber" or "both"."""
+        kinds = {part.kind for part in self.parts}
+        return kinds.pop() if len(kinds) == 1 else "both"
 
-    def export_curves(self) -> Curves:
-        """All strands of the scene, +Y up."""
-        arrays = self._exported("exportCurves")
+    def export_curves(self, owner: str | None = None) -> Curves:
+        """All strands of a top object, or of the scene, +Y up."""
+        arrays = self._exported("exportCurves", owner)
         points = np.ascontiguousarray(from_blender(arrays["points"]), np.float32)
         return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
 
-    def export_corners(self) -> dict[str, np.ndarray]:
-        """Triangle corners of the whole scene, +Y up: see `blender/mesh_export.py`."""
-        corners = self._exported("exportMesh")
+    def export_corners(self, owner: str | None = None) -> dict[str, np.ndarray]:
+        """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`."""
+        corners = self._exported("exportMesh", owner)
         for name in ("positions", "normals"):
             corners[name] = from_blender(corners[name])
         return corners
 
-    def _exported(self, op: str) -> dict[str, np.ndarray]:
+    def _exported(self, op: str, owner: str | None) -> dict[str, np.ndarray]:
         path = self._folder / f"geometry-{self._name}.npz"
-        self._ask(op=op, out=str(path))
+        self._ask(op=op, out=str(path), owner=owner)
         with np.load(path) as data:
             arrays = dict(data)
         path.unlink()
@@ -177,7 +200,7 @@ class BlenderWorker:
             path.unlink(missing_ok=True)
         rgba = _channels(passes, "Combined", "RGBA")[:n]
         position = from_blender(_channels(passes, "Position", "XYZ")[:n])
-        direct = _direct(passes)[:n] if self.kind == "fiber" else None
+        direct = _direct(passes)[:n] if self.kind != "surface" else None
         return RenderedRays(rgba[:, :3], rgba[:, 3], position, direct)
 
     def render_view(

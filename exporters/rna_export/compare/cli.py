@@ -7,6 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from rna_export.capture.orientation import AXES, joined_axes
 from rna_export.compare.cameras import CAMERAS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 
@@ -38,11 +39,25 @@ def parser() -> argparse.ArgumentParser:
         "--resolution", type=int, default=384, help="pixels a side (int, default: %(default)s)"
     )
     p.add_argument(
+        "--front",
+        choices=AXES,
+        metavar="AXIS",
+        help="axis of the package that is the asset's front (X, Y, Z, -X, -Y or -Z, default: Z, "
+        "which is glTF's front, and Blender's -Y; Blender's Y is -Z)",
+    )
+    p.add_argument(
+        "--up",
+        choices=AXES,
+        default="Y",
+        metavar="AXIS",
+        help="axis of the package that is up (the same, default: Y, which is Blender's Z)",
+    )
+    p.add_argument(
         "--turn",
         type=float,
         default=0.0,
         metavar="DEG",
-        help="turn the cameras about +Y, if the asset's front is not +Z (float, default: 0)",
+        help="turn the cameras about up, if the front lies between two axes (float, default: 0)",
     )
     p.add_argument(
         "--cameras",
@@ -61,7 +76,7 @@ def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     own, arguments = split_script_arguments(argv)
     options = parser()
-    args = options.parse_args(own)
+    args = options.parse_args(joined_axes(own))
     if args.cycles_samples < 2:
         options.error(
             f"argument --cycles-samples: expected at least 2, found {args.cycles_samples}"
@@ -81,7 +96,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     if not args.source.is_file():
         raise CaptureError(f"{args.source}: no such file")
     asset = load(args.package, tier=args.tier, threads=1)
-    python, source = blender_env.find_python(), Source(args.source, arguments)
+    python = blender_env.find_python()
+    source = Source(args.source, arguments, **_axes_of_capture(args.package))
     with (
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
         BlenderWorker(python, source, Path(scratch), default_workers()) as worker,
@@ -94,6 +110,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             args.cycles_samples,
             args.resolution,
             args.turn,
+            (args.front or ("-Y" if args.up[-1] == "Z" else "Z"), args.up),
             args.cameras,
             lambda p: print(
                 f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, ours "
@@ -109,6 +126,15 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     }
     write_page(args.out, f"{args.package.stem}: the package and Cycles", pairs, settings)
     print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
+
+
+def _axes_of_capture(package: Path) -> dict[str, str]:
+    """`front` and `up` that rna-capture was given: Cycles gets the source turned alike."""
+    from rna_sdk.package import Package
+
+    with Package.open(package) as opened:
+        settings = opened.manifest.provenance.capture
+    return {name: axis for name in ("front", "up") if (axis := settings.get(name)) in AXES}
 
 
 if __name__ == "__main__":

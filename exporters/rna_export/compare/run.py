@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.worker import BlenderWorker
-from rna_export.compare.views import FOV_Y, Shot, shots_of
+from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
 from rna_export.metrics import flip, psnr, psnr_without_noise
 from rna_render.render import make_integrator, render
 from rna_render.world import Placement, World
@@ -48,13 +48,14 @@ def compare(
     cycles_samples: int,
     resolution: int,
     turn_deg: float,
+    frame: Frame,
     cameras: Collection[str],
     done: Callable[[Pair], None],
 ) -> list[Pair]:
     """The standard shots of the named cameras, one after the other, each program's time its own."""
     world = World([Placement(asset, np.eye(4))])
     pairs = []
-    for shot in shots_of(asset, resolution, turn_deg):
+    for shot in shots_of(asset, resolution, turn_deg, frame):
         if shot.camera_name in cameras:
             ours = render_ours(shot, world, package, samples)
             cycles = render_cycles(shot, worker, cycles_samples)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_export.capture.orientation import rotation
 from rna_export.compare.cameras import ORBITS
 from rna_render.camera import Camera
 from rna_render.lights.models import DirectionalModel
@@ -13,6 +14,10 @@ from rna_render.scene_model import AssetModel, CameraModel, Scene
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.runtime import Asset, FiberAsset
 
+Frame = tuple[str, str]
+"""Axes of the asset's space that are its front and its up."""
+
+USUAL: Frame = ("Z", "Y")
 FOV_Y = np.radians(30.0)
 _LIGHTS = {"key": (40.0, 45.0), "side": (-80.0, 20.0), "back": (170.0, 35.0)}  # from the camera
 _STRANDS = 16.0  # radii of the thickest strand from the middle of its picture to the edge
@@ -29,6 +34,7 @@ class Shot:
     target: np.ndarray  # (3,)
     wi: np.ndarray  # (3,) unit, towards the light
     resolution: int
+    up: np.ndarray  # (3,) unit
 
     @property
     def name(self) -> str:
@@ -40,6 +46,7 @@ class Shot:
         return CameraModel(
             position=tuple(self.eye),
             look_at=tuple(self.target),
+            up=tuple(self.up),
             vertical_fov_deg=np.degrees(FOV_Y),
         )
 
@@ -62,14 +69,18 @@ class Shot:
         )
 
 
-def shots_of(asset: Asset, resolution: int, turn_deg: float) -> list[Shot]:
+def shots_of(asset: Asset, resolution: int, turn_deg: float, frame: Frame = USUAL) -> list[Shot]:
     """`shots` of an asset's own geometry."""
     geometry = asset.curves if isinstance(asset, FiberAsset) else asset.mesh
-    return shots(geometry, resolution, turn_deg)
+    return shots(geometry, resolution, turn_deg, frame)
 
 
-def shots(geometry: Mesh | Curves, resolution: int, turn_deg: float) -> list[Shot]:
-    """Cameras x lights around the asset; `turn_deg` says where its front is.
+def shots(
+    geometry: Mesh | Curves, resolution: int, turn_deg: float, frame: Frame = USUAL
+) -> list[Shot]:
+    """Cameras x lights around the asset, whose front and up are those of `frame`.
+
+    turn_deg: of the cameras about up, where the front lies between two axes.
 
     Fibers have one more camera, so near that single strands fill the picture.
     """
@@ -81,16 +92,18 @@ def shots(geometry: Mesh | Curves, resolution: int, turn_deg: float) -> list[Sho
     cameras = dict(ORBITS)
     if fibers:
         cameras["strands"] = (*cameras["close-up"][:2], _STRANDS * geometry.radii.max() / radius)
+    turned = rotation(*frame)
     result = []
     for camera, (azimuth, elevation, zoom) in cameras.items():
-        wo = _direction(azimuth + turn_deg, elevation)
+        wo = turned @ _direction(azimuth + turn_deg, elevation)
         target = centre
         if zoom < 1.0:  # look at what is nearest
             target = positions[np.argmax((positions - centre) @ wo)]
         eye = target + wo * zoom * 1.02 * radius / np.sin(FOV_Y / 2)
         for light, (side, height) in _LIGHTS.items():
-            wi = _direction(azimuth + turn_deg + side, height)
-            result.append(Shot(len(result), camera, light, eye, target, wi, resolution))
+            wi = turned @ _direction(azimuth + turn_deg + side, height)
+            up = turned[:, 1]
+            result.append(Shot(len(result), camera, light, eye, target, wi, resolution, up))
     return result
 
 

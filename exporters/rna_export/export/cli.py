@@ -15,13 +15,14 @@ def parser() -> argparse.ArgumentParser:
     p = command_parser(
         "rna-export",
         "Write trained checkpoints as one .rna package, a tier each.",
-        "rna-export runs/helmet/best.ckpt --out helmet.rna",
+        "rna-export runs/helmet --out helmet.rna",
     )
     p.add_argument(
         "checkpoints",
         nargs="+",
         type=Path,
-        help="of rna-train, one a tier; the first is the package's default tier",
+        help="of rna-train, one a tier, or its folders; the first is the package's default tier. "
+        "An asset of several parts needs one of each part, which a folder gives (paths)",
     )
     p.add_argument("--out", type=Path, required=True, help="the package to write")
     p.add_argument(
@@ -70,9 +71,10 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset import Dataset
     from rna_export.export.build import build_package
+    from rna_export.export.trained_tiers import checkpoint_paths
     from rna_export.training.checkpoint import load_checkpoint
 
-    trained = [load_checkpoint(path) for path in args.checkpoints]
+    trained = [load_checkpoint(path) for path in checkpoint_paths(args.checkpoints)]
     dataset = Dataset(args.dataset or trained[0].dataset)
     precisions = [PRECISIONS[name] for name in dict.fromkeys(args.precision)]
     build_package(

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from rna_export.capture.dataset import ValidationView
+from rna_export.capture.validation_view import CapturedImage
 from rna_export.metrics import flip
 from rna_sdk.package import FlipAtHeight
 
@@ -13,16 +15,14 @@ _HALVINGS = 4
 
 
 def flip_at_heights(
-    radiance: list[np.ndarray], views: list[ValidationView]
+    radiance: list[np.ndarray], views: Sequence[CapturedImage]
 ) -> tuple[FlipAtHeight, ...]:
     """Mean FLIP of shaded rows, (n, 3) a view, at the images' height, half of it, and so on.
 
     Pixels are averaged as radiance, as a renderer's samples of a pixel are; rows and columns that
     a height does not divide are left out.
     """
-    images = [
-        (v.image(r), v.image(v.samples["radiance"])) for r, v in zip(radiance, views, strict=True)
-    ]
+    images = [(v.image(r), v.image(v.reference)) for r, v in zip(radiance, views, strict=True)]
     result = []
     for factor in (2**k for k in range(_HALVINGS)):
         height = views[0].resolution // factor

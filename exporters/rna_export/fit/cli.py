@@ -108,16 +108,16 @@ def _run(args: argparse.Namespace) -> None:
 
     if args.steps < 16:
         raise TrainingError(f"--steps: found {args.steps}, expected at least 16")
-    dataset = Dataset(args.dataset)
+    dataset = Dataset(args.dataset).only
     crew = Crew.usual(args.device, args.workers)
     grid = args.grid or ("full" if crew.device == "cuda" else "short")
-    models = {"full": full_grid, "short": short_grid}[grid](dataset.manifest.kind, args.steps)
+    models = {"full": full_grid, "short": short_grid}[grid](dataset.kind, args.steps)
     ours = [trial for trial in models if trial.family == "ours"]
     work = args.work or args.out.with_suffix(".fit")
     found = fit(dataset, ours, goal_of(args), args.steps, crew, work, print)
     build_package(
         [load_checkpoint(found.checkpoint)],
-        dataset,
+        dataset.dataset,
         args.out,
         args.source,
         args.license,

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import torch
 
-from rna_export.capture.dataset import Dataset, all_queries, write_atomically
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.sample_files import write_atomically
+from rna_export.capture.validation_view import all_queries
 from rna_export.fit.candidate import Candidate
 from rna_export.fit.goal import Goal
 from rna_export.fit.search import search
@@ -38,7 +40,7 @@ class Fit:
 
 
 def fit(
-    dataset: Dataset,
+    dataset: DatasetPart,
     trials: list[Trial],
     goal: Goal,
     steps: int,
@@ -76,7 +78,7 @@ def fit(
 
 
 def _with_costs(
-    dataset: Dataset, trials: list[Trial], work: Path, say: Callable[[str], None]
+    dataset: DatasetPart, trials: list[Trial], work: Path, say: Callable[[str], None]
 ) -> tuple[list[Candidate], Costs]:
     """Every trial at every precision, with the cost of its shape: weights do not change it."""
     named = {f"{t.name}/{precision}": (t, precision) for t in trials for precision in PRECISIONS}
@@ -98,7 +100,7 @@ def _read_costs(path: Path) -> Costs:
         raise TrainingError(f"{path}: not the costs of rna-fit: {error}; delete it") from error
 
 
-def _measured(dataset: Dataset, trials: list[Trial]) -> Costs:
+def _measured(dataset: DatasetPart, trials: list[Trial]) -> Costs:
     with tempfile.TemporaryDirectory(prefix="rna-fit-") as scratch:
         packages = {}
         for trial in trials:
@@ -109,10 +111,10 @@ def _measured(dataset: Dataset, trials: list[Trial]) -> Costs:
         return measure_costs(packages, all_queries(dataset.validation_views()))
 
 
-def _random(trial: Trial, dataset: Dataset) -> Trained:
+def _random(trial: Trial, dataset: DatasetPart) -> Trained:
     torch.manual_seed(trial.seed)
     model = NeuralAsset(trial.preset.model, padded_bounds(dataset)).eval()
-    made = trial.preset, trial.name, 0, trial.seed
+    made = trial.preset, trial.name, dataset.name, 0, trial.seed
     return Trained(model, *made, dataset.manifest, dataset.folder)
 
 

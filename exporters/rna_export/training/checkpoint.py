@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import torch
+from pydantic import ValidationError
 
-from rna_export.capture.dataset import CaptureManifest
+from rna_export.capture.manifest import CaptureManifest, what_is_wrong
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
 from rna_sdk.errors import ExportError, TrainingError
@@ -21,6 +22,7 @@ class Trained:
     model: NeuralAsset
     preset: Preset
     preset_name: str
+    part: str
     steps: int
     seed: int
     capture: CaptureManifest
@@ -70,10 +72,12 @@ def _trained(saved: dict[str, Any]) -> Trained:
     model = NeuralAsset(preset.model, bounds)
     model.load_state_dict(weights)
     capture = CaptureManifest.model_validate(record["capture"])
-    made = record["preset_name"], int(record["steps"]), int(record["seed"])
+    made = record["preset_name"], record["part"], int(record["steps"]), int(record["seed"])
     return Trained(model.eval(), preset, *made, capture, Path(record["dataset"]))
 
 
 def _summary(error: Exception) -> str:
-    """The first line: torch and pydantic go on with advice that does not fit here."""
+    """One line: torch and pydantic go on with advice that does not fit here."""
+    if isinstance(error, ValidationError):
+        return what_is_wrong(error)
     return f"{type(error).__name__}: {(str(error).splitlines() or [''])[0]}"

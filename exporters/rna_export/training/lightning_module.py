@@ -10,7 +10,7 @@ import lightning
 import torch
 from torch import Tensor
 
-from rna_export.capture.dataset import ValidationView
+from rna_export.capture.validation_view import ValidationView
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
 from rna_export.training.pace import Pace, StepPace

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.presets import Preset
 
 MOST_DARKENED = 0.02
 """Part of an asset's brightness that the log loss may cost."""
 
 
-def darkening(dataset: Dataset, unit: float) -> float:
+def darkening(dataset: DatasetPart, unit: float) -> float:
     """By what part the log loss would learn the asset too dark, to second order in the noise.
 
     The mean of log(x / unit + 1) over noisy x is lower than that of their mean, by half their
@@ -30,7 +30,7 @@ def darkening(dataset: Dataset, unit: float) -> float:
     return lost / total if total > 0.0 else 0.0
 
 
-def with_fitting_loss(preset: Preset, dataset: Dataset, unit: float) -> Preset:
+def with_fitting_loss(preset: Preset, dataset: DatasetPart, unit: float) -> Preset:
     """The preset with a loss chosen for the dataset's noise, where it leaves that open."""
     if preset.training.loss != "auto":
         return preset

@@ -17,7 +17,7 @@ from lightning.pytorch.callbacks.progress.tqdm_progress import Tqdm
 from lightning.pytorch.loggers import CSVLogger
 from torch.utils.data import DataLoader
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_progress
 from rna_export.training.curves import draw_curves
 from rna_export.training.lightning_module import NeuralAssetTraining
@@ -33,7 +33,7 @@ from rna_sdk.errors import TrainingError
 class Run:
     """One training, as asked for."""
 
-    dataset: Dataset
+    dataset: DatasetPart
     preset: Preset
     preset_name: str
     out: Path
@@ -99,9 +99,9 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     return unfinished.replace(best)
 
 
-def padded_bounds(dataset: Dataset) -> torch.Tensor:
+def padded_bounds(dataset: DatasetPart) -> torch.Tensor:
     """The triplane's box (2, 3): the geometry's, a little larger, no side thinner than a tenth."""
-    low, high = torch.tensor(dataset.manifest.bounds, dtype=torch.float32)
+    low, high = torch.tensor(dataset.bounds, dtype=torch.float32)
     centre, half = (low + high) / 2, (high - low) / 2
     half = torch.maximum(1.01 * half, 0.1 * half.max())
     return torch.stack([centre - half, centre + half])
@@ -182,6 +182,7 @@ def _record(run: Run, pace: Pace) -> dict[str, Any]:
         "seed": run.seed,
         "steps": pace.steps if isinstance(pace, StepPace) else None,
         "minutes": run.minutes,
+        "part": run.dataset.name,
         "dataset": str(run.dataset.folder.resolve()),
         "capture": run.dataset.manifest.model_dump(mode="json", by_alias=True),
     }

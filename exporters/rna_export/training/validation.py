@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import numpy as np
 import torch
 from PIL import Image
 
-from rna_export.capture.dataset import ValidationView
+from rna_export.capture.validation_view import CapturedImage, ValidationView
 from rna_export.metrics import flip, psnr, psnr_without_noise, relative_mse, to_png
 from rna_export.training.model import NeuralAsset
 
@@ -48,9 +49,9 @@ def answer(model: NeuralAsset, queries: dict[str, np.ndarray]) -> tuple[np.ndarr
     return both[:, 0], both[:, 1]
 
 
-def score(radiance: list[np.ndarray], views: list[ValidationView]) -> Scores:
+def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
     """Scores of shaded rows against the captured ones."""
-    pairs = [(r, v.samples["radiance"], v) for r, v in zip(radiance, views, strict=True)]
+    pairs = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)]
     return Scores(
         psnr=float(np.mean([psnr(r, t) for r, t, _ in pairs])),
         flip=float(np.mean([flip(v.image(r), v.image(t))[0] for r, t, v in pairs])),
@@ -62,11 +63,11 @@ def score(radiance: list[np.ndarray], views: list[ValidationView]) -> Scores:
     )
 
 
-def write_images(folder: Path, radiance: list[np.ndarray], views: list[ValidationView]) -> None:
+def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
     """One PNG a view: ours, Cycles, the FLIP map."""
     folder.mkdir(parents=True, exist_ok=True)
     for shaded, view in zip(radiance, views, strict=True):
-        ours, cycles = view.image(shaded), view.image(view.samples["radiance"])
+        ours, cycles = view.image(shaded), view.image(view.reference)
         error = np.clip(255.0 * flip(ours, cycles)[1], 0, 255).astype(np.uint8)
         row = [to_png(ours), to_png(cycles), np.repeat(error[..., None], 3, axis=2)]
         Image.fromarray(np.concatenate(row, axis=1)).save(folder / f"view-{view.index:02d}.png")

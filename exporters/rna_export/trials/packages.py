@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.export.build import build_package
 from rna_export.export.precision import Precision
 from rna_export.training.checkpoint import Trained
@@ -21,7 +21,10 @@ USUAL = "float32-float16"
 
 
 def write_packages(
-    trained: Trained, dataset: Dataset, folder: Path, precisions: Sequence[str] = tuple(PRECISIONS)
+    trained: Trained,
+    dataset: DatasetPart,
+    folder: Path,
+    precisions: Sequence[str] = tuple(PRECISIONS),
 ) -> dict[str, Path]:
     """Write `<precision>.rna` into `folder`; returns their paths by precision.
 
@@ -30,7 +33,7 @@ def write_packages(
     paths = {precision: folder / f"{precision}.rna" for precision in precisions}
     for precision, path in paths.items():
         chosen = [PRECISIONS[precision]]
-        build_package([trained], dataset, path, None, "NOASSERTION", _quiet, chosen, False)
+        build_package([trained], dataset.dataset, path, None, "NOASSERTION", _quiet, chosen, False)
     return paths
 
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.samples import SampleTable
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
@@ -107,7 +108,7 @@ def largest_first(trials: list[Trial]) -> list[Trial]:
 class _Process:
     """What a process of a pool keeps."""
 
-    dataset: Dataset
+    dataset: DatasetPart
     device: str
     table: SampleTable | None = None
 
@@ -123,7 +124,7 @@ def _begin(dataset: Path, crew: Crew) -> None:
     logging.getLogger(lightning.pytorch.__name__).setLevel(logging.WARNING)
     torch.set_num_threads(crew.threads)
     limit_kernel_threads(crew.threads)
-    _Process.dataset, _Process.device = Dataset(dataset), crew.device
+    _Process.dataset, _Process.device = Dataset(dataset).only, crew.device
 
 
 def _run(trial: Trial, folder: Path) -> Record:

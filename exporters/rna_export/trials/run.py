@@ -7,7 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset, ValidationView, write_atomically
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.sample_files import write_atomically
+from rna_export.capture.validation_view import ValidationView
 from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
 from rna_export.training.run import Run, train
 from rna_export.training.samples import SampleTable
@@ -16,14 +18,14 @@ from rna_export.trials.packages import PRECISIONS, USUAL, write_packages
 from rna_export.trials.record import Point, Record, read_record
 from rna_export.trials.scores import judge, write_strips
 from rna_export.trials.trial import Trial
-from rna_export.trials.unwrap import UnwrappedDataset
+from rna_export.trials.unwrap import UnwrappedPart
 from rna_sdk.runtime import load
 
 _VALIDATED_EVERY = 5_000  # steps; a stopped trial goes on from there
 
 
 def run_trial(
-    trial: Trial, dataset: Dataset, folder: Path, device: str, table: SampleTable | None = None
+    trial: Trial, dataset: DatasetPart, folder: Path, device: str, table: SampleTable | None = None
 ) -> Record:
     """Train, export and measure what is not finished yet in `folder`; returns the record.
 
@@ -37,7 +39,7 @@ def run_trial(
         return record
     folder.mkdir(parents=True, exist_ok=True)
     if not trial.packageable:
-        dataset, table = UnwrappedDataset(dataset.folder), None
+        dataset, table = UnwrappedPart(dataset), None
     seconds = record.seconds if record else _train(trial, dataset, folder, device, table)
     trained = load_checkpoint(folder / "best.ckpt")
     if trial.packageable:
@@ -68,7 +70,7 @@ def missing_precisions(record: Record) -> tuple[str, ...]:
 
 
 def _train(
-    trial: Trial, dataset: Dataset, folder: Path, device: str, table: SampleTable | None
+    trial: Trial, dataset: DatasetPart, folder: Path, device: str, table: SampleTable | None
 ) -> float:
     """Train to the end; returns the seconds that it took, with those of stopped calls."""
     finished = folder / "seconds.txt"
@@ -106,7 +108,7 @@ def steps_done(folder: Path) -> int:
 
 
 def _measure_packages(
-    trained: Trained, dataset: Dataset, folder: Path, precisions: tuple[str, ...]
+    trained: Trained, dataset: DatasetPart, folder: Path, precisions: tuple[str, ...]
 ) -> dict[str, Point]:
     """Error of a package of each precision, through the runtime."""
     views, points = dataset.validation_views(), {}
@@ -118,7 +120,7 @@ def _measure_packages(
     return points
 
 
-def _measure_model(trained: Trained, dataset: Dataset, folder: Path) -> dict[str, Point]:
+def _measure_model(trained: Trained, dataset: DatasetPart, folder: Path) -> dict[str, Point]:
     """Error of a model that no package holds, in PyTorch."""
     views = dataset.validation_views()
     radiance = [shade(trained.model, view) for view in views]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 from pydantic import BaseModel, ConfigDict
 
-from rna_export.capture.dataset import ValidationView
+from rna_export.capture.validation_view import CapturedImage
 from rna_export.metrics import (
     flip,
     psnr,
@@ -43,10 +44,10 @@ class ModelScores(BaseModel):
 
 
 def judge(
-    radiance: list[np.ndarray], views: list[ValidationView]
+    radiance: list[np.ndarray], views: Sequence[CapturedImage]
 ) -> tuple[ModelScores, list[np.ndarray]]:
     """Scores of shaded rows, (n, 3) a view, against the captured ones; FLIP maps (h, w)."""
-    pairs = [(r, v.samples["radiance"], v) for r, v in zip(radiance, views, strict=True)]
+    pairs = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)]
     flips = [flip(view.image(r), view.image(t)) for r, t, view in pairs]
     each = [
         ViewScores(psnr=psnr(r, t), flip=mean, p99=relative_error_p99(r, t))
@@ -65,7 +66,7 @@ def judge(
 
 
 def write_strips(
-    stem: Path, radiance: list[np.ndarray], views: list[ValidationView], flips: list[np.ndarray]
+    stem: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage], flips: list[np.ndarray]
 ) -> None:
     """`<stem>-render.png` and `<stem>-flip.png` (grey): all views in a row."""
     renders = [to_png(view.image(rows)) for rows, view in zip(radiance, views, strict=True)]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset, ValidationView
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.validation_view import ValidationView
 from rna_export.trials.trial import Trial
 from rna_render.embree import TriangleScene
 from rna_sdk.errors import TrainingError
@@ -53,13 +53,13 @@ class Unwrapped:
         return np.where(hits.geometry[:, None] >= 0, uv, 0.0).astype(np.float32)
 
 
-class UnwrappedDataset(Dataset):
-    """A surface's dataset; its samples and views have the field `uv`, (n, 2) float32."""
+class UnwrappedPart(DatasetPart):
+    """A captured surface; its samples and views have the field `uv`, (n, 2) float32."""
 
-    def __init__(self, folder: Path):
-        super().__init__(folder)
-        if self.manifest.kind != "surface":
-            raise TrainingError(f"{folder}: holds fibers, expected a surface to unwrap")
+    def __init__(self, part: DatasetPart):
+        super().__init__(part.dataset, part.captured)
+        if self.kind != "surface":
+            raise TrainingError(f"{self.folder}: holds fibers, expected a surface to unwrap")
         self._unwrapped = Unwrapped(self.geometry())
 
     def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:

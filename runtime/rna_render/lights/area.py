@@ -10,6 +10,7 @@ from rna_render.lights.base import LightSamples, PlacedLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.models import DiskModel, RectangleModel, SphereModel
 from rna_render.rays import vectors
+from rna_render.tracing import ClosestHits
 
 
 class AreaLight(PlacedLight):
@@ -38,14 +39,7 @@ class AreaLight(PlacedLight):
         return LightSamples(wi_world, distance, self._where_seen(pdf), pdf)
 
     def met(
-        self,
-        x_world: np.ndarray,
-        d_world: np.ndarray,
-        distance: np.ndarray,
-        primitive: np.ndarray,
-        u: np.ndarray,
-        v: np.ndarray,
-        ng_world: np.ndarray,
+        self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         x_world = vectors("x_world", x_world)
         pdf = np.empty(len(x_world), np.float32)

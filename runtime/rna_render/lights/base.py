@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render.tracing import GeometryScene
+from rna_render.tracing import ClosestHits, GeometryScene
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,21 +82,14 @@ class ShapeLight(Light):
 
     @abstractmethod
     def met(
-        self,
-        x_world: np.ndarray,
-        d_world: np.ndarray,
-        distance: np.ndarray,
-        primitive: np.ndarray,
-        u: np.ndarray,
-        v: np.ndarray,
-        ng_world: np.ndarray,
+        self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Radiance against rays that meet the light's surface, and the density of their directions.
 
-        x_world: (n, 3) float32, where the rays start. d_world: (n, 3) float32, unit. distance:
-        (n,) float32, to the surface. primitive, u, v, ng_world: as in ClosestHits, of the hit,
-        but ng_world (n, 3) float32 in the world. Returns (n, 3) float32, and (n,) float32: the
-        density per steradian with which `sample` at x finds d.
+        x_world: (n, 3) float32, where the rays start. d_world: (n, 3) float32, unit. hits: theirs,
+        all on the surface; t in the world. ng_world: (n, 3) float32, hits.ng in the world.
+        Returns (n, 3) float32, and (n,) float32: the density per steradian with which `sample` at
+        x finds d.
         """
 
 

@@ -1,7 +1,8 @@
-"""A mesh whose material shines."""
+"""Triangles that shine: a mesh whose material does, and what all such lights have in common."""
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable
 
 import numpy as np
@@ -11,23 +12,22 @@ from rna_render.lights.base import LightSamples, ShapeLight
 from rna_render.lights.directions import flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
 from rna_render.rays import vectors
+from rna_render.tracing import ClosestHits
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 
 Emission = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 
-class MeshLight(ShapeLight):
-    """Light from both sides of triangles, as glTF's emission.
+class TriangleLight(ShapeLight):
+    """Light from both sides of triangles.
 
     It chooses a triangle in proportion to its area times its mean luminance, and then a point of
-    it uniformly. The mesh stays that of the object it belongs to, which says whether a camera
-    sees it.
+    it uniformly. The triangles stay those of the thing they belong to, which says whether a camera
+    sees them.
 
-    positions: (v, 3) float32, world space. triangles: (t, 3) uint32. luminance: (t,) float, the
-    mean over each triangle; a triangle of luminance 0 must not shine anywhere. emission: radiance
-    (n, 3) float32 at barycentrics u, v (n,) float32 of triangles (n,) int32; the point is
-    (1 - u - v) p0 + u p1 + v p2, as in ClosestHits.
+    positions: (v, 3) float32, world space. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
+    float, the mean over each triangle; a triangle of luminance 0 is never chosen.
 
     Raises SceneError for a luminance that is negative or not finite.
     """
@@ -39,14 +39,12 @@ class MeshLight(ShapeLight):
         positions: np.ndarray,
         triangles: np.ndarray,
         luminance: np.ndarray,
-        emission: Emission,
         group: str = "",
     ) -> None:
         luminance = np.asarray(luminance, np.float64)
         if not (np.isfinite(luminance).all() and (luminance >= 0.0).all()):
             raise SceneError("mesh light: luminance must be finite and not negative")
         self.group = group
-        self._emission = emission
         self._corners = np.asarray(positions, np.float64)[triangles]
         edges = self._corners[:, 1:] - self._corners[:, :1]
         normals = np.cross(edges[:, 0], edges[:, 1])
@@ -70,30 +68,62 @@ class MeshLight(ShapeLight):
         if self._power > 0.0:
             mesh = self._corners, self._normals, self._cumulative, self._per_area
             _sample_mesh(*mesh, x_world, u, wi_world, distance, triangle, b1, b2, pdf)
-        return LightSamples(wi_world, distance, self._radiance(triangle, b1, b2, pdf), pdf)
+        row = np.flatnonzero(pdf > 0.0)
+        radiance = np.zeros((n, 3), np.float32)
+        radiance[row] = self._sent(triangle[row], b1[row], b2[row], wi_world.take(row, axis=0))
+        return LightSamples(wi_world, distance, radiance, pdf)
 
-    def met(
-        self,
-        x_world: np.ndarray,
-        d_world: np.ndarray,
-        distance: np.ndarray,
-        primitive: np.ndarray,
-        u: np.ndarray,
-        v: np.ndarray,
-        ng_world: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]:
+    @abstractmethod
+    def _sent(
+        self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray
+    ) -> np.ndarray:
+        """Radiance (n, 3) float32 against d, of what stops a ray along d.
+
+        At barycentrics u, v (n,) float32 of triangles (n,) int32; the point is
+        (1 - u - v) p0 + u p1 + v p2, as in ClosestHits. d_world: (n, 3) float32, unit.
+        """
+
+    def _density(
+        self, x_world: np.ndarray, d_world: np.ndarray, triangle: np.ndarray
+    ) -> np.ndarray:
+        """Density (n,) float32 per steradian with which `sample` at x finds d on a triangle."""
         x_world = vectors("x_world", x_world)
         d_world = vectors("d_world", d_world, len(x_world))
         pdf = np.empty(len(x_world), np.float32)
         mesh = self._corners, self._normals, self._per_area
-        _mesh_pdf(*mesh, x_world, d_world, primitive, pdf)
-        return np.asarray(self._emission(primitive, u, v), np.float32), pdf
+        _mesh_pdf(*mesh, x_world, d_world, triangle, pdf)
+        return pdf
 
-    def _radiance(
-        self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, pdf: np.ndarray
+
+class MeshLight(TriangleLight):
+    """A mesh whose material shines to both sides, as glTF's emission.
+
+    emission: radiance (n, 3) float32 at barycentrics of triangles, as in `MeshObject`. The other
+    arguments are those of TriangleLight; a triangle of luminance 0 must not shine anywhere.
+    """
+
+    def __init__(
+        self,
+        positions: np.ndarray,
+        triangles: np.ndarray,
+        luminance: np.ndarray,
+        emission: Emission,
+        group: str = "",
+    ) -> None:
+        super().__init__(positions, triangles, luminance, group)
+        self._emission = emission
+
+    def met(
+        self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        pdf = self._density(x_world, d_world, hits.primitive)
+        radiance = self._emission(hits.primitive, hits.u, hits.v)
+        return np.asarray(radiance, np.float32), pdf
+
+    def _sent(
+        self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray
     ) -> np.ndarray:
-        radiance = np.asarray(self._emission(triangle, u, v), np.float32)
-        return np.where((pdf > 0.0)[:, None], radiance, np.float32(0.0))
+        return np.asarray(self._emission(triangle, u, v), np.float32)
 
 
 @compiled(fastmath=())

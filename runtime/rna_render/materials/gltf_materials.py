@@ -13,19 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from rna_render.bilinear import CLAMP, MIRROR, REPEAT
 from rna_render.limits import MAX_NUMBER
 from rna_render.materials.gltf_container import GltfContainer
 from rna_render.materials.material import Material, reflectance_of_ior
-from rna_render.materials.textures import (
-    CLAMP,
-    IDENTITY,
-    LINEAR,
-    MIRROR,
-    REPEAT,
-    SRGB,
-    Texture,
-    read_texels,
-)
+from rna_render.materials.textures import IDENTITY, LINEAR, SRGB, Texture, read_texels
 
 # Section 3.8.4.4, from OpenGL.
 WRAPS = {10497: REPEAT, 33071: CLAMP, 33648: MIRROR}

@@ -95,7 +95,7 @@ class MeshObject:
         luminance = known[self.material_numbers]
         row = np.flatnonzero(textured[self.material_numbers] & (luminance > 0)).astype(np.int32)
         luminance[row] *= EMISSION_FLOOR
-        points = _points_of_a_triangle(EMISSION_DIVISIONS)
+        points = points_of_a_triangle(EMISSION_DIVISIONS)
         for u, v in points:
             at = np.full(len(row), u, np.float32), np.full(len(row), v, np.float32)
             part = self.emission(row, *at) @ LUMINANCE
@@ -126,7 +126,7 @@ class MeshObject:
         return uv
 
 
-def _points_of_a_triangle(k: int) -> list[tuple[float, float]]:
+def points_of_a_triangle(k: int) -> list[tuple[float, float]]:
     """Barycentric centres of its k^2 equal parts."""
     third = 1 / 3
     upright = [(i + third, j + third) for i in range(k) for j in range(k - i)]

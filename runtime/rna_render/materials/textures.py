@@ -13,11 +13,10 @@ from pathlib import Path
 import numpy as np
 from numba import prange
 
+from rna_render.bilinear import REPEAT, texels_around
 from rna_render.srgb import decode_srgb
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
-
-REPEAT, CLAMP, MIRROR = 0, 1, 2
 
 _LEVELS = np.arange(256) / 255.0
 LINEAR = _LEVELS.astype(np.float32)
@@ -75,29 +74,6 @@ def read_texels(source: Path | bytes, name: object) -> np.ndarray:
         raise SceneError(f"cannot read the image: {reason}", file=name) from error
 
 
-@compiled(fastmath=())
-def _wrapped(x, wrap):
-    """A coordinate within [0, 1]."""
-    if wrap == REPEAT:
-        return x - np.floor(x)
-    if wrap == MIRROR:
-        x -= 2.0 * np.floor(0.5 * x)
-        return 2.0 - x if x > 1.0 else x
-    return min(max(x, 0.0), 1.0)
-
-
-@compiled(fastmath=())
-def _texels_around(x, size, wrap):
-    """The two texels whose centres x is between, and its place between them."""
-    place = _wrapped(x, wrap) * size - 0.5
-    first = int(np.floor(place))
-    rest = place - first
-    second = first + 1
-    if wrap == REPEAT:
-        return first % size, second % size, rest
-    return max(first, 0), min(second, size - 1), rest
-
-
 @compiled(parallel=True, fastmath=())
 def _lookup(texels, decode, wrap_u, wrap_v, transform, uv, result):
     height, width = texels.shape[0], texels.shape[1]
@@ -105,8 +81,8 @@ def _lookup(texels, decode, wrap_u, wrap_v, transform, uv, result):
         a, b = np.float64(uv[i, 0]), np.float64(uv[i, 1])
         u = transform[0, 0] * a + transform[0, 1] * b + transform[0, 2]
         v = transform[1, 0] * a + transform[1, 1] * b + transform[1, 2]
-        left, right, s = _texels_around(u, width, wrap_u)
-        top, bottom, t = _texels_around(v, height, wrap_v)
+        left, right, s = texels_around(u, width, wrap_u)
+        top, bottom, t = texels_around(v, height, wrap_v)
         for c in range(3):
             upper = (1.0 - s) * decode[texels[top, left, c]] + s * decode[texels[top, right, c]]
             lower = (1.0 - s) * decode[texels[bottom, left, c]]

@@ -160,15 +160,15 @@ class Answers:
 def write_asset(plan: Plan, folder: Path) -> dict[str, Answers]:
     """Write NAME.rna below `folder`; the answers of its tiers."""
     records: list[Tier] = []
-    data: dict[str, TierData] = {}
+    data: dict[str, list[TierData]] = {}
     answers: dict[str, Answers] = {}
     for number, tier in enumerate(plan.tiers):
         rng = np.random.default_rng([len(plan.name), number, *plan.name.encode()])
         if not tier.shares_planes:
             planes, values = _planes(rng, tier)
         decoder = _decoder(rng, plan, tier, values)
-        data[tier.name] = TierData(planes, decoder.file())
-        shared = records[-1].planes if tier.shares_planes else None
+        data[tier.name] = [TierData(planes, decoder.file())]
+        shared = records[-1].parts[0].planes if tier.shares_planes else None
         records.append(_record(tier, shared or f"features/{tier.name}.safetensors"))
         seed = int(rng.integers(2**32))
         answers[tier.name] = _answers(seed, plan, tier, values, decoder)
@@ -182,7 +182,7 @@ def write_asset(plan: Plan, folder: Path) -> dict[str, Answers]:
         provenance=Provenance(source="tests/conformance/kit/assets.py", tool="numpy"),
     )
     path = folder / f"{plan.name}.rna"
-    write_package(path, manifest, plan.geometry, data)
+    write_package(path, manifest, [plan.geometry], data)
     if plan.name == "surface-odd":
         make_odd(path)
     return answers

@@ -5,11 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 
 from rna_sdk.package.issues import Code, Severity
-from tests.package.builders import make_tiny_fiber_package, make_tiny_package, read_entries
-from tests.package.corpus import container_cases, content_cases, curve_cases, manifest_cases
-from tests.package.corpus.registry import CASES
+from tests.package.corpus import (
+    container_cases,
+    content_cases,
+    curve_cases,
+    manifest_cases,
+    part_cases,
+)
+from tests.package.corpus.registry import CASES, good_entries
 
-MODULES = (container_cases, content_cases, curve_cases, manifest_cases)
+MODULES = (container_cases, content_cases, curve_cases, manifest_cases, part_cases)
 LARGEST = 48 * 1024
 """Larger cases (a decoder of 64 MiB, a manifest of 1 MiB) stay with the unit tests."""
 
@@ -19,13 +24,9 @@ def broken_packages(folder: Path) -> dict[str, tuple[bytes, str, bool]]:
 
     folder: for files on the way.
     """
-    good = {
-        "surface": read_entries(make_tiny_package(folder / "tiny.rna")),
-        "fiber": read_entries(make_tiny_fiber_package(folder / "tuft.rna")),
-    }
-    result = {}
+    good, result = good_entries(folder), {}
     for case in CASES:
-        data = case.breaker(good[case.kind])
+        data = case.breaker(good[case.base])
         if len(data) <= LARGEST:
             is_valid = Code[case.code].severity is Severity.WARNING
             result[case.name] = data, case.code, is_valid

@@ -24,7 +24,11 @@ from tests.package.builders import (
 from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_entry
 
 
-def with_gltf(entries: Entries, edit: Callable[[dict[str, Any]], object]) -> bytes:
+def with_gltf(
+    entries: Entries,
+    edit: Callable[[dict[str, Any]], object],
+    edit_manifest: Callable[[dict[str, Any]], object] | None = None,
+) -> bytes:
     """The package with an edited JSON chunk in its geometry."""
     glb = entries[MESH]
     size = CHUNK.unpack_from(glb, HEADER.size)[0]
@@ -32,7 +36,8 @@ def with_gltf(entries: Entries, edit: Callable[[dict[str, Any]], object]) -> byt
     document = json.loads(glb[start : start + size])
     edit(document)
     blob = glb[start + size + CHUNK.size :]
-    return with_entry(entries, MESH, pack_glb(json.dumps(document).encode(), blob))
+    data = pack_glb(json.dumps(document).encode(), blob)
+    return with_entry(entries, MESH, data, edit_manifest)
 
 
 def with_decoder(entries: Entries, edit: Callable[[onnx.ModelProto], object]) -> bytes:

@@ -98,7 +98,7 @@ def next_major_version(entries: Entries) -> bytes:
 
 @case("VERSION_TOO_NEW")
 def next_minor_version(entries: Entries) -> bytes:
-    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.1", version="1.1"))
+    return with_manifest(entries, lambda m: m.update(minReaderVersion="1.2", version="1.2"))
 
 
 @case("KIND_UNSUPPORTED")
@@ -302,7 +302,7 @@ def surface_with_a_tangent(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].__setitem__(1, "tangent"))
 
 
-@case("INPUT_KIND", kind="fiber")
+@case("INPUT_KIND", "fiber")
 def fiber_with_a_normal(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: m["tiers"][0]["inputs"].__setitem__(1, "normal"))
 

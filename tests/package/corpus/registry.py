@@ -6,14 +6,17 @@ import hashlib
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from typing import Any, Literal
 
 from rna_sdk.package.container import MANIFEST_NAME
-from rna_sdk.package.manifest import Kind
-from tests.package.builders import pack
+from tests.package.builders import make_tiny_fiber_package, make_tiny_package, pack, read_entries
+from tests.package.lantern import make_lantern
 
 Entries = dict[str, bytes]
 Breaker = Callable[[Entries], bytes]
+Base = Literal["surface", "fiber", "parts"]
+"""Good packages: of one part in short, or of two parts with all that is new in 1.1."""
 
 MESH = "geometry/mesh.glb"
 CURVES = "geometry/curves.safetensors"
@@ -23,25 +26,34 @@ DECODER = "decoders/small.onnx"
 
 @dataclass(frozen=True)
 class Case:
-    """`breaker` makes the bytes of a bad file from the entries of a good package of this kind."""
+    """`breaker` makes the bytes of a bad file from the entries of the good package `base`."""
 
     name: str
     code: str
     breaker: Breaker
-    kind: Kind
+    base: Base
 
 
 CASES: list[Case] = []
 
 
-def case(code: str, kind: Kind = "surface") -> Callable[[Breaker], Breaker]:
+def case(code: str, base: Base = "surface") -> Callable[[Breaker], Breaker]:
     """Register the function as a case in which `code` is the only issue."""
 
     def register(breaker: Breaker) -> Breaker:
-        CASES.append(Case(breaker.__name__, code, breaker, kind))
+        CASES.append(Case(breaker.__name__, code, breaker, base))
         return breaker
 
     return register
+
+
+def good_entries(folder: Path) -> dict[Base, Entries]:
+    """The entries of the good packages; `folder` is for files on the way."""
+    return {
+        "surface": read_entries(make_tiny_package(folder / "tiny.rna")),
+        "fiber": read_entries(make_tiny_fiber_package(folder / "tuft.rna")),
+        "parts": read_entries(make_lantern(folder / "lantern.rna")),
+    }
 
 
 def with_manifest(entries: Entries, edit: Callable[[dict[str, Any]], object]) -> bytes:
@@ -63,3 +75,15 @@ def with_entry(
             edit(manifest)
 
     return with_manifest({**entries, name: data}, declare)
+
+
+_OF_PART = ("kind", "bounds", "geometry")
+_OF_TIER = ("name", "validation", "cost")
+
+
+def in_parts(manifest: dict[str, Any]) -> None:
+    """Turn the short form of a manifest into that of 1.1, which newer contents need."""
+    manifest["parts"] = [{"name": "asset"} | {name: manifest.pop(name) for name in _OF_PART}]
+    for tier in manifest["tiers"]:
+        tier["parts"] = [{k: tier.pop(k) for k in list(tier) if k not in _OF_TIER}]
+    manifest |= {"version": "1.1", "minReaderVersion": "1.1"}

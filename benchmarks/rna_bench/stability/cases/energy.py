@@ -9,7 +9,7 @@ from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.asset_scene import AssetScene, ShadePoints
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import sphere
 from rna_export.capture.run import scene_of
 from rna_export.capture.view_rays import sample_view_rays
@@ -19,7 +19,7 @@ MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above
 _POINTS, _DIRECTIONS = 1000, 1024
 
 
-def capture_white(workshop: Workshop) -> Dataset:
+def capture_white(workshop: Workshop) -> DatasetPart:
     """The suite's asset that takes no light away."""
     return workshop.capture(
         "white",
@@ -35,11 +35,11 @@ def capture_white(workshop: Workshop) -> Dataset:
 
 def measure(workshop: Workshop) -> list[Row]:
     white = capture_white(workshop)
-    scene, count = scene_of(white.geometry()), workshop.some(_POINTS)
+    scene, count = scene_of(white.dataset), workshop.some(_POINTS)
     preset = workshop.preset("surface", resolution=128)
     asked = {"white": (of_model(workshop.train("small", white, preset).model), scene)}
     if workshop.subject.dataset is not None:
-        asked["given"] = workshop.answers(), scene_of(workshop.dataset.geometry())
+        asked["given"] = workshop.answers(), scene_of(workshop.dataset.dataset)
     return [{"asset": name, **row} for name, one in asked.items() for row in furnace(*one, count)]
 
 
@@ -49,7 +49,7 @@ def furnace(answers: Answers, scene: AssetScene, count: int) -> list[Row]:
     rays = sample_view_rays(scene, np.float32([0.0, 1.0, 0.0]), count, "sphere", rng)
     points = scene.shade_points(rays.origins, rays.directions)
     total, seen = integral(answers, scene, points, -rays.directions, rng)
-    axis = points.sample_fields().get("normal", points.geometric_normal)
+    axis = points.on[0].fields.get("normal", points.geometric_normal)  # every ray hits
     n_wo = np.abs(np.sum(axis * -rays.directions, axis=1))
     return [
         {
@@ -72,7 +72,7 @@ def integral(
     """Of T over all wi for each point, (n, 3), and which share of them is visible, (n,)."""
     n = len(wo)
     total, seen = np.zeros((n, 3)), np.zeros(n)
-    fields = {name: np.ascontiguousarray(v) for name, v in points.sample_fields().items()}
+    fields = {name: np.ascontiguousarray(v) for name, v in points.on[0].fields.items()}
     turn = rng.random(n)  # the same lattice everywhere, turned about the vertical
     for height, azimuth in _lattice(_DIRECTIONS):
         wi = sphere(np.stack([np.full(n, height), (azimuth + turn) % 1.0], axis=1))

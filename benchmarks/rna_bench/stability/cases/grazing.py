@@ -20,7 +20,7 @@ _FEWEST = 50  # samples that a bin's error is taken of
 
 def measure(workshop: Workshop) -> list[Row]:
     dataset = workshop.dataset
-    kind = dataset.manifest.kind
+    kind = dataset.kind
     preset = workshop.preset(kind, inputs=workshop.paper_inputs(kind))
     paper = workshop.train("paper-inputs", dataset, preset).model
     asked = {

@@ -9,7 +9,7 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, light_numbers, rows_of
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.checkpoint import Trained
 from rna_export.training.losses import sample_loss
 from rna_export.training.validation import score, shade
@@ -49,7 +49,7 @@ def subset(light: np.ndarray, chosen: np.ndarray, points: int) -> np.ndarray:
 
 def _trained(
     workshop: Workshop,
-    dataset: Dataset,
+    dataset: DatasetPart,
     row: Row,
     chosen: np.ndarray,
     samples: Samples,
@@ -57,7 +57,7 @@ def _trained(
 ) -> Row:
     some = ChosenSamples(dataset, lambda every: rows_of(every, chosen))
     name = f"little-{row['lights']}-{row['points']}"
-    trained = workshop.train(name, some, workshop.preset(dataset.manifest.kind))
+    trained = workshop.train(name, some, workshop.preset(dataset.kind))
     views = dataset.validation_views()
     scores = score([shade(trained.model, view) for view in views], views)
     own = loss_of(trained, _tested(rows_of(samples, chosen)))

@@ -16,7 +16,7 @@ SEEDS = 5
 
 def measure(workshop: Workshop) -> list[Row]:
     dataset, views = workshop.dataset, workshop.dataset.validation_views()
-    preset = workshop.preset(dataset.manifest.kind)
+    preset = workshop.preset(dataset.kind)
     rows = []
     for seed in range(SEEDS):
         trained = _seeded(workshop, preset, seed)

@@ -18,7 +18,7 @@ from rna_bench.stability.chosen import Samples, rows_of
 from rna_bench.stability.errors import joined_views
 from rna_bench.stability.workshop import Workshop
 from rna_bench.stage import Stage
-from rna_export.capture.dataset import queries_of
+from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, load
@@ -54,7 +54,7 @@ def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, 
     with Package.open(path) as package:
         planes, decoder = package.planes(tier.name), package.decoder(tier.name)
         reference = fiber_queries_reference if "tangent" in queries else queries_reference
-        at = reference(planes, asset.bounds, tier.inputs, *queries.values())
+        at = reference(planes, asset.bounds, tier.parts[0].inputs, *queries.values())
         transport = ReferenceEvaluator(_doubled(decoder)).run(None, {"queries": np.float64(at)})[0]
     return transport[:, :3], transport[:, 3:]
 

@@ -12,7 +12,7 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples
 from rna_bench.stability.errors import relative_error
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.dataset import ValidationView
+from rna_export.capture.validation_view import ValidationView
 
 FACTOR = 2.0  # the mark
 
@@ -24,7 +24,7 @@ _SAME_SURFACE = 3.0  # neighbours within this many typical steps from pixel to p
 def measure(workshop: Workshop) -> list[Row]:
     dataset = workshop.dataset
     blind = ChosenSamples(dataset, without_hint, _view_without_hint)
-    preset = workshop.preset(dataset.manifest.kind)
+    preset = workshop.preset(dataset.kind)
     models = {
         "with the hint": of_model(workshop.base.model),
         "without": _hint_blind(of_model(workshop.train("no-hint", blind, preset).model)),

@@ -11,11 +11,12 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import ASSETS, Workshop
-from rna_export.capture.dataset import Dataset, queries_of
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import frame, light_direction
 from rna_export.capture.run import scene_of
 from rna_export.capture.settings import SHARPEST
-from rna_export.capture.surface_scene import SurfaceScene
+from rna_export.capture.validation_view import queries_of
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.metrics import psnr
@@ -93,9 +94,9 @@ def measure(workshop: Workshop) -> list[Row]:
     return rows
 
 
-def _from_cycles(workshop: Workshop, dataset: Dataset, source: Source) -> dict[str, np.ndarray]:
+def _from_cycles(workshop: Workshop, dataset: DatasetPart, source: Source) -> dict[str, np.ndarray]:
     """Samples of unseen lights, and a scan through the highlight of one point (`scan-` names)."""
-    scene = scene_of(dataset.geometry())
+    scene = scene_of(dataset.dataset)
     with workshop.cycles(source) as worker:
         parts = [_light(scene, worker, k) for k in range(_TEST_LIGHTS)]
         scan = _scan(scene, worker)
@@ -103,18 +104,18 @@ def _from_cycles(workshop: Workshop, dataset: Dataset, source: Source) -> dict[s
     return test | {f"scan-{name}": rows for name, rows in scan.items()}
 
 
-def _light(scene: SurfaceScene, worker: BlenderWorker, number: int) -> dict[str, np.ndarray]:
+def _light(scene: AssetScene, worker: BlenderWorker, number: int) -> dict[str, np.ndarray]:
     wi = light_direction(number, 991, "sphere")
     rng = np.random.default_rng([991, number])
     rays = sample_view_rays(scene, wi, _TEST_RAYS, "sphere", rng)
     return _rendered(scene, worker, rays.origins, rays.directions, wi)
 
 
-def _scan(scene: SurfaceScene, worker: BlenderWorker) -> dict[str, np.ndarray]:
+def _scan(scene: AssetScene, worker: BlenderWorker) -> dict[str, np.ndarray]:
     """One point under one light, seen along the plane of incidence through the mirror direction."""
     out = (_POINT / np.linalg.norm(_POINT))[None].astype(np.float32)
     start = scene.shade_points(scene.centre + 2.0 * scene.radius * out, -out)
-    n = start.normal[0].astype(np.float64)
+    n = start.on[0].fields["normal"][0].astype(np.float64)
     side = frame(n[None])[0][0]
     wi = (np.cos(_INCLINATION) * n + np.sin(_INCLINATION) * side).astype(np.float32)
     half = np.radians(np.concatenate([[0.0], np.geomspace(0.005, 22.0, 80)]))
@@ -127,7 +128,7 @@ def _scan(scene: SurfaceScene, worker: BlenderWorker) -> dict[str, np.ndarray]:
 
 
 def _rendered(
-    scene: SurfaceScene,
+    scene: AssetScene,
     worker: BlenderWorker,
     origins: np.ndarray,
     directions: np.ndarray,
@@ -139,7 +140,7 @@ def _rendered(
     rendered = worker.render_rays(origins, directions, wi, 1, 0)
     return {
         "position": points.position,
-        "normal": points.normal,
+        "normal": points.on[0].fields["normal"],
         "wo": -directions,
         "wi": rows,
         "radiance": rendered.radiance,

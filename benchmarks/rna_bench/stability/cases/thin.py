@@ -11,7 +11,7 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
 from rna_bench.stability.errors import joined_views
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.run import scene_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Curves
@@ -84,12 +84,12 @@ class Cells:
         return (x * self._resolution + y) * self._resolution + z
 
 
-def folded_cells(dataset: Dataset, cells: Cells) -> np.ndarray:
+def folded_cells(dataset: DatasetPart, cells: Cells) -> np.ndarray:
     """Numbers of cells that hold both sides of a sheet, or points of several strands."""
     geometry = dataset.geometry()
     if isinstance(geometry, Curves):
         return several_strands(geometry, cells)
-    points, normals = scene_of(geometry).sample_points(_POINTS, np.random.default_rng(31))
+    points, normals = scene_of(dataset.dataset).sample_points(_POINTS, np.random.default_rng(31))
     return opposed(cells.numbers(points), normals)
 
 

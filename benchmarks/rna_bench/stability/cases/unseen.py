@@ -12,8 +12,8 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
 from rna_bench.stability.errors import joined_views, relative_error
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.dataset import queries_of
 from rna_export.capture.directions import sphere
+from rna_export.capture.validation_view import queries_of
 
 FACTOR = 1.5  # the mark: of the largest trained value
 
@@ -24,7 +24,7 @@ _ANYWHERE = 200_000  # queries in random directions
 def measure(workshop: Workshop) -> list[Row]:
     dataset = workshop.dataset
     upper = ChosenSamples(dataset, upper_half)
-    preset = workshop.preset(dataset.manifest.kind)
+    preset = workshop.preset(dataset.kind)
     model = workshop.train("hemisphere", upper, preset).model
     answers, largest = of_model(model), float(upper.training_samples()["radiance"].max())
     rows = by_elevation(answers, *joined_views(dataset.validation_views()))

@@ -46,7 +46,7 @@ def measure(workshop: Workshop) -> list[Row]:
 
 def texel(asset: Asset) -> float:
     """The longest side of a texel, metres."""
-    return float((asset.bounds[1] - asset.bounds[0]).max()) / asset.tier.resolution
+    return float((asset.bounds[1] - asset.bounds[0]).max()) / asset.tier_part.resolution
 
 
 def zoomed(eye: np.ndarray, target: np.ndarray, pixel: float) -> CameraModel:

@@ -23,11 +23,16 @@ def add_curves(strands: Strands, name: str, material: bpy.types.Material) -> bpy
     curves.materials.append(material)
     item = bpy.data.objects.new(name, curves)
     bpy.context.scene.collection.objects.link(item)
+    show_strands()
+    return item
+
+
+def show_strands() -> None:
+    """Set the scene such that strands are round, their segments straight, and light gets out."""
     bpy.context.scene.cycles_curves.shape = "THICK_LINEAR"
     cycles = bpy.context.scene.cycles
     # With the usual 12 bounces, 4 of them glossy, blonde hair loses 2% of its red.
     cycles.max_bounces = cycles.glossy_bounces = cycles.transmission_bounces = 32
-    return item
 
 
 def chiang_material(

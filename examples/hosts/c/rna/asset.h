@@ -1,0 +1,56 @@
+/* What a package becomes. */
+#ifndef RNA_ASSET_H
+#define RNA_ASSET_H
+
+#include "decoder.h"
+#include "manifest_rules.h"
+#include "planes.h"
+
+typedef struct Part {
+    RnaPart public;
+    RnaMesh mesh;
+    RnaCurves curves;
+    RnaTransmittance records[MAX_RECORDS];
+    Span geometry;     /* the entry; empty where it could not be read */
+    void *restored;    /* what is allocated for quantised geometry, or NULL */
+    bool is_quantised;
+} Part;
+
+/* A decoder, which tiers and parts may share. */
+typedef struct Loaded {
+    struct Loaded *next;
+    Span entry;
+    int columns;
+    bool is_int8;
+    int outputs;
+    Decoder decoder;
+} Loaded;
+
+/* A decoder and the places of its input blocks. */
+typedef struct Network {
+    const Decoder *decoder; /* NULL: none */
+    int column[BLOCKS];     /* the first of each block, -1 where it has none */
+} Network;
+
+typedef struct TierPart {
+    Planes planes;
+    Span planes_entry;
+    Network transport, emission;
+} TierPart;
+
+typedef struct Tier {
+    RnaTier public;
+    TierPart part[RNA_MAX_PARTS];
+} Tier;
+
+struct RnaAsset {
+    Span file;
+    bool mapped;
+    JsonText manifest; /* what the names live on */
+    int parts, tiers;
+    Part part[RNA_MAX_PARTS];
+    Tier tier[MAX_TIERS];
+    Loaded *decoders;
+};
+
+#endif

@@ -1,0 +1,221 @@
+/* A package, checked and read into an RnaAsset. */
+#ifndef RNA_PACKAGE_H
+#define RNA_PACKAGE_H
+
+#include "asset.h"
+#include "curves.h"
+#include "decoder_load.h"
+#include "manifest.h"
+#include "mesh.h"
+#include "transmittance.h"
+
+/* The entry that a reference names; NULL where it is not as declared. */
+static const Entry *intact_entry(Container *zip, const Json *object, const char *name) {
+    const Entry *entry = find_entry(zip, member(object, name)->string);
+    return entry && entry->intact ? entry : NULL;
+}
+
+static bool same_entry(Span a, Span b) { return a.at == b.at && a.size == b.size; }
+
+/* ------------------------------------------------------------------- Geometry */
+
+static void warn_outside(const RnaPart *part, const float low[3], const float high[3], RnaReport *report) {
+    for (int k = 0; k < 3; k++) {
+        double slack = 1e-4 * ((double)part->high[k] - part->low[k]);
+        if (low[k] >= part->low[k] - slack && high[k] <= part->high[k] + slack) continue;
+        warn(report, "GEOMETRY_OUTSIDE", part->name, "geometry inside the bounds", "%g to %g along %c",
+             low[k], high[k], "xyz"[k]);
+        return;
+    }
+}
+
+/* Takes the geometry from an earlier part of the same kind and entry, so that a file cannot make a
+ * reader restore one entry many times; false where there is none. */
+static bool share_geometry(RnaAsset *asset, Part *part, Span data) {
+    for (Part *other = asset->part; other < part; other++)
+        if (same_entry(other->geometry, data) && other->public.kind == part->public.kind) {
+            part->mesh = other->mesh;
+            part->curves = other->curves;
+            part->is_quantised = other->is_quantised;
+            return true;
+        }
+    return false;
+}
+
+static void read_geometry(const Entry *entry, Span data, RnaAsset *asset, Part *part, RnaReport *report) {
+    RnaPart *public = &part->public;
+    const bool is_mesh = public->kind == RNA_SURFACE;
+    if (!share_geometry(asset, part, data)) {
+        bool good = is_mesh ? read_mesh(data, &part->mesh, &part->restored, &part->is_quantised,
+                                        entry->name, report)
+                            : read_curves(data, &part->curves, &part->restored, &part->is_quantised,
+                                          entry->name, report);
+        if (!good) return;
+    }
+    part->geometry = data;
+    float low[3], high[3];
+    if (is_mesh) {
+        public->mesh = &part->mesh;
+        box_around(part->mesh.positions, NULL, part->mesh.vertex_count, low, high);
+    } else {
+        public->curves = &part->curves;
+        box_around(part->curves.points, part->curves.radii, part->curves.point_count, low, high);
+    }
+    warn_outside(public, low, high, report);
+}
+
+static void read_transmittance(Container *zip, const Json *json, Part *part, RnaReport *report) {
+    const Json *list = member(json, "transmittance");
+    for (const Json *item = list ? list->first : NULL; item; item = item->next) {
+        int i = part->public.record_count++;
+        RnaTransmittance *record = &part->records[i];
+        *record = record_of(item);
+        const Entry *entry = intact_entry(zip, item, "texture");
+        bool good = entry && read_texture(entry_data(zip, entry), record, entry->name, report);
+        if (!part->public.mesh ||
+            !check_range(record, i ? record - 1 : NULL, &part->mesh, part->public.name, report))
+            return;
+        if (good) check_coordinates(record, &part->mesh, part->public.name, report);
+    }
+    if (list) part->public.records = part->records;
+}
+
+static void read_part(Container *zip, const Json *root, const Json *json, RnaAsset *asset, RnaReport *report) {
+    Part *part = &asset->part[asset->parts++];
+    RnaPart *public = &part->public;
+    const Json *bounds = member(json, "bounds");
+    const Json *low = member(bounds, "min")->first, *high = member(bounds, "max")->first;
+    public->name = is_short(root) ? "asset" : (const char *)member(json, "name")->string.at;
+    public->kind = is_string(member(json, "kind"), "fiber") ? RNA_FIBER : RNA_SURFACE;
+    for (int k = 0; k < 3; k++, low = low->next, high = high->next) {
+        public->low[k] = (float)low->number;
+        public->high[k] = (float)high->number;
+    }
+    const Entry *entry = intact_entry(zip, json, "geometry");
+    if (entry) read_geometry(entry, entry_data(zip, entry), asset, part, report);
+    if (part->is_quantised) check_age(root, "quantised geometry", public->name, report);
+    read_transmittance(zip, json, part, report);
+}
+
+/* ---------------------------------------------------------------------- Tiers */
+
+/* Takes the planes from an earlier tier part that asks the same of the same entry. */
+static bool share_planes(const RnaAsset *asset, TierPart *part, Span data) {
+    for (int t = 0; t < asset->tiers; t++)
+        for (int i = 0; i < asset->parts; i++) {
+            const TierPart *other = &asset->tier[t].part[i];
+            const Planes *a = &other->planes, *b = &part->planes;
+            if (!same_entry(other->planes_entry, data) || a->resolution != b->resolution ||
+                a->channels != b->channels || a->precision != b->precision)
+                continue;
+            part->planes = *a;
+            return true;
+        }
+    return false;
+}
+
+static void read_part_planes(Container *zip, const Json *json, const RnaAsset *asset, TierPart *part,
+                             RnaReport *report) {
+    const Json *precision = member(json, "planePrecision");
+    part->planes.resolution = (int)member(json, "resolution")->number;
+    part->planes.channels = (int)member(json, "channels")->number;
+    part->planes.precision = is_string(precision, "int8")      ? INT8
+                             : is_string(precision, "float16") ? FLOAT16
+                                                               : FLOAT32;
+    const Entry *entry = intact_entry(zip, json, "planes");
+    if (!entry) return;
+    Span data = entry_data(zip, entry);
+    if (share_planes(asset, part, data) || read_planes(data, &part->planes, entry->name, report))
+        part->planes_entry = data;
+}
+
+/* The decoder in the entry, loaded now or for an earlier tier part. */
+static const Decoder *load_decoder(RnaAsset *asset, Span data, const Interface *interface,
+                                   const char *name, RnaReport *report) {
+    for (const Loaded *other = asset->decoders; other; other = other->next)
+        if (same_entry(other->entry, data) && other->columns == interface->columns &&
+            other->is_int8 == interface->is_int8 && other->outputs == interface->outputs)
+            return &other->decoder;
+    Loaded *loaded = calloc(1, sizeof *loaded);
+    if (!loaded) {
+        refuse(report, "DECODER_LOAD", name, "memory for it", "not enough");
+        return NULL;
+    }
+    *loaded = (Loaded){asset->decoders, data, interface->columns, interface->is_int8, interface->outputs};
+    asset->decoders = loaded;
+    read_decoder(data, interface, &loaded->decoder, name, report);
+    return &loaded->decoder;
+}
+
+static int place_blocks(int column[BLOCKS], const Json *inputs, int channels) {
+    int width = 0;
+    for (int block = 0; block < BLOCKS; block++) column[block] = -1;
+    for (const Json *name = inputs->first; name; name = name->next) {
+        int block = block_of(name->string);
+        column[block] = width;
+        width += BLOCK_TABLE[block].width ? BLOCK_TABLE[block].width : channels;
+    }
+    return width;
+}
+
+static void read_network(Container *zip, const Json *json, RnaAsset *asset, int channels, bool emits,
+                         Network *network, RnaReport *report) {
+    Interface interface = {.columns = place_blocks(network->column, member(json, "inputs"), channels),
+                           .is_int8 = is_string(member(json, "decoderPrecision"), "int8"),
+                           .outputs = emits ? 3 : 6,
+                           .output = emits ? "emission" : "transport"};
+    const Entry *entry = intact_entry(zip, json, "decoder");
+    if (entry) network->decoder = load_decoder(asset, entry_data(zip, entry), &interface, entry->name, report);
+}
+
+static double measured(const Json *tier, const char *object, const char *name) {
+    const Json *value = member(member(tier, object), name);
+    return value ? value->number : -1;
+}
+
+static bool can_run(const Network *network) { return network->decoder && network->decoder->runs; }
+
+static void read_tier(Container *zip, const Json *root, const Json *json, RnaAsset *asset, RnaReport *report) {
+    Tier *tier = &asset->tier[asset->tiers];
+    int i = 0;
+    tier->public = (RnaTier){.name = (const char *)member(json, "name")->string.at,
+                             .runs = true,
+                             .is_int8 = true,
+                             .multiply_adds = measured(json, "cost", "multiplyAdds"),
+                             .flip = measured(json, "validation", "flip")};
+    for (const Json *of = first_tier_part(root, json); of; of = next_part(root, of), i++) {
+        TierPart *part = &tier->part[i];
+        const Json *emission = member(of, "emission");
+        read_part_planes(zip, of, asset, part, report);
+        read_network(zip, of, asset, part->planes.channels, false, &part->transport, report);
+        if (emission)
+            read_network(zip, emission, asset, part->planes.channels, true, &part->emission, report);
+        asset->part[i].public.emits = emission != NULL;
+        tier->public.is_int8 &= is_string(member(of, "decoderPrecision"), "int8");
+        tier->public.runs &= can_run(&part->transport) && (!emission || can_run(&part->emission));
+    }
+    asset->tiers++;
+}
+
+static void read_package(Container *zip, RnaAsset *asset, RnaReport *report) {
+    if (!read_container(zip, report) || !check_crc(zip, &zip->entries[0], report)) return;
+    const Json *root = read_manifest(entry_data(zip, &zip->entries[0]), &asset->manifest, report);
+    if (!root) return;
+    check_entries(zip, root, report);
+    for (const Json *part = first_part(root); part; part = next_part(root, part))
+        read_part(zip, root, part, asset, report);
+    for (const Json *tier = member(root, "tiers")->first; tier; tier = tier->next)
+        read_tier(zip, root, tier, asset, report);
+}
+
+static void free_package(RnaAsset *asset) {
+    for (int i = 0; i < asset->parts; i++) free(asset->part[i].restored);
+    for (Loaded *loaded = asset->decoders, *next; loaded; loaded = next) {
+        next = loaded->next;
+        free_decoder(&loaded->decoder);
+        free(loaded);
+    }
+    free_json(&asset->manifest);
+}
+
+#endif

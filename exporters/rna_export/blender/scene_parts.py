@@ -1,0 +1,55 @@
+"""Divides what renders show into the parts that a package will have."""
+
+import re
+
+import curves_export
+import mesh_export
+
+_MOST = 16  # parts of a package
+_HAIR = "hair"
+_ONLY = "asset"
+
+
+def find_parts(how):
+    """What to export: `name`, `kind` ("surface" or "fiber") and `owner`, None for any object.
+
+    how: "kinds": all surfaces are a part, and so is all hair; "objects": each top object is one.
+    """
+    if how == "objects":
+        parts = _of_objects()
+    else:
+        hair, surface = curves_export.owners(), mesh_export.owners()
+        names = (_HAIR, "surface") if hair and surface else (_ONLY, _ONLY)
+        parts = [("surface", names[1])] if surface or not hair else []
+        parts = [*parts, *([("fiber", names[0])] if hair else [])]
+        parts = [{"name": name, "kind": kind, "owner": None} for kind, name in parts]
+    if len(parts) > _MOST:
+        raise ValueError(
+            f"found {len(parts)} parts, expected at most {_MOST}: join objects (Ctrl-J) or parent "
+            "them to one another, or capture them as --parts kinds"
+        )
+    return parts
+
+
+def _of_objects():
+    surfaces, hair = mesh_export.owners(), curves_export.owners()
+    taken, parts = set(), []
+    for owner in dict.fromkeys([*surfaces, *hair]):
+        kinds = [("surface", owner in surfaces), ("fiber", owner in hair)]
+        kinds = [kind for kind, there in kinds if there]
+        for kind in kinds:
+            mark = f"_{_HAIR}" if kind == "fiber" and len(kinds) > 1 else ""
+            name = _free_name(owner, mark, taken)
+            parts.append({"name": name, "kind": kind, "owner": owner})
+    return parts or [{"name": _ONLY, "kind": "surface", "owner": None}]
+
+
+def _free_name(name, mark, taken):
+    """What a package can call it: letters, digits, dots, dashes; case does not tell names apart."""
+    plain = re.sub(r"[^A-Za-z0-9._-]+", "_", name).strip("._-")[:40] or "part"
+    count, result = 1, plain + mark
+    while result.lower() in taken:
+        count += 1
+        result = f"{plain}{mark}_{count}"
+    taken.add(result.lower())
+    return result

@@ -1,0 +1,17 @@
+"""What renders show: the objects themselves and all their instances."""
+
+import bpy
+
+
+def instances():
+    """Depsgraph instances that renders show; each is good until the next one is asked for."""
+    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
+        item = instance.object.original
+        if instance.show_self and not item.hide_render:
+            if instance.is_instance or not _is_pattern(item):
+                yield instance
+
+
+def _is_pattern(item):
+    """Whether an object is shown only where its parent instances it."""
+    return item.parent is not None and item.parent.instance_type in ("VERTS", "FACES")

@@ -1,0 +1,17 @@
+"""Which object something that renders show belongs to."""
+
+SURFACES = ("MESH", "CURVE", "SURFACE", "FONT", "META")
+"""Types of objects that renders show as surfaces."""
+
+HAIR = "CURVES"
+
+
+def top_object(instance):
+    """The name of the highest of an instance's object and its parents that shows something."""
+    item = (instance.parent if instance.is_instance else instance.object).original
+    top = item
+    while item.parent is not None:
+        item = item.parent
+        if item.type in (*SURFACES, HAIR):
+            top = item
+    return top.name

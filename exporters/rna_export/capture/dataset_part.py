@@ -1,0 +1,93 @@
+"""One part of a dataset: what a model is trained on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from safetensors import SafetensorError
+from safetensors.numpy import load_file
+
+from rna_export.capture.manifest import CapturedPart, CaptureManifest
+from rna_export.capture.sample_files import DAMAGED, damaged, joined, read_part
+from rna_export.capture.validation_view import ValidationView
+from rna_sdk.errors import CaptureError, PackageError
+from rna_sdk.package import Curves, Mesh
+
+if TYPE_CHECKING:
+    from rna_export.capture.dataset import Dataset
+
+_LEAST_SHARE = 1 / 500  # of an image's pixels; fewer say nothing of a part
+
+
+class DatasetPart:
+    """The samples, images and geometry of one part.
+
+    Attributes:
+        dataset: that it is a part of.
+        captured: what the manifest says of it.
+        name, kind, bounds, fields: see `CapturedPart`.
+    """
+
+    def __init__(self, dataset: Dataset, part: CapturedPart):
+        self.dataset, self.captured = dataset, part
+        self.name, self.kind = part.name, part.kind
+        self.bounds, self.fields = part.bounds, part.fields
+
+    @property
+    def folder(self) -> Path:
+        """Of the dataset."""
+        return self.dataset.folder
+
+    @property
+    def manifest(self) -> CaptureManifest:
+        """Of the dataset."""
+        return self.dataset.manifest
+
+    def geometry(self) -> Mesh | Curves:
+        """The captured mesh, or the strands: object space, +Y up, metres."""
+        path = self.dataset.geometry_path(self.name)
+        try:
+            arrays = load_file(path)
+            if self.kind == "fiber":
+                return Curves(**arrays)
+            return Mesh(**{"uvs": None, **arrays})
+        except (OSError, TypeError, SafetensorError, PackageError) as error:
+            raise CaptureError(DAMAGED.format(path, error)) from error
+
+    def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
+        """The part's rows of the finished shards joined, one array a field.
+
+        shards: take so many at most, spread over all; None takes all.
+        """
+        paths = self.dataset.finished_shards()
+        if shards is not None:
+            paths = paths[:: -(-len(paths) // shards)]
+        samples = joined([read_part(path, self.name, self.fields) for path in paths])
+        if not len(samples["visible"]):
+            raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
+        return samples
+
+    def validation_views(self) -> list[ValidationView]:
+        """The finished validation images that show the part in more than a few pixels."""
+        views = [self.view(index) for index in self.dataset.finished_views()]
+        views = [v for v in views if len(v.pixel) > _LEAST_SHARE * v.resolution**2]
+        if not views:
+            raise CaptureError(
+                f"{self.folder}: no validation image shows part {self.name} in more than a few "
+                "pixels: hide it from renders or join it to another object"
+            )
+        return views
+
+    def view(self, index: int) -> ValidationView:
+        """The part in one validation image; it may have no row there."""
+        paths = [self.dataset.validation_path(index, half) for half in (0, 1)]
+        first, second = (read_part(p, self.name, (*self.fields, "pixel")) for p in paths)
+        if not np.array_equal(first["pixel"], second["pixel"]):
+            raise damaged(paths[1], "its pixels are not those of the first half")
+        halves = np.stack([first["radiance"], second["radiance"]])
+        samples = {name: first[name] for name in self.fields}
+        samples["radiance"] = halves.mean(axis=0)
+        resolution = self.manifest.settings.validation_resolution
+        return ValidationView(index, resolution, first["pixel"], samples, halves)

@@ -1,0 +1,89 @@
+"""`manifest.json` of a dataset: the parts, the source, what is planned."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field, ValidationError, model_validator
+
+from rna_export.capture.sample_files import write_atomically
+from rna_export.capture.settings import CaptureSettings, DatasetModel
+from rna_sdk.package import Domain
+from rna_sdk.package.manifest import Name
+
+SAMPLE_FIELDS: dict[str, dict[str, int]] = {
+    "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
+    "fiber": {
+        "position": 3,
+        "tangent": 3,
+        "h": 1,
+        "wo": 3,
+        "wi": 3,
+        "radiance": 3,
+        "direct": 3,  # the part of the radiance that scattered once; it has no noise
+        "visible": 1,
+    },
+}
+"""Kind of part -> what a sample holds, with its number of columns."""
+
+
+def what_is_wrong(error: ValidationError) -> str:
+    """The first of the errors in one line: where it is, what is wrong."""
+    first = error.errors()[0]
+    where = ".".join(map(str, first["loc"]))
+    return f"{where}: {first['msg']}" if where else str(first["msg"])
+
+
+class CapturedPart(DatasetModel):
+    """A mesh or all strands of an asset, which get planes and a decoder of their own."""
+
+    name: Name
+    kind: Literal["surface", "fiber"]
+    bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
+
+    @property
+    def fields(self) -> dict[str, int]:
+        """What a sample holds: see SAMPLE_FIELDS."""
+        return SAMPLE_FIELDS[self.kind]
+
+
+class CaptureManifest(DatasetModel):
+    """`manifest.json` of a dataset."""
+
+    name: str
+    parts: tuple[CapturedPart, ...] = Field(min_length=1)
+    source: str
+    source_sha256: str
+    arguments: tuple[str, ...] = ()
+    settings: CaptureSettings
+    blender: str
+    generator: str
+    cutouts: bool  # the asset has see-through parts: a hit with alpha below 1 is a sample, too
+    notes: tuple[str, ...] = ()
+    scene_domain: Domain | None = None  # of --for; in the place of settings.domain
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_this_form(cls, data: Any) -> Any:
+        if isinstance(data, dict) and "parts" not in data and "kind" in data:
+            raise ValueError(
+                "found a dataset of before datasets had parts, expected `parts`: capture it again"
+            )
+        return data
+
+    @property
+    def domain(self) -> Domain:
+        """Directions of all samples."""
+        everywhere = self.settings.domain
+        return self.scene_domain or Domain(wo=everywhere, wi=everywhere)
+
+    @property
+    def shards(self) -> int:
+        return -(-self.settings.lights // self.settings.lights_per_shard)
+
+    def write(self, path: Path) -> None:
+        """As JSON; the file appears whole or not at all."""
+        text = json.dumps(self.model_dump(mode="json", by_alias=True), indent=1) + "\n"
+        write_atomically(path, text.encode())

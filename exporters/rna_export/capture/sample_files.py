@@ -1,0 +1,63 @@
+"""The files of a dataset: named arrays as safetensors, each written whole or not at all.
+
+Arrays are named PART/FIELD; those of one part have a row for each sample of that part.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+import numpy as np
+from safetensors import SafetensorError, safe_open
+from safetensors.numpy import save
+
+from rna_sdk.errors import CaptureError
+
+DAMAGED = "{}: damaged ({})"
+_MADE_AGAIN = "; delete it, and the same rna-capture makes it again"
+
+
+def write_parts(path: Path, parts: Mapping[str, Mapping[str, np.ndarray]]) -> None:
+    """Save the samples of each part, name -> field -> rows."""
+    arrays = {f"{part}/{field}": v for part, fields in parts.items() for field, v in fields.items()}
+    write_arrays(path, arrays)
+
+
+def read_part(path: Path, part: str, fields: Iterable[str]) -> dict[str, np.ndarray]:
+    """The named fields of one part's samples. Raises CaptureError if the file is damaged."""
+    try:
+        with safe_open(path, "np") as file:
+            there = set(file.keys())
+            missing = [f"{part}/{field}" for field in fields if f"{part}/{field}" not in there]
+            if missing:
+                raise damaged(path, f"no {', '.join(missing)}")
+            arrays = {field: file.get_tensor(f"{part}/{field}") for field in fields}
+    except (OSError, SafetensorError) as error:
+        raise damaged(path, error) from error
+    if len({len(rows) for rows in arrays.values()}) > 1:
+        raise damaged(path, "its arrays differ in length")
+    return arrays
+
+
+def damaged(path: Path, reason: object) -> CaptureError:
+    """The error for a file that a capture can make again."""
+    return CaptureError(DAMAGED.format(path, reason) + _MADE_AGAIN)
+
+
+def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    """The rows of all, one array a field."""
+    return {name: np.concatenate([p[name] for p in parts]) for name in parts[0]}
+
+
+def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
+    """Save as safetensors; the file appears whole or not at all."""
+    write_atomically(path, save({k: np.ascontiguousarray(v) for k, v in arrays.items()}))
+
+
+def write_atomically(path: Path, data: bytes) -> None:
+    """Write under a temporary name, then rename."""
+    temporary = path.with_name(path.name + f".{os.getpid()}.part")
+    temporary.write_bytes(data)
+    temporary.replace(path)

@@ -1,0 +1,110 @@
+"""Captured images under one light: of one part, and of all parts together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from rna_sdk.runtime import Asset
+
+_NO_QUERY = ("radiance", "direct", "visible", "pixel")
+
+
+class CapturedImage(Protocol):
+    """What a model's answers are scored against."""
+
+    index: int
+    resolution: int
+
+    @property
+    def reference(self) -> np.ndarray:
+        """Captured radiance of the rows, (n, 3) float32."""
+
+    @property
+    def halves(self) -> np.ndarray:
+        """Two independent estimates of it, (2, n, 3) float32."""
+
+    def image(self, values: np.ndarray) -> np.ndarray:
+        """Rows (n, 3) as an image (resolution, resolution, 3), zero where there is no row."""
+
+
+@dataclass(frozen=True)
+class ValidationView:
+    """One part in a captured image; rows are the pixels that hit the part."""
+
+    index: int
+    resolution: int
+    pixel: np.ndarray  # (n,) int32, row * resolution + column
+    samples: dict[str, np.ndarray]  # fields of SAMPLE_FIELDS; radiance is the mean of both halves
+    halves: np.ndarray  # (2, n, 3) float32, two independent estimates of radiance
+
+    @property
+    def reference(self) -> np.ndarray:
+        """See `CapturedImage`."""
+        return self.samples["radiance"]
+
+    @property
+    def queries(self) -> dict[str, np.ndarray]:
+        """What a model is asked, by name, in the order of `evaluate`'s arguments."""
+        return queries_of(self.samples)
+
+    def pick(self, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
+        """Of a model's two outputs, (n, 3) each, the one that each row's visibility calls for."""
+        return np.where(self.samples["visible"].astype(bool)[:, None], visible, shadowed)
+
+    def shaded_by(self, asset: Asset) -> np.ndarray:
+        """Radiance of the rows, (n, 3) float32, as the runtime answers."""
+        return self.pick(*asset.evaluate(*self.queries.values()))
+
+    def image(self, values: np.ndarray) -> np.ndarray:
+        """See `CapturedImage`."""
+        return _image(self.resolution, self.pixel, values)
+
+
+@dataclass(frozen=True)
+class WholeView:
+    """All parts in a captured image; rows are those of the parts, one after the other."""
+
+    parts: tuple[ValidationView, ...]  # in the dataset's order; some may have no row
+
+    @property
+    def index(self) -> int:
+        return self.parts[0].index
+
+    @property
+    def resolution(self) -> int:
+        return self.parts[0].resolution
+
+    @cached_property
+    def reference(self) -> np.ndarray:
+        """See `CapturedImage`."""
+        return np.concatenate([part.reference for part in self.parts])
+
+    @cached_property
+    def halves(self) -> np.ndarray:
+        """See `CapturedImage`."""
+        return np.concatenate([part.halves for part in self.parts], axis=1)
+
+    def image(self, values: np.ndarray) -> np.ndarray:
+        """See `CapturedImage`."""
+        return _image(self.resolution, np.concatenate([p.pixel for p in self.parts]), values)
+
+
+def _image(resolution: int, pixel: np.ndarray, values: np.ndarray) -> np.ndarray:
+    image = np.zeros((resolution**2, 3), np.float32)
+    image[pixel] = values
+    return image.reshape(resolution, resolution, 3)
+
+
+def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """The part of captured samples that is asked; the rest is what it should be answered with."""
+    return {name: rows for name, rows in samples.items() if name not in _NO_QUERY}
+
+
+def all_queries(views: list[ValidationView]) -> list[np.ndarray]:
+    """The arguments of `evaluate` for every pixel of the images."""
+    parts = zip(*(view.queries.values() for view in views), strict=True)
+    return [np.concatenate(part) for part in parts]

@@ -1,0 +1,34 @@
+"""Triangle corners, one by one, to a mesh."""
+
+from __future__ import annotations
+
+import numpy as np
+import trimesh
+
+from rna_sdk.package import Mesh
+
+
+def weld(corners: dict[str, np.ndarray]) -> Mesh:
+    """One vertex for each different corner (position, normal, uv); degenerate triangles go.
+
+    A corner without a normal gets its triangle's.
+    """
+    with_uv = bool(corners["has_uv"])
+    normals = _whole_normals(corners["positions"], corners["normals"])
+    rows = np.concatenate(
+        [corners["positions"], normals] + ([corners["uvs"]] if with_uv else []), axis=1
+    )
+    vertices, index = np.unique(rows.astype(np.float32) + 0.0, axis=0, return_inverse=True)
+    triangles = index.reshape(-1, 3).astype(np.uint32)
+    area = trimesh.triangles.area(vertices[:, :3].astype(np.float64)[triangles])
+    vertices = np.ascontiguousarray(vertices, np.float32)
+    normals = np.ascontiguousarray(vertices[:, 3:6])
+    uvs = np.ascontiguousarray(vertices[:, 6:8]) if with_uv else None
+    return Mesh(np.ascontiguousarray(vertices[:, :3]), normals, uvs, triangles[area > 0.0])
+
+
+def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
+    corners = positions.reshape(-1, 3, 3).astype(np.float64)
+    flat = np.repeat(trimesh.triangles.cross(corners), 3, axis=0)
+    chosen = np.where(np.linalg.norm(normals, axis=1, keepdims=True) > 0.5, normals, flat)
+    return chosen / np.maximum(np.linalg.norm(chosen, axis=1, keepdims=True), 1e-30)

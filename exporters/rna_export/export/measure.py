@@ -1,0 +1,111 @@
+"""Error and cost of a package's tiers, through the runtime, all parts together."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from rna_export.capture.validation_view import WholeView, all_queries
+from rna_export.export.small_images import flip_at_heights
+from rna_export.export.trained_tiers import TrainedTier
+from rna_export.machine import seconds_of
+from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, psnr
+from rna_export.training.validation import score, shade
+from rna_sdk.cpu import processor
+from rna_sdk.errors import ExportError
+from rna_sdk.package import Cost, Tier, Validation
+from rna_sdk.runtime import Asset
+
+_COST_ROWS = 200_000
+
+
+def measured(
+    tier: Tier,
+    asset: Asset,
+    trained: TrainedTier,
+    views: list[WholeView],
+    say: Callable[[str], None],
+) -> Tier:
+    """The tier with its error and cost. asset: the tier, loaded."""
+    of_parts = [
+        [part.shaded_by(own) for part, own in zip(view.parts, asset.parts, strict=True)]
+        for view in views
+    ]
+    validation = _validation([np.concatenate(rows) for rows in of_parts], views)
+    cost = _cost(asset, trained, views)
+    say(
+        f"{tier.name}: PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f} "
+        f"({validation.definition})\n"
+        + "".join(_part_lines(tier.name, asset, of_parts, views))
+        + f"{tier.name}: {cost.ns_per_query:.0f} ns a query on {cost.threads} threads"
+    )
+    return tier.model_copy(update={"validation": validation, "cost": cost})
+
+
+def check_loss(tier: Tier, trained: TrainedTier, views: list[WholeView], max_loss: float) -> None:
+    """Raises ExportError where the tier's PSNR is too far below that of the trained models."""
+    assert tier.validation is not None
+    in_torch = np.mean([psnr(_shaded(trained, view), view.reference) for view in views])
+    if not in_torch - tier.validation.psnr <= max_loss:
+        raise ExportError(
+            f"{tier.name}: found {tier.validation.psnr:.2f} dB, the trained model has "
+            f"{in_torch:.2f} dB; expected to lose at most {max_loss:g} dB (--max-loss)"
+        )
+
+
+def _shaded(trained: TrainedTier, view: WholeView) -> np.ndarray:
+    pairs = zip(trained.parts, view.parts, strict=True)
+    return np.concatenate([shade(one.model, part) for one, part in pairs])
+
+
+def _part_lines(
+    name: str, asset: Asset, of_parts: list[list[np.ndarray]], views: list[WholeView]
+) -> list[str]:
+    """PSNR of each of several parts, over the images that show it."""
+    if len(asset.parts) == 1:
+        return []
+    lines = []
+    for k, part in enumerate(asset.parts):
+        rows = [(r[k], v.parts[k].reference) for r, v in zip(of_parts, views, strict=True)]
+        shown = [psnr(r, reference) for r, reference in rows if len(r)]
+        lines.append(f"{name}: part {part.name} PSNR {np.mean(shown):.2f} dB\n")
+    return lines
+
+
+def _validation(radiance: list[np.ndarray], views: Sequence[WholeView]) -> Validation:
+    scores = score(radiance, views)
+    return Validation(
+        psnr=scores.psnr,
+        flip=scores.flip,
+        relative_mse=scores.relative_mse,
+        images=scores.images,
+        definition=f"psnr: {PSNR_DEFINITION}; flip: {FLIP_DEFINITION}",
+        flip_at_height=flip_at_heights(radiance, views),
+    )
+
+
+def _cost(asset: Asset, trained: TrainedTier, views: list[WholeView]) -> Cost:
+    """Means over the queries of the images."""
+    queries = [all_queries([view.parts[k] for view in views]) for k in range(len(asset.parts))]
+    rows = np.array([len(of_part[0]) for of_part in queries], float)
+    ns = [
+        _ns_per_query(part, of_part) if len(of_part[0]) else 0.0
+        for part, of_part in zip(asset.parts, queries, strict=True)
+    ]
+    multiply_adds = [one.model.multiply_adds for one in trained.parts]
+    return Cost(
+        multiply_adds=round(float(np.average(multiply_adds, weights=rows))),
+        ns_per_query=float(np.average(ns, weights=rows)),
+        threads=asset.threads,
+        machine=f"{processor()}, {len(os.sched_getaffinity(0))} cores",
+    )
+
+
+def _ns_per_query(part: Asset, queries: list[np.ndarray]) -> float:
+    """Median over five runs on real queries."""
+    wanted = np.arange(_COST_ROWS) % len(queries[0])
+    rows = [values[wanted] for values in queries]
+    seconds = [seconds_of(lambda: part.evaluate(*rows)) for _ in range(6)]
+    return 1e9 * float(np.median(seconds[1:])) / _COST_ROWS

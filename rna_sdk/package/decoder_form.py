@@ -1,0 +1,45 @@
+"""What a decoder must be: that of transport, or that of emission."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rna_sdk.package.limits import EMISSION_WIDTH, TRANSPORT_WIDTH
+from rna_sdk.package.manifest_fields import DecoderPrecision
+from rna_sdk.package.manifest_tiers import TierPart
+
+INPUT_NAME = "queries"
+TRANSPORT, EMISSION = "transport", "emission"
+
+
+@dataclass(frozen=True)
+class DecoderForm:
+    """What the manifest says of the decoder in an entry.
+
+    Attributes:
+        entry: its name.
+        columns: K, of the input `queries`.
+        output: name of the one output, of `width` columns.
+        precision: of its arithmetic.
+    """
+
+    entry: str
+    columns: int
+    output: str
+    width: int
+    precision: DecoderPrecision
+
+
+def transport_form(part: TierPart) -> DecoderForm:
+    """Of the decoder that gives visible and shadowed RGB."""
+    columns, precision = part.query_width, part.decoder_precision
+    return DecoderForm(part.decoder, columns, TRANSPORT, TRANSPORT_WIDTH, precision)
+
+
+def emission_form(part: TierPart) -> DecoderForm | None:
+    """Of the decoder that gives emitted RGB, if the part has one."""
+    own = part.emission
+    if own is None:
+        return None
+    columns, precision = part.emission_query_width, own.decoder_precision
+    return DecoderForm(own.decoder, columns, EMISSION, EMISSION_WIDTH, precision)

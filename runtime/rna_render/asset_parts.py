@@ -1,0 +1,117 @@
+"""What the renderer needs of an asset and of its parts; rna_sdk.runtime's classes have it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, Protocol
+
+import numpy as np
+
+from rna_render.transmittance import Transmittance, TransmittanceTexture
+from rna_sdk.package import Curves, Mesh
+
+
+class TransmittanceRecord(Protocol):
+    """Holes or thin glass: `count` triangles from `first` on; spec/RNA.md, 4.4.
+
+    texture: (h, w, 1) or (h, w, 3) uint8.
+    """
+
+    @property
+    def first(self) -> int: ...
+
+    @property
+    def count(self) -> int: ...
+
+    @property
+    def texture(self) -> np.ndarray: ...
+
+    @property
+    def cutoff(self) -> float | None: ...
+
+    @property
+    def ior(self) -> tuple[float, float] | None: ...
+
+
+class SurfacePart(Protocol):
+    """A part with a mesh: rna_sdk.runtime.SurfaceAsset."""
+
+    @property
+    def kind(self) -> Literal["surface"]: ...
+
+    @property
+    def mesh(self) -> Mesh: ...
+
+    @property
+    def emits(self) -> bool: ...
+
+    @property
+    def transmittance_records(self) -> Sequence[TransmittanceRecord]: ...
+
+    def evaluate(
+        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+
+    def emission(
+        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray
+    ) -> np.ndarray: ...
+
+
+class FiberPart(Protocol):
+    """A part of strands: rna_sdk.runtime.FiberAsset."""
+
+    @property
+    def kind(self) -> Literal["fiber"]: ...
+
+    @property
+    def curves(self) -> Curves: ...
+
+    @property
+    def emits(self) -> bool: ...
+
+    def evaluate(
+        self,
+        positions: np.ndarray,
+        tangents: np.ndarray,
+        h: np.ndarray,
+        wo: np.ndarray,
+        wi: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+
+    def emission(
+        self, positions: np.ndarray, tangents: np.ndarray, h: np.ndarray, wo: np.ndarray
+    ) -> np.ndarray: ...
+
+
+AssetPart = SurfacePart | FiberPart
+
+
+class Asset(Protocol):
+    """One part or several that light each other."""
+
+    @property
+    def parts(self) -> Sequence[AssetPart]: ...
+
+
+def part_geometry(part: AssetPart) -> Mesh | Curves:
+    """What rays meet of a part."""
+    return part.curves if part.kind == "fiber" else part.mesh
+
+
+def part_transmittance(part: AssetPart) -> Transmittance | None:
+    """What a part lets through; None where it is opaque."""
+    if part.kind == "fiber":
+        return None
+    return mesh_transmittance(part.mesh, part.transmittance_records)
+
+
+def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:
+    """What a mesh with the given records lets through; None if there are none."""
+    if not records:
+        return None
+    number = np.full(len(mesh.triangles), -1, np.int32)
+    for k, record in enumerate(records):
+        number[record.first : record.first + record.count] = k
+    uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
+    textures = [TransmittanceTexture(r.texture, r.cutoff, ior=r.ior) for r in records]
+    return Transmittance(mesh.triangles, uvs, mesh.normals, number, textures)

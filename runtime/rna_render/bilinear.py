@@ -1,0 +1,32 @@
+"""Where a coordinate falls between the texels of an image, and what is outside of it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_sdk.compiled import compiled
+
+REPEAT, CLAMP, MIRROR = 0, 1, 2
+
+
+@compiled(fastmath=())
+def _wrapped(x, wrap):
+    """A coordinate within [0, 1]."""
+    if wrap == REPEAT:
+        return x - np.floor(x)
+    if wrap == MIRROR:
+        x -= 2.0 * np.floor(0.5 * x)
+        return 2.0 - x if x > 1.0 else x
+    return min(max(x, 0.0), 1.0)
+
+
+@compiled(fastmath=())
+def texels_around(x, size, wrap):
+    """The two texels whose centres x is between, and its place between them."""
+    place = _wrapped(x, wrap) * size - 0.5
+    first = int(np.floor(place))
+    rest = place - first
+    second = first + 1
+    if wrap == REPEAT:
+        return first % size, second % size, rest
+    return max(first, 0), min(second, size - 1), rest

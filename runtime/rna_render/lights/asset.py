@@ -1,0 +1,163 @@
+"""What an asset sends out without other light, as a light of the scene."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from rna_render.asset_parts import Asset, FiberPart, SurfacePart, part_transmittance
+from rna_render.fiber import FiberPoints
+from rna_render.lights.directions import luminance
+from rna_render.lights.mesh import TriangleLight
+from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
+from rna_render.surface import geometric_normals, interpolate_normals, interpolate_positions
+from rna_render.tracing import ClosestHits
+from rna_render.transmittance import Transmittance
+from rna_sdk.runtime import offset_across
+from rna_sdk.runtime.transforms import Transform
+
+# Emission is asked at so many points at least of a part's mesh, in as many equal parts of each
+# triangle as that takes, but no more than the square of the second number.
+_POINTS, _DIVISIONS = 20_000, 8
+
+# Cosines to the normal of the directions that it is asked for, on either side: in the middle of
+# halves of a cosine-weighted hemisphere. Azimuths go on by the golden angle.
+_COSINES = np.sqrt([0.75, 0.25])
+_GOLDEN = np.pi * (3.0 - np.sqrt(5.0))
+
+
+class AssetLight(TriangleLight):
+    """The emission of one instance of an asset.
+
+    The triangles of its parts are sampled by what they send out on average, a share of the samples
+    by area alone. Strands are found by rays that meet them.
+
+    world_from_object: (4, 4), a similarity. factor: on all that it emits. Raises QueryError for
+    another matrix, SceneError for emission that is not finite.
+    """
+
+    def __init__(self, asset: Asset, world_from_object: np.ndarray, factor: float = 1.0) -> None:
+        self._parts = {k: part for k, part in enumerate(asset.parts) if part.emits}
+        self._factor = np.float32(factor)
+        transform = Transform(world_from_object)
+        self._rotation = (transform.matrix[:3, :3] / transform.scale).astype(np.float32)
+        self._meshes = {
+            k: _MeshEmitter(part) for k, part in self._parts.items() if part.kind == "surface"
+        }
+        counts = [len(mesh.part.mesh.triangles) for mesh in self._meshes.values()]
+        self._cuts = np.cumsum([0, *counts])
+        self._first = dict(zip(self._meshes, self._cuts[:-1].tolist(), strict=True))
+        mean = [mesh.mean_luminance() for mesh in self._meshes.values()]
+        super().__init__(
+            *_joined(list(self._meshes.values()), transform.matrix),
+            factor * np.concatenate([np.zeros(0), *mean]),
+        )
+
+    def met(
+        self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        radiance, pdf = np.zeros_like(x_world), np.zeros(len(x_world), np.float32)
+        wo = -d_world @ self._rotation
+        for k, part in self._parts.items():
+            row = np.flatnonzero(hits.geometry == k)
+            if not len(row):
+                continue
+            at = hits.take(row)
+            if part.kind == "fiber":
+                radiance[row] = _strand_emission(part, at, ng_world[row] @ self._rotation, wo[row])
+                continue
+            radiance[row] = self._meshes[k].emission(at.primitive, at.u, at.v, wo[row])
+            triangle = at.primitive + np.int32(self._first[k])
+            pdf[row] = self._density(x_world[row], d_world[row], triangle)
+        return self._factor * radiance, pdf
+
+    def _sent(
+        self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray
+    ) -> np.ndarray:
+        result, wo = np.zeros_like(d_world), -d_world @ self._rotation
+        for mesh, (start, stop) in zip(self._meshes.values(), pairwise(self._cuts), strict=True):
+            row = np.flatnonzero((triangle >= start) & (triangle < stop))
+            at = triangle[row] - np.int32(start), u[row], v[row], wo[row]
+            result[row] = mesh.emission(*at) * mesh.opacity(*at)
+        return self._factor * result
+
+
+class _MeshEmitter:
+    """A part with a mesh. wo: (n, 3) float32, unit, object space; the rest as in ClosestHits."""
+
+    def __init__(self, part: SurfacePart) -> None:
+        self.part = part
+        self._transmittance: Transmittance | None = part_transmittance(part)
+
+    def emission(
+        self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
+    ) -> np.ndarray:
+        """Radiance of the opaque share towards wo: (n, 3) float32."""
+        mesh = self.part.mesh
+        at = mesh.triangles, triangle, u, v
+        x = interpolate_positions(mesh.positions, *at)
+        return self.part.emission(x, interpolate_normals(mesh.normals, *at), wo)
+
+    def opacity(
+        self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
+    ) -> np.ndarray:
+        """The opaque share: (n, 3) float32, or (1, 1) if it is 1 everywhere."""
+        if self._transmittance is None:
+            return np.ones((1, 1), np.float32)
+        mesh = self.part.mesh
+        ng = geometric_normals(mesh.positions, mesh.triangles, triangle)
+        facing = np.sum(ng * wo, axis=1) > 0.0
+        return np.float32(1.0) - self._transmittance.at(triangle, u, v, -wo, facing)
+
+    def mean_luminance(self) -> np.ndarray:
+        """About the mean luminance over each triangle and all directions: (t,) float64.
+
+        More than 0 on all triangles, unless it is 0 at every point that is asked.
+        """
+        mesh = self.part.mesh
+        count = len(mesh.triangles)
+        triangle = np.arange(count, dtype=np.int32)
+        divisions = int(np.clip(np.ceil(np.sqrt(_POINTS / max(count, 1))), 1, _DIVISIONS))
+        points = points_of_a_triangle(divisions)
+        result = np.zeros(count)
+        for k, (u, v) in enumerate(points):
+            at = triangle, np.full(count, u, np.float32), np.full(count, v, np.float32)
+            normals = interpolate_normals(mesh.normals, mesh.triangles, *at)
+            for j, cosine in enumerate((*_COSINES, *-_COSINES)):
+                azimuth = _GOLDEN * (triangle + count * (4 * k + j))
+                wo = _about(normals, cosine, azimuth)
+                result += luminance(self.emission(*at, wo) * self.opacity(*at, wo))
+        result /= 4.0 * len(points)
+        floor = result.mean() if count else 0.0
+        return (1.0 - EMISSION_FLOOR) * result + EMISSION_FLOOR * floor
+
+
+def _joined(meshes: list[_MeshEmitter], matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The meshes as one, in the world: (v, 3) float32 and (t, 3) uint32."""
+    starts = np.cumsum([0, *(len(mesh.part.mesh.positions) for mesh in meshes)])
+    positions = [np.zeros((0, 3), np.float32), *(mesh.part.mesh.positions for mesh in meshes)]
+    triangles = [mesh.part.mesh.triangles for mesh in meshes]
+    shifted = [rows + np.uint32(s) for rows, s in zip(triangles, starts[:-1], strict=True)]
+    world = np.concatenate(positions) @ matrix[:3, :3].T + matrix[:3, 3]
+    return world.astype(np.float32), np.concatenate([np.zeros((0, 3), np.uint32), *shifted])
+
+
+def _strand_emission(
+    part: FiberPart, hits: ClosestHits, n: np.ndarray, wo: np.ndarray
+) -> np.ndarray:
+    """Radiance of strands towards wo: (n, 3) float32. n: outward normals; object space."""
+    curves = part.curves
+    at = FiberPoints.of(curves, curves.segments(), hits.primitive, hits.u, n)
+    return part.emission(at.x, at.tangent, offset_across(n, at.tangent, wo), wo)
+
+
+def _about(axis: np.ndarray, cosine: float, azimuth: np.ndarray) -> np.ndarray:
+    """Unit directions (n, 3) float32 at that cosine to axes (n, 3), at azimuths (n,)."""
+    across = np.eye(3)[np.argmin(np.abs(axis), axis=1)]
+    side = np.cross(axis, across)
+    side /= np.maximum(np.linalg.norm(side, axis=1, keepdims=True), 1e-30)
+    turned = np.cross(axis, side)
+    sine = np.sqrt(1.0 - cosine * cosine)
+    around = np.cos(azimuth)[:, None] * side + np.sin(azimuth)[:, None] * turned
+    return (cosine * axis + sine * around).astype(np.float32)

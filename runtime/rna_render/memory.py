@@ -1,0 +1,42 @@
+"""Memory by its address, for compiled code that Embree calls: it gets nothing but addresses."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from llvmlite import ir
+from numba import types
+from numba.extending import intrinsic
+
+
+def _load(word: Any, result: Any) -> Any:
+    @intrinsic
+    def load(typing_context, address):
+        def codegen(_context, builder, _signature, values):
+            return builder.load(builder.inttoptr(values[0], word.as_pointer()))
+
+        return result(types.uintp), codegen
+
+    return load
+
+
+def _store(word: Any, value_type: Any) -> Any:
+    @intrinsic
+    def store(typing_context, address, value):
+        def codegen(context, builder, _signature, values):
+            builder.store(values[1], builder.inttoptr(values[0], word.as_pointer()))
+            return context.get_dummy_value()
+
+        return types.void(types.uintp, value_type), codegen
+
+    return store
+
+
+load_u8 = _load(ir.IntType(8), types.uint8)
+load_i32 = _load(ir.IntType(32), types.int32)
+load_u32 = _load(ir.IntType(32), types.uint32)
+load_u64 = _load(ir.IntType(64), types.uint64)
+load_f32 = _load(ir.FloatType(), types.float32)
+load_f64 = _load(ir.DoubleType(), types.float64)
+store_u32 = _store(ir.IntType(32), types.uint32)
+store_f64 = _store(ir.DoubleType(), types.float64)
