@@ -53,8 +53,8 @@ def test_a_glowing_plate_lights_the_ground_as_the_analytic_rectangle(h, way):
 def test_a_glowing_instance_lights_others_of_its_kind_but_not_itself(way):
     """A roof over a floor, glowing: as one asset it adds nothing, as two it lights the floor."""
     roof = inside(square(1.0, height=1.0))
-    together = GlowingSurface(merged(square(0.002), roof), glow=BLACK)
-    together = GlowingSurface(together.mesh, albedo=WHITE, glow=tuple(GLOW), one_sided=True)
+    both = merged(square(0.002), roof)
+    together = GlowingSurface(both, WHITE, WHITE, glow=tuple(GLOW), one_sided=True)
     camera = {"camera": at_point((0, 0, 0), (0.3, 0.2, 2.0)), "samples": 64, "max_depth": 4}
     alone = seen(shoot([(together, {})], (), way, **camera))
     np.testing.assert_allclose(alone.mean, GLOW, rtol=1e-6)
