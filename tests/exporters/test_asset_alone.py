@@ -125,6 +125,6 @@ def one_light_dataset(folder, worker) -> Dataset:
         blender=worker.opened["blender"],
         generator="test",
         parts=(part,),
-        cutouts=worker.opened["cutouts"],
+        opaque_cutouts=False,
     )
     return Dataset.create(folder, manifest, {"asset": mesh})

@@ -57,6 +57,22 @@ class _Reading:
     problems: list[str] = field(default_factory=list)
 
 
+def export_transparency(path):
+    """Write an .npz with the textures of all materials that let light through, `0`, `1`, ...
+
+    Returns what they are, and notes for the user of those that could not be told.
+    """
+    found, notes = [], []
+    for material in list(bpy.data.materials):
+        transparency, problems = transparency_of(material, Path(path).parent)
+        notes += problems
+        if transparency is not None:
+            found.append((material.name, transparency))
+    np.savez(path, **{str(k): each.texture for k, (_, each) in enumerate(found)})
+    records = [{"material": n, "cutoff": each.cutoff, "ior": each.ior} for n, each in found]
+    return {"materials": records, "notes": notes}
+
+
 def transparency_of(material, folder):
     """The transparency of a material, or None if it is opaque, and notes for the user.
 
@@ -202,7 +218,8 @@ def _of_group(tree, node, shader, reading):
     inside = _transmittance(group, ends[0].inputs[name].links[0].from_socket, reading)
     if inside is None:
         return None
-    made = group.interface.new_socket("transmittance", in_out="OUTPUT", socket_type="NodeSocketColor")
+    kind = {"in_out": "OUTPUT", "socket_type": "NodeSocketColor"}
+    made = group.interface.new_socket("transmittance", **kind)
     group.links.new(inside, ends[0].inputs[made.identifier])
     node.node_tree = group
     return node.outputs[made.identifier]

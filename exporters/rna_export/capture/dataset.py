@@ -3,6 +3,7 @@
 toy.rays/
   manifest.json               parts, settings, source, what is planned
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
+  transmittance/0.safetensors texture of a material that lets light through, as in a package
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
 """
@@ -13,14 +14,16 @@ from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 
+import numpy as np
 from pydantic import ValidationError
 
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
-from rna_export.capture.sample_files import write_arrays
+from rna_export.capture.sample_files import write_arrays, write_atomically
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.transmittance import texture_to_bytes
 
 
 class Dataset:
@@ -38,12 +41,21 @@ class Dataset:
 
     @classmethod
     def create(
-        cls, folder: Path, manifest: CaptureManifest, geometries: Mapping[str, Mesh | Curves]
+        cls,
+        folder: Path,
+        manifest: CaptureManifest,
+        geometries: Mapping[str, Mesh | Curves],
+        textures: Mapping[str, np.ndarray] | None = None,
     ) -> Dataset:
-        """Write the geometry of each part and the manifest, that last: with one it is a dataset."""
+        """Write geometry and textures, and the manifest, that last: with one it is a dataset.
+
+        geometries: of each part. textures: of all transmittance, by the names that records have.
+        """
         folder = Path(folder)
-        for inner in ("geometry", "train", "validation"):
+        for inner in ("geometry", "transmittance", "train", "emission", "validation"):
             (folder / inner).mkdir(parents=True, exist_ok=True)
+        for name, texture in (textures or {}).items():
+            write_atomically(folder / name, texture_to_bytes(texture, name))
         for name, geometry in geometries.items():
             arrays = {k: v for k, v in vars(geometry).items() if v is not None}
             write_arrays(_geometry_path(folder, name), arrays)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,8 @@ from rna_export.capture.sample_files import DAMAGED, damaged, joined, read_part
 from rna_export.capture.validation_view import ValidationView
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.manifest import TransmittanceRecord
+from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset import Dataset
@@ -33,7 +36,7 @@ class DatasetPart:
     def __init__(self, dataset: Dataset, part: CapturedPart):
         self.dataset, self.captured = dataset, part
         self.name, self.kind = part.name, part.kind
-        self.bounds, self.fields = part.bounds, part.fields
+        self.bounds, self.fields = part.bounds, dataset.manifest.fields(part.kind)
 
     @property
     def folder(self) -> Path:
@@ -56,6 +59,24 @@ class DatasetPart:
         except (OSError, TypeError, SafetensorError, PackageError) as error:
             raise CaptureError(DAMAGED.format(path, error)) from error
 
+    def transmittance(self) -> tuple[Transmittance, ...]:
+        """What its triangles let through; none of an opaque part."""
+        return tuple(
+            Transmittance(*record.triangles, self._texture(record), record.cutoff, record.ior)
+            for record in self.captured.transmittance
+        )
+
+    def textures(self) -> dict[str, np.ndarray]:
+        """Those of `transmittance`, by the names that the records have for them."""
+        return {record.texture: self._texture(record) for record in self.captured.transmittance}
+
+    def _texture(self, record: TransmittanceRecord) -> np.ndarray:
+        path = self.folder / record.texture
+        try:
+            return texture_from_bytes(memoryview(path.read_bytes()), record)
+        except (OSError, PackageError) as error:
+            raise CaptureError(DAMAGED.format(path, error)) from error
+
     def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
         """The part's rows of the finished shards joined, one array a field.
 
@@ -64,10 +85,17 @@ class DatasetPart:
         paths = self.dataset.finished_shards()
         if shards is not None:
             paths = paths[:: -(-len(paths) // shards)]
-        samples = joined([read_part(path, self.name, self.fields) for path in paths])
+        samples = joined([self._read(path, self.fields) for path in paths])
         if not len(samples["visible"]):
             raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
         return samples
+
+    def _read(self, path: Path, fields: Iterable[str]) -> dict[str, np.ndarray]:
+        """Rows of a file; a visibility with colours as (n, 3) float32 from 0 to 1."""
+        rows = read_part(path, self.name, fields)
+        if rows["visible"].ndim == 2:
+            rows["visible"] = rows["visible"].astype(np.float32) / np.float32(255.0)
+        return rows
 
     def validation_views(self) -> list[ValidationView]:
         """The finished validation images that show the part in more than a few pixels."""
@@ -83,7 +111,7 @@ class DatasetPart:
     def view(self, index: int) -> ValidationView:
         """The part in one validation image; it may have no row there."""
         paths = [self.dataset.validation_path(index, half) for half in (0, 1)]
-        first, second = (read_part(p, self.name, (*self.fields, "pixel")) for p in paths)
+        first, second = (self._read(p, (*self.fields, "pixel")) for p in paths)
         if not np.array_equal(first["pixel"], second["pixel"]):
             raise damaged(paths[1], "its pixels are not those of the first half")
         halves = np.stack([first["radiance"], second["radiance"]])

@@ -19,14 +19,14 @@ import rna_sdk
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import light_direction
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
+from rna_export.capture.exported_parts import exported_parts
+from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_export.capture.view_rays import sample_view_rays
-from rna_export.capture.weld import weld
-from rna_export.capture.worker import BlenderWorker, ScenePart, Source
+from rna_export.capture.worker import BlenderWorker, Source
 from rna_render.scene_file import SceneFile
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Domain, Mesh
@@ -67,9 +67,12 @@ def begin(
     start = monotonic()
     with crew.worker(source, "probe") as worker:
         opening = monotonic() - start
-        geometries = {part.name: _exported(worker, part) for part in worker.parts}
+        exported = exported_parts(worker)
+        geometries = exported.geometries
         settings = CaptureSettings.usual(worker.kind, **asked)
-        scene = AssetScene(tuple(geometries.values()), settings.sharpest)
+        scene = AssetScene(
+            tuple(geometries.values()), settings.sharpest, exported.transmittances()
+        )
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         rate = _paths_a_second(scene, settings, domain, worker) * crew.workers
@@ -80,20 +83,21 @@ def begin(
             say(note)
     manifest = CaptureManifest(
         name=source.path.stem,
-        parts=tuple(_captured(part, geometries[part.name]) for part in worker.parts),
+        parts=exported.captured(),
         source=source.path.name,
         source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
         arguments=source.arguments,
         settings=settings,
         blender=opened["blender"],
         generator=f"rna-capture {rna_sdk.__version__}",
-        cutouts=opened["cutouts"],
-        notes=tuple(opened["notes"]),
+        opaque_cutouts=bool(exported.notes),
+        emitters=tuple(opened["emitters"]),
+        notes=(*opened["notes"], *exported.notes),
         scene_domain=limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
-    dataset = Dataset.create(out, manifest, geometries)
+    dataset = Dataset.create(out, manifest, geometries, exported.textures)
     say(_plan(dataset, geometries, rate))
     return dataset
 
@@ -101,19 +105,8 @@ def begin(
 def scene_of(dataset: Dataset) -> AssetScene:
     """All parts of a dataset, ready to be asked with rays."""
     geometries = [part.geometry() for part in dataset.parts]
-    return AssetScene(geometries, dataset.manifest.settings.sharpest)
-
-
-def _exported(worker: BlenderWorker, part: ScenePart) -> Mesh | Curves:
-    if part.kind == "fiber":
-        return worker.export_curves(part.owner)
-    return weld(worker.export_corners(part.owner))
-
-
-def _captured(part: ScenePart, geometry: Mesh | Curves) -> CapturedPart:
-    low, high = geometry.box()
-    bounds = tuple(low.tolist()), tuple(high.tolist())
-    return CapturedPart(name=part.name, kind=part.kind, bounds=bounds)
+    transmittances = [part.transmittance() for part in dataset.parts]
+    return AssetScene(geometries, dataset.manifest.settings.sharpest, transmittances)
 
 
 def finish(

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_export.capture.asset_scene import AssetScene, PartRows
+from rna_export.capture.asset_scene import AssetScene, PartRows, ShadePoints
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import directions_in, light_direction
 from rna_export.capture.sample_files import joined, write_parts
@@ -23,6 +23,8 @@ from rna_sdk.package.manifest_fields import Region
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
+_STEP = 1e-4  # of the asset's radius, before and behind a point
+_LEAST_OWN = 0.05  # of what is seen at a point: of less, the noise would be too much
 
 Samples = dict[str, dict[str, np.ndarray]]
 """Part -> field -> rows."""
@@ -114,24 +116,55 @@ def _capture(
     extra: dict[str, np.ndarray] | None = None,
 ) -> Samples:
     """Samples of view rays under one light: geometry from our scene, radiance from Cycles."""
-    points = scene.shade_points(rays.origins, rays.directions)
-    rendered = worker.render_rays(rays.origins, rays.directions, wi, samples, seed)
-    wi_rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), rays.origins.shape))
+    points = scene.shade_points(rays.origins, rays.directions, np.random.default_rng([seed, 1]))
+    origins, reach = _starts(scene, points, rays)
+    rendered = worker.render_rays(origins, rays.directions, wi, samples, seed, reach)
     of_ray = {
         "wo": -rays.directions,
-        "wi": wi_rows,
         "radiance": rendered.radiance,
         "direct": rendered.direct,
-        "visible": scene.visible(points, wi_rows).astype(np.uint8),
+        **_of_light(scene, points, wi),
         **(extra or {}),
     }
     # A ray along a silhouette may hit here and miss there; such a sample would be black.
-    seen = dataset.manifest.cutouts | (rendered.alpha > 0.999)
+    opaque = 1.0 - points.transmittance.mean(axis=1)
+    seen = dataset.manifest.opaque_cutouts | (rendered.alpha > 0.999 * opaque)
     keep = seen & np.isfinite(rendered.radiance).all(axis=1)
+    if scene.transmits:  # of what Cycles shows, the share that is the point's own
+        own = 1.0 - points.transmittance
+        keep &= own.min(axis=1) > _LEAST_OWN
+        of_ray["radiance"] = rendered.radiance / np.maximum(own, _LEAST_OWN)
     return {
         part.name: _kept(on, keep, of_ray, (*part.fields, *(extra or {})))
         for part, on in zip(dataset.parts, points.on, strict=True)
     }
+
+
+def _starts(
+    scene: AssetScene, points: ShadePoints, rays: ViewRays
+) -> tuple[np.ndarray, float | None]:
+    """Where Cycles' rays start, and how far they go.
+
+    At assets that transmit, close before the points and close behind them: what lies before a point
+    on its ray has let the ray pass, and what lies behind it is not seen.
+    """
+    if not scene.transmits:
+        return rays.origins, None
+    step = np.float32(_STEP * scene.radius)
+    points_or_origins = np.where(points.hit[:, None], points.position, rays.origins)
+    return points_or_origins - step * rays.directions, float(2.0 * step)
+
+
+def _of_light(
+    scene: AssetScene, points: ShadePoints, wi: np.ndarray | None
+) -> dict[str, np.ndarray]:
+    """What samples of a light record of it; nothing for the asset's own light."""
+    if wi is None:
+        return {}
+    rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), points.position.shape))
+    visible = scene.visible(points, rows)
+    scale = 255 if scene.transmits else 1
+    return {"wi": rows, "visible": np.round(scale * visible.astype(np.float32)).astype(np.uint8)}
 
 
 def _kept(

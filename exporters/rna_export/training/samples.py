@@ -58,7 +58,7 @@ class SampleTable(IterableDataset):
         The median; of scattered light, where that is told apart, the mean: most of it is 0.
         """
         samples = columns(self.rows, self.fields)
-        lit = samples["visible"] > 0.0
+        lit = samples["visible"].reshape(len(self), -1).mean(dim=1) > 0.5
         if not lit.any():
             return 1.0
         if "direct" not in samples:
