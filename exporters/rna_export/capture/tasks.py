@@ -61,7 +61,7 @@ class TrainingShard:
         rng = np.random.default_rng([settings.seed, 1, light])
         rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
         seed = int(rng.integers(2**31))
-        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed)
+        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng)
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,8 @@ class ValidationHalf:
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
             extra = {"pixel": pixel.astype(np.int32)}
-            pieces.append(_capture(dataset, scene, worker, rays[pixel], wi, samples, seed, extra))
+            asked = rays[pixel], wi, samples, seed, rng, extra
+            pieces.append(_capture(dataset, scene, worker, *asked))
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
@@ -113,10 +114,14 @@ def _capture(
     wi: np.ndarray,
     samples: int,
     seed: int,
+    rng: np.random.Generator,
     extra: dict[str, np.ndarray] | None = None,
 ) -> Samples:
-    """Samples of view rays under one light: geometry from our scene, radiance from Cycles."""
-    points = scene.shade_points(rays.origins, rays.directions, np.random.default_rng([seed, 1]))
+    """Samples of view rays under one light: geometry from our scene, radiance from Cycles.
+
+    rng: chooses which rays go on behind what lets light through.
+    """
+    points = scene.shade_points(rays.origins, rays.directions, rng)
     origins, reach = _starts(scene, points, rays)
     rendered = worker.render_rays(origins, rays.directions, wi, samples, seed, reach)
     of_ray = {
@@ -127,8 +132,9 @@ def _capture(
         **(extra or {}),
     }
     # A ray along a silhouette may hit here and miss there; such a sample would be black.
-    opaque = 1.0 - points.transmittance.mean(axis=1)
-    seen = dataset.manifest.opaque_cutouts | (rendered.alpha > 0.999 * opaque)
+    # What lets light through has an alpha that is as noisy as its radiance.
+    thin = points.transmittance.any(axis=1)
+    seen = dataset.manifest.opaque_cutouts | thin | (rendered.alpha > 0.999)
     keep = seen & np.isfinite(rendered.radiance).all(axis=1)
     if scene.transmits:  # of what Cycles shows, the share that is the point's own
         own = 1.0 - points.transmittance
