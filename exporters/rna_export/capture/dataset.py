@@ -5,6 +5,7 @@ toy.rays/
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
   transmittance/0.safetensors texture of a material that lets light through, as in a package
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
+  emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
 """
 
@@ -109,6 +110,20 @@ class Dataset:
 
     def validation_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
+
+    def emission_path(self, shard: int) -> Path:
+        return self.folder / "emission" / f"{shard:05d}.safetensors"
+
+    def emission_image_path(self, view: int, half: int) -> Path:
+        return self.folder / "validation" / f"emission-{view:02d}-{half}.safetensors"
+
+    def finished_emission(self) -> list[Path]:
+        """Paths of the shards of emission that are there. Raises `CaptureError` if none is."""
+        shards = range(self.manifest.emission_shards)
+        paths = [path for k in shards if (path := self.emission_path(k)).is_file()]
+        if not paths:
+            raise CaptureError(f"{self.folder}: no finished shard of emission")
+        return paths
 
     def finished_shards(self) -> list[Path]:
         """Paths of the training shards that are there. Raises `CaptureError` if none is."""

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 from safetensors import SafetensorError
 from safetensors.numpy import load_file
 
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
+from rna_export.capture.manifest import CapturedPart, CaptureManifest, emission_fields
 from rna_export.capture.sample_files import DAMAGED, damaged, joined, read_part
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.validation_view import EmissionView, ValidationView
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.manifest import TransmittanceRecord
@@ -20,6 +20,8 @@ from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset import Dataset
+
+View = TypeVar("View", ValidationView, EmissionView)
 
 _LEAST_SHARE = 1 / 500  # of an image's pixels; fewer say nothing of a part
 
@@ -90,10 +92,23 @@ class DatasetPart:
             raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
         return samples
 
+    def emission_samples(self) -> dict[str, np.ndarray]:
+        """The part's rows of what the asset emits, one array a field of `emission_fields`."""
+        paths = self.dataset.finished_emission()
+        return joined([self._read(path, emission_fields(self.kind)) for path in paths])
+
+    def emission_views(self) -> list[EmissionView]:
+        """The finished images of what the asset emits; the part may have no row there."""
+        fields = emission_fields(self.kind)
+        return [
+            self._view(EmissionView, index, self.dataset.emission_image_path, fields)
+            for index in range(self.manifest.emission_images)
+        ]
+
     def _read(self, path: Path, fields: Iterable[str]) -> dict[str, np.ndarray]:
         """Rows of a file; a visibility with colours as (n, 3) float32 from 0 to 1."""
         rows = read_part(path, self.name, fields)
-        if rows["visible"].ndim == 2:
+        if "visible" in rows and rows["visible"].ndim == 2:
             rows["visible"] = rows["visible"].astype(np.float32) / np.float32(255.0)
         return rows
 
@@ -110,12 +125,21 @@ class DatasetPart:
 
     def view(self, index: int) -> ValidationView:
         """The part in one validation image; it may have no row there."""
-        paths = [self.dataset.validation_path(index, half) for half in (0, 1)]
-        first, second = (self._read(p, (*self.fields, "pixel")) for p in paths)
+        return self._view(ValidationView, index, self.dataset.validation_path, self.fields)
+
+    def _view(
+        self,
+        kind: type[View],
+        index: int,
+        path_of: Callable[[int, int], Path],
+        fields: Mapping[str, int],
+    ) -> View:
+        paths = [path_of(index, half) for half in (0, 1)]
+        first, second = (self._read(p, (*fields, "pixel")) for p in paths)
         if not np.array_equal(first["pixel"], second["pixel"]):
             raise damaged(paths[1], "its pixels are not those of the first half")
         halves = np.stack([first["radiance"], second["radiance"]])
-        samples = {name: first[name] for name in self.fields}
+        samples = {name: first[name] for name in fields}
         samples["radiance"] = halves.mean(axis=0)
         resolution = self.manifest.settings.validation_resolution
-        return ValidationView(index, resolution, first["pixel"], samples, halves)
+        return kind(index, resolution, first["pixel"], samples, halves)

@@ -98,6 +98,11 @@ class CaptureManifest(DatasetModel):
         """As many rays each as a training shard, so that emission is a part of the capture."""
         return max(1, round(EMISSION_SHARE * self.shards)) if self.emitters else 0
 
+    @property
+    def emission_images(self) -> int:
+        """Images of what the asset emits, kept from training."""
+        return max(1, self.settings.validation_views // 4) if self.emitters else 0
+
     def fields(self, kind: str) -> dict[str, int]:
         """What a sample of a kind of part holds: see SAMPLE_FIELDS.
 

@@ -23,7 +23,7 @@ from rna_export.capture.exported_parts import exported_parts
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
+from rna_export.capture.tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
@@ -153,7 +153,7 @@ class _Shift:
     crew: Crew
     bar: tqdm
     limit: TimeLimit | None = None
-    todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = field(
+    todo: queue.SimpleQueue[Task] = field(
         default_factory=queue.SimpleQueue
     )
     stop: threading.Event = field(default_factory=threading.Event)
@@ -199,14 +199,14 @@ class _Shift:
             self.failures.append(error)
             self.stop.set()
 
-    def _is_too_late(self, task: TrainingShard | ValidationHalf, took: float) -> bool:
+    def _is_too_late(self, task: Task, took: float) -> bool:
         """Whether there is no time for half of the task, if it takes as long as the last one."""
-        if self.limit is None or isinstance(task, ValidationHalf):
+        if self.limit is None or not isinstance(task, TrainingShard):
             return False
         first = task.index * self.dataset.manifest.settings.lights_per_shard
         return first >= LEAST_LIGHTS and self.limit.left() < took / 2.0
 
-    def _run(self, task: TrainingShard | ValidationHalf, worker: BlenderWorker) -> None:
+    def _run(self, task: Task, worker: BlenderWorker) -> None:
         try:
             task.run(self.dataset, self.scene, worker)
         except CaptureError:  # Blender may die of its own; a second failure is ours

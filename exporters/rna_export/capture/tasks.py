@@ -11,7 +11,9 @@ import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene, PartRows, ShadePoints
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import directions_in, light_direction
+from rna_export.capture.manifest import emission_fields
 from rna_export.capture.sample_files import joined, write_parts
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
@@ -70,9 +72,11 @@ class ValidationHalf:
 
     view: int
     half: int
+    emission: bool = False  # of what the asset emits, instead of a light
 
     def path(self, dataset: Dataset) -> Path:
-        return dataset.validation_path(self.view, self.half)
+        path = dataset.emission_image_path if self.emission else dataset.validation_path
+        return path(self.view, self.half)
 
     def paths_to_trace(self, dataset: Dataset) -> int:
         return dataset.manifest.settings.validation_paths // 2
@@ -82,9 +86,11 @@ class ValidationHalf:
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
         wi = directions_in(domain.wi, rng.random((1, 2)))[0]
+        if self.emission:
+            wi = None
         rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
         samples = settings.validation_samples // 2
-        noise = np.random.default_rng([settings.seed, 3, self.view, self.half])
+        noise = np.random.default_rng([settings.seed, 3 + self.emission, self.view, self.half])
         seed = int(noise.integers(2**31))
         pieces = []
         for first in range(0, len(hit), _RAYS_A_RENDER):
@@ -95,11 +101,43 @@ class ValidationHalf:
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
-def all_tasks(dataset: Dataset) -> list[TrainingShard | ValidationHalf]:
-    """Every task of the dataset's plan, validation first."""
-    settings = dataset.manifest.settings
-    views = [ValidationHalf(v, half) for v in range(settings.validation_views) for half in (0, 1)]
-    return views + [TrainingShard(k) for k in range(dataset.manifest.shards)]
+@dataclass(frozen=True)
+class EmissionShard:
+    """Samples of what the asset emits, as many as in a training shard."""
+
+    index: int
+
+    def path(self, dataset: Dataset) -> Path:
+        return dataset.emission_path(self.index)
+
+    def paths_to_trace(self, dataset: Dataset) -> int:
+        settings = dataset.manifest.settings
+        return settings.lights_per_shard * settings.rays * settings.samples
+
+    def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
+        settings, pieces = dataset.manifest.settings, []
+        for k in range(settings.lights_per_shard):
+            rng = np.random.default_rng([settings.seed, 5, self.index, k])
+            rays = sample_view_rays(scene, None, settings.rays, dataset.manifest.domain.wo, rng)
+            asked = rays, None, settings.samples, int(rng.integers(2**31)), rng
+            pieces.append(_capture(dataset, scene, worker, *asked))
+        write_parts(self.path(dataset), _all_rows(pieces))
+
+
+Task = TrainingShard | ValidationHalf | EmissionShard
+
+
+def all_tasks(dataset: Dataset) -> list[Task]:
+    """Every task of the dataset's plan, validation and emission first."""
+    manifest = dataset.manifest
+    views = range(manifest.settings.validation_views)
+    glowing = range(manifest.emission_images)
+    return [
+        *(ValidationHalf(view, half) for view in views for half in (0, 1)),
+        *(ValidationHalf(view, half, emission=True) for view in glowing for half in (0, 1)),
+        *(EmissionShard(k) for k in range(manifest.emission_shards)),
+        *(TrainingShard(k) for k in range(manifest.shards)),
+    ]
 
 
 def _all_rows(pieces: list[Samples]) -> Samples:
@@ -111,7 +149,7 @@ def _capture(
     scene: AssetScene,
     worker: BlenderWorker,
     rays: ViewRays,
-    wi: np.ndarray,
+    wi: np.ndarray | None,
     samples: int,
     seed: int,
     rng: np.random.Generator,
@@ -119,7 +157,8 @@ def _capture(
 ) -> Samples:
     """Samples of view rays under one light: geometry from our scene, radiance from Cycles.
 
-    rng: chooses which rays go on behind what lets light through.
+    wi: towards the light; None: of what the asset emits, without a light. rng: chooses which rays
+    go on behind what lets light through.
     """
     points = scene.shade_points(rays.origins, rays.directions, rng)
     origins, reach = _starts(scene, points, rays)
@@ -141,9 +180,13 @@ def _capture(
         keep &= own.min(axis=1) > _LEAST_OWN
         of_ray["radiance"] = rendered.radiance / np.maximum(own, _LEAST_OWN)
     return {
-        part.name: _kept(on, keep, of_ray, (*part.fields, *(extra or {})))
+        part.name: _kept(on, keep, of_ray, (*_fields(part, wi), *(extra or {})))
         for part, on in zip(dataset.parts, points.on, strict=True)
     }
+
+
+def _fields(part: DatasetPart, wi: np.ndarray | None) -> Iterable[str]:
+    return emission_fields(part.kind) if wi is None else part.fields
 
 
 def _starts(

@@ -65,6 +65,15 @@ class ValidationView:
 
 
 @dataclass(frozen=True)
+class EmissionView(ValidationView):
+    """One part in a captured image of what the asset emits; `samples` know of no light."""
+
+    def shaded_by(self, asset: Asset) -> np.ndarray:
+        """Radiance of the rows, (n, 3) float32, as the runtime answers."""
+        return asset.emission(*self.queries.values())
+
+
+@dataclass(frozen=True)
 class WholeView:
     """All parts in a captured image; rows are those of the parts, one after the other."""
 

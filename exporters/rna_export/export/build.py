@@ -80,7 +80,7 @@ def _parts(model: TrainedTier, dataset: Dataset) -> tuple[Part, ...]:
                 kind=part.kind,
                 bounds=Bounds(min=tuple(low.tolist()), max=tuple(high.tolist())),
                 geometry=f"geometry/{part.name}{Path(usual).suffix}" if several else usual,
-                transmittance=part.captured.transmittance,
+                **({"transmittance": records} if (records := part.captured.transmittance) else {}),
             )
         )
     return tuple(parts)
