@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_sdk.errors import CaptureError
@@ -98,10 +98,10 @@ def check_hits(worker: BlenderWorker) -> None:
     """Cycles meets what we meet, at the same places."""
     if worker.kind == "surface":
         traced = trace(worker, unit(1, 2, 3))
-        apart = traced.cycles_position - traced.points.position
+        apart = traced.cycles_position - traced.points.x
         missed = traced.missed
     else:
-        ours, wi = FiberScene(worker.export_curves()), unit(1, 2, 3)
+        ours, wi = AssetScene([worker.export_curves()]), unit(1, 2, 3)
         rays = sample_view_rays(ours, wi, 2048, "sphere", np.random.default_rng(0))
         points = ours.shade_points(rays.origins, rays.directions)
         rendered = worker.render_rays(rays.origins, rays.directions, wi, 1, 1)

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.fiber_scene import FiberScene
+from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_sdk.errors import CaptureError
@@ -146,7 +146,7 @@ def test_alembic_strands(
 
 
 def brightness(worker: BlenderWorker) -> float:
-    ours, wi = FiberScene(worker.export_curves()), unit(1, 2, 3)
+    ours, wi = AssetScene([worker.export_curves()]), unit(1, 2, 3)
     rays = sample_view_rays(ours, wi, 1024, "sphere", np.random.default_rng(0))
     return float(worker.render_rays(rays.origins, rays.directions, wi, 4, 1).radiance.mean())
 
@@ -180,6 +180,26 @@ def Material "red"
     }
 }
 """
+
+
+POINTS_ABOVE = """
+def Points "dust"
+{
+    point3f[] points = [(0, 50, 0), (10, 50, 0)]
+    float[] widths = [60, 60]
+}
+"""
+
+
+def test_points_are_hidden_and_shade_nothing(open_worker: OpenWorker, tmp_path: Path) -> None:
+    path = tmp_path / "square.usda"
+    path.write_text(HEADER + PREVIEW + POINTS_ABOVE)
+    worker = open_worker(path)
+    assert worker.opened["notes"] == [
+        "object 'dust' is a point cloud, which no package holds, and was hidden"
+    ]
+    traced = trace(worker, unit(0, 1, 0))
+    assert traced.missed < 0.005 and np.all(traced.radiance[traced.front][:, 0] > 0.1)
 
 
 def test_preview_surfaces_come_with_the_file(open_worker: OpenWorker, tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,10 +26,12 @@ from tests.package.builders import (
     pack,
     read_entries,
 )
+from tests.package.corpus.registry import in_parts
 from tests.package.lantern import (
     LEAF,
     PANE,
     make_lantern,
+    make_lantern_data,
     make_lantern_manifest,
     make_textures,
 )
@@ -43,11 +46,11 @@ def test_every_part_comes_back(lantern: Path) -> None:
         assert (package.manifest.version, package.manifest.min_reader_version) == ("1.1", "1.1")
         assert isinstance(package.geometry(), Mesh)
         np.testing.assert_array_equal(package.curves(1).points, make_curves().points)
-        for tier in manifest.tiers:
-            for k, made in enumerate(make_tier_data(tier)):
-                np.testing.assert_array_equal(package.planes(tier.name, k), made.planes)
-                assert bytes(package.decoder(tier.name, k)) == made.decoder
-                found = package.emission_decoder(tier.name, k)
+        for tier, parts in make_lantern_data(manifest).items():
+            for k, made in enumerate(parts):
+                np.testing.assert_array_equal(package.planes(tier, k), made.planes)
+                assert bytes(package.decoder(tier, k)) == made.decoder
+                found = package.emission_decoder(tier, k)
                 assert (found and bytes(found)) == made.emission_decoder
         holes, pane = package.transmittance()
         assert package.transmittance(1) == []
@@ -157,23 +160,15 @@ def test_one_part_with_nothing_new_has_the_short_form(tmp_path: Path) -> None:
     assert Package.open(path).manifest.parts[0].name == "asset"
 
 
-def in_parts(manifest: dict[str, Any]) -> dict[str, Any]:
-    """A short manifest in the other form."""
-    part = {name: manifest.pop(name) for name in ("kind", "bounds", "geometry")}
-    for tier in manifest["tiers"]:
-        names = set(tier) - {"name", "validation", "cost"}
-        tier["parts"] = [{name: tier.pop(name) for name in names}]
-    return {**manifest, "parts": [{"name": "asset", **part}], "minReaderVersion": "1.1"}
-
-
 def test_one_part_may_have_the_other_form(tmp_path: Path, entries: dict[str, bytes]) -> None:
-    manifest = in_parts(json.loads(entries["manifest.json"]))
+    manifest = json.loads(entries["manifest.json"])
+    in_parts(manifest)
     path = tmp_path / "x.rna"
     path.write_bytes(pack({**entries, "manifest.json": json.dumps(manifest).encode()}.items()))
     assert validate(path) == []
     found = Package.open(path).manifest
     short, _ = parse_manifest(entries["manifest.json"])
-    assert found == short.model_copy(update={"min_reader_version": "1.1"})
+    assert found == short.model_copy(update={"version": "1.1", "min_reader_version": "1.1"})
 
 
 def test_a_package_for_a_newer_reader_is_written_in_parts(tmp_path: Path) -> None:
@@ -235,8 +230,8 @@ def test_issues_tell_the_place_in_the_file(edit: Any, where: str, lantern: Path)
 def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
     manifest, path = make_lantern_manifest(), tmp_path / "x.rna"
     geometries, textures = [make_mesh(), make_curves()], make_textures()
-    good = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
-    dark = [make_part_data(make_tier().parts[0]), good["hq"][1]]
+    good = make_lantern_data(manifest)
+    dark = [replace(good["hq"][0], emission_decoder=None), good["hq"][1]]
     for code, arguments in (
         ("PARTS_DIFFER at /parts", (geometries[:1], good, textures)),
         ("PARTS_DIFFER at /tiers/1", (geometries, {**good, "hq": good["hq"][:1]}, textures)),

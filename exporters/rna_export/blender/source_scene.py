@@ -12,6 +12,7 @@ import hair_scene
 import material_check
 import orientation
 import scene_import
+import shown_objects
 import usd_curves
 from emission import nodes_of
 from groom_options import ALEMBIC_AND_USD, GROOMS, USD
@@ -109,7 +110,22 @@ def keep_only_the_asset():
     notes += hair_scene.prepare_hair(
         [(m, list(nodes_of(m.node_tree))) for m in bpy.data.materials if m.use_nodes]
     )
-    return notes + material_check.problems()
+    return notes + _hide_what_no_package_holds() + material_check.problems()
+
+
+def _hide_what_no_package_holds():
+    """Points and volumes, which would shade the rest; a note for each."""
+    found = {}
+    for instance in shown_objects.instances():
+        item = instance.object
+        if item.type == "VOLUME" or (item.type == "POINTCLOUD" and len(item.data.points)):
+            found[item.original.name_full] = item.original
+    notes = []
+    for item in found.values():
+        item.hide_render = item.hide_viewport = True
+        kind = "a volume" if item.type == "VOLUME" else "a point cloud"
+        notes.append(f"object {item.name!r} is {kind}, which no package holds, and was hidden")
+    return notes
 
 
 def _show_what_is_rendered():

@@ -106,6 +106,12 @@ def parser() -> argparse.ArgumentParser:
             f"it becomes {_BECOMES[name]}",
         )
     p.add_argument(
+        "--exact-geometry",
+        action="store_const",
+        const=True,
+        help=f"{CaptureSettings.model_fields['exact_geometry'].description} (default: off)",
+    )
+    p.add_argument(
         "--workers",
         type=int,
         default=default_workers(),
@@ -146,7 +152,7 @@ def _asked(args: argparse.Namespace) -> dict[str, Any]:
     """The settings given on the command line."""
     return {
         name: value
-        for name in (*_OPTIONS, "front", "up")
+        for name in (*_OPTIONS, "front", "up", "exact_geometry")
         if (value := getattr(args, name)) is not None
     }
 

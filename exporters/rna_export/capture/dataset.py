@@ -21,6 +21,7 @@ from pydantic import ValidationError
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
 from rna_export.capture.sample_files import write_arrays, write_atomically
+from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
@@ -28,7 +29,13 @@ from rna_sdk.package.transmittance import texture_to_bytes
 
 
 class Dataset:
-    """A dataset folder, complete or not. Raises `CaptureError` when it is not one."""
+    """A dataset folder, complete or not. Raises `CaptureError` when it is not one.
+
+    Attributes:
+        cut: of each surface, how many parts are made: see `rna_export.capture.cut`.
+    """
+
+    cut = 1
 
     def __init__(self, folder: Path):
         self.folder = Path(folder)
@@ -58,8 +65,7 @@ class Dataset:
         for name, texture in (textures or {}).items():
             write_atomically(folder / name, texture_to_bytes(texture, name))
         for name, geometry in geometries.items():
-            arrays = {k: v for k, v in vars(geometry).items() if v is not None}
-            write_arrays(_geometry_path(folder, name), arrays)
+            write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
         manifest.write(folder / "manifest.json")
         return cls(folder)
 

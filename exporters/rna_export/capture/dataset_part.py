@@ -12,6 +12,7 @@ from safetensors.numpy import load_file
 
 from rna_export.capture.manifest import CapturedPart, CaptureManifest, emission_fields
 from rna_export.capture.sample_files import DAMAGED, damaged, joined, read_part
+from rna_export.capture.stored_geometry import geometry_from_arrays
 from rna_export.capture.validation_view import EmissionView, ValidationView
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Mesh
@@ -54,10 +55,7 @@ class DatasetPart:
         """The captured mesh, or the strands: object space, +Y up, metres."""
         path = self.dataset.geometry_path(self.name)
         try:
-            arrays = load_file(path)
-            if self.kind == "fiber":
-                return Curves(**arrays)
-            return Mesh(**{"uvs": None, **arrays})
+            return geometry_from_arrays(load_file(path), self.kind)
         except (OSError, TypeError, SafetensorError, PackageError) as error:
             raise CaptureError(DAMAGED.format(path, error)) from error
 

@@ -9,7 +9,7 @@ import numpy as np
 from rna_export.capture.manifest import CapturedPart
 from rna_export.capture.weld import weld, with_last
 from rna_export.capture.worker import BlenderWorker, ScenePart, SeeThrough
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, quantise
 from rna_sdk.package.manifest import TransmittanceRecord
 from rna_sdk.package.transmittance import Transmittance
 
@@ -52,8 +52,8 @@ class ExportedParts:
         ]
 
 
-def exported_parts(worker: BlenderWorker) -> ExportedParts:
-    """All parts of the source that the worker has opened."""
+def exported_parts(worker: BlenderWorker, exact: bool) -> ExportedParts:
+    """All parts of the source that the worker has opened; unless `exact`, quantised."""
     see_through, notes = worker.export_transparency()
     exported = ExportedParts(worker.parts, notes=notes)
     for part in worker.parts:
@@ -61,6 +61,8 @@ def exported_parts(worker: BlenderWorker) -> ExportedParts:
             exported.geometries[part.name] = worker.export_curves(part.owner)
         else:
             _add_surface(exported, worker, part, see_through)
+    if not exact:
+        exported.geometries = {name: quantise(g) for name, g in exported.geometries.items()}
     return exported
 
 

@@ -67,9 +67,9 @@ def begin(
     start = monotonic()
     with crew.worker(source, "probe") as worker:
         opening = monotonic() - start
-        exported = exported_parts(worker)
-        geometries = exported.geometries
         settings = CaptureSettings.usual(worker.kind, **asked)
+        exported = exported_parts(worker, settings.exact_geometry)
+        geometries = exported.geometries
         scene = AssetScene(
             tuple(geometries.values()), settings.sharpest, exported.transmittances()
         )

@@ -30,6 +30,9 @@ class CaptureSettings(DatasetModel):
         description="what has planes and a decoder of its own: all surfaces and all hair, or each "
         "object that is parented to no other",
     )
+    exact_geometry: bool = Field(
+        False, description="keep geometry in float32, not in steps that halve a package's size"
+    )
     sharpest: float = Field(
         SHARPEST, gt=0, le=0.8, description="roughness of the smoothest material of a surface"
     )

@@ -63,6 +63,11 @@ def _of_preset(preset: str, trained: Sequence[Trained], names: list[str]) -> tup
 
 
 def _check_capture(one: Trained, dataset: Dataset) -> None:
+    if one.cut != dataset.cut:
+        raise ExportError(
+            f"the {one.preset_name} checkpoint of {one.part} is of a cut in {one.cut}, expected "
+            f"{dataset.cut}, as the first checkpoint"
+        )
     if one.capture.source_sha256 != dataset.manifest.source_sha256:
         raise ExportError(
             f"the {one.preset_name} checkpoint was trained on {one.capture.source} "

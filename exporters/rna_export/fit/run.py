@@ -114,7 +114,7 @@ def _measured(dataset: DatasetPart, trials: list[Trial]) -> Costs:
 def _random(trial: Trial, dataset: DatasetPart) -> Trained:
     torch.manual_seed(trial.seed)
     model = NeuralAsset(trial.preset.model, padded_bounds(dataset)).eval()
-    made = trial.preset, trial.name, dataset.name, 0, trial.seed
+    made = trial.preset, trial.name, dataset.name, 1, 0, trial.seed
     return Trained(model, *made, dataset.manifest, dataset.folder)
 
 

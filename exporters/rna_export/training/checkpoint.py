@@ -23,6 +23,7 @@ class Trained:
     preset: Preset
     preset_name: str
     part: str
+    cut: int
     steps: int
     seed: int
     capture: CaptureManifest
@@ -72,7 +73,13 @@ def _trained(saved: dict[str, Any]) -> Trained:
     model = NeuralAsset(preset.model, bounds)
     model.load_state_dict(weights)
     capture = CaptureManifest.model_validate(record["capture"])
-    made = record["preset_name"], record["part"], int(record["steps"]), int(record["seed"])
+    made = (
+        record["preset_name"],
+        record["part"],
+        int(record["cut"]),
+        int(record["steps"]),
+        int(record["seed"]),
+    )
     return Trained(model.eval(), preset, *made, capture, Path(record["dataset"]))
 
 

@@ -7,11 +7,15 @@ import math
 import sys
 from pathlib import Path
 from time import monotonic
+from typing import TYPE_CHECKING
 
 from rna_export.training.presets import LOSSES, PRESETS, Preset
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_sdk.package.blocks import INPUT_BLOCKS, blocks_for
+
+if TYPE_CHECKING:
+    from rna_export.capture.dataset import Dataset
 
 
 def parser() -> argparse.ArgumentParser:
@@ -28,7 +32,21 @@ def parser() -> argparse.ArgumentParser:
         type=Path,
         required=True,
         metavar="FOLDER",
-        help="for checkpoints, curves and images, or a run to go on with (path, required)",
+        help="for checkpoints, curves and images, or a run to go on with; each of several parts "
+        "has a folder in it (path, required)",
+    )
+    p.add_argument(
+        "--part",
+        metavar="NAME",
+        help="train this part alone (str, default: all parts of the dataset, one after the other)",
+    )
+    p.add_argument(
+        "--cut",
+        type=int,
+        default=1,
+        metavar="N",
+        help="cut surfaces into N pieces with planes and a decoder each, for an asset that is "
+        "blurred when seen near; the package grows by as much (int, default: %(default)s)",
     )
     p.add_argument(
         "--preset", choices=PRESETS["surface"], default="small", help="model (default: %(default)s)"
@@ -54,13 +72,14 @@ def parser() -> argparse.ArgumentParser:
     length.add_argument(
         "--minutes",
         type=float,
-        help="length of the run by the clock, with loading and validations (float, default: the "
-        "preset's steps)",
+        help="length of the run by the clock, with loading and validations; several parts share it "
+        "by how much is seen of them (float, default: the preset's steps)",
     )
     length.add_argument(
         "--steps",
         type=int,
-        help=f"length, rounded up to a multiple of 10 (int, default: the preset's, {usual})",
+        help="length, of each part, rounded up to a multiple of 10 (int, default: the preset's, "
+        f"{usual})",
     )
     p.add_argument(
         "--seed",
@@ -85,7 +104,7 @@ def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     options = parser()
     args = options.parse_args(argv)
-    for name in ("minutes", "steps"):
+    for name in ("minutes", "steps", "cut"):
         value = getattr(args, name)
         if value is not None and not 0 < value < math.inf:
             options.error(f"argument --{name}: expected a number above 0, found {value:g}")
@@ -99,8 +118,10 @@ def _run(args: argparse.Namespace) -> None:
     begun = monotonic()  # the imports take seconds
     import torch
 
+    from rna_export.capture.cut import as_cut
     from rna_export.capture.dataset import Dataset
     from rna_export.memory import keep_freed_memory
+    from rna_export.training.part_time import shared_minutes
     from rna_export.training.run import Run, train
 
     keep_freed_memory()
@@ -109,14 +130,25 @@ def _run(args: argparse.Namespace) -> None:
     device = args.device
     if device == "auto":
         device = "cuda" if torch.cuda.is_available() else "cpu"
-    dataset = Dataset(args.dataset)
-    preset = _chosen(args, dataset.manifest.kind)
-    run = Run(dataset, preset, args.preset, args.out, args.seed, args.minutes, begun, device)
-    best = train(run)
-    print(
-        f"wrote {best}, {args.out / 'curves.png'}, {args.out / 'validation'}\n"
-        f"next: rna-export {best} --out {run.dataset.manifest.name}.rna"
-    )
+    dataset = as_cut(Dataset(args.dataset), args.cut)
+    parts = dataset.parts if args.part is None else (dataset.part(args.part),)
+    minutes = shared_minutes(args.minutes, parts)
+    written = []
+    for part in parts:
+        out = args.out if len(dataset.parts) == 1 else args.out / part.name
+        if len(dataset.parts) > 1:
+            print(f"part {part.name}, {part.kind}:")
+        preset = _chosen(args, part.kind)
+        run = Run(part, preset, args.preset, out, args.seed, minutes[part.name], begun, device)
+        best = train(run)
+        written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'validation'}")
+        begun = monotonic()
+    print("\n".join(written))
+    print(f"next: rna-export {_to_export(args.out, dataset)} --out {dataset.manifest.name}.rna")
+
+
+def _to_export(out: Path, dataset: Dataset) -> Path:
+    return out / "best.ckpt" if len(dataset.parts) == 1 else out
 
 
 def _chosen(args: argparse.Namespace, kind: str) -> Preset:

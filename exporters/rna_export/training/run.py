@@ -199,6 +199,7 @@ def _record(run: Run, pace: Pace) -> dict[str, Any]:
         "steps": pace.steps if isinstance(pace, StepPace) else None,
         "minutes": run.minutes,
         "part": run.dataset.name,
+        "cut": run.dataset.dataset.cut,
         "dataset": str(run.dataset.folder.resolve()),
         "capture": run.dataset.manifest.model_dump(mode="json", by_alias=True),
     }
@@ -215,6 +216,8 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
     for what, before, now in (
         ("preset", begun["preset_name"], run.preset_name),
         ("seed", begun["seed"], run.seed),
+        ("part", begun["part"], run.dataset.name),
+        ("cut", begun["cut"], run.dataset.dataset.cut),
         (
             "length",
             length(begun.get("minutes"), begun["preset"]["training"]["steps"]),

@@ -5,16 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from rna_sdk.package.issues import Code, Severity
-from tests.package.corpus import (
-    container_cases,
-    content_cases,
-    curve_cases,
-    manifest_cases,
-    part_cases,
-)
-from tests.package.corpus.registry import CASES, good_entries
+from tests.package.corpus.every import CASES
+from tests.package.corpus.registry import good_entries
 
-MODULES = (container_cases, content_cases, curve_cases, manifest_cases, part_cases)
 LARGEST = 48 * 1024
 """Larger cases (a decoder of 64 MiB, a manifest of 1 MiB) stay with the unit tests."""
 

@@ -1,0 +1,25 @@
+"""A part's geometry as arrays of a file: the package's integers, or float32 as it is."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.quantised_curves import QuantisedCurves
+from rna_sdk.package.quantised_mesh import QuantisedMesh
+
+
+def geometry_arrays(geometry: Mesh | Curves) -> dict[str, np.ndarray]:
+    """By name; those of quantised geometry restore it to the bit, and its package's entry too."""
+    stored = geometry if geometry.quantised is None else geometry.quantised
+    return {k: v for k, v in vars(stored).items() if isinstance(v, np.ndarray)}
+
+
+def geometry_from_arrays(arrays: dict[str, Any], kind: str) -> Mesh | Curves:
+    """The inverse. Raises TypeError for other arrays, PackageError for impossible ones."""
+    if kind == "fiber":
+        return QuantisedCurves(**arrays).restored() if "steps" in arrays else Curves(**arrays)
+    arrays = {"uvs": None, **arrays}
+    return QuantisedMesh(**arrays).restored() if "scale" in arrays else Mesh(**arrays)

@@ -1,0 +1,26 @@
+"""How the parts of an asset share the minutes of a training."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from rna_export.capture.dataset_part import DatasetPart
+
+_ALIKE = 0.5  # of the minutes, that all parts get as many of
+
+
+def shared_minutes(minutes: float | None, parts: Sequence[DatasetPart]) -> dict[str, float | None]:
+    """Minutes of each part by name: half of them alike, half as the validation images show it."""
+    if minutes is None:
+        return {part.name: None for part in parts}
+    if len(parts) == 1:
+        return {parts[0].name: minutes}
+    pixels = np.array([sum(len(v.pixel) for v in part.validation_views()) for part in parts])
+    shares = _ALIKE / len(parts) + (1.0 - _ALIKE) * pixels / pixels.sum()
+    # Rounded: a run that goes on is one of the very same length.
+    return {
+        part.name: round(minutes * float(share), 3)
+        for part, share in zip(parts, shares, strict=True)
+    }
