@@ -73,8 +73,9 @@ def render_rays(request):
 
 
 def render_view(request):
-    """Render an ordinary pinhole image, lit from `wi`."""
+    """Render an ordinary pinhole image, lit from `wi`, and by the asset itself if it `emits`."""
     _light(request["wi"])
+    emit(request["emits"])
     render_pinhole(request)
 
 

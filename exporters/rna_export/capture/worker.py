@@ -241,13 +241,15 @@ class BlenderWorker:
         seed: int,
         width: int,
         height: int,
+        emits: bool = False,
     ) -> np.ndarray:
         """An ordinary pinhole image, (height, width, 4) float32 premultiplied RGBA.
 
-        `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians.
+        `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians; `emits`:
+        whether the materials emit light.
         """
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
-        request = {"out": str(out), **_pinhole(to_world, fov_y, width, height)}
+        request = {"out": str(out), "emits": emits, **_pinhole(to_world, fov_y, width, height)}
         self._render("renderView", request, wi, samples, seed, width, height)
         passes = _read_render(out)
         out.unlink()
