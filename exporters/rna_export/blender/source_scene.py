@@ -81,6 +81,7 @@ def _make_local():
 
 def _run_script(source, arguments):
     sys.argv = [source, *arguments]
+    sys.path.append(str(Path(source).parent))  # modules that lie beside it
     said = io.StringIO()
     try:
         with contextlib.redirect_stderr(said):
