@@ -3,8 +3,8 @@
 Surfaces: the base colour is the Lambertian albedo that fits the lit samples away from their
 highlights best (least squares); the roughness that of the GGX lobe (Trowbridge and Reitz 1975)
 that fits what is left best. Where the lobe reflects four times as much as the diffuse part, the
-asset counts as metal with the lobe's colour. Strands: the albedo of a white diffuser that would be as bright
-on average; roughness 1.
+asset counts as metal with the lobe's colour. Strands: the albedo of a diffuser that would be as
+bright on average; roughness 1.
 """
 
 from __future__ import annotations
