@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def visibility(package: str, records: bytes) -> np.ndarray:
     """(n, 3) float32: the visibility, RGB, of the rays of n hits."""
     # Here, since two hundred runs only check a package.
-    from rna_render.asset_parts import transmittance_of
+    from rna_render.asset_parts import mesh_transmittance
     from rna_render.parts_scene import PartsScene
 
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
@@ -30,7 +30,7 @@ def visibility(package: str, records: bytes) -> np.ndarray:
         count = len(opened.manifest.parts)
         geometries = [opened.geometry(part) for part in range(count)]
         transmittance = [
-            transmittance_of(geometry, opened.transmittance(part))
+            mesh_transmittance(geometry, opened.transmittance(part))
             if isinstance(geometry, Mesh)
             else None
             for part, geometry in enumerate(geometries)
