@@ -18,6 +18,7 @@ from rna_sdk.package import Cone, Domain
 from rna_sdk.runtime import load, transmittance
 from tests.package.lantern import make_lantern
 from tests.render.assets import unit_vectors
+from tests.render.packages import write_lamp_package
 from tests.render.stage import rgb
 
 SCENE = """
@@ -46,6 +47,31 @@ def test_a_lantern_is_rendered(scene_file):
     assert np.isfinite(rgb(channels)).all() and rgb(channels).max() > 0
     assert set(np.unique(channels["assetId"])) == {0, 1, 2}
     assert len(list(cost_lines(scene_file, world))) == 2
+
+
+LAMP = """
+assets: [{path: lamp.rna, emission: 2}]
+ground: {height: -0.5}
+camera: {position: [0, 0.4, 4], look_at: [0, 0, 0], vertical_fov_deg: 26}
+resolution: [60, 60]
+samples: 64
+max_depth: 2
+"""
+
+
+def test_a_lamp_shows_its_bulb_through_its_shade(tmp_path):
+    """In the dark: the middle of the image is the bulb, times the factor, times the tint."""
+    glow, tint = np.array([1.0, 2.0, 3.0]), np.uint8([51, 153, 204])
+    write_lamp_package(tmp_path / "lamp.rna", tuple(glow), tint)
+    (tmp_path / "scene.yaml").write_text(LAMP)
+    scene_file = read_scene(tmp_path / "scene.yaml")
+    world = load_world(scene_file)
+    image = rgb(render(scene_file.scene, make_integrator(scene_file.scene, world)).channels())
+    bulb = image[28:32, 28:32]
+    np.testing.assert_allclose(bulb.mean(axis=(0, 1)), 2 * glow * tint / 255, rtol=0.05)
+    below = image[54:, 20:40].mean(axis=(0, 1))
+    assert (below > 1e-3).all()  # the ground before it is lit, in the colour of glow and tint
+    np.testing.assert_allclose(below / below[2], glow * tint / (glow * tint)[2], rtol=0.1)
 
 
 def test_parts_of_a_watched_asset_are_counted_together(tmp_path, scene_file):
