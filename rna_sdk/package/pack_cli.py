@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from rna_sdk.console import command_parser, run_command
+from rna_sdk.errors import RnaError
 from rna_sdk.package.packing import Unpacked
 
 
@@ -44,7 +45,7 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace) -> None:
     unpacked = Unpacked.read(args.package)
     if args.poster is not None:
-        unpacked = unpacked.with_poster(args.poster.read_bytes())
+        unpacked = unpacked.with_poster(_read(args.poster))
     before = args.package.stat().st_size
     (unpacked.deflated() if args.deflate else unpacked).write(args.out)
     size = args.out.stat().st_size
@@ -52,6 +53,13 @@ def _run(args: argparse.Namespace) -> None:
         f"wrote {args.out}, {size / 1e6:.2f} MB ({args.package}: {before / 1e6:.2f} MB)\n"
         f"next: rna-validate {args.out}"
     )
+
+
+def _read(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise RnaError(f"{path}: found {error.strerror}, expected a PNG (--poster)") from error
 
 
 if __name__ == "__main__":

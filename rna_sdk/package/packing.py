@@ -10,7 +10,6 @@ from os import PathLike
 from pydantic import JsonValue
 
 from rna_sdk.errors import PackageError
-from rna_sdk.package.container import MANIFEST_NAME
 from rna_sdk.package.deflate import encode
 from rna_sdk.package.extensions import (
     Coding,
@@ -54,8 +53,7 @@ class Unpacked:
         result = inspect(path)
         if result.errors or result.container is None or result.manifest is None:
             raise PackageError(result.errors, path)
-        names = [name for name in result.container.entries if name != MANIFEST_NAME]
-        entries = {name: bytes(result.container.view(name)) for name in names}
+        entries = {name: bytes(result.container.view(name)) for name in result.manifest.entries}
         return cls(result.manifest, entries)._without(Deflate)
 
     def write(self, path: str | PathLike[str]) -> Manifest:

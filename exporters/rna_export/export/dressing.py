@@ -20,9 +20,9 @@ def dress(package: Path, dataset: Dataset, poster: Path | None, deflate: bool) -
 
     poster: a PNG; None: one is rendered. Raises ExportError where it is no PNG.
     """
-    geometry = dataset.geometry()
-    png = render_poster(package, geometry) if poster is None else _read_png(poster)
-    standin = Standin(parts=(standin_material(dataset.training_samples(_SHARDS)),))
+    png = render_poster(package) if poster is None else _read_png(poster)
+    materials = [standin_material(part.training_samples(_SHARDS)) for part in dataset.parts]
+    standin = Standin(parts=tuple(materials))
     dressed = Unpacked.read(package).with_poster(png).with_extension(standin, {})
     (dressed.deflated() if deflate else dressed).write(package)
 
