@@ -1,4 +1,4 @@
-"""When two evaluations of a decoder count as the same (RNA-1.0, 8.2)."""
+"""When two evaluations of a decoder count as the same (spec/RNA.md, 8.2)."""
 
 from __future__ import annotations
 

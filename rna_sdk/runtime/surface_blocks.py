@@ -8,7 +8,7 @@ from rna_sdk.compiled import compiled
 from rna_sdk.runtime.vectors import Vector, cross, dot, log2
 
 BEND = 0.1
-"""How far a feature of 1 moves the end of the normal: RNA-1.0, Input blocks."""
+"""How far a feature of 1 moves the end of the normal: spec/RNA.md, Input blocks."""
 
 
 @compiled()

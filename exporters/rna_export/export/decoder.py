@@ -1,4 +1,4 @@
-"""The decoder as an ONNX graph (RNA-1.0, Decoder), and the check that it is the trained one."""
+"""The decoder as an ONNX graph (spec/RNA.md, Decoder), and the check that it is the trained one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Decoder input blocks in PyTorch: twins of those in `rna_sdk.runtime`; RNA-1.0, Input blocks."""
+"""Decoder input blocks in PyTorch: twins of those in `rna_sdk.runtime`; spec 6.3."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from torch import Tensor, nn
 
 from rna_export.training import plane_kernels
 
-# planes[0] = XY, planes[1] = YZ, planes[2] = ZX: (column axis, row axis); RNA-1.0, Planes.
+# planes[0] = XY, planes[1] = YZ, planes[2] = ZX: (column axis, row axis); spec/RNA.md, Planes.
 PLANE_AXES = ((0, 1), (1, 2), (2, 0))
 
 # Of the texels at first. Texels are touched rarely: what noise they begin with, they keep. On the

@@ -1,4 +1,4 @@
-"""Decoder inputs in float64: RNA-1.0, 5 and 6.3, formula by formula.
+"""Decoder inputs in float64: spec/RNA.md, 5 and 6.3, formula by formula.
 
 Directions come in as float32 and are normalised here.
 """
