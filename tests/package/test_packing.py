@@ -104,9 +104,9 @@ def test_standin_and_proxy_come_back(tiny: Path, tmp_path: Path) -> None:
         assert extension(package.manifest, Standin).parts == (material,)
         levels = extension(package.manifest, Proxy).parts[0]
         assert [level.height for level in levels] == [64, 32]
-        assert package.geometry_at(65.0).quantised is None
-        assert package.geometry_at(64.0).quantised is None
-        np.testing.assert_array_equal(package.geometry_at(32.0).positions, proxy.positions)
+        assert package.geometry(pixels=65.0).quantised is None
+        assert package.geometry(pixels=64.0).quantised is None
+        np.testing.assert_array_equal(package.geometry(pixels=32.0).positions, proxy.positions)
     Unpacked.read(tmp_path / "x.rna").write(tmp_path / "again.rna")
     assert read_entries(tmp_path / "again.rna") == read_entries(tmp_path / "x.rna")
 
