@@ -66,12 +66,14 @@ class ValidateCase:
 
     Attributes:
         needs_engine: a reader that has no ONNX engine may find it valid with DECODER_PROFILE.
+        extension: an optional one that the fault is in; a reader that does not know it says so.
     """
 
     package: Path
     valid: bool
     code: str | None
     needs_engine: bool
+    extension: str | None
 
 
 @dataclass(frozen=True)
@@ -132,6 +134,7 @@ def load_kit(folder: Path) -> Kit:
                 record["valid"],
                 record["code"],
                 record["needsEngine"],
+                record["extension"],
             )
             for record in index["validate"]
         ),

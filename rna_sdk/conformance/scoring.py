@@ -130,6 +130,8 @@ def _validate(program: Program, case: ValidateCase) -> Score:
     passed = valid == case.valid and (case.code is None or case.code in codes)
     if case.needs_engine and valid:
         passed = "DECODER_PROFILE" in codes
+    if case.extension and not passed:
+        passed = "EXTENSION_UNKNOWN" in codes or (not valid and "EXTENSION_REQUIRED" in codes)
     note = ""
     if not passed:
         names = {True: "valid", False: "invalid"}

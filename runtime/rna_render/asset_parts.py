@@ -102,10 +102,10 @@ def part_transmittance(part: AssetPart) -> Transmittance | None:
     """What a part lets through; None where it is opaque."""
     if part.kind == "fiber":
         return None
-    return transmittance_of(part.mesh, part.transmittance_records)
+    return mesh_transmittance(part.mesh, part.transmittance_records)
 
 
-def transmittance_of(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:
+def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:
     """What a mesh with the given records lets through; None if there are none."""
     if not records:
         return None

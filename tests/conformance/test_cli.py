@@ -62,6 +62,25 @@ def test_without_an_engine_the_profile_is_what_counts(
     assert not scores["decoder_opset_too_new"]["passed"]
 
 
+def test_an_optional_extension_need_not_be_known(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Readers that warn of what they do not know, and that refuse it where it is required."""
+    words = shell_reader(tmp_path)
+    script = Path(words[1])
+    text = script.read_text()
+    for answer, others in (
+        ("echo EXTENSION_UNKNOWN", True),
+        ("echo EXTENSION_REQUIRED; exit 1", True),
+        ("echo EXTENSION_REQUIRED", False),
+    ):
+        script.write_text(text.replace("exit 0", answer))
+        assert cli.main(["--json", *words]) == 1
+        scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}
+        assert scores["coded_entry_of_no_stream"]["passed"] == others
+        assert not scores["wrong_crc"]["passed"]
+
+
 def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["--json", "--kit", str(KIT), *shell_reader(tmp_path)]) == 1
     scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}

@@ -158,7 +158,9 @@ def refusal(capsys, *arguments: object) -> str:
 
 def test_the_same_preset_twice_is_refused(exported: Exported, tmp_path: Path, capsys) -> None:
     one = exported.checkpoints["small"]
-    assert "expected each once" in refusal(capsys, one, one, "--out", tmp_path / "x.rna")
+    assert "asset, asset; expected one of each part: asset" in refusal(
+        capsys, one, one, "--out", tmp_path / "x.rna"
+    )
     assert not (tmp_path / "x.rna").exists()
 
 

@@ -43,7 +43,7 @@ def begun(source: Path, tmp_path: Path) -> Path:
         blender="4.5",
         generator="test",
         parts=(BALL_PART,),
-        cutouts=False,
+        opaque_cutouts=False,
     )
     return Dataset.create(tmp_path / "begun.rays", manifest, {"asset": sphere(1)}).folder
 
@@ -127,7 +127,7 @@ def test_help_starts_with_a_sentence_and_a_command() -> None:
     text = " ".join(text.split())
     assert "rna-capture helmet.gltf --out helmet.rays/" in text
     surfaces, fibers = (CaptureSettings.usual(kind).model_dump() for kind in ("surface", "fiber"))
-    for name in surfaces.keys() - {"lights_per_shard", "front", "up"}:
+    for name in surfaces.keys() - {"lights_per_shard", "front", "up", "exact_geometry"}:
         same = surfaces[name] == fibers[name]
         told = f"default {surfaces[name]}" + ("" if same else f", for hair {fibers[name]}")
         assert told in text, name

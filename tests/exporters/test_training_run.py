@@ -224,7 +224,8 @@ def test_the_loss_is_the_one_asked_for(dataset: DatasetPart, tmp_path: Path, mon
 
 def test_fibers_have_no_loss_to_choose(tmp_path: Path, capsys) -> None:
     hair = make_dataset(tmp_path / "hair.rays")
-    manifest = hair.manifest.model_copy(update={"kind": "fiber"})
+    fibers = hair.captured.model_copy(update={"kind": "fiber"})
+    manifest = hair.manifest.model_copy(update={"parts": (fibers,)})
     (hair.folder / "manifest.json").write_text(manifest.model_dump_json(by_alias=True))
     assert main([str(hair.folder), "--out", str(tmp_path / "run"), "--loss", "log"]) == 1
     assert "--loss: expected none" in capsys.readouterr().err

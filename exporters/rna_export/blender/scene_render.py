@@ -49,6 +49,7 @@ def render_scene(request):
         _state = _State()
     if request["scene"] != _state.shown:
         _build(_state, request["scene"])
+    ray_render.emit(request["scene"]["emission"])
     ray_render.render_pinhole(request)
 
 

@@ -18,7 +18,7 @@ def parser() -> argparse.ArgumentParser:
         "rna-compare",
         "Render a package and its original with Cycles, and write a page with both.",
         "rna-compare helmet.rna helmet.gltf --out compare/helmet",
-        epilog="Three cameras (one a close-up; for fibers a fourth, at single strands) x three "
+        epilog="Three cameras (one a close-up; for hair alone a fourth, at single strands) x three "
         "lights.\nArguments after -- go to a source that is a Python script.",
     )
     p.add_argument("package", type=Path, help="the .rna file (path)")
@@ -64,7 +64,7 @@ def parser() -> argparse.ArgumentParser:
         nargs="+",
         choices=CAMERAS,
         default=CAMERAS,
-        help="of the standard ones (default: all; strands is there for fibers only)",
+        help="of the standard ones (default: all; strands is there for hair alone)",
     )
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
@@ -113,7 +113,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             (args.front or ("-Y" if args.up[-1] == "Z" else "Z"), args.up),
             args.cameras,
             lambda p: print(
-                f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, ours "
+                f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, "
+                f"coverage differs by {p.coverage:.2%}, ours "
                 f"{p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s"
             ),
         )

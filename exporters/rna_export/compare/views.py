@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -71,27 +72,28 @@ class Shot:
 
 def shots_of(asset: Asset, resolution: int, turn_deg: float, frame: Frame = USUAL) -> list[Shot]:
     """`shots` of an asset's own geometry."""
-    geometry = asset.curves if isinstance(asset, FiberAsset) else asset.mesh
-    return shots(geometry, resolution, turn_deg, frame)
+    parts = [part.curves if isinstance(part, FiberAsset) else part.mesh for part in asset.parts]
+    return shots(parts, resolution, turn_deg, frame)
 
 
 def shots(
-    geometry: Mesh | Curves, resolution: int, turn_deg: float, frame: Frame = USUAL
+    parts: Sequence[Mesh | Curves], resolution: int, turn_deg: float, frame: Frame = USUAL
 ) -> list[Shot]:
     """Cameras x lights around the asset, whose front and up are those of `frame`.
 
     turn_deg: of the cameras about up, where the front lies between two axes.
 
-    Fibers have one more camera, so near that single strands fill the picture.
+    Fibers alone have one more camera, so near that single strands fill the picture.
     """
-    fibers = isinstance(geometry, Curves)
-    positions = geometry.points if fibers else geometry.positions
+    positions = np.concatenate([p.points if isinstance(p, Curves) else p.positions for p in parts])
+    strands = [part for part in parts if isinstance(part, Curves)]
     low, high = positions.min(axis=0), positions.max(axis=0)
     centre = (low + high) / 2
     radius = float(np.linalg.norm(positions - centre, axis=1).max())
     cameras = dict(ORBITS)
-    if fibers:
-        cameras["strands"] = (*cameras["close-up"][:2], _STRANDS * geometry.radii.max() / radius)
+    if len(strands) == len(parts):
+        thickest = max(part.radii.max() for part in strands)
+        cameras["strands"] = (*cameras["close-up"][:2], _STRANDS * thickest / radius)
     turned = rotation(*frame)
     result = []
     for camera, (azimuth, elevation, zoom) in cameras.items():

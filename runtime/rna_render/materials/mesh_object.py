@@ -14,7 +14,7 @@ from rna_render.materials.ggx import MIN_ALPHA
 from rna_render.materials.material import Material
 from rna_render.materials.scattering import ClearCoat, Scattering
 from rna_render.materials.textures import Texture
-from rna_render.materials.transmission import mesh_transmittance
+from rna_render.materials.transmission import object_transmittance
 from rna_render.surface import interpolate_normals
 from rna_render.transmittance import Transmittance
 from rna_sdk.compiled import compiled
@@ -100,7 +100,7 @@ class MeshObject:
     @cached_property
     def transmittance(self) -> Transmittance | None:
         """What its triangles let through; None if they are all opaque."""
-        return mesh_transmittance(self)
+        return object_transmittance(self)
 
     def own_share(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, ng: np.ndarray, wo: np.ndarray

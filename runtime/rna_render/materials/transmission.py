@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rna_render.materials.mesh_object import MeshObject
 
 
-def mesh_transmittance(mesh: MeshObject) -> Transmittance | None:
+def object_transmittance(mesh: MeshObject) -> Transmittance | None:
     """Of all its triangles; None if they are all opaque."""
     used = np.unique(mesh.material_numbers)
     if mesh.catches_shadows or all(transmitted_by(mesh.materials[k]) is None for k in used):

@@ -40,9 +40,11 @@ def kit_files() -> Files:
                 index["evaluate"].append(_evaluate_case(files, plan, package, asked, answer))
             index["visibility"].append(_visibility_case(files, plan, package))
             index["validate"].append(_validate_case(package, True, plan.warning))
-        for name, (data, code, valid) in broken_packages(Path(folder)).items():
-            files[f"broken/{name}.rna"] = data
-            index["validate"].append(_validate_case(f"broken/{name}.rna", valid, code))
+        for name, broken in broken_packages(Path(folder)).items():
+            path = f"broken/{name}.rna"
+            files[path] = broken.data
+            case = _validate_case(path, broken.is_valid, broken.code, broken.extension)
+            index["validate"].append(case)
     index["files"] = {
         name: {"size": len(data), "sha256": hashlib.sha256(data).hexdigest()}
         for name, data in sorted(files.items())
@@ -94,9 +96,16 @@ def _visibility_case(files: Files, plan: Plan, package: str) -> dict[str, Any]:
     }
 
 
-def _validate_case(package: str, valid: bool, code: str | None) -> dict[str, Any]:
-    needs_engine = code in ("DECODER_LOAD", "DECODER_RESULT")
-    return {"package": package, "valid": valid, "code": code, "needsEngine": needs_engine}
+def _validate_case(
+    package: str, valid: bool, code: str | None, extension: str | None = None
+) -> dict[str, Any]:
+    return {
+        "package": package,
+        "valid": valid,
+        "code": code,
+        "needsEngine": code in ("DECODER_LOAD", "DECODER_RESULT"),
+        "extension": extension,
+    }
 
 
 def _classes(ranges: list[tuple[str, int, int]]) -> list[dict[str, Any]]:
