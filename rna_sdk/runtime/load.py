@@ -42,8 +42,8 @@ def load(
     """
     count = thread_count(threads)
     with Package.open(path) as package:
+        record = choose_tier(package, tier, min_psnr, max_error, pixels)
         height = image_height(pixels)
-        record = choose_tier(package, tier, min_psnr, max_error, height)
         if len(package.manifest.parts) == 1:
             return _part(package, record, count, 0, package.manifest.name, height)
         parts = tuple(

@@ -18,7 +18,7 @@ def choose_tier(
     name: str | None = None,
     min_psnr: float | None = None,
     max_error: float | None = None,
-    pixels: float = math.inf,
+    pixels: float | None = None,
 ) -> Tier:
     """The tier of this name; or the cheapest within a limit; or the first.
 
@@ -41,11 +41,12 @@ def choose_tier(
         return _cheapest(tiers, lambda tier: _psnr(tier) >= limit, asked, _psnr, " dB")
     if max_error is not None:
         limit = _number("max_error", max_error, "mean FLIP")
-        at = f" at {pixels:.0f} pixels" if pixels < math.inf else ""
+        height = image_height(pixels)
+        at = f" at {height:.0f} pixels" if height < math.inf else ""
         asked = f"max_error: found no tier within {limit:g}{at}"
 
         def error(tier: Tier) -> float:
-            return expected_error(tier, pixels)
+            return expected_error(tier, height)
 
         return _cheapest(tiers, lambda tier: error(tier) <= limit, asked, error)
     return tiers[0]
