@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import tracemalloc
 import zlib
 from pathlib import Path
 
@@ -43,8 +44,14 @@ def test_coding_of_the_specification() -> None:
 
 
 def test_no_more_is_inflated_than_declared() -> None:
-    with pytest.raises(ValueError, match="more than 10 bytes"):
-        decode(zlib.compress(bytes(2**20)), 10, 1, 0)
+    bomb = zlib.compress(bytes(2**24))
+    tracemalloc.start()
+    try:
+        with pytest.raises(ValueError, match="more than 10 bytes"):
+            decode(bomb, 10, 1, 0)
+        assert tracemalloc.get_traced_memory()[1] < 2**20
+    finally:
+        tracemalloc.stop()
 
 
 def test_deflated_package_is_the_same_asset(tuft: Path, tmp_path: Path) -> None:
