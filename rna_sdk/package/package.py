@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from os import PathLike
 from types import TracebackType
 
@@ -71,20 +72,11 @@ class Package:
         names = ", ".join(tier.name for tier in self.manifest.tiers)
         raise QueryError(f"no tier {name!r}; this package has: {names}")
 
-    def geometry(self, part: int = 0) -> Geometry:
+    def geometry(self, part: int = 0, pixels: float = math.inf) -> Geometry:
         """The mesh or the curves of a part, as its kind says; object space, metres.
 
-        Raises:
-            QueryError: the package has no such part, or is closed.
-        """
-        record = self._part(part)
-        return geometry_from_bytes(self._view(record.geometry), record.geometry, record.kind)
-
-    def geometry_at(self, height: float, part: int = 0) -> Geometry:
-        """The coarsest geometry of a part that will do where the asset is small in the image.
-
-        height: of the asset's bounding sphere, in pixels. Of the proxies (RNA_proxy) whose own
-            height is no less the last one; the geometry itself where there is none.
+        pixels: how high the sphere about the bounds of all parts is in the image. A part with
+            proxies (RNA_proxy) gives the last one that is for so many pixels and more.
 
         Raises:
             QueryError: the package has no such part, or is closed.
@@ -92,9 +84,8 @@ class Package:
         record = self._part(part)
         data = extension(self.manifest, Proxy)
         levels = (data.parts[part] if data else None) or ()
-        fitting = [level.geometry for level in levels if height <= level.height]
-        name = fitting[-1] if fitting else record.geometry
-        return geometry_from_bytes(self._view(name), name, record.kind)
+        names = [record.geometry, *(level.geometry for level in levels if pixels <= level.height)]
+        return geometry_from_bytes(self._view(names[-1]), names[-1], record.kind)
 
     def poster(self) -> bytes | None:
         """The picture of the asset, a PNG (RNA_poster); None where there is none.
@@ -105,24 +96,24 @@ class Package:
         data = extension(self.manifest, Poster)
         return bytes(self._view(data.image)) if data else None
 
-    def mesh(self, part: int = 0) -> Mesh:
-        """The geometry of a surface, in object space and metres.
+    def mesh(self, part: int = 0, pixels: float = math.inf) -> Mesh:
+        """The geometry of a surface, in object space and metres; arguments as of `geometry`.
 
         Raises:
             QueryError: the part is of another kind, there is none, or the package is closed.
         """
-        geometry = self.geometry(part)
+        geometry = self.geometry(part, pixels)
         if not isinstance(geometry, Mesh):
             raise QueryError(f"a {self._part(part).kind} part has no mesh; ask for its curves()")
         return geometry
 
-    def curves(self, part: int = 0) -> Curves:
-        """The geometry of fibers, in object space and metres.
+    def curves(self, part: int = 0, pixels: float = math.inf) -> Curves:
+        """The geometry of fibers, in object space and metres; arguments as of `geometry`.
 
         Raises:
             QueryError: the part is of another kind, there is none, or the package is closed.
         """
-        geometry = self.geometry(part)
+        geometry = self.geometry(part, pixels)
         if not isinstance(geometry, Curves):
             raise QueryError(f"a {self._part(part).kind} part has no curves; ask for its mesh()")
         return geometry

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from rna_sdk.package import Package, Tier
 from rna_sdk.runtime.arguments import scalars, vectors
 from rna_sdk.runtime.asset import AssetPart
@@ -15,10 +17,21 @@ class FiberAsset(AssetPart):
         curves: the geometry, object space, metres.
     """
 
-    def __init__(self, package: Package, tier: Tier, threads: int, part: int, name: str) -> None:
-        """package: open; tier: one of its manifest's; part: the number of one with curves."""
+    def __init__(
+        self,
+        package: Package,
+        tier: Tier,
+        threads: int,
+        part: int,
+        name: str,
+        pixels: float = math.inf,
+    ) -> None:
+        """package: open; tier: one of its manifest's; part: the number of one with curves.
+
+        pixels: as for `Package.geometry`.
+        """
         super().__init__(package, tier, threads, part, name)
-        self.curves = package.curves(part)
+        self.curves = package.curves(part, pixels)
 
     def evaluate(
         self,

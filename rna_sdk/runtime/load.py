@@ -9,7 +9,7 @@ from rna_sdk.runtime.arguments import thread_count
 from rna_sdk.runtime.asset import CompositeAsset
 from rna_sdk.runtime.fiber_asset import FiberAsset
 from rna_sdk.runtime.surface_asset import SurfaceAsset
-from rna_sdk.runtime.tiers import choose_tier
+from rna_sdk.runtime.tiers import choose_tier, image_height
 
 
 def load(
@@ -32,8 +32,9 @@ def load(
         an int8 decoder counted half, among those whose recorded validation PSNR is at least
         this many dB.
     max_error: likewise, whose recorded mean FLIP is at most this.
-    pixels: with max_error, how high the asset is in the image: the sphere about its bounds. A
-        small asset is content with a cheaper tier. None: as high as the validation images.
+    pixels: how high the asset is in the image: the sphere about its bounds. A small asset is
+        content with a cheaper tier (with max_error), and has the geometry of a proxy, if there is
+        one for its size. None: as high as the validation images.
 
     Raises:
         PackageError: the file cannot be read or breaks the format.
@@ -42,18 +43,19 @@ def load(
     count = thread_count(threads)
     with Package.open(path) as package:
         record = choose_tier(package, tier, min_psnr, max_error, pixels)
+        height = image_height(pixels)
         if len(package.manifest.parts) == 1:
-            return _part(package, record, count, 0, package.manifest.name)
+            return _part(package, record, count, 0, package.manifest.name, height)
         parts = tuple(
-            _part(package, record, count, k, part.name)
+            _part(package, record, count, k, part.name, height)
             for k, part in enumerate(package.manifest.parts)
         )
         return CompositeAsset(package.manifest.name, parts)
 
 
 def _part(
-    package: Package, tier: Tier, threads: int, part: int, name: str
+    package: Package, tier: Tier, threads: int, part: int, name: str, pixels: float
 ) -> SurfaceAsset | FiberAsset:
     kind = package.manifest.parts[part].kind
     cls = SurfaceAsset if kind == "surface" else FiberAsset
-    return cls(package, tier, threads, part, name)
+    return cls(package, tier, threads, part, name, pixels)

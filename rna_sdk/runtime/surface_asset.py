@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from rna_sdk.package import Package, Tier
@@ -17,10 +19,21 @@ class SurfaceAsset(AssetPart):
         mesh: the geometry, object space, metres.
     """
 
-    def __init__(self, package: Package, tier: Tier, threads: int, part: int, name: str) -> None:
-        """package: open; tier: one of its manifest's; part: the number of one with a mesh."""
+    def __init__(
+        self,
+        package: Package,
+        tier: Tier,
+        threads: int,
+        part: int,
+        name: str,
+        pixels: float = math.inf,
+    ) -> None:
+        """package: open; tier: one of its manifest's; part: the number of one with a mesh.
+
+        pixels: as for `Package.geometry`.
+        """
         super().__init__(package, tier, threads, part, name)
-        self.mesh = package.mesh(part)
+        self.mesh = package.mesh(part, pixels)
 
     def evaluate(
         self,

@@ -32,8 +32,6 @@ def choose_tier(
     """
     if sum(choice is not None for choice in (name, min_psnr, max_error)) > 1:
         raise QueryError("tier, min_psnr and max_error: give one of them, not both")
-    if pixels is not None and max_error is None:
-        raise QueryError("pixels: found without max_error")
     if name is not None:
         return package.tier(name)
     tiers = package.manifest.tiers
@@ -43,7 +41,7 @@ def choose_tier(
         return _cheapest(tiers, lambda tier: _psnr(tier) >= limit, asked, _psnr, " dB")
     if max_error is not None:
         limit = _number("max_error", max_error, "mean FLIP")
-        height = math.inf if pixels is None else _height(pixels)
+        height = image_height(pixels)
         at = f" at {height:.0f} pixels" if height < math.inf else ""
         asked = f"max_error: found no tier within {limit:g}{at}"
 
@@ -65,7 +63,7 @@ def expected_error(tier: Tier, pixels: float | None = None) -> float:
         QueryError: `pixels` is no number of at least 0.
     """
     validation = tier.validation
-    height = math.inf if pixels is None else _height(pixels)
+    height = image_height(pixels)
     if validation is None:
         return math.inf
     table = validation.flip_at_height[::-1]
@@ -115,7 +113,10 @@ def _number(name: str, value: object, unit: str) -> float:
     return value
 
 
-def _height(pixels: float) -> float:
+def image_height(pixels: float | None) -> float:
+    """`pixels` as it is, infinity for None. Raises QueryError: no number of at least 0."""
+    if pixels is None or pixels == math.inf:
+        return math.inf
     if not _number("pixels", pixels, "pixels") >= 0.0:
         raise QueryError(f"pixels: expected 0 or more, found {pixels!r}")
     return pixels

@@ -29,7 +29,7 @@ from rna_render.materials import MeshObject, ground, read_mesh_object
 from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
 from rna_render.scene_model import Scene
-from rna_render.tier_choice import TierChoice, Tiers
+from rna_render.tier_choice import Choice, TierChoice, Tiers
 from rna_render.time_limit import ENOUGH_SAMPLES, in_time, seconds_a_sample
 from rna_render.transforms import world_from_object
 from rna_render.world import Placement, World
@@ -43,8 +43,8 @@ class QualityWarning(UserWarning):
 def load_world(scene_file: SceneFile, views: Sequence[Scene] = ()) -> World:
     """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
 
-    Each pair of package and tier is loaded once, and so is each pair of object file and
-    material. Tiers are those that `quality` asks for.
+    Each package is loaded once a tier and proxy, and each object file once a material. Tiers and
+    proxies are those that `quality` asks for.
 
     views: the images to come, where their cameras differ from the scene's. Raises SceneError where
     the file names something that is not there or cannot be used, PackageError for a broken package.
@@ -52,7 +52,7 @@ def load_world(scene_file: SceneFile, views: Sequence[Scene] = ()) -> World:
     """
     quality = scene_file.scene.quality
     if quality is None:
-        return _world(scene_file, tuple(asset.tier for asset in scene_file.scene.assets))
+        return _world(scene_file, tuple(Choice(asset.tier) for asset in scene_file.scene.assets))
     choice = TierChoice(scene_file, views or (scene_file.scene,))
     if quality.max_error is not None:
         for line in choice.unmet(quality.max_error):
@@ -134,19 +134,20 @@ def render(
 def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
     from rna_sdk.runtime import load
 
-    loaded: dict[tuple[Path, str | None], Asset] = {}
-    emissions: dict[tuple[Path, str | None], AssetEmission | None] = {}
+    loaded: dict[tuple[Path, Choice], Asset] = {}
+    emissions: dict[tuple[Path, Choice], AssetEmission | None] = {}
     placements = []
-    for index, (model, tier) in enumerate(zip(scene_file.scene.assets, tiers, strict=True)):
+    for index, (model, chosen) in enumerate(zip(scene_file.scene.assets, tiers, strict=True)):
         path = scene_file.asset_path(index)
-        if (path, tier) not in loaded:
+        if (path, chosen) not in loaded:
             try:
-                loaded[path, tier] = watched(load(path, tier=tier, threads=1), path.name)
+                asset = load(path, tier=chosen.tier, threads=1, pixels=chosen.pixels)
+                loaded[path, chosen] = watched(asset, path.name)
             except QueryError as error:
                 raise scene_file.error(("assets", index, "tier"), str(error)) from error
-            emissions[path, tier] = emission_of(loaded[path, tier])
-        at = world_from_object(model.transform), emissions[path, tier], model.emission
-        placements.append(place_asset(loaded[path, tier], *at))
+            emissions[path, chosen] = emission_of(loaded[path, chosen])
+        at = world_from_object(model.transform), emissions[path, chosen], model.emission
+        placements.append(place_asset(loaded[path, chosen], *at))
     return placements
 
 

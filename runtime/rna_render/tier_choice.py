@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,9 +19,22 @@ from rna_render.scene_model import Scene
 from rna_render.transforms import world_from_object
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package
+from rna_sdk.package.extensions import Proxy, extension
 from rna_sdk.runtime import choose_tier, expected_error
 
-Tiers = tuple[str | None, ...]
+
+class Choice(NamedTuple):
+    """What an asset of a scene is loaded with.
+
+    tier: its name; None: the package's first. pixels: as `rna_sdk.runtime.load` has it, to
+    choose a proxy; the same for all sizes that have the same one. None: no proxy.
+    """
+
+    tier: str | None
+    pixels: float | None = None
+
+
+Tiers = tuple[Choice, ...]
 """For each of a scene's assets the tier's name; None for the package's first."""
 
 # Mean FLIP; the first limit beyond "as accurate as can be".
@@ -45,7 +59,8 @@ class TierChoice:
     def within(self, max_error: float) -> Tiers:
         """The cheapest tiers of at most this mean FLIP, or where there is none the best."""
         return tuple(
-            named or self._best_within(index, max_error) for index, named in enumerate(self._named)
+            Choice(named or self._best_within(index, max_error), self._proxy(index))
+            for index, named in enumerate(self._named)
         )
 
     def coarser(self, max_error: float) -> Iterator[Tiers]:
@@ -74,6 +89,13 @@ class TierChoice:
                     f"{self._pixels[index]:.0f} pixels; the best is taken, {told}"
                 )
         return lines
+
+    def _proxy(self, index: int) -> float | None:
+        """The least height of the package's proxies that the asset does not exceed."""
+        data = extension(self._packages[index][1].manifest, Proxy)
+        levels = [level for part in (data.parts if data else ()) for level in part or ()]
+        fitting = [level.height for level in levels if self._pixels[index] <= level.height]
+        return min(fitting, default=None)
 
     def _best_within(self, index: int, max_error: float) -> str:
         try:

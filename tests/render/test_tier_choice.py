@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,8 +11,10 @@ import pytest
 from rna_render.animation import frame_scene
 from rna_render.render import QualityWarning, load_world
 from rna_render.scene_file import SceneFile, read_scene
-from rna_render.tier_choice import TierChoice
+from rna_render.tier_choice import TierChoice, Tiers
 from rna_sdk.errors import SceneError
+from rna_sdk.package import Package
+from rna_sdk.package.packing import Unpacked
 from tests.package.builders import make_measured_tier
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
@@ -51,6 +54,10 @@ def names(file: SceneFile) -> list[str]:
     return [asset.tier.name for asset in load_world(file).things]
 
 
+def tier_names(choices: Tiers) -> tuple[str | None, ...]:
+    return tuple(choice.tier for choice in choices)
+
+
 def test_near_assets_get_finer_tiers_and_unseen_ones_the_cheapest(package: Path) -> None:
     # Heights: 48, 11 and 0 (behind the camera) pixels; the last one names its tier.
     assert names(scene(package, "quality: {max_error: 0.025}")) == ["hq", "small", "small", "hq"]
@@ -85,7 +92,7 @@ def test_a_package_without_errors_is_told_of(tmp_path: Path) -> None:
 
 def test_coarser_choices_end_with_the_cheapest_tiers(package: Path) -> None:
     file = scene(package, "quality: {seconds: 1}")
-    choices = list(TierChoice(file, [file.scene]).coarser(0.0))
+    choices = [tier_names(tiers) for tiers in TierChoice(file, [file.scene]).coarser(0.0)]
     assert choices[0] == ("hq", "hq", "hq", "hq")
     assert choices[-1] == ("tiny", "tiny", "tiny", "hq")
     assert len(set(choices)) == len(choices) > 2
@@ -95,9 +102,9 @@ def test_a_sequence_has_one_tier_for_its_largest_frame(package: Path) -> None:
     turning = SCENE.replace("look_at: [0, 0, 0]", "look_at: [0, 0, -15]")
     file = scene(package, "animation: {frames: 2, turntable: {}}", turning)
     views = [frame_scene(file.scene, number) for number in range(2)]
-    alone = [TierChoice(file, [view]).within(0.025)[:2] for view in views]
+    alone = [tier_names(TierChoice(file, [view]).within(0.025))[:2] for view in views]
     assert alone == [("hq", "small"), ("small", "hq")]  # from the front, from behind
-    assert TierChoice(file, views).within(0.025)[:2] == ("hq", "hq")
+    assert tier_names(TierChoice(file, views).within(0.025))[:2] == ("hq", "hq")
 
 
 def test_a_missing_package_is_reported_with_its_line(package: Path) -> None:
@@ -109,3 +116,16 @@ def test_a_missing_package_is_reported_with_its_line(package: Path) -> None:
 def test_a_quality_that_asks_for_nothing_is_refused(package: Path) -> None:
     with pytest.raises(SceneError, match=r"quality: .* give max_error or seconds"):
         scene(package, "quality: {}")
+
+
+def test_small_assets_get_the_proxy_of_their_size(package: Path, tmp_path: Path) -> None:
+    path = tmp_path / "ball.rna"
+    whole = Package.open(package).mesh()
+    of_size = {pixels: replace(whole, triangles=whole.triangles[:pixels]) for pixels in (60, 20)}
+    Unpacked.read(package).with_proxies([[(mesh, h) for h, mesh in of_size.items()]]).write(path)
+
+    def triangles(quality: str) -> list[int]:
+        return [len(asset.mesh.triangles) for asset in load_world(scene(path, quality)).things]
+
+    assert triangles("quality: {max_error: 0.025}") == [60, 20, 20, 20]
+    assert triangles("") == [len(whole.triangles)] * 4

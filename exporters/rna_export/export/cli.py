@@ -55,6 +55,15 @@ def parser() -> argparse.ArgumentParser:
         "default: one rendered from the front)",
     )
     p.add_argument(
+        "--proxies",
+        nargs="+",
+        type=int,
+        default=[],
+        metavar="PIXELS",
+        help="add coarser meshes for an asset that is at most so high in the image, which rna-run "
+        "takes in scenes with a quality (int, one or more, default: none)",
+    )
+    p.add_argument(
         "--coding",
         choices=["raw", "deflate"],
         default="raw",
@@ -79,7 +88,10 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
-    args = parser().parse_args(argv)
+    options = parser()
+    args = options.parse_args(argv)
+    if any(pixels < 1 for pixels in args.proxies):
+        options.error(f"argument --proxies: expected 1 or more, found {min(args.proxies)}")
     return run_command(lambda: _run(args), args.debug, "nothing was written", "train")
 
 
@@ -104,7 +116,8 @@ def _run(args: argparse.Namespace) -> None:
         precisions,
         max_loss=args.max_loss,
     )
-    dress(args.out, dataset, args.poster, args.coding == "deflate")
+    proxies = sorted(set(args.proxies), reverse=True)
+    dress(args.out, dataset, args.poster, proxies, args.coding == "deflate", print)
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB\nnext: rna-validate {args.out}")
 

@@ -2,29 +2,64 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from rna_export.capture.dataset import Dataset
 from rna_export.export.poster import render_poster
+from rna_export.export.proxy import proxy_of
 from rna_export.export.standin import standin_material
 from rna_sdk.errors import ExportError
+from rna_sdk.package import Package
 from rna_sdk.package.extensions import Standin
+from rna_sdk.package.geometry import Geometry
 from rna_sdk.package.packing import Unpacked
 from rna_sdk.package.poster import png_size
 
 _SHARDS = 12  # of training samples that a stand-in is estimated from
 
 
-def dress(package: Path, dataset: Dataset, poster: Path | None, deflate: bool) -> None:
-    """Add poster and stand-ins to the package, and code its entries if `deflate`.
+def dress(
+    package: Path,
+    dataset: Dataset,
+    poster: Path | None,
+    proxies: Sequence[int],
+    deflate: bool,
+    say: Callable[[str], None],
+) -> None:
+    """Add poster, stand-ins and proxies to the package, and code its entries if `deflate`.
 
-    poster: a PNG; None: one is rendered. Raises ExportError where it is no PNG.
+    poster: a PNG; None: one is rendered. proxies: their heights in pixels, each below the one
+    before. Raises ExportError where the poster is no PNG.
     """
     png = render_poster(package) if poster is None else _read_png(poster)
     materials = [standin_material(part.training_samples(_SHARDS)) for part in dataset.parts]
     standin = Standin(parts=tuple(materials))
     dressed = Unpacked.read(package).with_poster(png).with_extension(standin, {})
+    with Package.open(package) as opened:
+        levels = [_proxies(opened, k, proxies, say) for k in range(len(materials))]
+    if any(levels):
+        dressed = dressed.with_proxies(levels)
     (dressed.deflated() if deflate else dressed).write(package)
+
+
+def _proxies(
+    package: Package, part: int, heights: Sequence[int], say: Callable[[str], None]
+) -> list[tuple[Geometry, int]]:
+    """The part's proxies with their heights; those that save nothing are left out."""
+    record = package.manifest.parts[part]
+    if not heights or record.kind != "surface" or record.transmittance:
+        return []
+    mesh, found = package.mesh(part), []
+    for pixels in heights:
+        proxy = proxy_of(mesh, pixels)
+        whole = f"{record.name}: {len(mesh.triangles):,} triangles"
+        if proxy is None:
+            say(f"{whole} are few enough at {pixels} pixels, no proxy")
+            continue
+        say(f"{whole}, proxy at {pixels} pixels: {len(proxy.triangles):,}")
+        found.append((proxy, pixels))
+    return found
 
 
 def _read_png(path: Path) -> bytes:
