@@ -36,7 +36,8 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as scratch:
         source, python = Source(args.source, arguments), blender_env.find_python()
         with BlenderWorker(python, source, Path(scratch), default_workers()) as worker:
-            cycles = [render_cycles(shot, worker, args.cycles_samples) for shot in near]
+            shown = worker, args.cycles_samples, False
+            cycles = [render_cycles(shot, *shown) for shot in near]
     pairs: dict[str, list[Pair]] = {}
     for package, asset in assets.items():
         world = World([Placement(asset, np.eye(4))])

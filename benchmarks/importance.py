@@ -114,7 +114,7 @@ def _seen_points(asset: Asset, rng: np.random.Generator) -> tuple[Points, np.nda
     direction = _unit(target - eye)
     hits = world.scene.intersect(eye.astype(np.float32), direction)
     vertices = world.vertices(Role.SCATTER, hits, direction)
-    _, points = vertices.bodies[0]
+    _, points = vertices.parts[0]
     return points, -direction[vertices.ray]
 
 

@@ -23,7 +23,7 @@ from rna_export.training.checkpoint import load_checkpoint
 from rna_sdk.package import Manifest, Tier
 
 PAIRS = (
-    Precision(),
+    Precision("float32", "float16"),
     Precision("int8", "float16"),
     Precision("float32", "int8"),
     Precision("int8", "int8"),

@@ -1,6 +1,7 @@
-"""The RNA format as code: read a package, and evaluate its transport, in numpy alone.
+"""The RNA format as code: read a package, evaluate its transport and emission, in numpy alone.
 
-    python examples/hosts/minimal.py evaluate PACKAGE TIER QUERIES RESULTS
+    python examples/hosts/minimal.py evaluate PACKAGE TIER PART QUERIES RESULTS
+    python examples/hosts/minimal.py emission PACKAGE TIER PART QUERIES RESULTS
 
 Numbers in comments are the sections of spec/RNA.md. This reader trusts its file: a host that
 takes packages from anywhere makes the checks of section 10 first.
@@ -13,27 +14,43 @@ import zipfile
 import numpy as np
 
 
-@np.errstate(all="ignore")  # blocks that the tier does not take may be NaN
-def evaluate(path, tier_name, x, axis, h, wo, wi):
+def evaluate(path, tier_name, part, x, axis, h, wo, wi):
     """(n, 6) colours: what leaves x towards wo under irradiance 1 from wi, visible and shadowed.
 
     axis: the normal of a surface, or the tangent of a fiber, with h the offset across it.
     """
+    return answer("transport", path, tier_name, part, x, axis, h, wo, wi)
+
+
+def emission(path, tier_name, part, x, axis, h, wo):
+    """(n, 3) colours: what leaves x towards wo where nothing lights the asset (7.2)."""
+    return answer("emission", path, tier_name, part, x, axis, h, wo, wo)  # no block reads wi
+
+
+@np.errstate(all="ignore")  # blocks that the decoder does not take may be NaN
+def answer(output, path, tier_name, number, x, axis, h, wo, wi):
+    """What the decoder of `output` of part `number` gives."""
     with zipfile.ZipFile(path) as archive:  # 2: a ZIP of stored entries
         manifest = json.loads(archive.read("manifest.json"))  # 3
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
-        planes = read_planes(archive.read(tier["planes"]))
-        nodes, constants = read_decoder(archive.read(tier["decoder"]))
-    low, high = (np.float32(manifest["bounds"][corner]) for corner in ("min", "max"))
+        # One part may be in short: then its members stand in the manifest and in the tier.
+        part = manifest["parts"][number] if "parts" in manifest else manifest
+        own = tier["parts"][number] if "parts" in manifest else tier
+        asked = own.get("emission") if output == "emission" else own
+        if asked is None:
+            return np.zeros((len(x), 3))
+        planes = read_planes(archive.read(own["planes"]))
+        nodes, constants = read_decoder(archive.read(asked["decoder"]))
+    low, high = (np.float32(part["bounds"][corner]).astype(float) for corner in ("min", "max"))
     # 8: what is not finite, or has no direction, gets 0; all else is brought into range.
     rows = np.isfinite(np.column_stack([x, axis, h, wo, wi])).all(axis=1)
     rows &= axis.any(axis=1) & wo.any(axis=1) & wi.any(axis=1)
     p = np.clip((x[rows] - low) / (high - low), 0, 1)
     directions = (unit(v[rows]) for v in (axis, wo, wi))
     blocks = input_blocks(planes, p, np.clip(h[rows], -1, 1), *directions)
-    queries = np.hstack([blocks[name] for name in tier["inputs"]])
-    result = np.zeros((len(x), 6))
-    result[rows] = run(nodes, {**constants, "queries": queries})
+    queries = np.hstack([blocks[name] for name in asked["inputs"]])
+    result = np.zeros((len(x), {"transport": 6, "emission": 3}[output]))
+    result[rows] = run(nodes, {**constants, "queries": queries})[output]
     return result
 
 
@@ -168,19 +185,21 @@ OPERATORS = {  # 6.4: the operators of the decoder profile
 
 
 def run(nodes, values):
-    """The graph's result for `values`, name -> array; float64 holds sums of integers exactly."""
+    """The graph's values, name -> array, from `values`; float64 holds sums of integers exactly."""
     for operator, inputs, output in nodes:
         values[output] = OPERATORS[operator](*(values[name] for name in inputs))
-    return values["transport"]
+    return values
 
 
 if __name__ == "__main__":  # the protocol of spec/conformance/README.md
     if sys.argv[1:] == ["levels"]:
         print("evaluate")
-    elif sys.argv[1:2] == ["evaluate"] and len(sys.argv) == 6:
-        package, tier, queries, results = sys.argv[2:]
-        rows = np.fromfile(queries, "<f4").reshape(-1, 13).astype(float)
-        x, axis, h, wo, wi = np.split(rows, (3, 6, 7, 10), axis=1)
-        evaluate(package, tier, x, axis, h[:, 0], wo, wi).astype("<f4").tofile(results)
+    elif sys.argv[1:2] in (["evaluate"], ["emission"]) and len(sys.argv) == 7:
+        command, package, tier, part, queries, results = sys.argv[1:]
+        ask, columns = (evaluate, 13) if command == "evaluate" else (emission, 10)
+        rows = np.fromfile(queries, "<f4").reshape(-1, columns).astype(float)
+        x, axis, h, *directions = np.split(rows, (3, 6, 7, 10)[: columns // 3], axis=1)
+        found = ask(package, tier, int(part), x, axis, h[:, 0], *directions)
+        found.astype("<f4").tofile(results)
     else:
         sys.exit(__doc__)

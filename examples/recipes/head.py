@@ -5,7 +5,7 @@
 FOLDER holds `head.obj`, `color.jpg` and `normal.jpg`. Runs inside Blender.
 """
 
-import sys
+import argparse
 from pathlib import Path
 
 import bpy
@@ -40,11 +40,16 @@ def skin(folder):
 
 
 def build(folder):
+    """The head, an object in the scene."""
     bpy.ops.wm.obj_import(filepath=str(folder / "head.obj"))
     head = bpy.context.selected_objects[0]
     head.data.shade_smooth()
     head.data.materials.clear()
     head.data.materials.append(skin(folder))
+    return head
 
 
-build(Path(sys.argv[1]))
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path, help="where head.obj and its two images are")
+    build(parser.parse_args().folder)

@@ -18,7 +18,7 @@ from rna_sdk.conformance.scoring import Score, cases, score
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import ConformanceError
 
-_TABLE = "{:<10} {:<24} {:<11} {:>5} {:>6}  {:>10} {:>9}  {}"
+_TABLE = "{:<10} {:<24} {:<18} {:>5} {:>6}  {:>10} {:>9}  {}"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

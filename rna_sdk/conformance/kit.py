@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from rna_sdk.errors import ConformanceError
 
 INDEX = "kit.json"
+VERSION = 2
 LEVELS = ("evaluate", "visibility", "validate")
 
 
@@ -28,16 +29,20 @@ class RowClass:
 
 @dataclass(frozen=True)
 class EvaluateCase:
-    """One tier of a package.
+    """One part in one tier of a package.
 
     Attributes:
         package, queries: files.
-        expected, tolerance: (n, 6) float64.
+        part: its number.
+        output: of the decoder, "transport" or "emission".
+        expected, tolerance: (n, 6) or (n, 3) float64.
         step: the most that one step of one int8 activation changes an output; 0 for float32.
     """
 
     package: Path
     tier: str
+    part: int
+    output: str
     queries: Path
     expected: NDArray[np.float64]
     tolerance: NDArray[np.float64]
@@ -47,11 +52,11 @@ class EvaluateCase:
 
 @dataclass(frozen=True)
 class VisibilityCase:
-    """Hits on the geometry of a package; picks: (n,) uint8, 0 visible, 1 shadowed."""
+    """Hits on the parts of a package; expected: (n, 3) float32, the visibility, RGB."""
 
     package: Path
     hits: Path
-    picks: NDArray[np.uint8]
+    expected: NDArray[np.float32]
     classes: tuple[RowClass, ...]
 
 
@@ -61,19 +66,27 @@ class ValidateCase:
 
     Attributes:
         needs_engine: a reader that has no ONNX engine may find it valid with DECODER_PROFILE.
+        extension: an optional one that the fault is in; a reader that does not know it says so.
     """
 
     package: Path
     valid: bool
     code: str | None
     needs_engine: bool
+    extension: str | None
 
 
 @dataclass(frozen=True)
 class Kit:
-    """All cases; int8_share: part of the rows of an int8 tier that may differ by a step."""
+    """All cases.
+
+    Attributes:
+        int8_share: part of the rows of an int8 decoder that may differ by a step.
+        visibility_tolerance: how far a visibility may be off.
+    """
 
     int8_share: float
+    visibility_tolerance: float
     evaluate: tuple[EvaluateCase, ...]
     visibility: tuple[VisibilityCase, ...]
     validate: tuple[ValidateCase, ...]
@@ -106,12 +119,13 @@ def load_kit(folder: Path) -> Kit:
         raise ConformanceError(
             f"{folder / INDEX}: no index of a conformance kit: {error}"
         ) from None
-    if not isinstance(index, dict) or index.get("version") != 1:
-        raise ConformanceError(f"{folder / INDEX}: found no kit of version 1")
+    if not isinstance(index, dict) or index.get("version") != VERSION:
+        raise ConformanceError(f"{folder / INDEX}: found no kit of version {VERSION}")
     for name, record in index["files"].items():
         _check_file(folder / name, record)
     return Kit(
         index["int8Share"],
+        index["visibilityTolerance"],
         tuple(_evaluate_case(folder, record) for record in index["evaluate"]),
         tuple(_visibility_case(folder, record) for record in index["visibility"]),
         tuple(
@@ -120,6 +134,7 @@ def load_kit(folder: Path) -> Kit:
                 record["valid"],
                 record["code"],
                 record["needsEngine"],
+                record["extension"],
             )
             for record in index["validate"]
         ),
@@ -139,13 +154,16 @@ def _check_file(path: Path, record: dict[str, Any]) -> None:
 
 
 def _evaluate_case(folder: Path, record: dict[str, Any]) -> EvaluateCase:
-    both = np.fromfile(folder / record["expected"], "<f8").reshape(record["rows"], 12)
+    both = np.fromfile(folder / record["expected"], "<f8").reshape(record["rows"], -1)
+    expected, tolerance = np.hsplit(both.astype(np.float64), 2)
     return EvaluateCase(
         folder / record["package"],
         record["tier"],
+        record["part"],
+        record["output"],
         folder / record["queries"],
-        both[:, :6].astype(np.float64),
-        both[:, 6:].astype(np.float64),
+        expected,
+        tolerance,
         record["step"],
         _classes(record),
     )
@@ -155,7 +173,7 @@ def _visibility_case(folder: Path, record: dict[str, Any]) -> VisibilityCase:
     return VisibilityCase(
         folder / record["package"],
         folder / record["hits"],
-        np.fromfile(folder / record["picks"], np.uint8),
+        np.fromfile(folder / record["expected"], "<f4").reshape(-1, 3).astype(np.float32),
         _classes(record),
     )
 

@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,22 +71,36 @@ def claimed_levels(program: Program) -> tuple[str, ...]:
     return tuple(level for level in LEVELS if level in words)
 
 
-def evaluate(program: Program, package: Path, tier: str, queries: Path) -> NDArray[np.float64]:
-    """(n, 6) results for a file of n queries."""
+def evaluate(
+    program: Program, package: Path, tier: str, part: int, queries: Path
+) -> NDArray[np.float64]:
+    """(n, 6) transport for a file of n queries."""
     rows = queries.stat().st_size // 52
+    where = str(package), tier, str(part), str(queries)
+    return _results(program, rows, 6, "evaluate", *where)
+
+
+def emission(
+    program: Program, package: Path, tier: str, part: int, queries: Path
+) -> NDArray[np.float64]:
+    """(n, 3) emission for a file of n queries."""
+    rows = queries.stat().st_size // 40
+    where = str(package), tier, str(part), str(queries)
+    return _results(program, rows, 3, "emission", *where)
+
+
+def visibility(program: Program, package: Path, hits: Path) -> NDArray[np.float64]:
+    """(n, 3) visibility, RGB, for a file of n hits."""
+    rows = hits.stat().st_size // 32
+    return _results(program, rows, 3, "visibility", str(package), str(hits))
+
+
+def _results(program: Program, rows: int, columns: int, *call: str) -> NDArray[np.float64]:
+    """What the program writes to a file that is named behind these arguments."""
     with tempfile.TemporaryDirectory() as folder:
         results = Path(folder) / "results.f32"
-        call = "evaluate", str(package), tier, str(queries), str(results)
-        _checked(program.run(*call), "evaluate")
-        return _read(results, "<f4", rows * 6).reshape(rows, 6).astype(np.float64)
-
-
-def visibility(program: Program, package: Path, hits: Path) -> NDArray[np.uint8]:
-    """(n,) picks for a file of n hits."""
-    with tempfile.TemporaryDirectory() as folder:
-        picks = Path(folder) / "picks.u8"
-        _checked(program.run("visibility", str(package), str(hits), str(picks)), "visibility")
-        return _read(picks, "u1", hits.stat().st_size // 32)
+        _checked(program.run(*call, str(results)), call[0])
+        return _read(results, rows * columns).reshape(rows, columns).astype(np.float64)
 
 
 def validate(program: Program, package: Path) -> tuple[bool, list[str]]:
@@ -104,10 +118,10 @@ def _checked(answer: Answer, what: str) -> Answer:
     return answer
 
 
-def _read(path: Path, dtype: str, count: int) -> NDArray[Any]:
-    size = count * np.dtype(dtype).itemsize
+def _read(path: Path, count: int) -> NDArray[np.float32]:
+    size = 4 * count
     found = path.stat().st_size if path.is_file() else None
     if found != size:
         wrote = "no file" if found is None else f"{found} bytes"
         raise ConformanceError(f"the reader wrote {wrote}, expected {size} bytes")
-    return np.fromfile(path, dtype)
+    return np.fromfile(path, "<f4")

@@ -15,15 +15,30 @@ from rna_sdk.package.issues import is_valid
 from rna_sdk.package.validator import validate
 
 
-def evaluate(package: str, tier: str, queries: NDArray[np.float32]) -> NDArray[np.float32]:
+def evaluate(
+    package: str, tier: str, part: int, queries: NDArray[np.float32]
+) -> NDArray[np.float32]:
     """(n, 6) by the runtime for (n, 13) queries."""
     from rna_sdk.runtime import SurfaceAsset, load
 
     position, axis, h, wo, wi = np.split(queries, (3, 6, 7, 10), axis=1)
-    part = load(package, tier).parts[0]
-    if isinstance(part, SurfaceAsset):
-        return np.hstack(part.evaluate(position, axis, wo, wi))
-    return np.hstack(part.evaluate(position, axis, h[:, 0], wo, wi))
+    own = load(package, tier).parts[part]
+    if isinstance(own, SurfaceAsset):
+        return np.hstack(own.evaluate(position, axis, wo, wi))
+    return np.hstack(own.evaluate(position, axis, h[:, 0], wo, wi))
+
+
+def emission(
+    package: str, tier: str, part: int, queries: NDArray[np.float32]
+) -> NDArray[np.float32]:
+    """(n, 3) by the runtime for (n, 10) queries."""
+    from rna_sdk.runtime import SurfaceAsset, load
+
+    position, axis, h, wo = np.split(queries, (3, 6, 7), axis=1)
+    own = load(package, tier).parts[part]
+    if isinstance(own, SurfaceAsset):
+        return own.emission(position, axis, wo)
+    return own.emission(position, axis, h[:, 0], wo)
 
 
 def check(package: str) -> tuple[bool, list[str]]:
@@ -33,4 +48,4 @@ def check(package: str) -> tuple[bool, list[str]]:
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, validate=check))
+    sys.exit(run_reader(evaluate=evaluate, emission=emission, validate=check))

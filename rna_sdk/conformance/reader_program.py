@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 
 from rna_sdk.errors import ConformanceError, RnaError
 
-Evaluate = Callable[[str, str, NDArray[np.float32]], NDArray[np.float32]]
-"""(package, tier, queries (n, 13)) -> (n, 6)."""
-Visibility = Callable[[str, bytes], NDArray[np.bool_]]
-"""(package, hit records) -> (n,) whether each is visible."""
+Evaluate = Callable[[str, str, int, NDArray[np.float32]], NDArray[np.float32]]
+"""(package, tier, part, queries (n, 13)) -> (n, 6)."""
+Emission = Callable[[str, str, int, NDArray[np.float32]], NDArray[np.float32]]
+"""(package, tier, part, queries (n, 10)) -> (n, 3)."""
+Visibility = Callable[[str, bytes], NDArray[np.float32]]
+"""(package, hit records) -> (n, 3) visibility, RGB."""
 Validate = Callable[[str], tuple[bool, list[str]]]
 """package -> whether it is valid, and the codes of its issues."""
 
@@ -27,23 +29,26 @@ def run_reader(
     arguments: Sequence[str] | None = None,
     *,
     evaluate: Evaluate | None = None,
+    emission: Emission | None = None,
     visibility: Visibility | None = None,
     validate: Validate | None = None,
 ) -> int:
-    """The exit status of the program; a level is had if its function is given."""
+    """The exit status of the program; a level is had if its function is given.
+
+    evaluate, emission: the level `evaluate` has both.
+    """
     level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
     try:
         if level == "levels" and not rest:
             had = {"evaluate": evaluate, "visibility": visibility, "validate": validate}
             print("\n".join(name for name, function in had.items() if function))
-        elif level == "evaluate" and evaluate and len(rest) == 4:
-            package, tier, queries, results = rest
-            rows = np.fromfile(queries, "<f4").reshape(-1, 13).astype(np.float32)
-            _write(results, evaluate(package, tier, rows).astype("<f4").tobytes())
+        elif level == "evaluate" and evaluate and len(rest) == 5:
+            _answer(evaluate, 13, *rest)
+        elif level == "emission" and emission and len(rest) == 5:
+            _answer(emission, 10, *rest)
         elif level == "visibility" and visibility and len(rest) == 3:
-            package, hits, picks = rest
-            seen = visibility(package, Path(hits).read_bytes())
-            _write(picks, (~seen).astype(np.uint8).tobytes())
+            package, hits, results = rest
+            _write(results, visibility(package, Path(hits).read_bytes()))
         elif level == "validate" and validate and len(rest) == 1:
             valid, codes = validate(rest[0])
             print("\n".join(codes))
@@ -56,8 +61,21 @@ def run_reader(
     return 0
 
 
-def _write(path: str, data: bytes) -> None:
+def _answer(
+    function: Evaluate,
+    columns: int,
+    package: str,
+    tier: str,
+    part: str,
+    queries: str,
+    results: str,
+) -> None:
+    rows = np.fromfile(queries, "<f4").reshape(-1, columns).astype(np.float32)
+    _write(results, function(package, tier, int(part), rows))
+
+
+def _write(path: str, values: NDArray[np.float32]) -> None:
     """Whole or not at all."""
     temporary = Path(path).with_name(f".{Path(path).name}.{os.getpid()}.partial")
-    temporary.write_bytes(data)
+    temporary.write_bytes(values.astype("<f4").tobytes())
     os.replace(temporary, path)

@@ -6,11 +6,13 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 
 from rna_sdk.console import command_parser
-from rna_sdk.package.issues import Issue, is_valid
-from rna_sdk.package.validator import validate
+from rna_sdk.package.issues import is_valid
+from rna_sdk.package.manifest import Manifest
+from rna_sdk.package.manifest_short import has_short_form
+from rna_sdk.package.validator import Inspection, inspect
 
 VALID, INVALID = 0, 1
 """Exit statuses; argparse exits with 2 for wrong usage."""
@@ -22,19 +24,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     status, records = VALID, []
     for path in options.files:
         try:
-            issues = validate(path)
+            found = inspect(path)
         except Exception as error:  # a defect of the validator: say so, in one line, and go on
             if options.debug:
                 raise
             print(f"{path}: internal error, {error!r}; try --debug", file=sys.stderr)
             status = INVALID
             continue
-        if not is_valid(issues):
+        if not is_valid(found.issues):
             status = INVALID
         if options.json:
-            records.append(_as_json(path, issues))
+            records.append(_as_json(path, found))
         else:
-            _print_report(path, issues)
+            _print_report(path, found)
     if options.json:
         print(json.dumps(records, indent=2))
     return status
@@ -46,8 +48,9 @@ def _parser() -> argparse.ArgumentParser:
         "Check .rna packages against the format.",
         "rna-validate asset.rna",
         usage=argparse.SUPPRESS,
-        epilog="Prints one line for each issue, then `FILE: valid` or `FILE: invalid`; a package "
-        "with\nwarnings alone is valid. Exit status: 0 all valid, 1 one invalid or unreadable, 2 "
+        epilog="Prints one line for each issue, for each part of a package of several or with\n"
+        "transmittance or emission, then `FILE: valid` or `FILE: invalid`; a package with\n"
+        "warnings alone is valid. Exit status: 0 all valid, 1 one invalid or unreadable, 2 "
         "wrong usage.\nCodes of issues: spec/ISSUES.md.",
     )
     parser.add_argument(
@@ -58,14 +61,48 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _as_json(path: str, issues: list[Issue]) -> dict[str, object]:
-    return {"file": path, "valid": is_valid(issues), "issues": [asdict(i) for i in issues]}
+def _as_json(path: str, found: Inspection) -> dict[str, object]:
+    """Parts are null where the manifest cannot be read."""
+    return {
+        "file": path,
+        "valid": is_valid(found.issues),
+        "parts": found.manifest and [_part_as_json(part) for part in _parts(found.manifest)],
+        "issues": [asdict(issue) for issue in found.issues],
+    }
 
 
-def _print_report(path: str, issues: list[Issue]) -> None:
-    for issue in issues:
+def _part_as_json(part: _Part) -> dict[str, object]:
+    return {"name": part.name, "kind": part.kind, **dict.fromkeys(part.has, True)}
+
+
+def _print_report(path: str, found: Inspection) -> None:
+    for issue in found.issues:
         print(f"{path}: {issue}")
-    print(f"{path}: {'valid' if is_valid(issues) else 'invalid'}")
+    if found.manifest and not has_short_form(found.manifest):
+        for part in _parts(found.manifest):
+            print(f"{path}: part {part.name}: {', '.join((part.kind, *part.has))}")
+    print(f"{path}: {'valid' if is_valid(found.issues) else 'invalid'}")
+
+
+@dataclass(frozen=True)
+class _Part:
+    """What is told of a part; has: "transmittance", "emission"."""
+
+    name: str
+    kind: str
+    has: tuple[str, ...]
+
+
+def _parts(manifest: Manifest) -> list[_Part]:
+    return [
+        _Part(
+            part.name,
+            part.kind,
+            ("transmittance",) * bool(part.transmittance)
+            + ("emission",) * bool(manifest.tiers[0].parts[k].emission),
+        )
+        for k, part in enumerate(manifest.parts)
+    ]
 
 
 if __name__ == "__main__":

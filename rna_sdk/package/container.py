@@ -46,6 +46,7 @@ class Container:
 
     def __init__(self, data: memoryview, entries: dict[str, Entry]) -> None:
         self._data = data
+        self._decoded: dict[str, memoryview] = {}
         self.entries = entries
 
     @classmethod
@@ -63,7 +64,15 @@ class Container:
         return cls(data, {entry.name: entry for entry in entries})
 
     def view(self, name: str) -> memoryview:
-        """The read-only bytes of an entry, in place."""
+        """The read-only bytes of an entry: in place, or what `put_decoded` gave."""
+        return self._decoded[name] if name in self._decoded else self.stored(name)
+
+    def put_decoded(self, name: str, data: bytes) -> None:
+        """From now on the bytes that `view` gives for a coded entry."""
+        self._decoded[name] = memoryview(data)
+
+    def stored(self, name: str) -> memoryview:
+        """The read-only bytes of an entry as they are in the file."""
         entry = self.entries[name]
         return self._data[entry.offset : entry.offset + entry.size]
 
@@ -74,7 +83,7 @@ class Container:
     def check_crc(self, name: str) -> None:
         """Raises PackageError (ZIP_CRC) where the data is not what its header says."""
         entry = self.entries[name]
-        crc = zlib.crc32(self.view(name))
+        crc = zlib.crc32(self.stored(name))
         if crc != entry.crc:
             refuse(Code.ZIP_CRC, entry.offset, f"{name}: {crc:08x}", f"{entry.crc:08x}")
 

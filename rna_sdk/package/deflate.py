@@ -5,11 +5,16 @@ Elements minus those some places before, lowest bytes first, then zlib.
 
 from __future__ import annotations
 
+import hashlib
 import zlib
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rna_sdk.package.extensions import Coding, Deflate
+from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.strict_json import pointer
 
 _LEVEL = 9
 
@@ -17,7 +22,7 @@ _LEVEL = 9
 def encode(data: bytes | memoryview, element_size: int, distance: int) -> bytes:
     """The zlib stream of `data`, coded as elements of 1, 2 or 4 bytes; `distance` in elements."""
     elements, rest = _split(data, element_size)
-    if distance:
+    if 0 < distance < len(elements):
         elements = elements.copy()
         elements[distance:] -= elements[:-distance].copy()
     planes = elements.view(np.uint8).reshape(-1, element_size).T
@@ -35,9 +40,26 @@ def decode(stream: bytes | memoryview, size: int, element_size: int, distance: i
     count = size // element_size
     planes = np.frombuffer(coded, np.uint8, count * element_size).reshape(element_size, count)
     elements = np.ascontiguousarray(planes.T).view(f"<u{element_size}").reshape(-1)
-    if distance:
+    if 0 < distance < count:
         elements = _summed(elements, distance)
     return elements.tobytes() + coded[count * element_size :]
+
+
+def decoded_entry(stream: memoryview, name: str, coding: Coding) -> bytes:
+    """The bytes of the coded entry `name`, of the declared size and hash.
+
+    Raises:
+        PackageError: DEFLATE_STREAM, ENTRY_HASH.
+    """
+    where = pointer("extensions", Deflate.NAME, "entries", name)
+    try:
+        data = decode(stream, coding.size, coding.element_size, coding.distance)
+    except ValueError as error:
+        refuse(Code.DEFLATE_STREAM, where, error, f"a zlib stream of {coding.size} bytes")
+    digest = hashlib.sha256(data).hexdigest()
+    if digest != coding.sha256:
+        refuse(Code.ENTRY_HASH, f"{where}/sha256", digest, coding.sha256)
+    return data
 
 
 def _split(data: bytes | memoryview, element_size: int) -> tuple[NDArray[Any], bytes]:

@@ -80,6 +80,10 @@ class Code(Enum):
     ENTRY_SIZE = (Severity.ERROR, "An entry's size is not the declared one.")
     ENTRY_HASH = (Severity.ERROR, "An entry's SHA-256 is not the declared one.")
 
+    # extensions/
+    DEFLATE_STREAM = (Severity.ERROR, "A coded entry does not inflate to its declared bytes.")
+    POSTER_IMAGE = (Severity.WARNING, "The poster is not a PNG of the declared size.")
+
     # geometry/*.glb, geometry/*.safetensors
     GEOMETRY_CONTAINER = (Severity.ERROR, "The geometry is not a well-formed file of its kind.")
     GEOMETRY_PROFILE = (Severity.ERROR, "The file is outside the profile of its kind of geometry.")

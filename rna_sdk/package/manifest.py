@@ -19,6 +19,7 @@ from rna_sdk.package.manifest_fields import (
     EntryPath,
     Kind,
     Name,
+    NotEmpty,
     NotNull,
     Positive,
     Record,
@@ -55,12 +56,9 @@ class Part(SparseRecord):
     kind: Kind = Field(description="What the geometry is: a mesh, or curves.")
     bounds: Bounds
     geometry: EntryPath = Field(description="Entry with the mesh or the curves.")
-    transmittance: tuple[TransmittanceRecord, ...] = Field(
-        default=(),
-        min_length=1,
-        max_length=MAX_TRANSMITTANCE_RECORDS,
-        description="Holes and thin glass of a surface.",
-    )
+    transmittance: Annotated[
+        tuple[TransmittanceRecord, ...], Field(max_length=MAX_TRANSMITTANCE_RECORDS), NotEmpty()
+    ] = Field(default=(), description="Holes and thin glass of a surface.")
 
 
 class EntryRecord(Record):

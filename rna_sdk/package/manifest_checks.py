@@ -6,13 +6,12 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from rna_sdk.package.blocks import BLOCKS_OF_EMISSION, blocks_for
+from rna_sdk.package.extension_checks import KNOWN_EXTENSIONS, extension_issues
 from rna_sdk.package.issues import Code, Issue
 from rna_sdk.package.manifest import Manifest
 from rna_sdk.package.manifest_fields import FIRST_WITH_PARTS, version_number
 from rna_sdk.package.manifest_short import Places
 from rna_sdk.package.strict_json import pointer
-
-KNOWN_EXTENSIONS: frozenset[str] = frozenset()
 
 
 def manifest_issues(manifest: Manifest, places: Places) -> list[Issue]:
@@ -21,6 +20,7 @@ def manifest_issues(manifest: Manifest, places: Places) -> list[Issue]:
     return differing or [
         *_version_issues(manifest, places),
         *_extension_issues(manifest),
+        *extension_issues(manifest),
         *_input_issues(manifest, places),
         *_transmittance_issues(manifest, places),
         *_reference_issues(manifest, places),

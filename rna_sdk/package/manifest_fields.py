@@ -7,7 +7,7 @@ object space (right-handed, +Y up), metres, linear.
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -179,4 +179,15 @@ class NotNull:
     ) -> CoreSchema:
         in_file = handler(get_args(source)[0])
         in_python = core_schema.nullable_schema(in_file)
+        return core_schema.json_or_python_schema(in_file, in_python)
+
+
+class NotEmpty:
+    """For an array that may be left out, and is empty then, but is not empty in a file."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        in_python = handler(source)
+        in_file = cast(CoreSchema, {**in_python, "min_length": 1})
         return core_schema.json_or_python_schema(in_file, in_python)

@@ -7,20 +7,19 @@ import re
 from typing import Any
 
 from pydantic import ValidationError
-from pydantic_core import ErrorDetails
 
 from rna_sdk.errors import PackageError
+from rna_sdk.package.extension_checks import KNOWN_EXTENSIONS
 from rna_sdk.package.issues import Code, Issue, refuse
 from rna_sdk.package.manifest import REQUIRED_IN_FILE, Manifest
-from rna_sdk.package.manifest_checks import KNOWN_EXTENSIONS, manifest_issues
+from rna_sdk.package.manifest_checks import manifest_issues
 from rna_sdk.package.manifest_fields import KINDS, VERSION_PATTERN, version_number
 from rna_sdk.package.manifest_short import Places, ShortManifest, in_parts
+from rna_sdk.package.schema_issues import schema_issues
 from rna_sdk.package.strict_json import model_of, parse_object, pointer
 
 READER_VERSION = "1.1"
 """The format version this reader implements."""
-
-_SCHEMA_CODES = {"missing": Code.FIELD_MISSING, "extra_forbidden": Code.FIELD_UNKNOWN}
 
 
 def parse_manifest(data: bytes) -> tuple[Manifest, Places]:
@@ -37,7 +36,7 @@ def parse_manifest(data: bytes) -> tuple[Manifest, Places]:
             in_parts(model_of(ShortManifest, raw)) if places.short else model_of(Manifest, raw)
         )
     except ValidationError as error:
-        raise PackageError(map(_schema_issue, _root_causes(error.errors()))) from None
+        raise PackageError(schema_issues(error)) from None
     # The defaults of missing members would only be found guilty below.
     issues = _presence_issues(raw) or manifest_issues(manifest, places)
     if issues:
@@ -73,29 +72,6 @@ def _kinds(raw: dict[str, Any]) -> list[tuple[str, Any]]:
         if isinstance(part, dict):
             holders.append((pointer("parts", i), part))
     return [(f"{where}/kind", holder["kind"]) for where, holder in holders if "kind" in holder]
-
-
-def _root_causes(details: list[ErrorDetails]) -> list[ErrorDetails]:
-    """Without a list's "too short" that only says that its items failed."""
-    return [
-        detail
-        for detail in details
-        if detail["type"] != "too_short"
-        or not any(other["loc"][:-1][: len(detail["loc"])] == detail["loc"] for other in details)
-    ]
-
-
-def _schema_issue(detail: ErrorDetails) -> Issue:
-    kind = detail["type"]
-    if kind == "missing" and isinstance(detail["loc"][-1], int):
-        kind = "too_short"  # what an array lacks is no member
-    code = _SCHEMA_CODES.get(kind, Code.FIELD_VALUE)
-    if kind in Code.__members__:
-        code = Code[kind]
-    # Pydantic's own parts, and the tags of unions, stand in brackets.
-    where = pointer(*(part for part in detail["loc"] if not str(part).startswith("[")))
-    found = "nothing" if code is Code.FIELD_MISSING else repr(detail["input"])
-    return Issue.of(code, where, found, detail["msg"])
 
 
 def _presence_issues(raw: dict[str, Any]) -> list[Issue]:

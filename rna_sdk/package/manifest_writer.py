@@ -35,20 +35,15 @@ def manifest_to_json(manifest: Manifest) -> bytes:
 
 
 def with_versions(manifest: Manifest, needs: str = "1.0") -> Manifest:
-    """The manifest with the oldest reader version that can, no older than what it says itself.
+    """The manifest with the versions that it needs, no older than what it says itself.
 
     needs: version of the format that the data needs.
     """
     own = "1.0" if has_short_form(manifest) else "1.1"
 
-    def latest(version: str) -> str:
-        return max(version, own, needs, key=version_number)
-
-    versions = {
-        "version": latest(manifest.version),
-        "min_reader_version": latest(manifest.min_reader_version),
-    }
-    return manifest.model_copy(update=versions)
+    oldest = max(manifest.min_reader_version, own, needs, key=version_number)
+    version = max(manifest.version, oldest, key=version_number)
+    return manifest.model_copy(update={"version": version, "min_reader_version": oldest})
 
 
 def _sorted(fields: dict[str, Any], order: tuple[str, ...]) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from types import TracebackType
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package.container import Container
 from rna_sdk.package.curves import Curves
+from rna_sdk.package.extensions import Poster, Proxy, extension
 from rna_sdk.package.geometry import Geometry, geometry_from_bytes
 from rna_sdk.package.manifest import Manifest, Part
 from rna_sdk.package.manifest_tiers import Tier, TierPart
@@ -78,6 +79,31 @@ class Package:
         """
         record = self._part(part)
         return geometry_from_bytes(self._view(record.geometry), record.geometry, record.kind)
+
+    def geometry_at(self, height: float, part: int = 0) -> Geometry:
+        """The coarsest geometry of a part that will do where the asset is small in the image.
+
+        height: of the asset's bounding sphere, in pixels. Of the proxies (RNA_proxy) whose own
+            height is no less the last one; the geometry itself where there is none.
+
+        Raises:
+            QueryError: the package has no such part, or is closed.
+        """
+        record = self._part(part)
+        data = extension(self.manifest, Proxy)
+        levels = (data.parts[part] if data else None) or ()
+        fitting = [level.geometry for level in levels if height <= level.height]
+        name = fitting[-1] if fitting else record.geometry
+        return geometry_from_bytes(self._view(name), name, record.kind)
+
+    def poster(self) -> bytes | None:
+        """The picture of the asset, a PNG (RNA_poster); None where there is none.
+
+        Raises:
+            QueryError: the package is closed.
+        """
+        data = extension(self.manifest, Poster)
+        return bytes(self._view(data.image)) if data else None
 
     def mesh(self, part: int = 0) -> Mesh:
         """The geometry of a surface, in object space and metres.

@@ -68,8 +68,8 @@ def parse_object(data: bytes, where: str, malformed: Code) -> dict[str, Any]:
     return value
 
 
-def model_of(model: type[Model], value: dict[str, Any]) -> Model:
-    """The model with the members of a JSON object from `parse_object`; no value is converted.
+def model_of(model: type[Model], value: Any) -> Model:
+    """The model with the members of a JSON object of `parse_object`; no value is converted.
 
     Raises:
         pydantic.ValidationError: the object does not fit the model.

@@ -12,6 +12,8 @@ from rna_sdk.errors import PackageError
 from rna_sdk.package.container import MANIFEST_NAME, Container
 from rna_sdk.package.decoder import check_decoder
 from rna_sdk.package.decoder_form import emission_form, transport_form
+from rna_sdk.package.deflate import decoded_entry
+from rna_sdk.package.extensions import Deflate, Proxy, extension
 from rna_sdk.package.geometry import QUANTISED_VERSION, Geometry, geometry_from_bytes
 from rna_sdk.package.issues import Code, Issue, Severity
 from rna_sdk.package.manifest import Manifest, TransmittanceRecord
@@ -22,6 +24,7 @@ from rna_sdk.package.manifest_short import Places
 from rna_sdk.package.manifest_tiers import TierPart
 from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.planes import check_finite, planes_from_bytes
+from rna_sdk.package.poster import poster_issues
 from rna_sdk.package.strict_json import pointer
 from rna_sdk.package.transmittance import Texture, check_records, texture_from_bytes
 
@@ -74,6 +77,7 @@ def inspect(path: str | PathLike[str]) -> Inspection:
         result.manifest = manifest
         result.issues += manifest_warnings(manifest)
         intact = _check_entries(result, result.container, manifest)
+        _decode_entries(result, result.container, manifest, intact)
         _check_contents(result, result.container, manifest, places, intact)
     return result
 
@@ -106,6 +110,19 @@ def _check_entries(result: Inspection, container: Container, manifest: Manifest)
     return intact
 
 
+def _decode_entries(
+    result: Inspection, container: Container, manifest: Manifest, intact: set[str]
+) -> None:
+    """Have the container give coded entries decoded; those that fail leave `intact`."""
+    data = extension(manifest, Deflate)
+    for name, coding in (data.entries if data else {}).items():
+        if name in intact:
+            intact.discard(name)
+            with result.collect():
+                container.put_decoded(name, decoded_entry(container.stored(name), name, coding))
+                intact.add(name)
+
+
 def _check_contents(
     result: Inspection, container: Container, manifest: Manifest, places: Places, intact: set[str]
 ) -> None:
@@ -120,6 +137,8 @@ def _check_contents(
                     textures = _Textures(result, container, intact)
                     where = places.part(k, "transmittance")
                     check_records(part, geometry, textures.get, where)
+    result.issues += poster_issues(container, manifest, intact)
+    _check_proxies(result, container, manifest, intact)
     checked: set[object] = set()  # tiers and parts may share entries
     for tier in manifest.tiers:
         for tier_part in tier.parts:
@@ -129,6 +148,18 @@ def _check_contents(
                     checked.add(form)
                     with result.collect():
                         result.issues += check_decoder(container.view(form.entry), form)
+
+
+def _check_proxies(
+    result: Inspection, container: Container, manifest: Manifest, intact: set[str]
+) -> None:
+    data = extension(manifest, Proxy)
+    for part, proxies in zip(manifest.parts, data.parts if data else (), strict=False):
+        for proxy in proxies or ():
+            if proxy.geometry in intact:
+                with result.collect():
+                    view = container.view(proxy.geometry)
+                    geometry_from_bytes(view, proxy.geometry, part.kind)
 
 
 def _check_planes(

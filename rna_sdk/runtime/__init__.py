@@ -22,6 +22,7 @@ from rna_sdk.runtime.offset_across import offset_across
 from rna_sdk.runtime.surface_asset import SurfaceAsset
 from rna_sdk.runtime.tiers import choose_tier, expected_error, is_no_worse
 from rna_sdk.runtime.transforms import Transform
+from rna_sdk.runtime.transmittance import transmittance
 
 __all__ = [
     "Asset",
@@ -37,4 +38,5 @@ __all__ = [
     "is_no_worse",
     "load",
     "offset_across",
+    "transmittance",
 ]

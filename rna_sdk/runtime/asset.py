@@ -54,9 +54,6 @@ class Asset:
         self.bounds.flags.writeable = False
         self.emits = emits
 
-    emits = False
-    transmittance_records = ()
-
     @property
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
         """What is evaluated, in the manifest's order; an asset of one part is that part."""

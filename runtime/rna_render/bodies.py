@@ -135,7 +135,8 @@ class ObjectBody:
 
     def __init__(self, mesh: MeshObject) -> None:
         self.mesh = mesh
-        self.scene = TriangleScene([(mesh.positions, mesh.triangles)])
+        geometry = [(mesh.positions, mesh.triangles)]
+        self.scene = TriangleScene(geometry, [mesh.transmittance])
         self.role = Role.CATCH_SHADOWS if mesh.catches_shadows else Role.SCATTER
 
     def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
@@ -148,14 +149,18 @@ class _ObjectPoints(Points):
     ) -> None:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray]
         self.x = surface.interpolate_positions(mesh.positions, mesh.triangles, *where)
-        self.n = surface.interpolate_normals(mesh.normals, mesh.triangles, *where)
-        self._directions = self.n, hits.ng.take(ray, axis=0), wo
+        ng = hits.ng.take(ray, axis=0)
+        self.n = mesh.shading_normals(*where, ng, wo)
+        self._directions = self.n, ng, wo
         self._scattering = mesh.scattering(*where)
+        self._share = mesh.own_share(*where, ng, wo)
 
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         radiance = self._scattering.evaluate(*self._directions, wi, row)
+        if self._share is not None:
+            radiance /= self._share.take(row, axis=0)
         return radiance, np.ones(len(row), bool)
 
     def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:

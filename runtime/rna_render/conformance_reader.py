@@ -6,34 +6,63 @@ rna-conform -- python -m rna_render.conformance_reader
 from __future__ import annotations
 
 import sys
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_sdk.conformance.reader import check, evaluate
+from rna_sdk.conformance.reader import check, emission, evaluate
 from rna_sdk.conformance.reader_program import run_reader
-from rna_sdk.package import Mesh, Package
+from rna_sdk.package import Curves, Mesh, Package
+
+if TYPE_CHECKING:
+    from rna_render.fiber import FiberPoints
+    from rna_render.surface import SurfacePoints
 
 
 def visibility(package: str, records: bytes) -> np.ndarray:
-    """(n,) bool: whether the asset leaves the rays of n hits free."""
+    """(n, 3) float32: the visibility, RGB, of the rays of n hits."""
     # Here, since two hundred runs only check a package.
-    from rna_render.fiber import FiberPoints
+    from rna_render.asset_parts import mesh_transmittance
     from rna_render.parts_scene import PartsScene
-    from rna_render.surface import SurfacePoints
 
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
-    numbers, primitive = words.view("<f4").astype(np.float32), words[:, 0].astype(np.int32)
     with Package.open(package) as opened:
-        geometry = opened.geometry()
-    scene = PartsScene([geometry])
+        count = len(opened.manifest.parts)
+        geometries = [opened.geometry(part) for part in range(count)]
+        transmittance = [
+            mesh_transmittance(geometry, opened.transmittance(part))
+            if isinstance(geometry, Mesh)
+            else None
+            for part, geometry in enumerate(geometries)
+        ]
+    scene = PartsScene(geometries, transmittance)
+    seen = np.empty((len(words), 3), np.float32)
+    for part, geometry in enumerate(geometries):
+        rows = np.flatnonzero(words[:, 7] == part)
+        points, wi = _points(geometry, words[rows])
+        found = scene.visible(part, points, wi)
+        seen[rows] = found if found.ndim == 2 else found[:, None]
+    return seen
+
+
+def _points(
+    geometry: Mesh | Curves, words: np.ndarray
+) -> tuple[SurfacePoints | FiberPoints, np.ndarray]:
+    """The points of hit records on one part, and their directions."""
+    from rna_render.fiber import FiberPoints
+    from rna_render.surface import SurfacePoints
+
+    numbers, primitive = words.view("<f4").astype(np.float32), words[:, 0].astype(np.int32)
     if isinstance(geometry, Mesh):
         b1, b2 = np.ascontiguousarray(numbers[:, 1:3].T)
         points = SurfacePoints.of(geometry, primitive, b1, b2)
-        return scene.visible(0, points, np.ascontiguousarray(numbers[:, 3:6]))
+        return points, np.ascontiguousarray(numbers[:, 3:6])
     x, wi = (np.ascontiguousarray(numbers[:, k : k + 3]) for k in (1, 4))
     no_use = np.zeros_like(x)
-    return scene.visible(0, FiberPoints(x, no_use, no_use, primitive), wi)
+    return FiberPoints(x, no_use, no_use, primitive), wi
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, visibility=visibility, validate=check))
+    sys.exit(
+        run_reader(evaluate=evaluate, emission=emission, visibility=visibility, validate=check)
+    )

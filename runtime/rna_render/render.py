@@ -16,7 +16,14 @@ from rna_render.camera import Camera
 from rna_render.domain_watch import watched
 from rna_render.film import Film, Layers
 from rna_render.integrator import Integrator
-from rna_render.lights import AssetLight, Light, MeshLight, PlacedLight, ShapeLight, make_light
+from rna_render.lights import (
+    AssetEmission,
+    AssetLight,
+    Light,
+    MeshLight,
+    PlacedLight,
+    make_light,
+)
 from rna_render.lights.models import AreaModel
 from rna_render.materials import MeshObject, ground, read_mesh_object
 from rna_render.sampling import Sampler
@@ -128,6 +135,7 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
     from rna_sdk.runtime import load
 
     loaded: dict[tuple[Path, str | None], Asset] = {}
+    emissions: dict[tuple[Path, str | None], AssetEmission | None] = {}
     placements = []
     for index, (model, tier) in enumerate(zip(scene_file.scene.assets, tiers, strict=True)):
         path = scene_file.asset_path(index)
@@ -136,8 +144,11 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
                 loaded[path, tier] = watched(load(path, tier=tier, threads=1), path.name)
             except QueryError as error:
                 raise scene_file.error(("assets", index, "tier"), str(error)) from error
-        asset, matrix = loaded[path, tier], world_from_object(model.transform)
-        placements.append(Placement(asset, matrix, light_of(asset, matrix, model.emission)))
+            emissions[path, tier] = emission_of(loaded[path, tier])
+        emission, matrix = emissions[path, tier], world_from_object(model.transform)
+        shines = emission is not None and model.emission > 0.0
+        light = AssetLight(emission, matrix, model.emission) if shines else None
+        placements.append(Placement(loaded[path, tier], matrix, light))
     return placements
 
 
@@ -153,7 +164,7 @@ def _placed_objects(scene_file: SceneFile) -> list[Placement]:
             except SceneError as error:
                 raise scene_file.error(("objects", index), str(error)) from error
         matrix = world_from_object(model.transform)
-        placements.append(Placement(loaded[key], matrix, light_of(loaded[key], matrix)))
+        placements.append(Placement(loaded[key], matrix, mesh_light(loaded[key], matrix)))
     return placements
 
 
@@ -162,7 +173,7 @@ def _placed_ground(scene_file: SceneFile) -> list[Placement]:
     if model is None:
         return []
     mesh = ground(model, scene_file.resolve)
-    return [Placement(mesh, np.eye(4), light_of(mesh, np.eye(4)), boundless=True)]
+    return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
 
 
 def _placed_lights(scene_file: SceneFile) -> list[Placement]:
@@ -175,15 +186,17 @@ def _placed_lights(scene_file: SceneFile) -> list[Placement]:
     ]
 
 
-def light_of(
-    thing: Asset | MeshObject, world_from_object: np.ndarray, factor: float = 1.0
-) -> ShapeLight | None:
-    """What an asset or an object shines with, if it does. factor: on an asset's emission."""
-    if not isinstance(thing, MeshObject):
-        emits = factor > 0.0 and any(part.emits for part in thing.parts)
-        return AssetLight(thing, world_from_object, factor) if emits else None
+def emission_of(asset: Asset) -> AssetEmission | None:
+    """What an asset shines with, if it does."""
+    return AssetEmission(asset) if any(part.emits for part in asset.parts) else None
+
+
+def mesh_light(thing: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
+    """What an object shines with, if it does."""
     if not thing.is_emissive:
         return None
     linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
     positions = (thing.positions @ linear.T + translation).astype(np.float32)
-    return MeshLight(positions, thing.triangles, thing.emitted_luminance, thing.emission)
+    emission = thing.emitted_luminance, thing.emission
+    opaque = None if thing.transmittance is None else thing.opaque_emission
+    return MeshLight(positions, thing.triangles, *emission, opaque_emission=opaque)

@@ -6,7 +6,7 @@ import contextlib
 import importlib.util
 import io
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from types import ModuleType
 
@@ -41,13 +41,14 @@ def minimal() -> ModuleType:
 class InProcess:
     """Functions as a reader program: the same protocol, without a process a call."""
 
-    evaluate: Callable[[str, str, np.ndarray], np.ndarray] | None = None
+    evaluate: Callable[[str, str, int, np.ndarray], np.ndarray] | None = None
+    emission: Callable[[str, str, int, np.ndarray], np.ndarray] | None = None
     visibility: Callable[[str, bytes], np.ndarray] | None = None
     validate: Callable[[str], tuple[bool, list[str]]] | None = None
 
     def run(self, *arguments: str) -> Answer:
         out, errors = io.StringIO(), io.StringIO()
-        had = {"evaluate": self.evaluate, "visibility": self.visibility, "validate": self.validate}
+        had = {field.name: getattr(self, field.name) for field in fields(self)}
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
             status = run_reader(arguments, **had)
         return Answer(status, out.getvalue(), errors.getvalue())

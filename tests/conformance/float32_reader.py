@@ -39,29 +39,43 @@ class Formulas:
 
 
 def evaluate(
-    minimal: ModuleType, formulas: Formulas, package: Path, tier_name: str, queries: np.ndarray
+    minimal: ModuleType,
+    formulas: Formulas,
+    package: Path,
+    tier_name: str,
+    number: int,
+    queries: np.ndarray,
+    output: str = "transport",
 ) -> np.ndarray:
-    """(n, 6) float32 for (n, 13) float32 queries; minimal: the module of the minimal host."""
+    """(n, 6) float32 for (n, 13) float32 queries; minimal: the module of the minimal host.
+
+    For emission (n, 3), for (n, 10) queries and three columns behind them that no block reads.
+    """
     with zipfile.ZipFile(package) as archive:
         manifest = json.loads(archive.read("manifest.json"))
         tier = next(tier for tier in manifest["tiers"] if tier["name"] == tier_name)
-        planes = minimal.read_planes(archive.read(tier["planes"])).astype(F)
-        nodes, constants = minimal.read_decoder(archive.read(tier["decoder"]))
+        part, own = manifest, tier
+        if "parts" in manifest:
+            part, own = manifest["parts"][number], tier["parts"][number]
+        asked = own["emission"] if output == "emission" else own
+        planes = minimal.read_planes(archive.read(own["planes"])).astype(F)
+        nodes, constants = minimal.read_decoder(archive.read(asked["decoder"]))
     if not formulas.subnormal_texels:
         planes[np.abs(planes) < F(2.0**-14)] = 0
     directions = queries[:, 3:6], queries[:, 7:10], queries[:, 10:13]
     rows = np.isfinite(queries).all(axis=1) & np.all([d.any(axis=1) for d in directions], axis=0)
     dtype = F if formulas.rounded_bounds else np.float64
-    low, high = (np.array(manifest["bounds"][corner], dtype) for corner in ("min", "max"))
+    low, high = (np.array(part["bounds"][corner], dtype) for corner in ("min", "max"))
     p = np.clip((queries[rows, :3] - low) / (high - low), 0, 1).astype(F)
     axis, wo, wi = (unit(d[rows]) for d in directions)
     h = queries[rows, 6]
     blocks = _blocks(formulas, planes, p, np.clip(h, -1, 1) if formulas.h_clamped else h, axis)
     made = blocks(wo, wi)
-    inputs = np.hstack([made[name] for name in tier["inputs"]])
+    inputs = np.hstack([made[name] for name in asked["inputs"]])
     assert inputs.dtype == F
-    result = np.zeros((len(queries), 6), F)
-    result[rows] = _run(formulas, nodes, {k: v.astype(F) for k, v in constants.items()}, inputs)
+    result = np.zeros((len(queries), {"transport": 6, "emission": 3}[output]), F)
+    values = {k: v.astype(F) for k, v in constants.items()}
+    result[rows] = _run(formulas, nodes, values, inputs)[output]
     return result
 
 
@@ -158,7 +172,7 @@ def _doubled(sine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _run(formulas: Formulas, nodes: list[Any], values: Constants, queries: np.ndarray):
-    """The graph in float32, layer by layer; int8 layers in integers."""
+    """The graph's values in float32, layer by layer; int8 layers in integers."""
     values["queries"] = queries
     for operator, inputs, output in nodes:
         operands = [values[name] for name in inputs]
@@ -172,7 +186,7 @@ def _run(formulas: Formulas, nodes: list[Any], values: Constants, queries: np.nd
             values[output] = sums.astype(F) * scale
             continue
         values[output] = _OPERATORS[operator](*operands)
-    return values["transport"]
+    return values
 
 
 def _integer_sums(

@@ -62,6 +62,25 @@ def test_without_an_engine_the_profile_is_what_counts(
     assert not scores["decoder_opset_too_new"]["passed"]
 
 
+def test_an_optional_extension_need_not_be_known(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Readers that warn of what they do not know, and that refuse it where it is required."""
+    words = shell_reader(tmp_path)
+    script = Path(words[1])
+    text = script.read_text()
+    for answer, others in (
+        ("echo EXTENSION_UNKNOWN", True),
+        ("echo EXTENSION_REQUIRED; exit 1", True),
+        ("echo EXTENSION_REQUIRED", False),
+    ):
+        script.write_text(text.replace("exit 0", answer))
+        assert cli.main(["--json", *words]) == 1
+        scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}
+        assert scores["coded_entry_of_no_stream"]["passed"] == others
+        assert not scores["wrong_crc"]["passed"]
+
+
 def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["--json", "--kit", str(KIT), *shell_reader(tmp_path)]) == 1
     scores = {score["package"]: score for score in json.loads(capsys.readouterr().out)}
@@ -101,16 +120,18 @@ def test_a_command_that_is_not_there(capsys: pytest.CaptureFixture[str]) -> None
 @pytest.mark.parametrize(
     ("body", "message"),
     [
-        ("open(call[4], 'wb').write(bytes(10))", "the reader wrote 10 bytes, expected"),
+        ("open(call[5], 'wb').write(bytes(10))", "the reader wrote 10 bytes, expected"),
         ("pass", "the reader wrote no file, expected"),
         ("print('all is lost', file=sys.stderr); sys.exit(3)", "exit status 3: all is lost"),
         (
-            "n = len(open(call[3], 'rb').read()) // 52; open(call[4], 'wb').write(bytes(24 * n))",
-            "): found 0 0 0 0 0 0, expected",
+            "n = len(open(call[4], 'rb').read()) // 52; m = len(open(call[4], 'rb').read()) // 40\n"
+            "open(call[5], 'wb').write(bytes(24 * n if call[0] == 'evaluate' else 12 * m))",
+            "): found 0 0 0",
         ),
         (
-            "n = len(open(call[3], 'rb').read()) // 52\n"
-            "import struct; open(call[4], 'wb').write(struct.pack('<f', float('nan')) * (6 * n))",
+            "n = len(open(call[4], 'rb').read()); transport = call[0] == 'evaluate'\n"
+            "n = n // 52 * 6 if transport else n // 40 * 3\n"
+            "import struct; open(call[5], 'wb').write(struct.pack('<f', float('nan')) * n)",
             "found nan nan",
         ),
     ],

@@ -5,9 +5,10 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,12 +20,12 @@ from rna_sdk.conformance.cli import run_levels
 from rna_sdk.conformance.kit import LEVELS, Kit
 from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.scoring import Score
-from rna_sdk.package import Curves, Package
+from rna_sdk.package import Curves, Package, Transmittance
 from tests.conformance import float32_reader
-from tests.conformance.conftest import InProcess
+from tests.conformance.conftest import KIT, InProcess
 from tests.conformance.float32_reader import Formulas
 from tests.conformance.kit.blocks import unit
-from tests.conformance.kit.visibility import FiberHits, strands
+from tests.conformance.kit.visibility import strands
 from tests.conftest import REPOSITORY
 from tests.render.round_cones import entries
 
@@ -35,14 +36,22 @@ def failures(program: Program, kit: Kit, *levels: str) -> list[Score]:
     return [score for score in run_levels(program, kit, levels) if not score.passed]
 
 
+def kind_of(score: Score) -> str:
+    """Of the part that was asked."""
+    with Package.open(KIT / "packages" / f"{score.package}.rna") as package:
+        return package.manifest.parts[int(score.tier.split()[1])].kind
+
+
 def test_the_runtime_passes_every_level(kit: Kit) -> None:
-    program = InProcess(reader.evaluate, conformance_reader.visibility, reader.check)
+    program = InProcess(
+        reader.evaluate, reader.emission, conformance_reader.visibility, reader.check
+    )
     assert claimed_levels(program) == LEVELS
     assert failures(program, kit, *LEVELS) == []
 
 
 def test_the_numpy_twin_passes(kit: Kit) -> None:
-    assert failures(InProcess(twin_reader.evaluate), kit, "evaluate") == []
+    assert failures(InProcess(twin_reader.evaluate, twin_reader.emission), kit, "evaluate") == []
 
 
 @pytest.mark.parametrize("module", ["rna_sdk.conformance.reader", "rna_render.conformance_reader"])
@@ -52,7 +61,7 @@ def test_our_readers_are_programs(module: str, kit: Kit, tmp_path: Path) -> None
     assert had == (LEVELS if "render" in module else ("evaluate", "validate"))
     one = replace(kit, evaluate=kit.evaluate[:1], visibility=(), validate=kit.validate[:1])
     assert failures(program, one, *had) == []
-    refused = program.run("evaluate", str(tmp_path / "none.rna"), "small", "none", "none")
+    refused = program.run("evaluate", str(tmp_path / "none.rna"), "small", "0", "none", "none")
     assert refused.status == 2 and refused.stderr.startswith("error: ")
 
 
@@ -68,11 +77,18 @@ def test_the_c_host_passes_every_level(kit: Kit, tmp_path: Path) -> None:
 
 
 def of_float32(minimal: ModuleType, formulas: Formulas) -> InProcess:
-    def evaluate(package: str, tier: str, queries: np.ndarray) -> np.ndarray:
+    def evaluate(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
         with np.errstate(all="ignore"):
-            return float32_reader.evaluate(minimal, formulas, Path(package), tier, queries)
+            return float32_reader.evaluate(minimal, formulas, Path(package), tier, part, queries)
 
-    return InProcess(evaluate)
+    def emission(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
+        rows = np.hstack([queries, queries[:, 7:10]])
+        with np.errstate(all="ignore"):
+            return float32_reader.evaluate(
+                minimal, formulas, Path(package), tier, part, rows, "emission"
+            )
+
+    return InProcess(evaluate, emission)
 
 
 def test_float32_throughout_passes_with_the_safe_formulas(kit: Kit, minimal: ModuleType) -> None:
@@ -84,15 +100,21 @@ def test_each_formula_that_loses_digits_fails(formula: str, kit: Kit, minimal: M
     program = of_float32(minimal, replace(Formulas(), **{formula: False}))
     failed = failures(program, kit, "evaluate")
     kind = "surface" if formula in ("half_vector", "gap") else "fiber"
-    assert len(failed) >= 2 and all(score.package.startswith(kind) for score in failed)
+    assert len(failed) >= 2 and {kind_of(score) for score in failed} == {kind}
     assert all(score.right > 0.9 * score.rows for score in failed)
+
+
+WITH_FIBERS = {
+    *("fiber-float16", "fiber-int8", "fiber-one-channel", "fiber-quantised"),
+    *("parts-head", "parts-lantern"),
+}
 
 
 @pytest.mark.parametrize(
     ("mistake", "packages"),
     [
-        ({"sign_of_sin_phi": -1.0}, {"fiber-float16", "fiber-int8", "fiber-one-channel"}),
-        ({"h_clamped": False}, {"fiber-float16", "fiber-int8", "fiber-one-channel"}),
+        ({"sign_of_sin_phi": -1.0}, WITH_FIBERS),
+        ({"h_clamped": False}, WITH_FIBERS),
         ({"pair_sums_in_16_bits": True}, {"surface-int8-saturating"}),
         ({"subnormal_texels": False}, {"surface-odd"}),
         ({"rounded_bounds": False}, {"surface-tiny"}),
@@ -115,15 +137,16 @@ def test_few_rows_of_int8_may_differ_by_a_step(
 ) -> None:
     """2% of 388 are 7; of a float32 decoder, none may."""
 
-    def evaluate(package: str, tier: str, queries: np.ndarray) -> np.ndarray:
-        case = next(c for c in kit.evaluate if (str(c.package), c.tier) == (package, tier))
+    def evaluate(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
+        asked = package, tier, part, "transport"
+        case = next(c for c in kit.evaluate if (str(c.package), c.tier, c.part, c.output) == asked)
         found = case.expected.copy()
         found[:rows] += steps * case.step + 5 * (case.step == 0)
         return found
 
     scores = run_levels(InProcess(evaluate), kit, ["evaluate"])
     by_tier = {(score.package, score.tier): score for score in scores}
-    int8, float32 = (by_tier["surface-int8", tier] for tier in ("small-int8", "small"))
+    int8, float32 = (by_tier["surface-int8", tier] for tier in ("small-int8 0", "small 0"))
     assert int8.passed == passes and not float32.passed
     assert int8.rows - int8.right == rows and (int8.in_tolerances < 1) == passes
     assert not passes or int8.note == "7 rows by one step of int8"
@@ -157,24 +180,27 @@ def from_outside(package: str, records: bytes) -> np.ndarray:
         return conformance_reader.visibility(package, records)
 
 
-def of_strands(own_strand: bool, neighbours: bool):  # type: ignore[no-untyped-def]
-    """By brute force: is the whole strand of x passed through, are entries at joints left out?"""
+def of_strands(own_strand: bool):  # type: ignore[no-untyped-def]
+    """By brute force, of one part: is the whole strand of x passed through? Entries at joints
+    count."""
 
     def visibility(package: str, records: bytes) -> np.ndarray:
         with Package.open(package) as opened:
-            curves = opened.geometry()
-        if not isinstance(curves, Curves):
+            curves, alone = opened.geometry(), len(opened.manifest.parts) == 1
+        if not (alone and isinstance(curves, Curves)):
             return conformance_reader.visibility(package, records)
         words = np.frombuffer(records, "<u4").reshape(-1, 8)
         segment, numbers = words[:, 0], words.view("<f4")
-        if own_strand and neighbours:
-            return FiberHits(segment, numbers[:, 1:4], numbers[:, 4:7]).visible(curves)
         t = entries(curves, numbers[:, 1:4], unit(numbers[:, 4:7].astype(np.float64)))
         strand, number = strands(curves), np.arange(len(strands(curves)))
         passed = strand == strand[segment][:, None] if own_strand else number == segment[:, None]
-        return ~(np.isfinite(t) & ~passed).any(axis=1)
+        return as_colours(~(np.isfinite(t) & ~passed).any(axis=1))
 
     return visibility
+
+
+def as_colours(seen: np.ndarray) -> np.ndarray:
+    return np.repeat(seen[:, None], 3, axis=1).astype(np.float32)
 
 
 @pytest.mark.parametrize(
@@ -182,12 +208,81 @@ def of_strands(own_strand: bool, neighbours: bool):  # type: ignore[no-untyped-d
     [
         (without_lift, "surface", ("terminator", "behind the facet")),
         (from_outside, "surface", ("backs",)),
-        (of_strands(own_strand=False, neighbours=False), "fiber", ("own strand", "at joints")),
-        (of_strands(own_strand=True, neighbours=False), "fiber", ("inside another strand",)),
+        (of_strands(own_strand=False), "fiber", ("own strand", "at joints")),
+        (of_strands(own_strand=True), "fiber", ("inside another strand",)),
     ],
 )
 def test_readers_with_a_simpler_visibility_fail(visibility, kind, classes, kit: Kit) -> None:  # type: ignore[no-untyped-def]
     failed = failures(InProcess(visibility=visibility), kit, "visibility")
-    assert failed and all(score.package.startswith(kind) for score in failed)
+    assert failed and all(score.package.startswith((kind, "parts")) for score in failed)
     for name in classes:
         assert any(name in score.note for score in failed), [score.note for score in failed]
+
+
+def by_its_own_part(package: str, records: bytes) -> np.ndarray:
+    """Other parts block nothing."""
+    scene_of = parts_scene.PartsScene
+
+    def alone(geometries, transmittance):  # type: ignore[no-untyped-def]
+        scenes = [scene_of([g], [t]) for g, t in zip(geometries, transmittance, strict=True)]
+        return SimpleNamespace(visible=lambda part, *at: scenes[part].visible(0, *at))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(parts_scene, "PartsScene", alone)
+        return conformance_reader.visibility(package, records)
+
+
+def test_a_reader_in_which_parts_do_not_block_each_other_fails(kit: Kit) -> None:
+    failed = failures(InProcess(visibility=by_its_own_part), kit, "visibility")
+    assert [score.package for score in failed] == ["parts-head", "parts-lantern"]
+    assert all("towards another part" in score.note for score in failed)
+
+
+def with_records(change: Callable[[Transmittance], Transmittance | None]):  # type: ignore[no-untyped-def]
+    """Records of transmittance are read wrong, or not at all."""
+    transmittance = Package.transmittance
+
+    def changed(package: Package, part: int = 0) -> list[Transmittance]:
+        return [new for old in transmittance(package, part) if (new := change(old))]
+
+    def visibility(package: str, records: bytes) -> np.ndarray:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(Package, "transmittance", changed)
+            return conformance_reader.visibility(package, records)
+
+    return visibility
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda record: None,
+        lambda record: replace(record, cutoff=None),
+        lambda record: replace(record, ior=None),
+        lambda record: replace(record, ior=record.ior and record.ior[::-1]),
+        lambda record: replace(record, texture=record.texture[::-1].copy()),
+        lambda record: replace(record, texture=record.texture[:, :, :1].copy()),
+        lambda record: replace(record, first=record.first + (record.count == 1)),
+    ],
+    ids=["opaque", "cutoff", "fresnel", "sides", "upside down", "grey", "triangles"],
+)
+def test_readers_that_get_transmittance_wrong_fail(change, kit: Kit) -> None:  # type: ignore[no-untyped-def]
+    (failed,) = failures(InProcess(visibility=with_records(change)), kit, "visibility")
+    assert failed.package == "parts-lantern" and failed.right > 0.5 * failed.rows
+
+
+def test_a_reader_that_asks_the_first_part_alone_fails(kit: Kit) -> None:
+    def evaluate(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
+        return reader.evaluate(package, tier, 0, queries)
+
+    failed = failures(InProcess(evaluate, reader.emission), kit, "evaluate")
+    assert {(score.package, score.tier) for score in failed} == {
+        *(("parts-head", "small 1"), ("parts-head", "hq 1")),
+        *(("parts-lantern", "small 1"), ("parts-lantern", "small 2")),
+    }
+
+
+def test_a_reader_without_emission_fails(kit: Kit) -> None:
+    failed = failures(InProcess(reader.evaluate), kit, "evaluate")
+    assert {score.tier.split()[-1] for score in failed} == {"emission"} and len(failed) == 3
+    assert "no such call of a reader" in failed[0].note

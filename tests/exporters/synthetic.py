@@ -47,7 +47,7 @@ def make_dataset(
         blender="none",
         generator="tests",
         parts=(BALL_PART,),
-        cutouts=False,
+        opaque_cutouts=False,
     )
     dataset = Dataset.create(folder, manifest, {"asset": sphere(3)})
     rng = np.random.default_rng(seed)

@@ -56,8 +56,6 @@ tree.links.new(node.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
 add(*square(1), material)
 """
 
-ALPHA_IN_A_GROUP = EMISSION_IN_A_GROUP.replace("ShaderNodeEmission", "ShaderNodeBsdfTransparent")
-
 
 def seen_from_above(worker) -> np.ndarray:
     """Radiance of the upper side, lit from below only: black for what is opaque."""
@@ -77,29 +75,16 @@ def test_only_our_sun_shines(open_worker: OpenWorker) -> None:
     [PRINCIPLED_GLOW, EMISSION_NODE, EMISSION_IN_A_GROUP],
     ids=["principled", "node", "group"],
 )
-def test_emission_is_switched_off_and_noted(open_worker: OpenWorker, scene: str) -> None:
+def test_emission_is_told_and_is_no_part_of_the_transport(
+    open_worker: OpenWorker, scene: str
+) -> None:
     worker = open_worker(scene)
     assert not seen_from_above(worker).any()
-    (note,) = worker.opened["notes"]
-    assert "principled" in note and "emission" in note
+    assert worker.opened["emitters"] == ["principled"]
 
 
-@pytest.mark.parametrize(
-    ("scene", "expected"),
-    [
-        ("add(*square(1), principled())", False),
-        ("add(*square(1), principled(Transmission_Weight=1.0))", False),
-        ("add(*square(1), principled(Alpha=0.5))", True),
-        (ALPHA_IN_A_GROUP, True),
-    ],
-    ids=["opaque", "glass", "alpha", "group"],
-)
-def test_cutouts_are_known(open_worker: OpenWorker, scene: str, expected: bool) -> None:
-    assert open_worker(scene).opened["cutouts"] is expected
-
-
-def test_a_hit_on_a_cutout_is_a_sample(open_worker: OpenWorker, tmp_path) -> None:
-    """See-through parts are opaque at the first hit: what shines through is their radiance."""
+def test_a_hit_on_an_unread_cutout_is_a_sample(open_worker: OpenWorker, tmp_path) -> None:
+    """Where the transparency is not known, what shines through is the radiance of the hit."""
     worker = open_worker(
         "add(*square(1, z=1), principled(Alpha=0.0))\nadd(*square(1), diffuse((1, 1, 1)))"
     )
@@ -125,6 +110,6 @@ def one_light_dataset(folder, worker) -> Dataset:
         blender=worker.opened["blender"],
         generator="test",
         parts=(part,),
-        cutouts=worker.opened["cutouts"],
+        opaque_cutouts=True,
     )
     return Dataset.create(folder, manifest, {"asset": mesh})

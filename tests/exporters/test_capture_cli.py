@@ -43,7 +43,7 @@ def begun(source: Path, tmp_path: Path) -> Path:
         blender="4.5",
         generator="test",
         parts=(BALL_PART,),
-        cutouts=False,
+        opaque_cutouts=False,
     )
     return Dataset.create(tmp_path / "begun.rays", manifest, {"asset": sphere(1)}).folder
 

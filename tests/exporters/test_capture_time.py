@@ -98,7 +98,7 @@ def dataset(tmp_path: Path) -> Dataset:
         settings=CaptureSettings(lights=320, validation_views=1),
         blender="none",
         generator="tests",
-        cutouts=False,
+        opaque_cutouts=False,
     )
     return Dataset.create(tmp_path / "ball.rays", manifest, {"asset": sphere(1)})
 

@@ -106,4 +106,4 @@ def _pair(shot: Shot, seed: int) -> Pair:
     rng = np.random.default_rng(seed)
     ours, cycles = rng.random((2, 16, 16, 3), dtype=np.float32) * 0.3
     mean, error = flip(ours, cycles)
-    return Pair(shot, ours, cycles, error, psnr(ours, cycles), 30.0, mean, 0.5, 1.0)
+    return Pair(shot, ours, cycles, error, psnr(ours, cycles), 30.0, mean, 0.0, 0.5, 1.0)

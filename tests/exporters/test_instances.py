@@ -98,7 +98,7 @@ def check_hits(worker: BlenderWorker) -> None:
     """Cycles meets what we meet, at the same places."""
     if worker.kind == "surface":
         traced = trace(worker, unit(1, 2, 3))
-        apart = traced.cycles_position - traced.points.position
+        apart = traced.cycles_position - traced.points.x
         missed = traced.missed
     else:
         ours, wi = AssetScene([worker.export_curves()]), unit(1, 2, 3)

@@ -143,7 +143,7 @@ def test_int8_planes_are_within_half_a_step() -> None:
 
 
 def test_names_of_tiers() -> None:
-    pairs = [("float32", "float16"), ("int8", "int8"), ("int8", "float16"), ("float32", "float32")]
+    pairs = [("float32", "int8"), ("int8", "int8"), ("int8", "float16"), ("float32", "float32")]
     names = [Precision(*pair).tier_name("hq") for pair in pairs]
     assert names == ["hq", "hq-int8", "hq-int8-float16", "hq-float32"]
 

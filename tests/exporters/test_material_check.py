@@ -28,6 +28,16 @@ texture.image = bpy.data.images.new("x", 4, 4)
 texture.image.source, texture.image.filepath = "FILE", PATH
 """
 )
+UNKNOWN = """
+class Newer(bpy.types.ShaderNode):
+    bl_idname, bl_label = "NewerNode", "Newer"
+    def init(self, context):
+        self.outputs.new("NodeSocketColor", "Color")
+
+bpy.utils.register_class(Newer)
+join(new("NewerNode").outputs[0], shader.inputs["Base Color"])
+bpy.utils.unregister_class(Newer)
+"""
 SCRIPT = """
 script = new("ShaderNodeScript")
 closure = script.outputs.new("NodeSocketShader", "out")
@@ -44,6 +54,7 @@ join(closure, output.inputs["Surface"])
             "join(new('ShaderNodeEeveeSpecular').outputs[0], output.inputs[0])",
             "the node 'Specular BSDF' is for EEVEE only",
         ),
+        (UNKNOWN, "the node 'Newer' is of a kind that Blender 5.0.1 lacks"),
         ("output.target = 'EEVEE'", "it has no material output for Cycles; renders show it black"),
         ("tree.links.clear()", "nothing is connected to its output; renders show it black"),
         (SCRIPT, "the script of the node 'Script' is left out: Open Shading Language is off"),

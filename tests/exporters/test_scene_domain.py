@@ -141,7 +141,7 @@ def test_a_scene_without_the_asset_is_refused(tmp_path: Path) -> None:
 class Teacher:
     """White, wherever asked."""
 
-    def render_rays(self, origins, directions, wi, samples, seed):
+    def render_rays(self, origins, directions, wi, samples, seed, reach=None):
         return RenderedRays(np.ones_like(origins), np.ones(len(origins)), origins, None)
 
 
@@ -156,7 +156,7 @@ def test_every_sample_of_a_capture_is_in_the_domain(tmp_path: Path) -> None:
         blender="none",
         generator="tests",
         parts=(BALL_PART,),
-        cutouts=False,
+        opaque_cutouts=False,
         scene_domain=limited,
     )
     dataset = Dataset.create(tmp_path / "ring.rays", manifest, {"asset": ring()})

@@ -182,6 +182,26 @@ def Material "red"
 """
 
 
+POINTS_ABOVE = """
+def Points "dust"
+{
+    point3f[] points = [(0, 50, 0), (10, 50, 0)]
+    float[] widths = [60, 60]
+}
+"""
+
+
+def test_points_are_hidden_and_shade_nothing(open_worker: OpenWorker, tmp_path: Path) -> None:
+    path = tmp_path / "square.usda"
+    path.write_text(HEADER + PREVIEW + POINTS_ABOVE)
+    worker = open_worker(path)
+    assert worker.opened["notes"] == [
+        "object 'dust' is a point cloud, which no package holds, and was hidden"
+    ]
+    traced = trace(worker, unit(0, 1, 0))
+    assert traced.missed < 0.005 and np.all(traced.radiance[traced.front][:, 0] > 0.1)
+
+
 def test_preview_surfaces_come_with_the_file(open_worker: OpenWorker, tmp_path: Path) -> None:
     path = tmp_path / "square.usda"
     path.write_text(HEADER + PREVIEW)

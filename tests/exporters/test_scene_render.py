@@ -79,15 +79,26 @@ def test_cycles_and_we_agree_on_every_light(open_worker: OpenWorker, tmp_path: P
         _assert_alike(name, ours, cycles)
 
 
+INSTANCED = """
+group = bpy.data.collections.new("group")
+group.objects.link(item)
+bpy.context.scene.collection.objects.unlink(item)
+empty = bpy.data.objects.new("empty", None)
+empty.instance_type, empty.instance_collection = "COLLECTION", group
+bpy.context.scene.collection.objects.link(empty)
+"""
+
+
 @pytest.mark.blender
+@pytest.mark.parametrize("instanced", ["", INSTANCED], ids=["itself", "instance"])
 def test_the_original_stands_where_the_scene_puts_the_asset(
-    open_worker: OpenWorker, tmp_path: Path
+    instanced: str, open_worker: OpenWorker, tmp_path: Path
 ) -> None:
     low, high = (-0.2, 0.0, -0.4), (0.3, 0.8, 0.1)
     _write_box(tmp_path / "box.obj", low, high)
     worker = open_worker(
-        "add([(x, y, z) for x in (-0.2, 0.3) for y in (-0.1, 0.4) for z in (0.0, 0.8)], SIDES,"
-        "diffuse((0.8, 0.2, 0.1)))"
+        "item = add([(x, y, z) for x in (-0.2, 0.3) for y in (-0.1, 0.4) for z in (0.0, 0.8)],"
+        f"SIDES, diffuse((0.8, 0.2, 0.1))){instanced}"
     )
     transforms = [
         {"translation": (-0.5, 0.1, 0.4), "rotation_deg": (10.0, 30.0, 0.0)},

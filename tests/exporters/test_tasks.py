@@ -26,7 +26,7 @@ class Teacher:
     def __init__(self, spoil=lambda radiance, alpha: None):
         self.spoil, self.seeds = spoil, []
 
-    def render_rays(self, origins, directions, wi, samples, seed):
+    def render_rays(self, origins, directions, wi, samples, seed, reach=None):
         self.seeds.append(seed)
         radiance, alpha = np.abs(directions) + np.float32(0.1), np.ones(len(origins), np.float32)
         self.spoil(radiance, alpha)
@@ -42,7 +42,7 @@ def make(folder: Path, mesh: Mesh, cutouts: bool = False, **settings: object) ->
         blender="none",
         generator="tests",
         parts=(BALL_PART,),
-        cutouts=cutouts,
+        opaque_cutouts=cutouts,
     )
     return Dataset.create(folder, manifest, {"asset": mesh}).only
 

@@ -29,7 +29,7 @@ def spikes(count: int, radius: float = 0.01, root: float = 1.0, tip: float = 1.5
 class Teacher:
     """Answers rays with their direction as radiance."""
 
-    def render_rays(self, origins, directions, wi, samples, seed):
+    def render_rays(self, origins, directions, wi, samples, seed, reach=None):
         radiance = np.abs(directions) + np.float32(0.1)
         return RenderedRays(radiance, np.ones(len(origins)), origins, radiance / 2)
 
@@ -52,7 +52,7 @@ def make(folder: Path, geometries: dict[str, Mesh | Curves]) -> Dataset:
         settings=settings,
         blender="none",
         generator="tests",
-        cutouts=False,
+        opaque_cutouts=False,
     )
     dataset = Dataset.create(folder, manifest, geometries)
     scene = scene_of(dataset)

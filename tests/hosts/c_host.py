@@ -6,6 +6,7 @@ import ctypes
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -26,23 +27,70 @@ def build(folder: Path, *targets: str, arch: str = "-march=x86-64-v3") -> list[P
     return paths
 
 
-class CAsset:
-    """A tier of a package, in the C host; evaluates as `rna_sdk.runtime` does.
+class CMesh(ctypes.Structure):
+    """RnaMesh."""
 
-    library: of `build(folder, "librna.so")`.
+    _fields_ = (
+        ("vertex_count", ctypes.c_uint32),
+        ("triangle_count", ctypes.c_uint32),
+        ("positions", ctypes.POINTER(ctypes.c_float)),
+        ("normals", ctypes.POINTER(ctypes.c_float)),
+        ("uvs", ctypes.POINTER(ctypes.c_float)),
+        ("triangles", ctypes.POINTER(ctypes.c_uint32)),
+    )
+
+
+class CCurves(ctypes.Structure):
+    """RnaCurves."""
+
+    _fields_ = (
+        ("point_count", ctypes.c_uint32),
+        ("strand_count", ctypes.c_uint32),
+        ("points", ctypes.POINTER(ctypes.c_float)),
+        ("radii", ctypes.POINTER(ctypes.c_float)),
+        ("offsets", ctypes.POINTER(ctypes.c_uint32)),
+    )
+
+
+class CPart(ctypes.Structure):
+    """RnaPart."""
+
+    _fields_ = (
+        ("name", ctypes.c_char_p),
+        ("kind", ctypes.c_int),
+        ("low", ctypes.c_float * 3),
+        ("high", ctypes.c_float * 3),
+        ("mesh", ctypes.POINTER(CMesh)),
+        ("curves", ctypes.POINTER(CCurves)),
+        ("emits", ctypes.c_bool),
+        ("record_count", ctypes.c_int),
+        ("records", ctypes.c_void_p),
+    )
+
+
+class CAsset:
+    """A part of a tier of a package, in the C host; evaluates as `rna_sdk.runtime` does.
+
+    library: of `build(folder, "librna.so")`. record: what the host says of the part.
     """
 
-    def __init__(self, library: Path, package: Path, tier: str) -> None:
+    def __init__(self, library: Path, package: Path, tier: str, part: int = 0) -> None:
         self._rna = ctypes.CDLL(str(library))
         self._rna.rna_open.restype = ctypes.c_void_p
+        self._rna.rna_part.restype = ctypes.POINTER(CPart)
         report = ctypes.create_string_buffer(_REPORT_BYTES)
         address = self._rna.rna_open(str(package).encode(), report)
         if not address:
             raise ValueError(f"the C host refuses {package}")
         self._asset = ctypes.c_void_p(address)
         self._tier = self._rna.rna_tier_index(self._asset, tier.encode())
+        self._part = part
         if self._tier < 0:
             raise ValueError(f"{package} has no tier {tier}")
+        record = self._rna.rna_part(self._asset, part)
+        if not record:
+            raise ValueError(f"{package} has no part {part}")
+        self.record: CPart = record.contents
 
     def close(self) -> None:
         self._rna.rna_close(self._asset)
@@ -51,19 +99,37 @@ class CAsset:
         """(visible, shadowed), (n, 3) float32 each, of positions, axes, [h,] wo, wi."""
         positions, axes, *h, wo, wi = arrays
         visible, shadowed = np.empty((2, len(positions), 3), np.float32)
-        pointers = (_address(a) for a in (positions, axes, *(h or (None,)), wo, wi))
-        status = self._rna.rna_evaluate(
-            self._asset,
-            self._tier,
-            0,
-            ctypes.c_size_t(len(positions)),
-            *pointers,
-            _address(visible),
-            _address(shadowed),
-        )
-        if status:
-            raise ValueError(f"rna_evaluate: status {status}")
+        self._ask("rna_evaluate", positions, axes, *(h or (None,)), wo, wi, visible, shadowed)
         return visible, shadowed
+
+    def emission(self, *arrays: np.ndarray) -> np.ndarray:
+        """(n, 3) float32 of positions, axes, [h,] wo."""
+        positions, axes, *h, wo = arrays
+        colours = np.empty((len(positions), 3), np.float32)
+        self._ask("rna_emission", positions, axes, *(h or (None,)), wo, colours)
+        return colours
+
+    def transmittance(
+        self, triangle: int, b1: float, b2: float, direction: np.ndarray
+    ) -> np.ndarray:
+        """(3,) float32 for a ray of this direction."""
+        tau = np.empty(3, np.float32)
+        place = ctypes.c_uint32(triangle), ctypes.c_double(b1), ctypes.c_double(b2)
+        vectors = _address(direction.astype(np.float32)), _address(tau)
+        self._rna.rna_transmittance(self._asset, self._part, *place, *vectors)
+        return tau
+
+    def _ask(self, function: str, *arrays: np.ndarray | None) -> None:
+        rows = ctypes.c_size_t(0 if arrays[0] is None else len(arrays[0]))
+        place = self._asset, self._tier, self._part, rows
+        status = getattr(self._rna, function)(*place, *map(_address, arrays))
+        if status:
+            raise ValueError(f"{function}: status {status}")
+
+
+def values(pointer: Any, *shape: int) -> np.ndarray:
+    """A copy of the array at `pointer`, of a record of the host."""
+    return np.ctypeslib.as_array(pointer, shape).copy()
 
 
 def _address(array: np.ndarray | None) -> ctypes.c_void_p:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from rna_sdk.package import Tier, TierData, TierPart, write_package
+from rna_sdk.package.geometry import quantise
 from tests.conformance.kit.decoders import make_decoder, make_int8_decoder
 from tests.package.builders import (
     make_curves,
@@ -15,7 +16,9 @@ from tests.package.builders import (
     make_mesh,
     make_planes,
     make_tier,
+    make_tier_data,
 )
+from tests.package.lantern import make_lantern, make_lantern_manifest, make_textures
 
 SURFACE_INPUTS = (
     *("features", "position", "normal", "wo", "wi"),
@@ -50,7 +53,7 @@ def _part_data(part: TierPart, widths: tuple[int, ...]) -> TierData:
 
 
 def write_fuzz_packages(folder: Path) -> list[Path]:
-    """Write packages of 5 to 10 KB below `folder`: kinds, planes and decoders of all sorts."""
+    """Write packages of 5 to 20 KB below `folder`: kinds, planes and decoders of all sorts."""
     paths = []
     for kind in ("surface", "fiber"):
         for decoder, planes in (
@@ -64,4 +67,13 @@ def write_fuzz_packages(folder: Path) -> list[Path]:
             tier = make_profile_tier("small", kind, resolution=8, channels=4, **changes)
             path = folder / f"{kind}-{decoder}-{planes}.rna"
             paths.append(write_profile_package(path, tier, kind=kind))
-    return paths
+    return [*paths, make_lantern(folder / "parts.rna"), write_quantised(folder / "quantised.rna")]
+
+
+def write_quantised(path: Path) -> Path:
+    """Write the package of `make_lantern` with quantised geometry."""
+    manifest = make_lantern_manifest()
+    data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
+    geometries = [quantise(make_mesh()), quantise(make_curves())]
+    write_package(path, manifest, geometries, data, make_textures())
+    return path

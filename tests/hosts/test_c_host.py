@@ -32,7 +32,7 @@ INT8_SHARE = 0.02  # of the rows that may differ by a step
 @pytest.fixture(scope="module")
 def programs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """The host's programs, for any CPU of this kind."""
-    names = ("librna.so", "conform", "render")
+    names = ("librna.so", "conform")
     paths = build(tmp_path_factory.mktemp("c-host"), *names, arch="")
     return dict(zip(names, paths, strict=True))
 
@@ -126,31 +126,13 @@ def test_a_decoder_that_needs_an_engine_is_named(programs: dict[str, Path], tmp_
     assert (validated.returncode, validated.stdout.split()) == (0, ["DECODER_PROFILE"])
     queries = tmp_path / "queries"
     np.zeros((3, 13), np.float32).tofile(queries)
-    evaluated = run(programs["conform"], "evaluate", package, "small", queries, tmp_path / "out")
+    evaluated = run(programs["conform"], "evaluate", package, "small", 0, queries, tmp_path / "out")
     assert evaluated.returncode == 2 and "needs an ONNX engine" in evaluated.stderr
     assert not (tmp_path / "out").exists()
 
 
 def run(*command: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
-
-
-def test_render_makes_a_picture(programs: dict[str, Path], tmp_path: Path) -> None:
-    for package in (TOY, CURLS):
-        path = tmp_path / "picture.ppm"
-        size = "--size", 48, 27
-        assert run(programs["render"], package, path, *size, "--samples", 1).returncode == 0
-        data = path.read_bytes()
-        assert data.startswith(b"P6\n48 27\n255\n")
-        pixels = np.frombuffer(data[-48 * 27 * 3 :], np.uint8).reshape(27, 48, 3)
-        assert pixels[0, 0].max() == 0 and pixels[10:17, 18:30].mean() > 20
-
-
-def test_render_names_what_is_wrong(programs: dict[str, Path], tmp_path: Path) -> None:
-    broken = tmp_path / "broken.rna"
-    broken.write_bytes(TOY.read_bytes()[:-1])
-    result = run(programs["render"], broken, tmp_path / "picture.ppm")
-    assert result.returncode == 1 and "ZIP_TRUNCATED" in result.stderr
 
 
 @pytest.fixture(scope="module")

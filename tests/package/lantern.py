@@ -10,6 +10,7 @@ import numpy as np
 from rna_sdk.package import (
     Manifest,
     Tier,
+    TierData,
     TierEmission,
     TierPart,
     TransmittanceRecord,
@@ -28,7 +29,8 @@ from tests.package.builders import (
 
 LEAF, PANE = "transmittance/leaf.safetensors", "transmittance/pane.safetensors"
 MESH, CURVES = "geometry/body.glb", "geometry/tuft.safetensors"
-GLOW = "decoders/small-body-glow.onnx"
+GLOW, GLOW_COLUMNS = "decoders/small-body-glow.onnx", 11
+SIZE = {"resolution": 3, "channels": 2}
 
 
 def make_textures() -> dict[str, Texture]:
@@ -47,10 +49,7 @@ def make_lantern_manifest(**changes: Any) -> Manifest:
         make_part(name="body", geometry=MESH, transmittance=holes),
         make_part(name="tuft", kind="fiber", geometry=CURVES),
     )
-    tiers = tuple(
-        Tier(name=name, parts=(_body(name), make_tier_part(f"{name}-tuft", inputs=FIBER_INPUTS)))
-        for name in ("small", "hq")
-    )
+    tiers = tuple(Tier(name=name, parts=(_body(name), _tuft(name))) for name in ("small", "hq"))
     return make_manifest(*tiers, **{"name": "lantern", "parts": parts, **changes})
 
 
@@ -60,12 +59,23 @@ def _body(tier: str) -> TierPart:
         inputs=("features", "position", "normal", "wo"),
         decoder_precision="float32",
     )
-    return make_tier_part(f"{tier}-body", planes="features/body.safetensors", emission=emission)
+    planes = "features/body.safetensors"
+    return make_tier_part(f"{tier}-body", planes=planes, emission=emission, **SIZE)
+
+
+def _tuft(tier: str) -> TierPart:
+    return make_tier_part(f"{tier}-tuft", inputs=FIBER_INPUTS, **SIZE)
+
+
+def make_lantern_data(manifest: Manifest) -> dict[str, list[TierData]]:
+    """Tiers with other decoders and, of the body, the same planes."""
+    layers = {"small": 1, "hq": 2}
+    return {tier.name: make_tier_data(tier, 4, layers[tier.name]) for tier in manifest.tiers}
 
 
 def make_lantern(path: str | Path, **changes: Any) -> Path:
     """Write the package to `path`; `changes` are fields of the manifest."""
     manifest = make_lantern_manifest(**changes)
-    data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
+    data = make_lantern_data(manifest)
     write_package(path, manifest, [make_mesh(), make_curves()], data, make_textures())
     return Path(path)

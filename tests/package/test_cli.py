@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.package import Code, Issue, cli, validate
+from rna_sdk.package import Code, Issue, cli
+from rna_sdk.package.validator import Inspection, inspect
 from tests.package.corpus.content_cases import mesh_outside_the_bounds
 from tests.package.corpus.manifest_cases import wrong_hash
 
@@ -22,6 +23,19 @@ def broken(entries: dict[str, bytes], tmp_path: Path) -> Path:
 def test_valid(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main([str(tiny)]) == 0
     assert capsys.readouterr().out == f"{tiny}: valid\n"
+
+
+def test_parts_are_told(lantern: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main([str(lantern)]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        f"{lantern}: part body: surface, transmittance, emission",
+        f"{lantern}: part tuft: fiber",
+        f"{lantern}: valid",
+    ]
+    assert cli.main(["--json", str(lantern)]) == 0
+    (report,) = json.loads(capsys.readouterr().out)
+    body = {"name": "body", "kind": "surface", "transmittance": True, "emission": True}
+    assert report["parts"] == [body, {"name": "tuft", "kind": "fiber"}]
 
 
 def test_invalid_names_code_severity_and_pointer(
@@ -46,7 +60,8 @@ def test_warning_is_valid(
 def test_json(tiny: Path, broken: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["--json", str(tiny), str(broken)]) == 1
     first, second = json.loads(capsys.readouterr().out)
-    assert first == {"file": str(tiny), "valid": True, "issues": []}
+    parts = [{"name": "asset", "kind": "surface"}]
+    assert first == {"file": str(tiny), "valid": True, "parts": parts, "issues": []}
     assert second["valid"] is False
     (issue,) = second["issues"]
     assert issue["code"] == "ENTRY_HASH"
@@ -77,7 +92,7 @@ def test_defect_is_one_line_unless_debug(
     def defect(path: str) -> None:
         raise RuntimeError("defect")
 
-    monkeypatch.setattr(cli, "validate", defect)
+    monkeypatch.setattr(cli, "inspect", defect)
     assert cli.main([str(tiny)]) == 1
     assert capsys.readouterr().err.count("\n") == 1
     with pytest.raises(RuntimeError, match="defect"):
@@ -92,12 +107,12 @@ def test_a_defect_takes_no_other_report_along(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    def defect_of_one(path: str) -> list[Issue]:
+    def defect_of_one(path: str) -> Inspection:
         if path == "defect.rna":
             raise RuntimeError("defect")
-        return validate(path)
+        return inspect(path)
 
-    monkeypatch.setattr(cli, "validate", defect_of_one)
+    monkeypatch.setattr(cli, "inspect", defect_of_one)
     assert cli.main([*options, str(tiny), "defect.rna", str(broken)]) == 1
     told = capsys.readouterr()
     assert told.err.startswith("defect.rna: internal error")

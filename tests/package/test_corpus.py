@@ -12,24 +12,9 @@ import pytest
 from rna_sdk.package import Code, Package, PackageError, Severity, validate
 from rna_sdk.package.limits import MAX_FILE_BYTES
 from tests.package.builders import pack
-from tests.package.corpus import (
-    container_cases,
-    content_cases,
-    curve_cases,
-    manifest_cases,
-    part_cases,
-    quantised_cases,
-)
-from tests.package.corpus.registry import CASES, Base, Case, Entries
-
-MODULES = (
-    container_cases,
-    manifest_cases,
-    content_cases,
-    curve_cases,
-    part_cases,
-    quantised_cases,
-)
+from tests.package.corpus import container_cases, content_cases, manifest_cases
+from tests.package.corpus.every import CASES
+from tests.package.corpus.registry import Base, Case, Entries
 
 OUTSIDE_THE_CORPUS = {"FILE_UNREADABLE", "FILE_TOO_LARGE"}
 """Codes about the file itself, with tests of their own below."""

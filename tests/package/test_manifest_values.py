@@ -15,6 +15,7 @@ from rna_sdk.package.manifest_reader import parse_manifest
 from rna_sdk.package.schema import manifest_schema
 from tests.package.corpus.content_cases import with_gltf
 from tests.package.corpus.curve_cases import with_header
+from tests.package.corpus.registry import Base, Entries
 
 SPEC = Path(__file__).parents[2] / "spec" / "RNA.md"
 TEXT = re.sub(r"\s+", " ", SPEC.read_text(encoding="utf-8"))
@@ -139,6 +140,61 @@ VALUES = [
 ]
 
 
+PARTS_NAME = "`[A-Za-z0-9][A-Za-z0-9._-]*`, at most 64"
+RECORDS = "array of 1 to 64 records, optional, of a `surface` alone"
+CUTOFF = "greater than 0 and less than 1: a hole or none, with a sharp outline"
+IOR = "two numbers greater than 0: light is also reflected by Fresnel's law"
+TRIANGLES = "integers, `count` at least 1; ranges ascend, do not overlap, and end with the mesh"
+FORMS = "A manifest has one form or the other, not a mixture."
+TIER_PARTS = "array of one tier part for each part, in their order"
+EMITS = "A part that has `emission` in one tier has it in all of them."
+GLOW = "/tiers/0/parts/0/emission"
+LEAF = "/parts/0/transmittance/0"
+
+VALUES_OF_PARTS = [
+    ("/minReaderVersion", '"1.0"', "*VERSION_TOO_OLD", "newer than its `minReaderVersion`"),
+    ("/minReaderVersion", '"1.1"', "", "This is version 1.1."),
+    ("/minReaderVersion", '"1.2"', "*VERSION_TOO_NEW", "1.10 is greater than 1.9"),
+    ("/parts", "[]", "FIELD_VALUE", "array of 1 to 16 [parts](#parts)"),
+    ("/parts", "null", "FIELD_VALUE", NULL),
+    ("/parts/0/name", '""', "FIELD_VALUE", PARTS_NAME),
+    ("/parts/0/name", '"tuft"', "*PART_DUPLICATE", "unique in the package"),
+    ("/parts/0/bounds/min/0", "1", "*BOUNDS_EMPTY", EXTENT),
+    ("/parts/0/transmittance", "null", "FIELD_VALUE", NULL),
+    ("/parts/0/transmittance", "{}", "FIELD_VALUE", RECORDS),
+    (f"{LEAF}/cutoff", "0", "FIELD_VALUE", CUTOFF),
+    (f"{LEAF}/cutoff", "1", "FIELD_VALUE", CUTOFF),
+    (f"{LEAF}/cutoff", "1e-300", "", CUTOFF),
+    (f"{LEAF}/cutoff", "null", "FIELD_VALUE", NULL),
+    (f"{LEAF}/ior", "[1, 0]", "FIELD_VALUE", IOR),
+    (f"{LEAF}/ior", "[1]", "FIELD_VALUE", IOR),
+    (f"{LEAF}/ior", "[1.5, 0.5]", "", IOR),
+    (f"{LEAF}/ior", "null", "FIELD_VALUE", NULL),
+    (f"{LEAF}/triangles", "[0, 0]", "FIELD_VALUE", TRIANGLES),
+    (f"{LEAF}/triangles", "[-1, 1]", "FIELD_VALUE", TRIANGLES),
+    (f"{LEAF}/triangles", "[0.0, 3e0]", "", WHOLE),
+    (f"{LEAF}/triangles", "[0, 4]", "*TRANSMITTANCE_RANGE", TRIANGLES),
+    (f"{LEAF}/triangles", "[3, 1]", "*TRANSMITTANCE_RANGE", TRIANGLES),
+    ("/parts/1/transmittance", "[]", "FIELD_VALUE", RECORDS),
+    (
+        "/parts/1/transmittance",
+        '[{"triangles": [0, 1], "texture": "transmittance/leaf.safetensors"}]',
+        "*FIELD_VALUE",
+        RECORDS,
+    ),
+    ("/kind", '"surface"', "FIELD_UNKNOWN", FORMS),
+    ("/tiers/0/resolution", "8", "FIELD_UNKNOWN", FORMS),
+    ("/tiers/0/parts", "[]", "FIELD_VALUE", TIER_PARTS),
+    ("/tiers/0/parts/0/agreement", "null", "", NOT_RECORDED),
+    ("/tiers/0/parts/1/emission", "null", "FIELD_VALUE", NULL),
+    ("/tiers/0/validation", "null", "", NOT_RECORDED),
+    (f"{GLOW}/agreement", "null", "", NOT_RECORDED),
+    (f"{GLOW}/inputs", '["wi"]', "*INPUT_KIND", "of these blocks: `features`, `position`"),
+    (f"{GLOW}/inputs", "[]", "FIELD_VALUE", BLOCKS),
+    (f"{GLOW}/planes", '"features/body.safetensors"', "FIELD_UNKNOWN", LISTED),
+]
+
+
 def with_value(manifest: bytes, where: str, value: str) -> str:
     """The manifest's text with the JSON `value` at a pointer."""
     *path, last = (part.replace("~1", "/") for part in where[1:].split("/"))
@@ -167,6 +223,19 @@ def test_reader_schema_and_text_agree(
     where: str, value: str, code: str, sentence: str, entries: dict[str, bytes], schema: Any
 ) -> None:
     text = with_value(entries["manifest.json"], where, value)
+    check(text, code, sentence, schema)
+
+
+@pytest.mark.parametrize(("where", "value", "code", "sentence"), VALUES_OF_PARTS)
+def test_reader_schema_and_text_agree_on_parts(
+    where: str, value: str, code: str, sentence: str, good: dict[Base, Entries], schema: Any
+) -> None:
+    text = with_value(good["parts"]["manifest.json"], where, value)
+    check(text, code, sentence, schema)
+
+
+def check(text: str, code: str, sentence: str, schema: Any) -> None:
+    """What reader and schema say of the manifest, and that the spec has the sentence."""
     is_valid, codes = code == "", codes_of(text)
     assert codes == (set() if is_valid else {code.removeprefix("*")})
     assert schema.is_valid(json.loads(text)) == (is_valid or code.startswith("*"))
@@ -224,6 +293,7 @@ SPANNING = {
         "EXTENSION_UNDECLARED",
     ),
     *("REFERENCE_MISSING", "ENTRY_UNREFERENCED"),
+    *("VERSION_TOO_OLD", "PARTS_DIFFER", "PART_DUPLICATE", "TRANSMITTANCE_RANGE"),
 }
 """Codes about more than one value, which no schema gives."""
 
@@ -248,20 +318,28 @@ def places(value: Any, where: str = "") -> list[str]:
     return [where, *inside] if where else inside
 
 
-def test_reader_and_schema_agree_wherever_a_value_stands(
-    entries: dict[str, bytes], schema: Any
-) -> None:
-    manifest = json.loads(entries["manifest.json"])
+def measured(manifest: dict[str, Any], part: dict[str, Any]) -> dict[str, Any]:
+    """The manifest with everything that may be recorded; part: of its first tier."""
     heights = [{"height": 8, "flip": 0.5}]
     manifest["tiers"][0] |= {
         "validation": json.loads(VALIDATION + "}") | {"flipAtHeight": heights},
         "cost": json.loads(COST + "1}"),
-        "agreement": {"maxAbsolute": 0, "maxRelative": 0},
     }
+    part["agreement"] = {"maxAbsolute": 0, "maxRelative": 0}
     manifest["domain"]["wi"] = json.loads(CONE + "1}]")
+    return manifest
+
+
+@pytest.mark.parametrize(("base", "below"), [("surface", ""), ("parts", ("/parts", "/tiers/0"))])
+def test_reader_and_schema_agree_wherever_a_value_stands(
+    base: Base, below: str | tuple[str, ...], good: dict[Base, Entries], schema: Any
+) -> None:
+    manifest = json.loads(good[base]["manifest.json"])
+    tier = manifest["tiers"][0]
+    manifest = measured(manifest, tier["parts"][0] if base == "parts" else tier)
     data = json.dumps(manifest).encode()
     assert codes_of(data.decode()) == set()
-    for where in places(manifest):
+    for where in filter(lambda where: where.startswith(below), places(manifest)):
         for value in SWAPS:
             text = with_value(data, where, value)
             codes = codes_of(text)

@@ -170,7 +170,7 @@ def test_many_vertices_have_long_indices() -> None:
 
 def test_package_needs_a_newer_reader(tmp_path: Path) -> None:
     tier = make_tier()
-    data = {"small": [make_tier_data(tier)]}
+    data = {"small": make_tier_data(tier)}
     mesh = quantise(make_mesh())
     written = write_package(tmp_path / "x.rna", make_manifest(tier), [mesh], data)
     assert (written.version, written.min_reader_version) == ("1.1", "1.1")

@@ -14,10 +14,10 @@ import numpy as np
 from rna_render.bodies import Thing
 from rna_render.camera import Camera
 from rna_render.integrator import Integrator
-from rna_render.lights import PlacedLight, make_light
+from rna_render.lights import AssetLight, PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
-from rna_render.render import light_of, render
+from rna_render.render import emission_of, mesh_light, render
 from rna_render.scene_model import Scene
 from rna_render.transforms import world_from_object
 from rna_render.world import Placement, World
@@ -78,7 +78,10 @@ def one_thread() -> Iterator[None]:
 
 
 def _placed(thing: Thing, matrix: np.ndarray) -> Placement:
-    return Placement(thing, matrix, light_of(thing, matrix))
+    if isinstance(thing, MeshObject):
+        return Placement(thing, matrix, mesh_light(thing, matrix))
+    emission = emission_of(thing)
+    return Placement(thing, matrix, AssetLight(emission, matrix) if emission else None)
 
 
 def seen(channels: Channels) -> Estimate:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -442,18 +443,27 @@ def test_every_error_names_its_file(tmp_path):
 def test_what_is_not_shown_is_said_once(tmp_path):
     gltf = textured(tmp_path)
     gltf.json["materials"][0] |= {
-        "normalTexture": {"index": 0},
-        "alphaMode": "MASK",
-        "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}},
+        "alphaMode": "BLEND",
+        "extensions": {
+            "KHR_materials_transmission": {"transmissionFactor": 1},
+            "KHR_materials_volume": {"thicknessFactor": 1},
+            "KHR_materials_clearcoat": {
+                "clearcoatFactor": 1,
+                "clearcoatNormalTexture": {"index": 0},
+            },
+            "KHR_materials_specular": {"specularColorFactor": [1, 0, 0]},
+        },
     }
+    gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = [1, 1, 1, 0.5]
     gltf.json["meshes"][0]["primitives"].append({"attributes": {"POSITION": 0}, "mode": 1})
     gltf.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0
     path = gltf.write(tmp_path / "a.gltf")
     with pytest.warns(MeshFileWarning) as caught:
         read(path)
     assert [str(warning.message) for warning in caught] == [
-        f"{path}: not shown: KHR_materials_transmission, normal textures, points and lines, "
-        "transparency (alphaMode), vertex colours"
+        f"{path}: not shown: KHR_materials_volume, alphaMode of what transmits, clear coats of "
+        "what transmits, normal textures of clear coats, points and lines, roughness of what is "
+        "transmitted, the colour of KHR_materials_specular, vertex colours"
     ]
     with pytest.warns(MeshFileWarning, match="not shown: points and lines$"):
         read(path, {"type": "diffuse"})
@@ -493,8 +503,7 @@ def test_colours_of_vertices_are_said_not_to_be_shown(tmp_path):
 @pytest.mark.data
 def test_a_real_gltf_file(data_folder):
     path = data_folder / "mesh" / "FlightHelmet" / "FlightHelmet.gltf"
-    with pytest.warns(MeshFileWarning, match=r"normal textures, transparency \(alphaMode\)$"):
-        mesh = read(path)
+    mesh = read(path)
     assert mesh.triangles.shape == (94722, 3) and len(mesh.materials) == 6
     assert np.ptp(mesh.positions, axis=0) == pytest.approx([0.3666, 0.716, 0.3716], abs=1e-3)
     every = np.arange(len(mesh.triangles), dtype=np.int32)
@@ -506,6 +515,15 @@ def test_a_real_gltf_file(data_folder):
     for values in (found.base_color, found.alpha, found.metallic):
         assert (values >= 0).all() and (values <= 1).all() and values.std() > 0.05
     assert not mesh.is_emissive
+    # The lenses alone let light through, and its relief follows tangents of its own.
+    table = mesh.transmittance
+    tau = table.at(every, third, third, np.ones((len(every), 3), np.float32), every >= 0)
+    lenses = [material.opacity_texture is not None for material in mesh.materials]
+    assert not tau[~np.array(lenses)[mesh.material_numbers]].any() and tau.max() > 0.5
+    given = mesh.shading_normals(every, third, third, ng, ng)
+    derived = replace(mesh, tangents=None).shading_normals(every, third, third, ng, ng)
+    assert np.mean(np.sum(given * derived, axis=1)) > 0.998
+    assert np.mean(np.sum(given * n, axis=1) / np.linalg.norm(n, axis=1)) < 0.99
 
 
 @pytest.mark.data

@@ -260,7 +260,7 @@ static bool take_options(int argc, char **argv, const RnaAsset *asset, View *vie
                     : strcmp(option, "--sun") == 0     ? take_numbers(argc, argv, &at, 6, view->sun)
                     : strcmp(option, "--glow") == 0    ? take_numbers(argc, argv, &at, 1, &view->glow)
                     : strcmp(option, "--tier") == 0 && at < argc
-                        ? (view->tier = rna_tier_index(asset, argv[at++])) >= 0
+                        ? (view->tier = rna_tier_index(asset, argv[at++]), true)
                         : false;
         if (!good) return false;
     }
@@ -286,7 +286,9 @@ int main(int argc, char **argv) {
     View view = {.sun = {0.6, 0.75, 0.55, 2.5, 2.35, 2.1}, .glow = 1};
     look_at_asset(asset, view.camera);
     const bool understood = take_options(argc, argv, asset, &view);
-    const char *problem = understood ? render(asset, &view, argv[2]) : NULL;
+    const char *problem = !understood      ? NULL
+                          : view.tier < 0 ? "the asset has no such tier"
+                                          : render(asset, &view, argv[2]);
     if (problem) fprintf(stderr, "render: %s: %s\n", argv[2], problem);
     rna_close(asset);
     return understood ? problem != NULL : usage();

@@ -81,18 +81,10 @@ def _of_node(node):
         return f"the node {node.name!r} is of a kind that Blender {bpy.app.version_string} lacks"
     if node.type in _OF_EEVEE:
         return f"the node {_OF_EEVEE[node.type]!r} is for EEVEE only; Cycles leaves it out"
-    if node.type == "GROUP":
-        return _of_group(node)
     if node.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
         return _of_image(node.image)
     if node.type == "SCRIPT":
         return _of_script(node)
-    return None
-
-
-def _of_group(node):
-    if node.node_tree is None or node.node_tree.is_missing:
-        return f"the node group of {node.name!r} is missing"
     return None
 
 

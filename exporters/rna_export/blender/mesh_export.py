@@ -1,29 +1,32 @@
 """Exports every mesh of the scene, as Cycles will render it, into one triangle soup."""
 
+import bpy
 import numpy as np
 import shown_objects
 from top_objects import SURFACES, top_object
 
 
 def export_mesh(path, owner=None):
-    """Write an .npz with `positions`, `normals` (3t, 3), `uvs` (3t, 2) and `has_uv`.
+    """Write an .npz with `positions`, `normals` (3t, 3), `uvs` (3t, 2), `has_uv`, `material` (t,).
 
-    One row a triangle corner, world space, Blender's axes, float32. owner: the top object whose
-    meshes are meant; None: all.
+    One row a triangle corner, world space, Blender's axes, float32; materials by their place in
+    the reply's list of names, -1 for none. owner: the top object whose meshes are meant; None: all.
     """
+    names = [material.name for material in bpy.data.materials]
     shown = (i for i in _mesh_instances() if owner in (None, top_object(i)))
-    corners = [_corners(instance) for instance in shown]
+    corners = [_corners(instance, names) for instance in shown]
     if not corners:
         raise ValueError("the scene has no mesh with faces")
-    positions, normals, uvs, has_uv = zip(*corners, strict=True)
+    positions, normals, uvs, has_uv, material = zip(*corners, strict=True)
     np.savez(
         path,
         positions=np.concatenate(positions),
         normals=np.concatenate(normals),
         uvs=np.concatenate(uvs),
         has_uv=all(has_uv),
+        material=np.concatenate(material),
     )
-    return {"triangles": int(sum(len(p) for p in positions) // 3)}
+    return {"materials": names}
 
 
 def owners():
@@ -48,7 +51,7 @@ def _mesh_instances():
             yield instance
 
 
-def _corners(instance):
+def _corners(instance, names):
     mesh = instance.object.to_mesh()
     try:
         mesh.calc_loop_triangles()
@@ -57,25 +60,29 @@ def _corners(instance):
         vertices = _read(mesh.loop_triangles, "vertices", 3 * triangles, np.int32)
         positions = _read(mesh.vertices, "co", 3 * len(mesh.vertices)).reshape(-1, 3)[vertices]
         normals = _read(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)[loops]
-        layer = mesh.uv_layers.active
+        layer = next((layer for layer in mesh.uv_layers if layer.active_render), None)
         uvs = np.zeros((len(loops), 2), np.float32)
         if layer is not None:
             uvs = _read(layer.uv, "vector", 2 * len(mesh.loops)).reshape(-1, 2)[loops]
             uvs[:, 1] = 1.0 - uvs[:, 1]  # glTF counts v from the top
+        slot = _read(mesh.loop_triangles, "material_index", triangles, np.int32)
+        slots = [s.material.name if s.material else None for s in instance.object.material_slots]
         matrix = np.array(instance.matrix_world, np.float32)
     finally:
         instance.object.to_mesh_clear()
-    return (*_place(positions, normals, matrix), uvs, layer is not None)
+    numbers = np.array([names.index(name) if name in names else -1 for name in slots] or [-1])
+    material = numbers[np.clip(slot, 0, len(numbers) - 1)].astype(np.int32)
+    return *_place(positions, normals, uvs, matrix), layer is not None, material
 
 
-def _place(positions, normals, matrix):
+def _place(positions, normals, uvs, matrix):
     world = positions @ matrix[:3, :3].T + matrix[:3, 3]
     turned = normals @ np.linalg.inv(matrix[:3, :3].astype(np.float64))
     turned /= np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-30)
+    corners = world.astype(np.float32), turned.astype(np.float32), uvs
     if np.linalg.det(matrix[:3, :3].astype(np.float64)) < 0:  # a mirrored object keeps its outside
-        world = world.reshape(-1, 3, 3)[:, ::-1].reshape(-1, 3)
-        turned = turned.reshape(-1, 3, 3)[:, ::-1].reshape(-1, 3)
-    return world.astype(np.float32), turned.astype(np.float32)
+        return tuple(a.reshape(-1, 3, a.shape[1])[:, ::-1].reshape(a.shape) for a in corners)
+    return corners
 
 
 def _read(collection, attribute, size, dtype=np.float32):

@@ -1,10 +1,11 @@
-"""Renders rays given one by one with stock Cycles, under one sun."""
+"""Renders rays given one by one with stock Cycles, under one sun or by the asset's own light."""
 
 from pathlib import Path
 
 import bpy
 import bundled
 import mathutils
+from emission import Emission
 
 _FORMATS = {
     "media_type": "MULTI_LAYER_IMAGE",
@@ -15,12 +16,16 @@ _FORMATS = {
 
 
 _LOBES = ("diffuse", "glossy", "transmission")
+_FAR = 1e6
+
+_lighting = {}  # emission: of the materials; clamps: of radiance under the sun
 
 
 def configure(threads, clamp_direct, clamp_indirect, separate_direct):
     """Cycles as a teacher: point samples, no filter, no denoiser, no clamping but the named one.
 
-    `separate_direct` adds the passes that tell direct light from scattered light.
+    `separate_direct` adds the passes that tell direct light from scattered light. Returns the names
+    of the materials that emit light, which is switched off but for renders without the sun.
     """
     scene = bpy.context.scene
     render, cycles = scene.render, scene.cycles
@@ -35,7 +40,6 @@ def configure(threads, clamp_direct, clamp_indirect, separate_direct):
     render.use_border = False
     render.use_motion_blur = False
     cycles.use_adaptive_sampling = cycles.use_denoising = False
-    cycles.sample_clamp_direct, cycles.sample_clamp_indirect = clamp_direct, clamp_indirect
     cycles.light_sampling_threshold = 0.0
     cycles.use_light_tree = False
     for name, value in _FORMATS.items():
@@ -46,10 +50,15 @@ def configure(threads, clamp_direct, clamp_indirect, separate_direct):
         setattr(layer, f"use_pass_{lobe}_direct", separate_direct)
         setattr(layer, f"use_pass_{lobe}_color", separate_direct)
     _set_up_lamp(scene)
+    _lighting.update(emission=Emission(), clamps=(clamp_direct, clamp_indirect))
+    return _lighting["emission"].materials
 
 
 def render_rays(request):
-    """Trace the rays of two images; writes a multilayer EXR with `Combined` and `Position`."""
+    """Trace the rays of two images; writes a multilayer EXR with `Combined` and `Position`.
+
+    A ray ends `reach` from its origin, if that is given.
+    """
     camera = _camera("rays", "CUSTOM")
     if not camera.custom_bytecode:
         _compile_ray_camera(camera)
@@ -57,14 +66,16 @@ def render_rays(request):
     camera.cycles_custom["directions"] = request["directions"]
     cycles = bpy.context.scene.cycles
     cycles.pixel_filter_type, cycles.filter_width = "BOX", 0.01
+    camera.clip_end = request["reach"] or _FAR
     camera.update_tag()
-    _turn_lamp(request)
+    _light(request["wi"])
     _render(request)
 
 
 def render_view(request):
-    """Render an ordinary pinhole image, lit from `wi`."""
-    _turn_lamp(request)
+    """Render an ordinary pinhole image, lit from `wi`, and by the asset itself if it `emits`."""
+    _light(request["wi"])
+    emit(request["emits"])
     render_pinhole(request)
 
 
@@ -79,9 +90,20 @@ def render_pinhole(request):
     _render(request)
 
 
-def _turn_lamp(request):
-    towards = mathutils.Vector(request["wi"])
-    bpy.data.objects["rna sun"].rotation_quaternion = towards.to_track_quat("Z", "Y")
+def emit(on):
+    """Let the materials emit light, or not."""
+    _lighting["emission"].switch(on)
+
+
+def _light(wi):
+    """The sun in direction `wi`, or, for None, the asset's own light alone and unclamped."""
+    cycles, sun = bpy.context.scene.cycles, bpy.data.objects["rna sun"]
+    emit(wi is None)
+    sun.hide_render = wi is None
+    clamps = (0.0, 0.0) if wi is None else _lighting["clamps"]
+    cycles.sample_clamp_direct, cycles.sample_clamp_indirect = clamps
+    if wi is not None:
+        sun.rotation_quaternion = mathutils.Vector(wi).to_track_quat("Z", "Y")
 
 
 def _render(request):
@@ -107,7 +129,7 @@ def _camera(name, kind):
     if name not in bpy.data.objects:
         data = bpy.data.cameras.new(name)
         data.type = kind
-        data.clip_start, data.clip_end = 1e-6, 1e6  # a ray counts from its very origin
+        data.clip_start, data.clip_end = 1e-6, _FAR  # a ray counts from its very origin
         scene.collection.objects.link(bpy.data.objects.new(name, data))
     scene.camera = bpy.data.objects[name]
     return scene.camera.data

@@ -20,7 +20,9 @@ class _State:
         scene = bpy.context.scene
         bpy.data.objects.remove(bpy.data.objects["rna sun"], do_unlink=True)
         scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
-        self.asset = [item for item in bpy.data.objects if item.type != "CAMERA"]
+        # Not what collection instances alone show: it goes where they go.
+        shown = bpy.context.view_layer.objects
+        self.asset = [item for item in shown if item.type != "CAMERA"]
         self.hidden = [item.hide_render for item in self.asset]
         self.handle = bpy.data.objects.new("rna asset", None)
         scene.collection.objects.link(self.handle)
@@ -47,6 +49,7 @@ def render_scene(request):
         _state = _State()
     if request["scene"] != _state.shown:
         _build(_state, request["scene"])
+    ray_render.emit(request["scene"]["emission"])
     ray_render.render_pinhole(request)
 
 

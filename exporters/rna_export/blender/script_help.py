@@ -6,8 +6,10 @@ Arguments: the script, then `--help`.
 import os
 import runpy
 import sys
+from pathlib import Path
 
 sys.argv = sys.argv[1:]
+sys.path.append(str(Path(sys.argv[0]).parent))
 status = 1
 try:
     runpy.run_path(sys.argv[0], run_name="__main__")

@@ -12,7 +12,9 @@ import hair_scene
 import material_check
 import orientation
 import scene_import
+import shown_objects
 import usd_curves
+from emission import nodes_of
 from groom_options import ALEMBIC_AND_USD, GROOMS, USD
 
 _UP_IS_Z = (".blend", ".ply", ".hair", ".py")  # or no up that they say; Blender's then
@@ -79,6 +81,7 @@ def _make_local():
 
 def _run_script(source, arguments):
     sys.argv = [source, *arguments]
+    sys.path.append(str(Path(source).parent))  # modules that lie beside it
     said = io.StringIO()
     try:
         with contextlib.redirect_stderr(said):
@@ -92,7 +95,7 @@ def _run_script(source, arguments):
 
 
 def keep_only_the_asset():
-    """Remove lights and cameras, blacken the world, switch emission off.
+    """Remove lights and cameras, blacken the world.
 
     Returns what a user should know about, one sentence each.
     """
@@ -106,15 +109,24 @@ def keep_only_the_asset():
     world.node_tree.nodes.clear()  # a world without an output is black
     bpy.context.scene.world = world
     notes += hair_scene.prepare_hair(
-        [(m, list(_nodes(m.node_tree))) for m in bpy.data.materials if m.use_nodes]
+        [(m, list(nodes_of(m.node_tree))) for m in bpy.data.materials if m.use_nodes]
     )
-    for material in bpy.data.materials:
-        if material.use_nodes and _switch_emission_off(material.node_tree):
-            notes.append(
-                f"material {material.name!r} emits light; emission is not part of the "
-                "transport and was switched off"
-            )
-    return notes + material_check.problems()
+    return notes + _hide_what_no_package_holds() + material_check.problems()
+
+
+def _hide_what_no_package_holds():
+    """Points and volumes, which would shade the rest; a note for each."""
+    found = {}
+    for instance in shown_objects.instances():
+        item = instance.object
+        if item.type == "VOLUME" or (item.type == "POINTCLOUD" and len(item.data.points)):
+            found[item.original.name_full] = item.original
+    notes = []
+    for item in found.values():
+        item.hide_render = item.hide_viewport = True
+        kind = "a volume" if item.type == "VOLUME" else "a point cloud"
+        notes.append(f"object {item.name!r} is {kind}, which no package holds, and was hidden")
+    return notes
 
 
 def _show_what_is_rendered():
@@ -145,45 +157,5 @@ def _show_what_is_rendered():
         ball.resolution = ball.render_resolution
 
 
-def _nodes(tree):
-    """All nodes of a shader, those inside groups too."""
-    for node in tree.nodes:
-        if node.type == "GROUP" and node.node_tree is not None:
-            yield from _nodes(node.node_tree)
-        yield node
-
-
-def _switch_emission_off(tree):
-    switched = False
-    for node in _nodes(tree):
-        strength = {"EMISSION": "Strength", "BSDF_PRINCIPLED": "Emission Strength"}.get(node.type)
-        if strength is None:
-            continue
-        socket = node.inputs[strength]
-        black = (
-            node.type == "BSDF_PRINCIPLED"
-            and not node.inputs["Emission Color"].is_linked
-            and (max(node.inputs["Emission Color"].default_value[:3]) == 0.0)
-        )
-        switched |= not black and (socket.is_linked or socket.default_value > 0.0)
-        for link in list(socket.links):
-            node.id_data.links.remove(link)
-        socket.default_value = 0.0
-    return switched
-
-
 def blender_version():
     return bpy.app.version_string
-
-
-def has_cutouts():
-    """Whether any material lets the camera see through it without refraction."""
-    nodes = [n for m in bpy.data.materials if m.use_nodes for n in _nodes(m.node_tree)]
-    return any(
-        node.type == "BSDF_TRANSPARENT"
-        or (
-            node.type == "BSDF_PRINCIPLED"
-            and (node.inputs["Alpha"].is_linked or node.inputs["Alpha"].default_value < 1.0)
-        )
-        for node in nodes
-    )

@@ -18,6 +18,7 @@ import ray_render
 import scene_parts
 import scene_render
 import source_scene
+import transparency
 
 
 def open_scene(request):
@@ -26,12 +27,12 @@ def open_scene(request):
     parts = scene_parts.find_parts(request["parts"])
     clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
-    ray_render.configure(request["threads"], *clamps, separate_direct=has_hair)
+    emitters = ray_render.configure(request["threads"], *clamps, separate_direct=has_hair)
     return {
         "parts": parts,
         "notes": notes,
         "blender": source_scene.blender_version(),
-        "cutouts": source_scene.has_cutouts(),
+        "emitters": emitters,
     }
 
 
@@ -39,6 +40,7 @@ HANDLERS = {
     "open": open_scene,
     "exportCurves": lambda request: curves_export.export_curves(request["out"], request["owner"]),
     "exportMesh": lambda request: mesh_export.export_mesh(request["out"], request["owner"]),
+    "exportTransparency": lambda request: transparency.export_transparency(request["out"]),
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,
     "renderView": ray_render.render_view,

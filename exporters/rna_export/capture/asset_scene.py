@@ -10,8 +10,14 @@ import numpy as np
 from rna_export.capture.fiber_shape import FiberShape
 from rna_export.capture.settings import SHARPEST
 from rna_export.capture.surface_shape import SurfaceShape
-from rna_render.parts_scene import PartPoints, PartsScene
+from rna_render.asset_parts import transmittance_of
+from rna_render.parts_scene import PartHits, PartPoints, PartsScene
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.transmittance import Transmittance
+
+_MOST_LAYERS = 64  # that a ray passes
+_CLEAR = 0.95  # transmittance from which a surface shows too little of itself to be learnt
+_MOST_PASS = 0.75  # the share of rays that go on behind, at most: thin layers are learnt as well
 
 
 @dataclass(frozen=True)
@@ -34,6 +40,7 @@ class ShadePoints:
     part: np.ndarray  # (n,) int32, place of the part; -1 for a miss
     position: np.ndarray  # (n, 3) float32
     geometric_normal: np.ndarray  # (n, 3) float32
+    transmittance: np.ndarray  # (n, 3) float32, of the point itself
     on: tuple[PartRows, ...]  # for each part
 
     @property
@@ -46,18 +53,32 @@ class AssetScene:
     """Ray queries against all parts of an asset.
 
     sharpest: roughness of the smoothest material whose highlights views are to find.
+    transmittances: what each part lets through; none at all if left out.
 
     Attributes:
+        transmits: whether rays pass through any part.
         shapes: of the parts, in order.
         centre: (3,) float32, of the bounding box; radius: of the sphere around it.
     """
 
-    def __init__(self, geometries: Sequence[Mesh | Curves], sharpest: float = SHARPEST):
+    def __init__(
+        self,
+        geometries: Sequence[Mesh | Curves],
+        sharpest: float = SHARPEST,
+        transmittances: Sequence[Sequence[Transmittance]] = (),
+    ):
         self.shapes = tuple(
             FiberShape(g) if isinstance(g, Curves) else SurfaceShape(g, sharpest)
             for g in geometries
         )
-        self._scene = PartsScene(geometries)
+        tables = [
+            transmittance_of(geometry, records) if isinstance(geometry, Mesh) else None
+            for geometry, records in zip(
+                geometries, transmittances or [()] * len(geometries), strict=True
+            )
+        ]
+        self._scene = PartsScene(geometries, tables)
+        self.transmits = self._scene.transmits
         corners = np.concatenate([shape.points for shape in self.shapes])
         low, high = corners.min(axis=0), corners.max(axis=0)
         self.centre = ((low + high) / 2).astype(np.float32)
@@ -67,19 +88,48 @@ class AssetScene:
 
     def distance(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """How far rays (n, 3) go before they meet the asset, (n,); inf: never."""
-        return self._scene.intersect(origins, directions).t
+        return self._solid_hits(origins, directions)[0].t
 
     def part_hit(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
         """Which part each ray meets first, (n,) int32; -1: none."""
-        return self._scene.intersect(origins, directions).part
+        return self._solid_hits(origins, directions)[0].part
 
     def free_distance(self, points: np.ndarray, normals: np.ndarray, wo: np.ndarray) -> np.ndarray:
         """How far a ray leaves points (n, 3) along wo before it meets the asset; inf: never."""
         return self.distance(points + np.float32(1e-4 * self.radius) * normals, wo)
 
-    def shade_points(self, origins: np.ndarray, directions: np.ndarray) -> ShadePoints:
-        """First hits of rays (n, 3), with everything that a sample records."""
+    def _solid_hits(
+        self, origins: np.ndarray, directions: np.ndarray, rng: np.random.Generator | None = None
+    ) -> tuple[PartHits, np.ndarray]:
+        """Closest hits of rays (n, 3), and what each lets through, (n, 3) float32; holes are none.
+
+        rng: where a hit lets a part of the light through, the ray goes on as often; None: never.
+        """
         hits = self._scene.intersect(origins, directions)
+        tau = np.zeros((len(origins), 3), np.float32)
+        left = np.flatnonzero(hits.part >= 0) if self.transmits else np.zeros(0, int)
+        for _ in range(_MOST_LAYERS):
+            if not len(left):
+                break
+            tau[left] = self._scene.hit_transmittance(_taken(hits, left), directions[left])
+            share = np.minimum(tau[left].mean(axis=1), _MOST_PASS)
+            passes = tau[left].min(axis=1) > _CLEAR
+            if rng is not None:
+                passes |= rng.random(len(left)) < share
+            left = left[passes]
+            nearest = np.nextafter(hits.t[left], np.float32(np.inf)) * np.float32(1.0 + 1e-6)
+            behind = self._scene.intersect(origins[left], directions[left], nearest)
+            for name in PartHits.__slots__:
+                getattr(hits, name)[left] = getattr(behind, name)
+            tau[left] = 0.0
+            left = left[behind.part >= 0]
+        return hits, tau
+
+    def shade_points(
+        self, origins: np.ndarray, directions: np.ndarray, rng: np.random.Generator | None = None
+    ) -> ShadePoints:
+        """First hits of rays (n, 3), with everything that a sample records; rng: `_solid_hits`."""
+        hits, tau = self._solid_hits(origins, directions, rng)
         position = np.zeros((len(origins), 3), np.float32)
         on = []
         for part, shape in enumerate(self.shapes):
@@ -88,11 +138,15 @@ class AssetScene:
             points = self._scene.points(part, *found)
             position[rows] = points.x
             on.append(PartRows(rows, points, shape.sample_fields(points, directions[rows])))
-        return ShadePoints(hits.part, position, hits.normals, tuple(on))
+        return ShadePoints(hits.part, position, hits.normals, tau, tuple(on))
 
     def visible(self, points: ShadePoints, wi: np.ndarray) -> np.ndarray:
-        """Whether wi (n, 3) is free of the asset itself at each point, (n,) bool."""
-        free = np.zeros(len(points.part), bool)
+        """The visibility of the transport contract along wi (n, 3) at each point.
+
+        (n,) bool; where the asset transmits, (n, 3) float32.
+        """
+        shape, dtype = ((len(points.part), 3), np.float32) if self.transmits else (len(wi), bool)
+        free = np.zeros(shape, dtype)
         for part, on in enumerate(points.on):
             free[on.rows] = self._scene.visible(part, on.points, wi[on.rows])
         return free
@@ -124,6 +178,10 @@ class AssetScene:
         every = np.concatenate(rows)
         order = np.argsort(every)
         return every[order], np.concatenate(views)[order]
+
+
+def _taken(hits: PartHits, row: np.ndarray) -> PartHits:
+    return PartHits(*(getattr(hits, name)[row] for name in PartHits.__slots__))
 
 
 def part_counts(n: int, shares: np.ndarray) -> np.ndarray:

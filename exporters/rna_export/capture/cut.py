@@ -12,8 +12,8 @@ import numpy as np
 import trimesh
 
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset_part import DatasetPart, View
+from rna_export.capture.validation_view import EmissionView, ValidationView
 from rna_render.parts_scene import PartsScene
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
@@ -46,6 +46,11 @@ class CutDataset(Dataset):
     def _pieces(self, part: DatasetPart) -> list[DatasetPart]:
         if part.kind != "surface":
             return [DatasetPart(self, part.captured)]
+        if part.captured.transmittance:
+            raise CaptureError(
+                f"{self.folder}: part {part.name} has materials that let light through; expected "
+                "an opaque one to cut into pieces"
+            )
         mesh = part.geometry()
         if len(mesh.triangles) < self.cut:
             raise CaptureError(
@@ -74,7 +79,13 @@ class Piece(DatasetPart):
 
     def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
         """Samples in the piece's bounds: those of its neighbours' edges, too."""
-        samples = self._whole.training_samples(shards)
+        return self._near(self._whole.training_samples(shards))
+
+    def emission_samples(self) -> dict[str, np.ndarray]:
+        """Likewise."""
+        return self._near(self._whole.emission_samples())
+
+    def _near(self, samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         low, high = np.float32(self.bounds)
         position = samples["position"]
         near = np.all((position >= low) & (position <= high), axis=1)
@@ -84,7 +95,13 @@ class Piece(DatasetPart):
 
     def view(self, index: int) -> ValidationView:
         """The rows that lie on the piece itself."""
-        view = self._whole.view(index)
+        return self._on_piece(self._whole.view(index))
+
+    def emission_views(self) -> list[EmissionView]:
+        """Likewise."""
+        return [self._on_piece(view) for view in self._whole.emission_views()]
+
+    def _on_piece(self, view: View) -> View:
         on = self._seams.piece_at(view.samples["position"], view.samples["wo"]) == self._number
         samples = {name: rows[on] for name, rows in view.samples.items()}
         return replace(view, pixel=view.pixel[on], samples=samples, halves=view.halves[:, on])

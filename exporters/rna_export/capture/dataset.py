@@ -3,7 +3,9 @@
 toy.rays/
   manifest.json               parts, settings, source, what is planned
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
+  transmittance/0.safetensors texture of a material that lets light through, as in a package
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
+  emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
 """
 
@@ -13,15 +15,17 @@ from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 
+import numpy as np
 from pydantic import ValidationError
 
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
-from rna_export.capture.sample_files import write_arrays
+from rna_export.capture.sample_files import write_arrays, write_atomically
 from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.transmittance import texture_to_bytes
 
 
 class Dataset:
@@ -45,12 +49,21 @@ class Dataset:
 
     @classmethod
     def create(
-        cls, folder: Path, manifest: CaptureManifest, geometries: Mapping[str, Mesh | Curves]
+        cls,
+        folder: Path,
+        manifest: CaptureManifest,
+        geometries: Mapping[str, Mesh | Curves],
+        textures: Mapping[str, np.ndarray] | None = None,
     ) -> Dataset:
-        """Write the geometry of each part and the manifest, that last: with one it is a dataset."""
+        """Write geometry and textures, and the manifest, that last: with one it is a dataset.
+
+        geometries: of each part. textures: of all transmittance, by the names that records have.
+        """
         folder = Path(folder)
-        for inner in ("geometry", "train", "validation"):
+        for inner in ("geometry", "transmittance", "train", "emission", "validation"):
             (folder / inner).mkdir(parents=True, exist_ok=True)
+        for name, texture in (textures or {}).items():
+            write_atomically(folder / name, texture_to_bytes(texture, name))
         for name, geometry in geometries.items():
             write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
         manifest.write(folder / "manifest.json")
@@ -103,6 +116,20 @@ class Dataset:
 
     def validation_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
+
+    def emission_path(self, shard: int) -> Path:
+        return self.folder / "emission" / f"{shard:05d}.safetensors"
+
+    def emission_image_path(self, view: int, half: int) -> Path:
+        return self.folder / "validation" / f"emission-{view:02d}-{half}.safetensors"
+
+    def finished_emission(self) -> list[Path]:
+        """Paths of the shards of emission that are there. Raises `CaptureError` if none is."""
+        shards = range(self.manifest.emission_shards)
+        paths = [path for k in shards if (path := self.emission_path(k)).is_file()]
+        if not paths:
+            raise CaptureError(f"{self.folder}: no finished shard of emission")
+        return paths
 
     def finished_shards(self) -> list[Path]:
         """Paths of the training shards that are there. Raises `CaptureError` if none is."""

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 from safetensors import SafetensorError
 from safetensors.numpy import load_file
 
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
+from rna_export.capture.manifest import CapturedPart, CaptureManifest, emission_fields
 from rna_export.capture.sample_files import DAMAGED, damaged, joined, read_part
 from rna_export.capture.stored_geometry import geometry_from_arrays
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.validation_view import EmissionView, ValidationView
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.manifest import TransmittanceRecord
+from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset import Dataset
+
+View = TypeVar("View", ValidationView, EmissionView)
 
 _LEAST_SHARE = 1 / 500  # of an image's pixels; fewer say nothing of a part
 
@@ -34,7 +39,7 @@ class DatasetPart:
     def __init__(self, dataset: Dataset, part: CapturedPart):
         self.dataset, self.captured = dataset, part
         self.name, self.kind = part.name, part.kind
-        self.bounds, self.fields = part.bounds, part.fields
+        self.bounds, self.fields = part.bounds, dataset.manifest.fields(part.kind)
 
     @property
     def folder(self) -> Path:
@@ -54,6 +59,24 @@ class DatasetPart:
         except (OSError, TypeError, SafetensorError, PackageError) as error:
             raise CaptureError(DAMAGED.format(path, error)) from error
 
+    def transmittance(self) -> tuple[Transmittance, ...]:
+        """What its triangles let through; none of an opaque part."""
+        return tuple(
+            Transmittance(*record.triangles, self._texture(record), record.cutoff, record.ior)
+            for record in self.captured.transmittance
+        )
+
+    def textures(self) -> dict[str, np.ndarray]:
+        """Those of `transmittance`, by the names that the records have for them."""
+        return {record.texture: self._texture(record) for record in self.captured.transmittance}
+
+    def _texture(self, record: TransmittanceRecord) -> np.ndarray:
+        path = self.folder / record.texture
+        try:
+            return texture_from_bytes(memoryview(path.read_bytes()), record)
+        except (OSError, PackageError) as error:
+            raise CaptureError(DAMAGED.format(path, error)) from error
+
     def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
         """The part's rows of the finished shards joined, one array a field.
 
@@ -62,10 +85,30 @@ class DatasetPart:
         paths = self.dataset.finished_shards()
         if shards is not None:
             paths = paths[:: -(-len(paths) // shards)]
-        samples = joined([read_part(path, self.name, self.fields) for path in paths])
+        samples = joined([self._read(path, self.fields) for path in paths])
         if not len(samples["visible"]):
             raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
         return samples
+
+    def emission_samples(self) -> dict[str, np.ndarray]:
+        """The part's rows of what the asset emits, one array a field of `emission_fields`."""
+        paths = self.dataset.finished_emission()
+        return joined([self._read(path, emission_fields(self.kind)) for path in paths])
+
+    def emission_views(self) -> list[EmissionView]:
+        """The finished images of what the asset emits; the part may have no row there."""
+        fields = emission_fields(self.kind)
+        return [
+            self._view(EmissionView, index, self.dataset.emission_image_path, fields)
+            for index in range(self.manifest.emission_images)
+        ]
+
+    def _read(self, path: Path, fields: Iterable[str]) -> dict[str, np.ndarray]:
+        """Rows of a file; a visibility with colours as (n, 3) float32 from 0 to 1."""
+        rows = read_part(path, self.name, fields)
+        if "visible" in rows and rows["visible"].ndim == 2:
+            rows["visible"] = rows["visible"].astype(np.float32) / np.float32(255.0)
+        return rows
 
     def validation_views(self) -> list[ValidationView]:
         """The finished validation images that show the part in more than a few pixels."""
@@ -80,12 +123,21 @@ class DatasetPart:
 
     def view(self, index: int) -> ValidationView:
         """The part in one validation image; it may have no row there."""
-        paths = [self.dataset.validation_path(index, half) for half in (0, 1)]
-        first, second = (read_part(p, self.name, (*self.fields, "pixel")) for p in paths)
+        return self._view(ValidationView, index, self.dataset.validation_path, self.fields)
+
+    def _view(
+        self,
+        kind: type[View],
+        index: int,
+        path_of: Callable[[int, int], Path],
+        fields: Mapping[str, int],
+    ) -> View:
+        paths = [path_of(index, half) for half in (0, 1)]
+        first, second = (self._read(p, (*fields, "pixel")) for p in paths)
         if not np.array_equal(first["pixel"], second["pixel"]):
             raise damaged(paths[1], "its pixels are not those of the first half")
         halves = np.stack([first["radiance"], second["radiance"]])
-        samples = {name: first[name] for name in self.fields}
+        samples = {name: first[name] for name in fields}
         samples["radiance"] = halves.mean(axis=0)
         resolution = self.manifest.settings.validation_resolution
-        return ValidationView(index, resolution, first["pixel"], samples, halves)
+        return kind(index, resolution, first["pixel"], samples, halves)

@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.settings import CaptureSettings, DatasetModel
 from rna_sdk.package import Domain
-from rna_sdk.package.manifest import Name
+from rna_sdk.package.manifest import Name, TransmittanceRecord
 
 SAMPLE_FIELDS: dict[str, dict[str, int]] = {
     "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
@@ -28,6 +28,14 @@ SAMPLE_FIELDS: dict[str, dict[str, int]] = {
 }
 """Kind of part -> what a sample holds, with its number of columns."""
 
+EMISSION_SHARE = 0.15  # of the training shards
+_OF_A_LIGHT = ("wi", "direct", "visible")
+
+
+def emission_fields(kind: str) -> dict[str, int]:
+    """What a sample of emission holds, likewise."""
+    return {name: n for name, n in SAMPLE_FIELDS[kind].items() if name not in _OF_A_LIGHT}
+
 
 def what_is_wrong(error: ValidationError) -> str:
     """The first of the errors in one line: where it is, what is wrong."""
@@ -42,11 +50,7 @@ class CapturedPart(DatasetModel):
     name: Name
     kind: Literal["surface", "fiber"]
     bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
-
-    @property
-    def fields(self) -> dict[str, int]:
-        """What a sample holds: see SAMPLE_FIELDS."""
-        return SAMPLE_FIELDS[self.kind]
+    transmittance: tuple[TransmittanceRecord, ...] = ()  # textures are files of the dataset
 
 
 class CaptureManifest(DatasetModel):
@@ -60,7 +64,8 @@ class CaptureManifest(DatasetModel):
     settings: CaptureSettings
     blender: str
     generator: str
-    cutouts: bool  # the asset has see-through parts: a hit with alpha below 1 is a sample, too
+    opaque_cutouts: bool  # light through some materials counts as theirs: alpha may be below 1
+    emitters: tuple[str, ...] = ()  # materials that emit light
     notes: tuple[str, ...] = ()
     scene_domain: Domain | None = None  # of --for; in the place of settings.domain
 
@@ -80,8 +85,31 @@ class CaptureManifest(DatasetModel):
         return self.scene_domain or Domain(wo=everywhere, wi=everywhere)
 
     @property
+    def transmits(self) -> bool:
+        """Whether rays pass through any part."""
+        return any(part.transmittance for part in self.parts)
+
+    @property
     def shards(self) -> int:
         return -(-self.settings.lights // self.settings.lights_per_shard)
+
+    @property
+    def emission_shards(self) -> int:
+        """As many rays each as a training shard, so that emission is a part of the capture."""
+        return max(1, round(EMISSION_SHARE * self.shards)) if self.emitters else 0
+
+    @property
+    def emission_images(self) -> int:
+        """Images of what the asset emits, kept from training."""
+        return max(1, self.settings.validation_views // 4) if self.emitters else 0
+
+    def fields(self, kind: str) -> dict[str, int]:
+        """What a sample of a kind of part holds: see SAMPLE_FIELDS.
+
+        Where rays pass through parts, the visibility has a colour: 255 times it.
+        """
+        fields = SAMPLE_FIELDS[kind]
+        return {**fields, "visible": 3} if self.transmits else fields
 
     def write(self, path: Path) -> None:
         """As JSON; the file appears whole or not at all."""

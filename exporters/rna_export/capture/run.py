@@ -19,17 +19,17 @@ import rna_sdk
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import light_direction
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
+from rna_export.capture.exported_parts import exported_parts
+from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
+from rna_export.capture.tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_export.capture.view_rays import sample_view_rays
-from rna_export.capture.weld import weld
-from rna_export.capture.worker import BlenderWorker, ScenePart, Source
+from rna_export.capture.worker import BlenderWorker, Source
 from rna_render.scene_file import SceneFile
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Domain, Mesh, quantise
+from rna_sdk.package import Curves, Domain, Mesh
 from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
@@ -68,10 +68,9 @@ def begin(
     with crew.worker(source, "probe") as worker:
         opening = monotonic() - start
         settings = CaptureSettings.usual(worker.kind, **asked)
-        geometries = {
-            part.name: _exported(worker, part, settings.exact_geometry) for part in worker.parts
-        }
-        scene = AssetScene(tuple(geometries.values()), settings.sharpest)
+        exported = exported_parts(worker, settings.exact_geometry)
+        geometries = exported.geometries
+        scene = AssetScene(tuple(geometries.values()), settings.sharpest, exported.transmittances())
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         rate = _paths_a_second(scene, settings, domain, worker) * crew.workers
@@ -82,20 +81,21 @@ def begin(
             say(note)
     manifest = CaptureManifest(
         name=source.path.stem,
-        parts=tuple(_captured(part, geometries[part.name]) for part in worker.parts),
+        parts=exported.captured(),
         source=source.path.name,
         source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
         arguments=source.arguments,
         settings=settings,
         blender=opened["blender"],
         generator=f"rna-capture {rna_sdk.__version__}",
-        cutouts=opened["cutouts"],
-        notes=tuple(opened["notes"]),
+        opaque_cutouts=bool(exported.notes),
+        emitters=tuple(opened["emitters"]),
+        notes=(*opened["notes"], *exported.notes),
         scene_domain=limited,
     )
     for note in manifest.notes:
         say(f"note: {note}")
-    dataset = Dataset.create(out, manifest, geometries)
+    dataset = Dataset.create(out, manifest, geometries, exported.textures)
     say(_plan(dataset, geometries, rate))
     return dataset
 
@@ -103,21 +103,8 @@ def begin(
 def scene_of(dataset: Dataset) -> AssetScene:
     """All parts of a dataset, ready to be asked with rays."""
     geometries = [part.geometry() for part in dataset.parts]
-    return AssetScene(geometries, dataset.manifest.settings.sharpest)
-
-
-def _exported(worker: BlenderWorker, part: ScenePart, exact: bool) -> Mesh | Curves:
-    if part.kind == "fiber":
-        geometry: Mesh | Curves = worker.export_curves(part.owner)
-    else:
-        geometry = weld(worker.export_corners(part.owner))
-    return geometry if exact else quantise(geometry)
-
-
-def _captured(part: ScenePart, geometry: Mesh | Curves) -> CapturedPart:
-    low, high = geometry.box()
-    bounds = tuple(low.tolist()), tuple(high.tolist())
-    return CapturedPart(name=part.name, kind=part.kind, bounds=bounds)
+    transmittances = [part.transmittance() for part in dataset.parts]
+    return AssetScene(geometries, dataset.manifest.settings.sharpest, transmittances)
 
 
 def finish(
@@ -164,9 +151,7 @@ class _Shift:
     crew: Crew
     bar: tqdm
     limit: TimeLimit | None = None
-    todo: queue.SimpleQueue[TrainingShard | ValidationHalf] = field(
-        default_factory=queue.SimpleQueue
-    )
+    todo: queue.SimpleQueue[Task] = field(default_factory=queue.SimpleQueue)
     stop: threading.Event = field(default_factory=threading.Event)
     failures: list[Exception] = field(default_factory=list)
     workers: list[BlenderWorker] = field(default_factory=list)
@@ -210,14 +195,14 @@ class _Shift:
             self.failures.append(error)
             self.stop.set()
 
-    def _is_too_late(self, task: TrainingShard | ValidationHalf, took: float) -> bool:
+    def _is_too_late(self, task: Task, took: float) -> bool:
         """Whether there is no time for half of the task, if it takes as long as the last one."""
-        if self.limit is None or isinstance(task, ValidationHalf):
+        if self.limit is None or not isinstance(task, TrainingShard):
             return False
         first = task.index * self.dataset.manifest.settings.lights_per_shard
         return first >= LEAST_LIGHTS and self.limit.left() < took / 2.0
 
-    def _run(self, task: TrainingShard | ValidationHalf, worker: BlenderWorker) -> None:
+    def _run(self, task: Task, worker: BlenderWorker) -> None:
         try:
             task.run(self.dataset, self.scene, worker)
         except CaptureError:  # Blender may die of its own; a second failure is ours

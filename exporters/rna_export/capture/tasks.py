@@ -9,9 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from rna_export.capture.asset_scene import AssetScene, PartRows
+from rna_export.capture.asset_scene import AssetScene, PartRows, ShadePoints
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import directions_in, light_direction
+from rna_export.capture.manifest import emission_fields
 from rna_export.capture.sample_files import joined, write_parts
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
@@ -23,6 +25,8 @@ from rna_sdk.package.manifest_fields import Region
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
+_STEP = 1e-4  # of the asset's radius, before and behind a point
+_LEAST_OWN = 0.05  # of what is seen at a point: of less, the noise would be too much
 
 Samples = dict[str, dict[str, np.ndarray]]
 """Part -> field -> rows."""
@@ -59,7 +63,7 @@ class TrainingShard:
         rng = np.random.default_rng([settings.seed, 1, light])
         rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
         seed = int(rng.integers(2**31))
-        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed)
+        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng)
 
 
 @dataclass(frozen=True)
@@ -68,9 +72,11 @@ class ValidationHalf:
 
     view: int
     half: int
+    emission: bool = False  # of what the asset emits, instead of a light
 
     def path(self, dataset: Dataset) -> Path:
-        return dataset.validation_path(self.view, self.half)
+        path = dataset.emission_image_path if self.emission else dataset.validation_path
+        return path(self.view, self.half)
 
     def paths_to_trace(self, dataset: Dataset) -> int:
         return dataset.manifest.settings.validation_paths // 2
@@ -80,23 +86,58 @@ class ValidationHalf:
         rng = np.random.default_rng([settings.seed, 2, self.view])
         domain = dataset.manifest.domain
         wi = directions_in(domain.wi, rng.random((1, 2)))[0]
+        if self.emission:
+            wi = None
         rays, hit = _validation_rays(scene, settings, domain.wo, self.view, rng)
         samples = settings.validation_samples // 2
-        noise = np.random.default_rng([settings.seed, 3, self.view, self.half])
+        noise = np.random.default_rng([settings.seed, 3 + self.emission, self.view, self.half])
         seed = int(noise.integers(2**31))
         pieces = []
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
             extra = {"pixel": pixel.astype(np.int32)}
-            pieces.append(_capture(dataset, scene, worker, rays[pixel], wi, samples, seed, extra))
+            asked = rays[pixel], wi, samples, seed, rng, extra
+            pieces.append(_capture(dataset, scene, worker, *asked))
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
-def all_tasks(dataset: Dataset) -> list[TrainingShard | ValidationHalf]:
-    """Every task of the dataset's plan, validation first."""
-    settings = dataset.manifest.settings
-    views = [ValidationHalf(v, half) for v in range(settings.validation_views) for half in (0, 1)]
-    return views + [TrainingShard(k) for k in range(dataset.manifest.shards)]
+@dataclass(frozen=True)
+class EmissionShard:
+    """Samples of what the asset emits, as many as in a training shard."""
+
+    index: int
+
+    def path(self, dataset: Dataset) -> Path:
+        return dataset.emission_path(self.index)
+
+    def paths_to_trace(self, dataset: Dataset) -> int:
+        settings = dataset.manifest.settings
+        return settings.lights_per_shard * settings.rays * settings.samples
+
+    def run(self, dataset: Dataset, scene: AssetScene, worker: BlenderWorker) -> None:
+        settings, pieces = dataset.manifest.settings, []
+        for k in range(settings.lights_per_shard):
+            rng = np.random.default_rng([settings.seed, 5, self.index, k])
+            rays = sample_view_rays(scene, None, settings.rays, dataset.manifest.domain.wo, rng)
+            asked = rays, None, settings.samples, int(rng.integers(2**31)), rng
+            pieces.append(_capture(dataset, scene, worker, *asked))
+        write_parts(self.path(dataset), _all_rows(pieces))
+
+
+Task = TrainingShard | ValidationHalf | EmissionShard
+
+
+def all_tasks(dataset: Dataset) -> list[Task]:
+    """Every task of the dataset's plan, validation and emission first."""
+    manifest = dataset.manifest
+    views = range(manifest.settings.validation_views)
+    glowing = range(manifest.emission_images)
+    return [
+        *(ValidationHalf(view, half) for view in views for half in (0, 1)),
+        *(ValidationHalf(view, half, emission=True) for view in glowing for half in (0, 1)),
+        *(EmissionShard(k) for k in range(manifest.emission_shards)),
+        *(TrainingShard(k) for k in range(manifest.shards)),
+    ]
 
 
 def _all_rows(pieces: list[Samples]) -> Samples:
@@ -108,30 +149,71 @@ def _capture(
     scene: AssetScene,
     worker: BlenderWorker,
     rays: ViewRays,
-    wi: np.ndarray,
+    wi: np.ndarray | None,
     samples: int,
     seed: int,
+    rng: np.random.Generator,
     extra: dict[str, np.ndarray] | None = None,
 ) -> Samples:
-    """Samples of view rays under one light: geometry from our scene, radiance from Cycles."""
-    points = scene.shade_points(rays.origins, rays.directions)
-    rendered = worker.render_rays(rays.origins, rays.directions, wi, samples, seed)
-    wi_rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), rays.origins.shape))
+    """Samples of view rays under one light: geometry from our scene, radiance from Cycles.
+
+    wi: towards the light; None: of what the asset emits, without a light. rng: chooses which rays
+    go on behind what lets light through.
+    """
+    points = scene.shade_points(rays.origins, rays.directions, rng)
+    origins, reach = _starts(scene, points, rays)
+    rendered = worker.render_rays(origins, rays.directions, wi, samples, seed, reach)
     of_ray = {
         "wo": -rays.directions,
-        "wi": wi_rows,
         "radiance": rendered.radiance,
         "direct": rendered.direct,
-        "visible": scene.visible(points, wi_rows).astype(np.uint8),
+        **_of_light(scene, points, wi),
         **(extra or {}),
     }
     # A ray along a silhouette may hit here and miss there; such a sample would be black.
-    seen = dataset.manifest.cutouts | (rendered.alpha > 0.999)
+    # What lets light through has an alpha that is as noisy as its radiance.
+    thin = points.transmittance.any(axis=1)
+    seen = dataset.manifest.opaque_cutouts | thin | (rendered.alpha > 0.999)
     keep = seen & np.isfinite(rendered.radiance).all(axis=1)
+    if scene.transmits:  # of what Cycles shows, the share that is the point's own
+        own = 1.0 - points.transmittance
+        keep &= own.min(axis=1) > _LEAST_OWN
+        of_ray["radiance"] = rendered.radiance / np.maximum(own, _LEAST_OWN)
     return {
-        part.name: _kept(on, keep, of_ray, (*part.fields, *(extra or {})))
+        part.name: _kept(on, keep, of_ray, (*_fields(part, wi), *(extra or {})))
         for part, on in zip(dataset.parts, points.on, strict=True)
     }
+
+
+def _fields(part: DatasetPart, wi: np.ndarray | None) -> Iterable[str]:
+    return emission_fields(part.kind) if wi is None else part.fields
+
+
+def _starts(
+    scene: AssetScene, points: ShadePoints, rays: ViewRays
+) -> tuple[np.ndarray, float | None]:
+    """Where Cycles' rays start, and how far they go.
+
+    At assets that transmit, close before the points and close behind them: what lies before a point
+    on its ray has let the ray pass, and what lies behind it is not seen.
+    """
+    if not scene.transmits:
+        return rays.origins, None
+    step = np.float32(_STEP * scene.radius)
+    points_or_origins = np.where(points.hit[:, None], points.position, rays.origins)
+    return points_or_origins - step * rays.directions, float(2.0 * step)
+
+
+def _of_light(
+    scene: AssetScene, points: ShadePoints, wi: np.ndarray | None
+) -> dict[str, np.ndarray]:
+    """What samples of a light record of it; nothing for the asset's own light."""
+    if wi is None:
+        return {}
+    rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), points.position.shape))
+    visible = scene.visible(points, rows)
+    scale = 255 if scene.transmits else 1
+    return {"wi": rows, "visible": np.round(scale * visible.astype(np.float32)).astype(np.uint8)}
 
 
 def _kept(

@@ -52,8 +52,8 @@ class ValidationView:
         return queries_of(self.samples)
 
     def pick(self, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
-        """Of a model's two outputs, (n, 3) each, the one that each row's visibility calls for."""
-        return np.where(self.samples["visible"].astype(bool)[:, None], visible, shadowed)
+        """Of a model's two outputs, (n, 3) each, what each row's visibility calls for."""
+        return picked(self.samples["visible"], visible, shadowed)
 
     def shaded_by(self, asset: Asset) -> np.ndarray:
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
@@ -62,6 +62,15 @@ class ValidationView:
     def image(self, values: np.ndarray) -> np.ndarray:
         """See `CapturedImage`."""
         return _image(self.resolution, self.pixel, values)
+
+
+@dataclass(frozen=True)
+class EmissionView(ValidationView):
+    """One part in a captured image of what the asset emits; `samples` know of no light."""
+
+    def shaded_by(self, asset: Asset) -> np.ndarray:
+        """Radiance of the rows, (n, 3) float32, as the runtime answers."""
+        return asset.emission(*self.queries.values())
 
 
 @dataclass(frozen=True)
@@ -97,6 +106,13 @@ def _image(resolution: int, pixel: np.ndarray, values: np.ndarray) -> np.ndarray
     image = np.zeros((resolution**2, 3), np.float32)
     image[pixel] = values
     return image.reshape(resolution, resolution, 3)
+
+
+def picked(v: np.ndarray, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
+    """Of two outputs (n, 3) that which visibility calls for: (n,) bool or integer, or (n, 3)."""
+    if v.ndim == 1:
+        return np.where(v.astype(bool)[:, None], visible, shadowed)
+    return v * visible + (1.0 - v) * shadowed
 
 
 def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:

@@ -51,16 +51,20 @@ Drawing = Callable[[int, "np.ndarray | None"], ViewRays]
 
 
 def sample_view_rays(
-    scene: AssetScene, wi: np.ndarray, n: int, wo: Region, rng: np.random.Generator
+    scene: AssetScene, wi: np.ndarray | None, n: int, wo: Region, rng: np.random.Generator
 ) -> ViewRays:
-    """n rays towards the asset, lit from wi (3,), whose views are in the region `wo`."""
+    """n rays towards the asset, whose views are in the region `wo`.
+
+    wi: (3,) where the light comes from that makes highlights; None: no light, no highlights.
+    """
     shares = _part_shares(scene, wo, rng)
     draw = _Draw(scene, wo, rng)
 
     def highlight(k: int, among: np.ndarray | None) -> ViewRays:
         return _highlight(scene, wi, draw.seen(2 * k, among), k, rng)
 
-    highlights = draw.both_ways(highlight, part_counts(round(n * HIGHLIGHT), shares), tries=8)
+    lit = 0 if wi is None else round(n * HIGHLIGHT)
+    highlights = draw.both_ways(highlight, part_counts(lit, shares), tries=8)
     close = draw.hits(draw.close, part_counts(round(n * CLOSE), shares), tries=32)
     found = highlights.of_parts + close.of_parts
     wanted = np.maximum(part_counts(n, shares) - found, 0)

@@ -2,10 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import trimesh
 
 from rna_sdk.package import Mesh
+
+
+def with_last(corners: dict[str, np.ndarray], last: Sequence[str]) -> dict[str, np.ndarray]:
+    """The same, the triangles of some materials at the end, in their order; degenerate ones go."""
+    positions = corners["positions"].astype(np.float32).reshape(-1, 3, 3)
+    area = trimesh.triangles.area(positions.astype(np.float64))
+    rank = {material: place for place, material in enumerate(last)}
+    places = np.array([rank.get(name, -1) for name in corners["material"]])
+    order = np.argsort(places, kind="stable")
+    order = order[area[order] > 0.0]
+    rows = (3 * order[:, None] + np.arange(3)).ravel()
+    of_corners = {name: corners[name][rows] for name in ("positions", "normals", "uvs")}
+    return {**corners, **of_corners, "material": corners["material"][order]}
 
 
 def weld(corners: dict[str, np.ndarray]) -> Mesh:

@@ -50,6 +50,15 @@ class ScenePart:
 
 
 @dataclass(frozen=True)
+class SeeThrough:
+    """What a material lets through without bending it; as in rna_sdk.package.Transmittance."""
+
+    texture: np.ndarray  # (h, w, 1 or 3) uint8
+    cutoff: float | None
+    ior: tuple[float, float] | None
+
+
+@dataclass(frozen=True)
 class RenderedRays:
     """One row a ray, float32.
 
@@ -158,31 +167,51 @@ class BlenderWorker:
 
     def export_curves(self, owner: str | None = None) -> Curves:
         """All strands of a top object, or of the scene, +Y up."""
-        arrays = self._exported("exportCurves", owner)
+        arrays, _ = self._exported("exportCurves", owner=owner)
         points = np.ascontiguousarray(from_blender(arrays["points"]), np.float32)
         return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
 
     def export_corners(self, owner: str | None = None) -> dict[str, np.ndarray]:
-        """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`."""
-        corners = self._exported("exportMesh", owner)
+        """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`.
+
+        The materials of the triangles by name, "" for none.
+        """
+        corners, answer = self._exported("exportMesh", owner=owner)
         for name in ("positions", "normals"):
             corners[name] = from_blender(corners[name])
+        corners["material"] = np.array([*answer["materials"], ""])[corners["material"]]
         return corners
 
-    def _exported(self, op: str, owner: str | None) -> dict[str, np.ndarray]:
-        path = self._folder / f"geometry-{self._name}.npz"
-        self._ask(op=op, out=str(path), owner=owner)
+    def export_transparency(self) -> tuple[dict[str, SeeThrough], list[str]]:
+        """What lets light through, by material, and notes for the user."""
+        textures, answer = self._exported("exportTransparency")
+        found = {
+            record["material"]: SeeThrough(textures[str(k)], record["cutoff"], record["ior"])
+            for k, record in enumerate(answer["materials"])
+        }
+        return found, answer["notes"]
+
+    def _exported(self, op: str, **request: Any) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+        path = self._folder / f"exported-{self._name}.npz"
+        answer = self._ask(op=op, out=str(path), **request)
         with np.load(path) as data:
             arrays = dict(data)
         path.unlink()
-        return arrays
+        return arrays, answer
 
     def render_rays(
-        self, origins: np.ndarray, directions: np.ndarray, wi: np.ndarray, samples: int, seed: int
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        wi: np.ndarray | None,
+        samples: int,
+        seed: int,
+        reach: float | None = None,
     ) -> RenderedRays:
-        """What comes along rays, the asset lit from `wi` with irradiance 1.
+        """What comes along rays, the asset lit from `wi` with irradiance 1, or by itself alone.
 
-        `origins`, `directions`: (n, 3) float32, object space, +Y up; `wi`: (3,) towards the light.
+        `origins`, `directions`: (n, 3) float32, object space, +Y up; `wi`: (3,) towards the light,
+        or None for what the asset emits. `reach`: how far the rays go.
         """
         n = len(origins)
         width = min(n, max(1, math.isqrt(n)))
@@ -193,7 +222,7 @@ class BlenderWorker:
         }
         _write_rays(paths["origins"], to_blender(origins), width, height)
         _write_rays(paths["directions"], to_blender(directions), width, height)
-        request = {k: str(p) for k, p in paths.items()}
+        request = {k: str(p) for k, p in paths.items()} | {"reach": reach}
         self._render("renderRays", request, wi, samples, seed, width, height)
         passes = _read_render(paths["out"])
         for path in paths.values():
@@ -212,13 +241,15 @@ class BlenderWorker:
         seed: int,
         width: int,
         height: int,
+        emits: bool = False,
     ) -> np.ndarray:
         """An ordinary pinhole image, (height, width, 4) float32 premultiplied RGBA.
 
-        `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians.
+        `to_world`: (4, 4) camera (looks along -z) to +Y-up world; `fov_y` in radians; `emits`:
+        whether the materials emit light.
         """
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
-        request = {"out": str(out), **_pinhole(to_world, fov_y, width, height)}
+        request = {"out": str(out), "emits": emits, **_pinhole(to_world, fov_y, width, height)}
         self._render("renderView", request, wi, samples, seed, width, height)
         passes = _read_render(out)
         out.unlink()
@@ -260,7 +291,7 @@ class BlenderWorker:
         self,
         op: str,
         request: dict[str, Any],
-        wi: np.ndarray,
+        wi: np.ndarray | None,
         samples: int,
         seed: int,
         width: int,
@@ -272,7 +303,7 @@ class BlenderWorker:
             self.restart()
         self._samples = samples
         self._renders += 1
-        towards = [float(v) for v in to_blender(np.asarray(wi, np.float64))]
+        towards = None if wi is None else to_blender(np.asarray(wi, np.float64)).tolist()
         size = {"width": width, "height": height}
         self._ask(op=op, **{**request, **size}, wi=towards, samples=samples, seed=seed)
 

@@ -113,7 +113,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             (args.front or ("-Y" if args.up[-1] == "Z" else "Z"), args.up),
             args.cameras,
             lambda p: print(
-                f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, ours "
+                f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, "
+                f"coverage differs by {p.coverage:.2%}, ours "
                 f"{p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s"
             ),
         )

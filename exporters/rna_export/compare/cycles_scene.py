@@ -5,6 +5,7 @@ The description is JSON in the renderer's own space, +Y up:
 - `assets`: 4 x 4 matrices, one for each instance of the original;
 - `meshes`: `positions`, `triangles` and the Lambertian `color` of each object, the ground too;
 - `lights`: what the scene file says of them, with the paths of images resolved;
+- `emission`: whether the original emits light;
 - `bounces`: how often light may scatter, or null for what the source itself sets.
 """
 
@@ -24,7 +25,10 @@ from rna_sdk.errors import SceneError
 
 
 def cycles_scene(
-    scene: Scene, resolve: Callable[[Path], Path] = Path, bounces: int | None = None
+    scene: Scene,
+    resolve: Callable[[Path], Path] = Path,
+    bounces: int | None = None,
+    emission: bool = False,
 ) -> dict[str, Any]:
     """The description that `BlenderWorker.render_scene` takes.
 
@@ -37,6 +41,7 @@ def cycles_scene(
         "meshes": [*_objects(scene, resolve), *_ground(scene, resolve)],
         "lights": [_light(model.model_dump(mode="json"), resolve) for model in scene.lights],
         "bounces": bounces,
+        "emission": emission,
     }
 
 

@@ -17,7 +17,7 @@ _STYLE = (
     "img{width:100%;display:block}td{padding:4px;vertical-align:top;width:25%}"
     "table{border-collapse:collapse;width:100%}th{text-align:left}"
 )
-_NUMBERS = ("psnr", "psnr_without_noise", "flip", "seconds_ours", "seconds_cycles")
+_NUMBERS = ("psnr", "psnr_without_noise", "flip", "coverage", "seconds_ours", "seconds_cycles")
 
 
 def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, object]) -> None:

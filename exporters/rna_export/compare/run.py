@@ -36,6 +36,7 @@ class Pair:
     psnr: float  # over the pixels that the asset covers in both
     psnr_without_noise: float  # against what Cycles would converge to
     flip: float
+    coverage: float  # mean difference of alpha over the picture: how far outlines differ
     seconds_ours: float
     seconds_cycles: float
 
@@ -58,7 +59,7 @@ def compare(
     for shot in shots_of(asset, resolution, turn_deg, frame):
         if shot.camera_name in cameras:
             ours = render_ours(shot, world, package, samples)
-            cycles = render_cycles(shot, worker, cycles_samples)
+            cycles = render_cycles(shot, worker, cycles_samples, asset.emits)
             pairs.append(judge(shot, ours, cycles))
             done(pairs[-1])
     return pairs
@@ -73,12 +74,17 @@ def render_ours(shot: Shot, world: World, package: Path, samples: int) -> Timed:
     return Timed(image, time.perf_counter() - start)
 
 
-def render_cycles(shot: Shot, worker: BlenderWorker, samples: int) -> Timed:
-    """The shot of the original, as two independent halves of the samples: (2, h, w, 4) float32."""
+def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) -> Timed:
+    """The shot of the original, as two independent halves of the samples: (2, h, w, 4) float32.
+
+    emits: whether its materials emit light.
+    """
     start = time.perf_counter()
     n, view = shot.resolution, (shot.to_world, FOV_Y, shot.wi)
     seeds = 2 * shot.number, 2 * shot.number + 1
-    halves = np.stack([worker.render_view(*view, samples // 2, seed, n, n) for seed in seeds])
+    halves = np.stack(
+        [worker.render_view(*view, samples // 2, seed, n, n, emits) for seed in seeds]
+    )
     return Timed(halves, time.perf_counter() - start)
 
 
@@ -90,5 +96,6 @@ def judge(shot: Shot, ours: Timed, cycles: Timed) -> Pair:
     a, b = np.ascontiguousarray(image[..., :3]), np.ascontiguousarray(mean[..., :3])
     error, error_map = flip(a, b)
     clean = psnr_without_noise(a[covered], *(half[covered][:, :3] for half in halves))
-    quality = psnr(a[covered], b[covered]), clean, error
+    coverage = float(np.abs(image[..., 3] - mean[..., 3]).mean())
+    quality = psnr(a[covered], b[covered]), clean, error, coverage
     return Pair(shot, a, b, error_map, *quality, ours.seconds, cycles.seconds)

@@ -60,7 +60,13 @@ def build_package(
     if is_measured:
         of_tiers = [model for model in models for _ in precisions]
         manifest = _measure(manifest, of_tiers, dataset, data, max_loss, say)
-    return write_package(out, manifest, [part.geometry() for part in dataset.parts], data)
+    return write_package(out, manifest, *_of_parts(dataset, data))
+
+
+def _of_parts(dataset: Dataset, data: dict[str, list[TierData]]) -> tuple[Any, ...]:
+    """Geometry, the tiers' data and textures, as `write_package` takes them."""
+    textures = {name: t for part in dataset.parts for name, t in part.textures().items()}
+    return [part.geometry() for part in dataset.parts], data, textures
 
 
 def _parts(model: TrainedTier, dataset: Dataset) -> tuple[Part, ...]:
@@ -74,6 +80,7 @@ def _parts(model: TrainedTier, dataset: Dataset) -> tuple[Part, ...]:
                 kind=part.kind,
                 bounds=Bounds(min=tuple(low.tolist()), max=tuple(high.tolist())),
                 geometry=f"geometry/{part.name}{Path(usual).suffix}" if several else usual,
+                **({"transmittance": records} if (records := part.captured.transmittance) else {}),
             )
         )
     return tuple(parts)
@@ -91,7 +98,7 @@ def _measure(
     views, tiers = dataset.whole_views(), []
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "measured.rna"
-        write_package(path, manifest, [part.geometry() for part in dataset.parts], data)
+        write_package(path, manifest, *_of_parts(dataset, data))
         for tier, model in zip(manifest.tiers, models, strict=True):
             tier = measured(tier, load(path, tier=tier.name), model, views, say)
             check_loss(tier, model, views, max_loss)

@@ -35,8 +35,9 @@ def parser() -> argparse.ArgumentParser:
         nargs="+",
         choices=list(PRECISIONS),
         default=["float32"],
-        help="a tier of each checkpoint for each: float32 decoder with float16 planes, or int8 for "
-        "both, whose tier has -int8 in its name (default: float32)",
+        help="a tier of each checkpoint for each: float32 decoder; int8 decoder, whose tier has "
+        "-int8 in its name; both with int8 planes; or float32-float16, with planes of twice the "
+        "bytes (default: float32)",
     )
     p.add_argument(
         "--max-loss",
@@ -45,6 +46,20 @@ def parser() -> argparse.ArgumentParser:
         metavar="DB",
         help="PSNR that a tier may lose against the trained model, dB; the export is refused "
         "beyond it (float, default: %(default)s)",
+    )
+    p.add_argument(
+        "--poster",
+        type=Path,
+        metavar="PNG",
+        help="picture of the asset that the package keeps for file browsers and the like (path, "
+        "default: one rendered from the front)",
+    )
+    p.add_argument(
+        "--coding",
+        choices=["raw", "deflate"],
+        default="raw",
+        help="deflate: entries are stored coded, without loss; readers that do not know "
+        "RNA_deflate refuse the package (default: %(default)s)",
     )
     p.add_argument(
         "--source",
@@ -72,6 +87,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.cut import as_cut
     from rna_export.capture.dataset import Dataset
     from rna_export.export.build import build_package
+    from rna_export.export.dressing import dress
     from rna_export.export.trained_tiers import checkpoint_paths
     from rna_export.training.checkpoint import load_checkpoint
 
@@ -88,6 +104,7 @@ def _run(args: argparse.Namespace) -> None:
         precisions,
         max_loss=args.max_loss,
     )
+    dress(args.out, dataset, args.poster, args.coding == "deflate")
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB\nnext: rna-validate {args.out}")
 

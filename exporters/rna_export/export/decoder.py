@@ -28,8 +28,31 @@ class Agreement:
     max_relative: float  # of values above ABSOLUTE / RELATIVE
 
 
-def export_decoder(model: NeuralAsset, int8: Int8Decoder | None = None) -> bytes:
-    """`queries` (N, K) to `transport` (N, 6), with no more than RNA-1.0's operators.
+class EmissionModel:
+    """The part of a model that tells what its asset emits, as the functions below take a model."""
+
+    output, colour_sums = "emission", ((1,),)
+
+    def __init__(self, model: NeuralAsset):
+        assert model.emission is not None
+        self._emission, self.triplane = model.emission, model.triplane
+        self.decoder, self.ceiling = model.emission.decoder, model.emission.ceiling
+        self.unit = model.emission.unit
+
+    def queries(self, at: Points) -> Tensor:
+        """What the decoder is asked, (k, K)."""
+        return self._emission.queries(self.triplane, at)
+
+    def transport(self, y: Tensor) -> Tensor:
+        """Emitted radiance, (k, 1, 3), from y of this shape."""
+        return self._emission.radiance(y)
+
+
+Exported = NeuralAsset | EmissionModel
+
+
+def export_decoder(model: Exported, int8: Int8Decoder | None = None) -> bytes:
+    """`queries` (N, K) to the output (N, 6), or (N, 3), with the spec's operators alone.
 
     int8: the model's layers in integers, to be written in place of its own.
     """
@@ -38,16 +61,16 @@ def export_decoder(model: NeuralAsset, int8: Int8Decoder | None = None) -> bytes
     value = _layers(graph, value, model) if int8 is None else _int8_layers(graph, value, int8)
     y = graph.clip(value, 0.0, float(torch.log1p(model.ceiling / model.unit)))
     x = graph.add("Sub", [graph.add("Exp", [y]), graph.constant(1.0)])
-    sums, unit = np.array(model.config.colour_sums), float(model.unit)
-    if np.array_equal(sums, np.eye(2)):
-        graph.add("Mul", [x, graph.constant(unit)], "transport")
+    sums, unit = np.array(model.colour_sums), float(model.unit)
+    if np.array_equal(sums, np.eye(len(sums))):
+        graph.add("Mul", [x, graph.constant(unit)], model.output)
     else:
         matrix = np.float32(unit * np.kron(sums.T, np.eye(3)))
-        graph.add("MatMul", [x, graph.constant(matrix)], "transport")
-    return graph.serialize(model.decoder[0].in_features)
+        graph.add("MatMul", [x, graph.constant(matrix)], model.output)
+    return graph.serialize(model.decoder[0].in_features, model.output, 3 * len(sums))
 
 
-def _layers(graph: Graph, value: str, model: NeuralAsset) -> str:
+def _layers(graph: Graph, value: str, model: Exported) -> str:
     for layer in model.decoder:
         if isinstance(layer, torch.nn.Linear):
             weight, bias = layer.weight.detach().numpy().T, layer.bias.detach().numpy()
@@ -78,7 +101,7 @@ def _int8_layers(graph: Graph, value: str, int8: Int8Decoder) -> str:
 
 
 @torch.no_grad()
-def check_decoder(decoder: bytes, model: NeuralAsset, seed: int = 0) -> Agreement:
+def check_decoder(decoder: bytes, model: Exported, seed: int = 0) -> Agreement:
     """Compare ONNX with PyTorch on random and extreme queries; `ExportError` beyond tolerance."""
     queries = torch.cat(
         [random_queries(model, _RANDOM_QUERIES, seed), extreme_queries(model, seed)]
@@ -96,7 +119,7 @@ def check_decoder(decoder: bytes, model: NeuralAsset, seed: int = 0) -> Agreemen
 
 @torch.no_grad()
 def check_int8_decoder(
-    decoder: bytes, model: NeuralAsset, int8: Int8Decoder, queries: Tensor, seed: int = 0
+    decoder: bytes, model: Exported, int8: Int8Decoder, queries: Tensor, seed: int = 0
 ) -> Agreement:
     """Compare ONNX with the twin in PyTorch; `ExportError` beyond tolerance.
 
@@ -118,11 +141,11 @@ def check_int8_decoder(
 
 def _run(decoder: bytes, queries: Tensor) -> np.ndarray:
     session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
-    (transport,) = session.run(["transport"], {"queries": queries.numpy()})
-    return transport.astype(np.float64)
+    (found,) = session.run(None, {"queries": queries.numpy()})
+    return found.astype(np.float64)
 
 
-def _transport(model: NeuralAsset, y: Tensor) -> np.ndarray:
+def _transport(model: Exported, y: Tensor) -> np.ndarray:
     return model.transport(y.unflatten(1, (-1, 3))).flatten(1).numpy()
 
 
@@ -135,7 +158,7 @@ def _agreement(found: np.ndarray, expected: np.ndarray) -> Agreement:
     )
 
 
-def random_queries(model: NeuralAsset, n: int, seed: int) -> torch.Tensor:
+def random_queries(model: Exported, n: int, seed: int) -> torch.Tensor:
     """Decoder inputs for random positions in the bounds and random directions, (n, K)."""
     generator = torch.Generator().manual_seed(seed)
     low, high = model.triplane.low, model.triplane.high
@@ -144,7 +167,7 @@ def random_queries(model: NeuralAsset, n: int, seed: int) -> torch.Tensor:
     return model.queries(_points(position, frame, wo, wi, 2.0 * wo[:, 0]))
 
 
-def extreme_queries(model: NeuralAsset, seed: int) -> torch.Tensor:
+def extreme_queries(model: Exported, seed: int) -> torch.Tensor:
     """Corners of the box and beyond, aligned and opposite directions, features far out of range."""
     queries = random_queries(model, 600, seed + 1)
     low, high = model.triplane.low, model.triplane.high

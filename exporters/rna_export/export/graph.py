@@ -34,13 +34,13 @@ class Graph:
     def clip(self, value: str, low: float, high: float) -> str:
         return self.add("Clip", [value, self.constant(low), self.constant(high)])
 
-    def serialize(self, columns: int) -> bytes:
-        """The model from `queries` (N, columns) to `transport` (N, 6)."""
+    def serialize(self, columns: int, output: str, width: int) -> bytes:
+        """The model from `queries` (N, columns) to the output (N, width)."""
         graph = helper.make_graph(
             self._nodes,
             "decoder",
             [helper.make_tensor_value_info("queries", TensorProto.FLOAT, ["N", columns])],
-            [helper.make_tensor_value_info("transport", TensorProto.FLOAT, ["N", 6])],
+            [helper.make_tensor_value_info(output, TensorProto.FLOAT, ["N", width])],
             self._constants,
         )
         opsets = [helper.make_opsetid("", OPSET)]

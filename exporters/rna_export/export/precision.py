@@ -16,7 +16,7 @@ class Precision:
     """A tier's decoderPrecision and planePrecision."""
 
     decoder: DecoderPrecision = "float32"
-    planes: PlanePrecision = "float16"
+    planes: PlanePrecision = "int8"
 
     def tier_name(self, preset: str) -> str:
         """The preset's name, marked unless this is the usual precision."""
@@ -28,7 +28,7 @@ class Precision:
 
     def planes_entry(self, preset: str) -> str:
         """The package's entry with the planes, which tiers of the same planes share."""
-        return f"features/{preset}{_mark(self.planes, 'float16')}.safetensors"
+        return f"features/{preset}{_mark(self.planes, 'int8')}.safetensors"
 
     def decoder_entry(self, preset: str) -> str:
         """The package's entry with the decoder, shared likewise."""
@@ -42,7 +42,11 @@ def _mark(precision: str, usual: str) -> str:
 MAX_LOSS = 0.5
 """PSNR that a tier may lose against the trained model before the export is refused, dB."""
 
-PRECISIONS = {"float32": Precision(), "int8": Precision("int8", "int8")}
+PRECISIONS = {
+    "float32": Precision(),
+    "int8": Precision("int8"),
+    "float32-float16": Precision(planes="float16"),
+}
 """What `rna-export --precision` offers."""
 
 

@@ -12,13 +12,19 @@ from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.validation_view import queries_of
 from rna_export.export.decoder import Agreement as DecoderAgreement
-from rna_export.export.decoder import check_decoder, check_int8_decoder, export_decoder
+from rna_export.export.decoder import (
+    EmissionModel,
+    check_decoder,
+    check_int8_decoder,
+    export_decoder,
+)
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.training.checkpoint import Trained
 from rna_sdk.package import Agreement, Tier, TierData, TierPart
 from rna_sdk.package.manifest_fields import DecoderPrecision
+from rna_sdk.package.manifest_tiers import TierEmission
 
 _CALIBRATION_ROWS = 50_000
 _CALIBRATION_SHARDS = 12
@@ -67,9 +73,28 @@ class _PartExport:
             plane_precision=precision.planes,
             decoder_precision=precision.decoder,
             agreement=Agreement(**asdict(agreement)),
+            emission=self._emission(stem),
         )
         planes = stored_planes(one.model.triplane.planes.detach().numpy(), precision.planes)
-        return record, TierData(planes, decoder)
+        return record, TierData(planes, decoder, self._emission_decoder())
+
+    def _emission(self, stem: str) -> TierEmission | None:
+        """The record of what the part emits, if it does: float32 in all precisions."""
+        decoder = self._emission_decoder()
+        if decoder is None:
+            return None
+        agreement = check_decoder(decoder, EmissionModel(self._one.model))
+        return TierEmission(
+            decoder=f"decoders/{stem}-emission.onnx",
+            inputs=self._one.preset.model.emission_inputs,
+            decoder_precision="float32",
+            agreement=Agreement(**asdict(agreement)),
+        )
+
+    def _emission_decoder(self) -> bytes | None:
+        if self._one.model.emission is None:
+            return None
+        return export_decoder(EmissionModel(self._one.model))
 
     def _decoder(self, precision: DecoderPrecision) -> tuple[bytes, DecoderAgreement]:
         """The exported decoder, and how far it is from the trained one."""
@@ -94,7 +119,7 @@ def _exported(
 def calibration_queries(one: Trained, part: DatasetPart) -> torch.Tensor:
     """What the decoder is asked at random samples of the training data, (n, K)."""
     samples = part.training_samples(_CALIBRATION_SHARDS)
-    rows = len(samples["visible"])
+    rows = len(samples["position"])
     picked = np.random.default_rng(0).permutation(rows)[:_CALIBRATION_ROWS]
     points = {k: torch.from_numpy(v[picked]) for k, v in queries_of(samples).items()}
     return one.model.queries(points)

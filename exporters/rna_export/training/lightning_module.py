@@ -10,13 +10,14 @@ import lightning
 import torch
 from torch import Tensor
 
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.validation_view import EmissionView, ValidationView
+from rna_export.training.emission_batches import EmissionBatches
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
 from rna_export.training.pace import Pace, StepPace
 from rna_export.training.presets import Preset
 from rna_export.training.samples import columns
-from rna_export.training.validation import score, shade, write_images
+from rna_export.training.validation import score, shade, shade_emission, write_images
 
 
 class NeuralAssetTraining(lightning.LightningModule):
@@ -33,6 +34,8 @@ class NeuralAssetTraining(lightning.LightningModule):
         views: list[ValidationView],
         out: Path,
         record: dict[str, Any],
+        emission: EmissionBatches | None = None,
+        emission_views: list[EmissionView] | None = None,
     ):
         super().__init__()
         self.save_hyperparameters({"preset": preset.model_dump(mode="json"), **record})
@@ -41,6 +44,10 @@ class NeuralAssetTraining(lightning.LightningModule):
         self.model.unit.fill_(unit)
         self._config, self._pace, self._fields = preset.training, pace, fields
         self._views, self._out = views, out
+        self._emission, self._emission_views = emission, emission_views or []
+        if emission is not None:
+            self.model.emission.ceiling.fill_(1.5 * emission.table.largest_radiance)
+            self.model.emission.unit.fill_(emission.table.usual_radiance)
 
     @property
     def progress(self) -> float:
@@ -59,7 +66,11 @@ class NeuralAssetTraining(lightning.LightningModule):
         at = columns(rows, self._fields)
         loss = sample_loss(self.model, at, blur, self._config.loss)
         self.log("loss", loss)
-        return loss
+        if self._emission is None:
+            return loss
+        of_emission = self._emission.loss(self.model.emission, self.model.triplane, blur)
+        self.log("emission_loss", of_emission)
+        return loss + of_emission
 
     def validation_step(self, *_: object) -> None:
         radiance = [shade(self.model, view) for view in self._views]
@@ -67,6 +78,10 @@ class NeuralAssetTraining(lightning.LightningModule):
         for name in ("psnr", "flip", "relative_mse"):
             self.log(name, getattr(scores, name), prog_bar=name == "psnr", batch_size=1)
         write_images(self._out / "validation", radiance, self._views)
+        if self._emission_views:
+            emitted = [shade_emission(self.model, view) for view in self._emission_views]
+            self.log("emission_psnr", score(emitted, self._emission_views).psnr, batch_size=1)
+            write_images(self._out / "emission", emitted, self._emission_views)
 
     def configure_optimizers(self) -> dict[str, Any]:
         config = self._config
@@ -74,6 +89,9 @@ class NeuralAssetTraining(lightning.LightningModule):
             {"params": self.model.decoder.parameters(), "lr": config.learning_rate},
             {"params": self.model.triplane.parameters(), "lr": config.plane_learning_rate},
         ]
+        if self.model.emission is not None:
+            of_emission = self.model.emission.parameters()
+            groups.append({"params": of_emission, "lr": config.learning_rate})
         optimizer = torch.optim.Adam(groups, fused=True)
         rate = torch.optim.lr_scheduler.LambdaLR(optimizer, self._rate)
         return {"optimizer": optimizer, "lr_scheduler": {"scheduler": rate, "interval": "step"}}

@@ -9,6 +9,8 @@ from rna_export.training.inputs import Points
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import ModelConfig
 
+_LEAST_VISIBLE = 0.05
+
 
 def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") -> Tensor:
     """The loss of a batch of samples, of the outputs alone that match their visibility.
@@ -21,8 +23,12 @@ def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") 
     config, y = model.config, model(at, blur)
     if not config.separates_direct:
         return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit)
-    weight = at["visible"][:, None] if config.visibility_hint else 1.0
-    direct = log_l2(y[:, 0], at["direct"], model.unit, weight)
+    v, of_light = at["visible"], at["direct"]
+    if v.dim() == 1:
+        v = v[:, None]
+    else:  # weakened by what it came through
+        of_light = of_light / v.clamp(min=_LEAST_VISIBLE)
+    direct = log_l2(y[:, 0], of_light, model.unit, v if config.visibility_hint else 1.0)
     scattered = _of_visibility(y[:, 1:], at, config)
     return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
 
@@ -31,7 +37,11 @@ def _of_visibility(y: Tensor, at: Points, config: ModelConfig) -> Tensor:
     """Of outputs for visible and shadowed light, (k, 2, 3), what each sample's hint calls for."""
     if not config.visibility_hint:
         return y[:, 0]
-    return torch.where(at["visible"][:, None] > 0.5, y[:, 0], y[:, 1])
+    v = at["visible"]
+    if v.dim() == 1:
+        return torch.where(v[:, None] > 0.5, y[:, 0], y[:, 1])
+    # v visible + (1 - v) shadowed, of radiance x = unit (exp(y) - 1).
+    return torch.log(v * torch.exp(y[:, 0]) + (1.0 - v) * torch.exp(y[:, 1]))
 
 
 def log_l2(

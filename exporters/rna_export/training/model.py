@@ -5,6 +5,7 @@ from __future__ import annotations
 import torch
 from torch import Tensor, nn
 
+from rna_export.training.emission import EmissionDecoder
 from rna_export.training.inputs import Points, assemble
 from rna_export.training.presets import ModelConfig
 from rna_export.training.triplane import Triplane
@@ -35,8 +36,20 @@ class NeuralAsset(nn.Module):
             layers += [nn.Linear(columns, width), nn.ReLU()]
             columns = width
         self.decoder = nn.Sequential(*layers, nn.Linear(columns, 3 * len(config.colour_sums[0])))
+        self.emission = (
+            EmissionDecoder(config.emission_inputs, config.channels, width)
+            if config.emission_inputs
+            else None
+        )
         self.register_buffer("ceiling", torch.tensor(100.0))
         self.register_buffer("unit", torch.tensor(1.0))
+
+    output = "transport"
+
+    @property
+    def colour_sums(self) -> tuple[tuple[int, ...], ...]:
+        """See `ModelConfig`."""
+        return self.config.colour_sums
 
     @property
     def multiply_adds(self) -> int:

@@ -41,6 +41,10 @@ class ModelConfig(BaseModel):
         "triplane", description="where features are kept; uv only to compare, packages have none"
     )
 
+    emission_inputs: tuple[str, ...] = Field(
+        (), description="blocks of the decoder of emission; none where the asset emits nothing"
+    )
+
     @property
     def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """Which of the decoder's colours add up to the visible and to the shadowed transport."""

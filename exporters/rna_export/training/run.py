@@ -18,8 +18,11 @@ from lightning.pytorch.loggers import CSVLogger
 from torch.utils.data import DataLoader
 
 from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.validation_view import EmissionView
 from rna_export.training.checkpoint import load_progress
 from rna_export.training.curves import draw_curves
+from rna_export.training.emission import INPUTS
+from rna_export.training.emission_batches import EmissionBatches
 from rna_export.training.lightning_module import NeuralAssetTraining
 from rna_export.training.noise import with_fitting_loss
 from rna_export.training.pace import Pace, StepPace, TimePace, length, resumed
@@ -59,6 +62,9 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     ceiling = 1.5 * table.largest_radiance
     unit = table.usual_radiance if run.preset.training.unit == "usual" else 1.0
     run = replace(run, preset=with_fitting_loss(run.preset, run.dataset, unit))
+    if run.dataset.manifest.emitters:
+        inputs = INPUTS[run.dataset.kind]
+        run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
     last = run.out / "last.ckpt"
     saved = _continued(last, run)
     done = int(saved["global_step"]) if saved else 0
@@ -76,6 +82,7 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
         run.dataset.validation_views(),
         run.out,
         _record(run, pace),
+        *_of_emission(run, done),
     )
     checkpoints = ModelCheckpoint(
         run.out, "{step}-{psnr:.2f}", monitor="psnr", mode="max", save_top_k=3, save_last=True
@@ -97,6 +104,15 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     unfinished, best = run.out / "best.ckpt.part", run.out / "best.ckpt"
     shutil.copyfile(checkpoints.best_model_path, unfinished)
     return unfinished.replace(best)
+
+
+def _of_emission(run: Run, done: int) -> tuple[EmissionBatches | None, list[EmissionView]]:
+    """What a model of emission is trained on and compared with."""
+    if not run.preset.model.emission_inputs:
+        return None, []
+    batch = run.preset.training.batch
+    batches = EmissionBatches.of(run.dataset, batch, run.seed, run.device, done)
+    return batches, run.dataset.emission_views()
 
 
 def padded_bounds(dataset: DatasetPart) -> torch.Tensor:

@@ -30,7 +30,7 @@ class SampleTable(IterableDataset):
         device: str = "cpu",
         done: int = 0,
     ):
-        n = len(samples["visible"])
+        n = len(samples["position"])
         self.fields = {name: values[0].size for name, values in samples.items()}
         table = np.empty((n, sum(self.fields.values())), np.float32)
         first = 0
@@ -55,10 +55,13 @@ class SampleTable(IterableDataset):
     def usual_radiance(self) -> float:
         """What is usual where the light is seen: highlights are far above it, shadows below.
 
-        The median; of scattered light, where that is told apart, the mean: most of it is 0.
+        The median; of scattered light, where that is told apart, and of emission, the mean: most of
+        it is next to nothing.
         """
         samples = columns(self.rows, self.fields)
-        lit = samples["visible"] > 0.0
+        if "visible" not in samples:
+            return max(float(samples["radiance"].mean()), 1e-4)
+        lit = samples["visible"].reshape(len(self), -1).mean(dim=1) > 0.5
         if not lit.any():
             return 1.0
         if "direct" not in samples:

@@ -10,7 +10,7 @@ import numpy as np
 import torch
 from PIL import Image
 
-from rna_export.capture.validation_view import CapturedImage, ValidationView
+from rna_export.capture.validation_view import CapturedImage, EmissionView, ValidationView
 from rna_export.metrics import flip, psnr, psnr_without_noise, relative_mse, to_png
 from rna_export.training.model import NeuralAsset
 
@@ -32,6 +32,15 @@ class Scores:
 def shade(model: NeuralAsset, view: ValidationView) -> np.ndarray:
     """Radiance (n, 3) of a view's rows, the output picked by visibility."""
     return view.pick(*answer(model, view.queries))
+
+
+@torch.no_grad()
+def shade_emission(model: NeuralAsset, view: EmissionView) -> np.ndarray:
+    """Emitted radiance (n, 3) of a view's rows."""
+    emission, device = model.emission, model.ceiling.device
+    at = {k: torch.from_numpy(np.ascontiguousarray(v)).to(device) for k, v in view.queries.items()}
+    y = emission.decoder(emission.queries(model.triplane, at))
+    return emission.radiance(y).cpu().numpy()
 
 
 @torch.no_grad()

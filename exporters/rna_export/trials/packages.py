@@ -11,7 +11,7 @@ from rna_export.export.precision import Precision
 from rna_export.training.checkpoint import Trained
 
 PRECISIONS = {
-    "float32-float16": Precision(),
+    "float32-float16": Precision("float32", "float16"),
     "int8-float16": Precision("int8", "float16"),
     "int8-int8": Precision("int8", "int8"),
 }

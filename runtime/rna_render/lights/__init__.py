@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from rna_render.lights.asset import AssetLight
+from rna_render.lights.asset import AssetEmission, AssetLight
 from rna_render.lights.base import InfiniteLight, Light, LightSamples, PlacedLight, ShapeLight
 from rna_render.lights.directional import directional_light
 from rna_render.lights.disk import DiskLight
@@ -28,6 +28,7 @@ from rna_render.lights.selection import LightSelection
 from rna_render.lights.sphere import SphereLight
 
 __all__ = [
+    "AssetEmission",
     "AssetLight",
     "InfiniteLight",
     "Light",

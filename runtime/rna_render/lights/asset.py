@@ -8,9 +8,11 @@ import numpy as np
 
 from rna_render.asset_parts import Asset, FiberPart, SurfacePart, part_transmittance
 from rna_render.fiber import FiberPoints
+from rna_render.lights.base import LightSamples, ShapeLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
+from rna_render.rays import vectors
 from rna_render.surface import geometric_normals, interpolate_normals, interpolate_positions
 from rna_render.tracing import ClosestHits
 from rna_render.transmittance import Transmittance
@@ -27,21 +29,16 @@ _COSINES = np.sqrt([0.75, 0.25])
 _GOLDEN = np.pi * (3.0 - np.sqrt(5.0))
 
 
-class AssetLight(TriangleLight):
-    """The emission of one instance of an asset.
+class AssetEmission(TriangleLight):
+    """The emission of an asset, in its object space; its instances share it.
 
     The triangles of its parts are sampled by what they send out on average, a share of the samples
-    by area alone. Strands are found by rays that meet them.
-
-    world_from_object: (4, 4), a similarity. factor: on all that it emits. Raises QueryError for
-    another matrix, SceneError for emission that is not finite.
+    by area alone. Strands are found by rays that meet them. Raises SceneError for emission that is
+    not finite.
     """
 
-    def __init__(self, asset: Asset, world_from_object: np.ndarray, factor: float = 1.0) -> None:
+    def __init__(self, asset: Asset) -> None:
         self._parts = {k: part for k, part in enumerate(asset.parts) if part.emits}
-        self._factor = np.float32(factor)
-        transform = Transform(world_from_object)
-        self._rotation = (transform.matrix[:3, :3] / transform.scale).astype(np.float32)
         self._meshes = {
             k: _MeshEmitter(part) for k, part in self._parts.items() if part.kind == "surface"
         }
@@ -49,38 +46,72 @@ class AssetLight(TriangleLight):
         self._cuts = np.cumsum([0, *counts])
         self._first = dict(zip(self._meshes, self._cuts[:-1].tolist(), strict=True))
         mean = [mesh.mean_luminance() for mesh in self._meshes.values()]
-        super().__init__(
-            *_joined(list(self._meshes.values()), transform.matrix),
-            factor * np.concatenate([np.zeros(0), *mean]),
-        )
+        super().__init__(*_joined(list(self._meshes.values())), np.concatenate([[], *mean]))
 
     def met(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         radiance, pdf = np.zeros_like(x_world), np.zeros(len(x_world), np.float32)
-        wo = -d_world @ self._rotation
         for k, part in self._parts.items():
             row = np.flatnonzero(hits.geometry == k)
-            if not len(row):
-                continue
-            at = hits.take(row)
+            at, wo = hits.take(row), -d_world[row]
             if part.kind == "fiber":
-                radiance[row] = _strand_emission(part, at, ng_world[row] @ self._rotation, wo[row])
+                radiance[row] = _strand_emission(part, at, ng_world[row], wo)
                 continue
-            radiance[row] = self._meshes[k].emission(at.primitive, at.u, at.v, wo[row])
+            radiance[row] = self._meshes[k].emission(at.primitive, at.u, at.v, wo)
             triangle = at.primitive + np.int32(self._first[k])
             pdf[row] = self._density(x_world[row], d_world[row], triangle)
-        return self._factor * radiance, pdf
+        return radiance, pdf
 
     def _sent(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray
     ) -> np.ndarray:
-        result, wo = np.zeros_like(d_world), -d_world @ self._rotation
+        result = np.zeros_like(d_world)
         for mesh, (start, stop) in zip(self._meshes.values(), pairwise(self._cuts), strict=True):
             row = np.flatnonzero((triangle >= start) & (triangle < stop))
-            at = triangle[row] - np.int32(start), u[row], v[row], wo[row]
+            at = triangle[row] - np.int32(start), u[row], v[row], -d_world[row]
             result[row] = mesh.emission(*at) * mesh.opacity(*at)
-        return self._factor * result
+        return result
+
+
+class AssetLight(ShapeLight):
+    """The emission of one instance of an asset.
+
+    world_from_object: (4, 4), a similarity. factor: on all that it emits. Raises QueryError for
+    another matrix.
+    """
+
+    delta = False
+    group = ""
+
+    def __init__(
+        self, emission: AssetEmission, world_from_object: np.ndarray, factor: float = 1.0
+    ) -> None:
+        self._emission, self._factor = emission, np.float32(factor)
+        transform = Transform(world_from_object)
+        self._scale, self._place = np.float32(transform.scale), transform.matrix[:3, 3]
+        self._rotation = (transform.matrix[:3, :3] / transform.scale).astype(np.float32)
+
+    def power(self, scene_radius: float) -> float:
+        size = scene_radius / float(self._scale)
+        return float(self._factor * self._scale**2) * self._emission.power(size)
+
+    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
+        samples = self._emission.sample(self._in_object(x_world), u)
+        wi_world = samples.wi_world @ self._rotation.T
+        radiance, distance = self._factor * samples.radiance, self._scale * samples.distance
+        return LightSamples(wi_world, distance, radiance, samples.pdf)
+
+    def met(
+        self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        lines = self._in_object(x_world), d_world @ self._rotation
+        radiance, pdf = self._emission.met(*lines, hits, hits.ng)
+        return self._factor * radiance, pdf
+
+    def _in_object(self, x_world: np.ndarray) -> np.ndarray:
+        moved = vectors("x_world", x_world) - self._place
+        return ((moved @ self._rotation) / self._scale).astype(np.float32)
 
 
 class _MeshEmitter:
@@ -133,14 +164,13 @@ class _MeshEmitter:
         return (1.0 - EMISSION_FLOOR) * result + EMISSION_FLOOR * floor
 
 
-def _joined(meshes: list[_MeshEmitter], matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The meshes as one, in the world: (v, 3) float32 and (t, 3) uint32."""
+def _joined(meshes: list[_MeshEmitter]) -> tuple[np.ndarray, np.ndarray]:
+    """The meshes as one: (v, 3) float32 and (t, 3) uint32."""
     starts = np.cumsum([0, *(len(mesh.part.mesh.positions) for mesh in meshes)])
     positions = [np.zeros((0, 3), np.float32), *(mesh.part.mesh.positions for mesh in meshes)]
     triangles = [mesh.part.mesh.triangles for mesh in meshes]
     shifted = [rows + np.uint32(s) for rows, s in zip(triangles, starts[:-1], strict=True)]
-    world = np.concatenate(positions) @ matrix[:3, :3].T + matrix[:3, 3]
-    return world.astype(np.float32), np.concatenate([np.zeros((0, 3), np.uint32), *shifted])
+    return np.concatenate(positions), np.concatenate([np.zeros((0, 3), np.uint32), *shifted])
 
 
 def _strand_emission(

@@ -26,7 +26,8 @@ class TriangleLight(ShapeLight):
     it uniformly. The triangles stay those of the thing they belong to, which says whether a camera
     sees them.
 
-    positions: (v, 3) float32, world space. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
+    positions: (v, 3) float32, world space, or that of the points and directions which
+    the light is asked for. triangles: (t, 3) uint32; t may be 0. luminance: (t,)
     float, the mean over each triangle; a triangle of luminance 0 is never chosen.
 
     Raises SceneError for a luminance that is negative or not finite.
@@ -98,8 +99,10 @@ class TriangleLight(ShapeLight):
 class MeshLight(TriangleLight):
     """A mesh whose material shines to both sides, as glTF's emission.
 
-    emission: radiance (n, 3) float32 at barycentrics of triangles, as in `MeshObject`. The other
-    arguments are those of TriangleLight; a triangle of luminance 0 must not shine anywhere.
+    emission: radiance (n, 3) float32 at barycentrics of triangles, as in `MeshObject`.
+    opaque_emission: the same times the share of the surface that is there, if rays meet it only
+    so often; None where it is opaque. The other arguments are those of TriangleLight; a triangle
+    of luminance 0 must not shine anywhere.
     """
 
     def __init__(
@@ -109,9 +112,11 @@ class MeshLight(TriangleLight):
         luminance: np.ndarray,
         emission: Emission,
         group: str = "",
+        opaque_emission: Emission | None = None,
     ) -> None:
         super().__init__(positions, triangles, luminance, group)
         self._emission = emission
+        self._opaque_emission = opaque_emission or emission
 
     def met(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
@@ -123,7 +128,7 @@ class MeshLight(TriangleLight):
     def _sent(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray
     ) -> np.ndarray:
-        return np.asarray(self._emission(triangle, u, v), np.float32)
+        return np.asarray(self._opaque_emission(triangle, u, v), np.float32)
 
 
 @compiled(fastmath=())

@@ -19,19 +19,24 @@ Two things differ from the letter of the appendix:
   reflects exactly what arrives. Kelemen and Szirmay-Kalos, A Microfacet Based Coupled
   Specular-Matte BRDF Model with Importance Sampling (Eurographics 2001).
 
-Both sides of a surface reflect alike. F0 = 0 is no coat at all: Lambert's material.
+Both sides of a surface reflect alike. F0 = 0 is no coat at all: Lambert's material. Extensions
+of glTF add to this:
+
+- KHR_materials_specular multiplies the coat by a weight.
+- KHR_materials_clearcoat puts a second coat, of F0 = 0.04, on all of it, with a normal of its own.
+  With E_c the part that it reflects by itself, metal and dielectric coat below are multiplied by
+  min(1 - E_c(wo), 1 - E_c(wi)), which is reciprocal and adds no light; of the diffuse part C is
+  that of both coats together.
+- KHR_materials_transmission takes a share off the diffuse part; see `transmission`.
 """
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import numpy as np
 from numba import prange
 
 from rna_render.materials.ggx import (
     MIN_ALPHA,
-    albedo_table,
     albedo_terms,
     distribution,
     mean_albedo_terms,
@@ -40,223 +45,173 @@ from rna_render.materials.ggx import (
     schlick,
     visibility,
 )
+from rna_render.materials.vectors import dot, frame, half_cosines, turned_normal, unit, vector_at
 from rna_sdk.compiled import compiled
 
-# A shading normal that faces away from the viewer, as interpolated ones do at silhouettes, is
-# tilted until its cosine with wo is this.
-MIN_COSINE = 1e-4
+# Reflectance of the clear coat seen straight on: KHR_materials_clearcoat, of index 1.5.
+CLEAR_F0 = 0.04
 
-
-@dataclass(frozen=True, slots=True)
-class Scattering:
-    """Parameters of the material at n points.
-
-    base_color: (n, 3) float32, in [0, 1]: albedo below the coat, or reflectance of the metal.
-    alpha: (n,) float32, roughness^2; what is below MIN_ALPHA counts as MIN_ALPHA.
-    metallic: (n,) float32, in [0, 1].
-    coat_f0: (n,) float32, in [0, 1): reflectance of the coat seen straight on; 0 for no coat.
-    emission: (n, 3) float32, radiance to both sides, W/(m^2 sr).
-
-    The methods take unit vectors, float32, in one space: n and ng, (n, 3), the shading and the
-    geometric normal, of either sign; wo, (n, 3), to the viewer; wi, (k, 3), to the light. row: (k,)
-    which points they are for; None for all, in order. The shading normal is turned to the side of
-    the surface that wo is on; a zero one is replaced by ng.
-    """
-
-    base_color: np.ndarray
-    alpha: np.ndarray
-    metallic: np.ndarray
-    coat_f0: np.ndarray
-    emission: np.ndarray
-
-    def evaluate(
-        self,
-        n: np.ndarray,
-        ng: np.ndarray,
-        wo: np.ndarray,
-        wi: np.ndarray,
-        row: np.ndarray | None = None,
-    ) -> np.ndarray:
-        """f(wo, wi) |n.wi|: (k, 3) float32; 0 for a wi behind the shading normal or on the other
-        side of the surface than wo."""
-        result = np.empty((len(wi), 3), np.float32)
-        at = _rows(row, wo), n, ng, wo, wi
-        _evaluate(*self._parameters(), *albedo_table(), *at, result)
-        return result
-
-    def sample(
-        self,
-        n: np.ndarray,
-        ng: np.ndarray,
-        wo: np.ndarray,
-        u: np.ndarray,
-        row: np.ndarray | None = None,
-    ) -> np.ndarray:
-        """Unit directions wi, (k, 3) float32, with density `pdf`; a pure function of u.
-
-        u: (k, 3) float64 in [0, 1). The third number chooses between the cosine about the normal
-        and reflection at a visible microfacet, in proportion to their albedos. Some wi are
-        behind the surface, where `evaluate` is 0.
-        """
-        wi = np.empty((len(u), 3), np.float32)
-        at = _rows(row, wo), n, ng, wo, u
-        _sample(*self._parameters(), *albedo_table(), *at, wi)
-        return wi
-
-    def pdf(
-        self,
-        n: np.ndarray,
-        ng: np.ndarray,
-        wo: np.ndarray,
-        wi: np.ndarray,
-        row: np.ndarray | None = None,
-    ) -> np.ndarray:
-        """Density of `sample` in wi, per steradian: (k,) float32; it integrates to 1 over the
-        whole sphere."""
-        result = np.empty(len(wi), np.float32)
-        at = _rows(row, wo), n, ng, wo, wi
-        _pdf(*self._parameters(), *albedo_table(), *at, result)
-        return result
-
-    def _parameters(self):
-        return self.base_color, self.alpha, self.metallic, self.coat_f0
-
-
-def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
-    return np.arange(len(points)) if row is None else row
+# Points and weights of Gauss and Legendre for means over sqrt(cosine), weighted by 2 cosine.
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+_NODES = 0.5 * (_NODES + 1.0)
+_WEIGHTS = 0.5 * _WEIGHTS * 4.0 * _NODES**3
 
 
 @compiled(fastmath=())
-def _row(vectors, i):
-    return np.float64(vectors[i, 0]), np.float64(vectors[i, 1]), np.float64(vectors[i, 2])
+def _point(parameters, p):
+    """The parameters of a point: base, alpha, metallic, F0, weights of coat and diffuse part,
+    weight and alpha of the clear coat."""
+    base_color, alpha, metallic, coat_f0, weights, clear, clear_alpha = parameters[:7]
+    q, r = min(p, len(weights) - 1), min(p, len(clear) - 1)
+    f0 = np.float64(coat_f0[p])
+    return (
+        vector_at(base_color, p),
+        max(np.float64(alpha[p]), MIN_ALPHA),
+        np.float64(metallic[p]),
+        f0,
+        np.float64(weights[q, 0]) if f0 > 0.0 else 0.0,
+        np.float64(weights[q, 1]),
+        np.float64(clear[r]),
+        max(np.float64(clear_alpha[r]), MIN_ALPHA),
+    )
 
 
 @compiled(fastmath=())
-def _dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+def _clear_normal(parameters, p, m, g, o):
+    """The clear coat's normal, as `turned_normal`; m where there is no coat."""
+    clear, n = parameters[5], parameters[7]
+    if clear[min(p, len(clear) - 1)] == 0.0:
+        return m
+    return turned_normal(vector_at(n, p), g, o)
 
 
 @compiled(fastmath=())
-def _unit(a):
-    length = np.sqrt(_dot(a, a))
-    scale = 1.0 / length if length > 0.0 else 0.0
-    return a[0] * scale, a[1] * scale, a[2] * scale
-
-
-@compiled(fastmath=())
-def _turned_normal(n, ng, o):
-    """The unit shading normal on wo's side of the surface, with at least MIN_COSINE to wo."""
-    side = _dot(ng, o)
-    m = n if _dot(n, n) > 0.0 else ng
-    m = _unit(m) if _dot(m, m) > 0.0 else o
-    away = _dot(m, ng) * side if side != 0.0 else _dot(m, o)
-    if away < 0.0:
-        m = (-m[0], -m[1], -m[2])
-    missing = MIN_COSINE - _dot(m, o)
-    if missing > 0.0:
-        m = _unit((m[0] + missing * o[0], m[1] + missing * o[1], m[2] + missing * o[2]))
-    return m
-
-
-@compiled(fastmath=())
-def _half_cosines(m, o, i):
-    """Cosines of the half vector with the normal and with wo; (0, 0) where there is none."""
-    h = (o[0] + i[0], o[1] + i[1], o[2] + i[2])
-    length = np.sqrt(_dot(h, h))
-    if length < 1e-12:
-        return 0.0, 0.0
-    return min(_dot(m, h) / length, 1.0), _dot(o, h) / length
-
-
-@compiled(fastmath=())
-def _coat_albedo(coat_f0, a, b):
-    return coat_f0 * a + b if coat_f0 > 0.0 else 0.0
-
-
-@compiled(fastmath=())
-def _specular_share(base, alpha, metallic, coat_f0, table, cos_o):
-    """Part of the samples for the microfacets: their part of the albedo, mean of the colours."""
-    if metallic == 0.0 and coat_f0 == 0.0:
+def _albedo(weight, f0, alpha, table, cosine):
+    """The part that a coat reflects by itself."""
+    if weight == 0.0:
         return 0.0
+    a, b = albedo_terms(table, alpha, cosine)
+    return weight * (f0 * a + b)
+
+
+@compiled(fastmath=())
+def _mean_passed(point, table, mean):
+    """The mean of what both coats let through."""
+    _, alpha, _, f0, coat, _, clear, clear_alpha = point
+    if clear == 0.0:
+        a, b = mean_albedo_terms(mean, alpha)
+        return 1.0 - coat * (f0 * a + b)
+    result = 0.0
+    for k in range(len(_NODES)):
+        cosine = _NODES[k] * _NODES[k]
+        passed = 1.0 - _albedo(coat, f0, alpha, table, cosine)
+        passed *= 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, cosine)
+        result += _WEIGHTS[k] * passed
+    return result
+
+
+@compiled(fastmath=())
+def _shares(point, table, cos_o, clear_cos_o):
+    """Parts of the samples for the clear coat and for the microfacets below it: their parts of the
+    albedo, mean of the colours."""
+    base, alpha, metallic, f0, coat_weight, diffuse_weight, clear, clear_alpha = point
+    if metallic == 0.0 and coat_weight == 0.0 and clear == 0.0:
+        return 0.0, 0.0
     mean = (base[0] + base[1] + base[2]) / 3.0
     a, b = albedo_terms(table, alpha, cos_o)
-    coat = _coat_albedo(coat_f0, a, b)
+    coat = coat_weight * (f0 * a + b)
     specular = metallic * (mean * a + b) + (1.0 - metallic) * coat
-    diffuse = (1.0 - metallic) * mean * (1.0 - coat)
-    return specular / (specular + diffuse) if specular > 0.0 else 0.0
+    diffuse = (1.0 - metallic) * mean * (1.0 - coat) * diffuse_weight
+    top = _albedo(clear, CLEAR_F0, clear_alpha, table, clear_cos_o)
+    specular, diffuse = specular * (1.0 - top), diffuse * (1.0 - top)
+    total = top + specular + diffuse
+    return (top / total, specular / total) if total > 0.0 else (0.0, 0.0)
 
 
 @compiled(fastmath=())
-def _density(m, o, i, alpha, share):
-    nh, _ = _half_cosines(m, o, i)
-    density = (1.0 - share) * max(0.0, _dot(m, i)) / np.pi
-    if share > 0.0 and nh > 0.0:
-        density += share * reflected_density(alpha, _dot(m, o), nh)
-    return density
+def _lobe(alpha, m, o, i):
+    """V D, and Schlick's weight, about the normal m."""
+    nh, oh = half_cosines(m, o, i)
+    surface = distribution(alpha, nh) * visibility(alpha, dot(m, o), dot(m, i))
+    return surface, schlick(oh)
 
 
 @compiled(parallel=True, fastmath=())
-def _evaluate(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, wi, result):
+def evaluate(parameters, row, n, ng, wo, wi, result):
+    table, mean = parameters[8], parameters[9]
     for k in prange(len(wi)):
         p = row[k]
-        g, o, i = _row(ng, p), _unit(_row(wo, p)), _unit(_row(wi, k))
-        m = _turned_normal(_row(n, p), g, o)
-        cos_o, cos_i = _dot(m, o), _dot(m, i)
-        if _dot(g, o) * _dot(g, i) <= 0.0 or cos_i <= 0.0:
+        g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
+        m = turned_normal(vector_at(n, p), g, o)
+        point = _point(parameters, p)
+        cos_o, cos_i = dot(m, o), max(dot(m, i), 0.0)
+        if dot(g, o) * dot(g, i) <= 0.0 or (cos_i == 0.0 and point[6] == 0.0):
             result[k, 0], result[k, 1], result[k, 2] = 0.0, 0.0, 0.0
             continue
-        metal, f0 = np.float64(metallic[p]), np.float64(coat_f0[p])
-        below, surface, s, coat = 1.0, 0.0, 0.0, 0.0
-        if metal > 0.0 or f0 > 0.0:  # else Lambert's material, which reflects no light as a mirror
-            a = max(np.float64(alpha[p]), MIN_ALPHA)
-            nh, oh = _half_cosines(m, o, i)
-            surface = distribution(a, nh) * visibility(a, cos_o, cos_i)
-            s = schlick(oh)
-            coat = (f0 + (1.0 - f0) * s) if f0 > 0.0 else 0.0
-            ao, bo = albedo_terms(table, a, cos_o)
-            ai, bi = albedo_terms(table, a, cos_i)
-            am, bm = mean_albedo_terms(mean, a)
-            below = (1.0 - _coat_albedo(f0, ao, bo)) * (1.0 - _coat_albedo(f0, ai, bi))
-            below /= max(1.0 - _coat_albedo(f0, am, bm), 1e-9)
-        for c in range(3):
-            base = np.float64(base_color[p, c])
-            mirror = metal * (base + (1.0 - base) * s) + (1.0 - metal) * coat
-            f = mirror * surface + (1.0 - metal) * base / np.pi * below
-            result[k, c] = f * cos_i
+        base, alpha, metal, f0, coat_weight, diffuse, clear, clear_alpha = point
+        passed, surface, s, coat, below, top = 1.0, 0.0, 0.0, 0.0, diffuse, 0.0
+        if clear > 0.0:
+            c = _clear_normal(parameters, p, m, g, o)
+            clear_o, clear_i = dot(c, o), max(dot(c, i), 0.0)
+            if clear_i > 0.0:
+                lobe, weight = _lobe(clear_alpha, c, o, i)
+                top = clear * lobe * (CLEAR_F0 + (1.0 - CLEAR_F0) * weight) * clear_i
+            way_out = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_o)
+            way_in = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_i)
+            passed = min(way_out, way_in)
+            below *= way_out * way_in
+        if metal > 0.0 or coat_weight > 0.0 or clear > 0.0:  # else it is Lambert's
+            surface, s = _lobe(alpha, m, o, i)
+            coat = coat_weight * (f0 + (1.0 - f0) * s)
+            below *= 1.0 - _albedo(coat_weight, f0, alpha, table, cos_o)
+            below *= 1.0 - _albedo(coat_weight, f0, alpha, table, cos_i)
+            below /= max(_mean_passed(point, table, mean), 1e-9)
+        for channel in range(3):
+            colour = base[channel]
+            mirror = metal * (colour + (1.0 - colour) * s) + (1.0 - metal) * coat
+            f = passed * mirror * surface + (1.0 - metal) * colour / np.pi * below
+            result[k, channel] = f * cos_i + top
 
 
 @compiled(parallel=True, fastmath=())
-def _sample(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, u, wi):
+def sample(parameters, row, n, ng, wo, u, wi):
+    table = parameters[8]
     for k in prange(len(wi)):
         p = row[k]
-        o = _unit(_row(wo, p))
-        x, y, z = _turned_normal(_row(n, p), _row(ng, p), o)
-        a = max(np.float64(alpha[p]), MIN_ALPHA)
-        # Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
-        sign = np.copysign(1.0, z)
-        c = -1.0 / (sign + z)
-        d = x * y * c
-        s = (1.0 + sign * x * x * c, sign * d, -sign * x)
-        t = (d, sign + y * y * c, -y)
-        ox, oy, oz = _dot(s, o), _dot(t, o), _dot((x, y, z), o)
-        share = _specular_share(_row(base_color, p), a, metallic[p], coat_f0[p], table, oz)
-        if u[k, 2] < share:
-            ix, iy, iz = sample_reflection(a, ox, oy, oz, u[k, 0], u[k, 1])
+        g, o = vector_at(ng, p), unit(vector_at(wo, p))
+        m = turned_normal(vector_at(n, p), g, o)
+        c = _clear_normal(parameters, p, m, g, o)
+        point = _point(parameters, p)
+        clear, specular = _shares(point, table, dot(m, o), dot(c, o))
+        axis = c if u[k, 2] < clear else m
+        s, t = frame(axis)
+        if u[k, 2] < clear + specular:
+            alpha = point[7] if u[k, 2] < clear else point[1]
+            local = dot(s, o), dot(t, o), dot(axis, o)
+            ix, iy, iz = sample_reflection(alpha, *local, u[k, 0], u[k, 1])
         else:
             iz = np.sqrt(1.0 - u[k, 0])
             radius, phi = np.sqrt(u[k, 0]), 2.0 * np.pi * u[k, 1]
             ix, iy = radius * np.cos(phi), radius * np.sin(phi)
-        wi[k, 0] = ix * s[0] + iy * t[0] + iz * x
-        wi[k, 1] = ix * s[1] + iy * t[1] + iz * y
-        wi[k, 2] = ix * s[2] + iy * t[2] + iz * z
+        for a in range(3):
+            wi[k, a] = ix * s[a] + iy * t[a] + iz * axis[a]
 
 
 @compiled(parallel=True, fastmath=())
-def _pdf(base_color, alpha, metallic, coat_f0, table, mean, row, n, ng, wo, wi, result):
+def pdf(parameters, row, n, ng, wo, wi, result):
+    table = parameters[8]
     for k in prange(len(wi)):
         p = row[k]
-        o, i = _unit(_row(wo, p)), _unit(_row(wi, k))
-        m = _turned_normal(_row(n, p), _row(ng, p), o)
-        a, base = max(np.float64(alpha[p]), MIN_ALPHA), _row(base_color, p)
-        share = _specular_share(base, a, metallic[p], coat_f0[p], table, _dot(m, o))
-        result[k] = _density(m, o, i, a, share)
+        g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
+        m = turned_normal(vector_at(n, p), g, o)
+        c = _clear_normal(parameters, p, m, g, o)
+        point = _point(parameters, p)
+        clear, specular = _shares(point, table, dot(m, o), dot(c, o))
+        density = (1.0 - clear - specular) * max(0.0, dot(m, i)) / np.pi
+        nh, _ = half_cosines(m, o, i)
+        if specular > 0.0 and nh > 0.0:
+            density += specular * reflected_density(point[1], dot(m, o), nh)
+        nh, _ = half_cosines(c, o, i)
+        if clear > 0.0 and nh > 0.0:
+            density += clear * reflected_density(point[7], dot(c, o), nh)
+        result[k] = density

@@ -16,6 +16,9 @@ from rna_render.materials.mesh_parts import MeshFile, Part
 # Section 3.7.2.1: modes of primitives.
 TRIANGLES, STRIP, FAN = 4, 5, 6
 
+# Section 3.7.2.1: attributes of vertices that are read.
+WIDTHS_OF_ATTRIBUTES = {"POSITION": 3, "NORMAL": 3, "TANGENT": 4, "TEXCOORD_0": 2, "TEXCOORD_1": 2}
+
 # Extensions that a file may require of its reader. Those of materials may be left out of the look.
 KNOWN_EXTENSIONS = {"KHR_mesh_quantization", "KHR_texture_transform", "EXT_texture_webp"}
 
@@ -114,12 +117,13 @@ def _part(
     attributes = data["attributes"]
     vectors = {
         name: container.accessor(attributes[name]).astype(np.float64)
-        for name in ("POSITION", "NORMAL", "TEXCOORD_0")
+        for name in WIDTHS_OF_ATTRIBUTES
         if name in attributes
     }
-    positions, normals, uvs = (vectors.get(n) for n in ("POSITION", "NORMAL", "TEXCOORD_0"))
-    for values, shape in ((normals, (len(positions), 3)), (uvs, (len(positions), 2))):
-        if values is not None and values.shape != shape:
+    positions, normals, tangents = (vectors.get(n) for n in ("POSITION", "NORMAL", "TANGENT"))
+    for name, values in vectors.items():
+        shape = len(positions), WIDTHS_OF_ATTRIBUTES[name]
+        if values.shape != shape:
             raise ValueError(f"an attribute has shape {values.shape}, not {shape}")
     if "indices" in data:
         corners = container.accessor(data["indices"])[:, 0].astype(np.int64)
@@ -132,8 +136,13 @@ def _part(
         triangles = triangles[:, ::-1]
     if normals is not None:
         normals = normals @ _cofactors(linear).T * (-1.0 if mirrored else 1.0)
+    if tangents is not None:
+        sign = tangents[:, 3:] * (-1.0 if mirrored else 1.0)
+        tangents = np.column_stack([tangents[:, :3] @ linear.T, sign])
     positions = positions @ linear.T + matrix[:3, 3]
-    return Part(positions, normals, uvs, triangles, material), "COLOR_0" in attributes
+    uvs, second_uvs = vectors.get("TEXCOORD_0"), vectors.get("TEXCOORD_1")
+    part = Part(positions, normals, uvs, triangles, material, second_uvs, tangents)
+    return part, "COLOR_0" in attributes
 
 
 def _cofactors(matrix: np.ndarray) -> np.ndarray:

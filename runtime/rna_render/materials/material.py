@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 from rna_render.materials.models import (
@@ -20,9 +20,16 @@ from rna_render.model_base import Vector
 class Material:
     """One material; each texture multiplies the factors it stands beside.
 
-    base_color: linear, in [0, 1]. roughness: the square root of GGX's alpha. coat_f0:
-    reflectance of the coat of what is not metallic, seen straight on; 0 for none. emission:
-    radiance, W/(m^2 sr). metallic_roughness_texture: metallic in blue, roughness in green.
+    base_color: linear, in [0, 1]. roughness: the square root of GGX's alpha. coat_f0, coat_weight:
+    reflectance of the coat of what is not metallic, seen straight on, 0 for none, and how much of
+    the coat there is. emission: radiance, W/(m^2 sr). clear_coat: weight of a second coat.
+    transmission: share of what is not metallic nor reflected that goes straight through. opacity:
+    share of light that meets the surface; with a cutoff all of it where opacity is at least that,
+    else none.
+
+    Channels of the textures: metallic in blue, roughness in green, coat weight, opacity, clear coat
+    and transmission in red, roughness of the clear coat in green. normal_texture: normals in
+    tangent space, +Y up in the image, (x, y) times normal_scale.
     """
 
     base_color: Vector = (1.0, 1.0, 1.0)
@@ -30,15 +37,27 @@ class Material:
     roughness: float = 1.0
     coat_f0: float = 0.0
     emission: Vector = (0.0, 0.0, 0.0)
+    coat_weight: float = 1.0
+    clear_coat: float = 0.0
+    clear_coat_roughness: float = 0.0
+    transmission: float = 0.0
+    opacity: float = 1.0
+    cutoff: float | None = None
+    normal_scale: float = 1.0
     base_color_texture: Texture | None = None
     metallic_roughness_texture: Texture | None = None
+    coat_weight_texture: Texture | None = None
     emission_texture: Texture | None = None
+    clear_coat_texture: Texture | None = None
+    clear_coat_roughness_texture: Texture | None = None
+    transmission_texture: Texture | None = None
+    opacity_texture: Texture | None = None
+    normal_texture: Texture | None = None
 
     @property
-    def has_textures(self) -> bool:
-        return any(
-            (self.base_color_texture, self.metallic_roughness_texture, self.emission_texture)
-        )
+    def textures(self) -> list[Texture]:
+        values = (getattr(self, item.name) for item in fields(self))
+        return [value for value in values if isinstance(value, Texture)]
 
 
 def reflectance_of_ior(ior: float) -> float:

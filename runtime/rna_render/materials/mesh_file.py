@@ -39,7 +39,7 @@ def read_mesh_object(
     path in `material` to one that can be opened.
 
     Warns once (MeshFileWarning) with all that the file says of its look and is not shown, such
-    as transmission or normal textures. Raises SceneError, which names the file: it is not there,
+    as volumes or vertex colours. Raises SceneError, which names the file: it is not there,
     has another ending, is broken, has no triangles, positions that are not finite, or a texture
     but no texture coordinates.
     """

@@ -9,10 +9,14 @@ from functools import cached_property
 import numpy as np
 from numba import prange
 
-from rna_render.materials.bsdf import Scattering
+from rna_render.materials.bumps import bumped_normals
 from rna_render.materials.ggx import MIN_ALPHA
 from rna_render.materials.material import Material
+from rna_render.materials.scattering import ClearCoat, Scattering
 from rna_render.materials.textures import Texture
+from rna_render.materials.transmission import object_transmittance
+from rna_render.surface import interpolate_normals
+from rna_render.transmittance import Transmittance
 from rna_sdk.compiled import compiled
 
 # Luminance of linear sRGB: ITU-R BT.709-6, section 3.2.
@@ -35,6 +39,8 @@ class MeshObject:
     material_numbers: (t,) int32, places in `materials`.
     materials: at least one.
     catches_shadows: it shows nothing but the shadows on it, and its materials mean nothing.
+    second_uvs: as uvs, of textures that ask for them. tangents: (v, 4) float32, unit, towards +u,
+    with the sign of the bitangent; 0 or None where they follow from the texture coordinates.
     """
 
     positions: np.ndarray
@@ -44,6 +50,12 @@ class MeshObject:
     material_numbers: np.ndarray
     materials: tuple[Material, ...]
     catches_shadows: bool = False
+    second_uvs: np.ndarray | None = None
+    tangents: np.ndarray | None = None
+
+    def uv_set(self, number: int) -> np.ndarray:
+        """The first or the second texture coordinates; a texture that asks for them has them."""
+        return self.second_uvs if number else self.uvs
 
     def scattering(self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> Scattering:
         """The material at barycentrics (u, v) of the given triangles.
@@ -51,29 +63,107 @@ class MeshObject:
         triangle: (n,) int32, each within [0, t). u, v: (n,) float32. glTF 2.0, section 3.9.2:
         textures multiply the factors.
         """
-        number, uv = self.material_numbers[triangle], self._uv(triangle, u, v)
+        number = self.material_numbers[triangle]
+        at = number, triangle, u, v
         base_color = self._factors["base_color"][number]
         metallic = self._factors["metallic"][number]
         roughness = self._factors["roughness"][number]
-        for row, texture in self._textured("base_color_texture", number):
-            base_color[row] *= texture.lookup(uv[row])
-        for row, texture in self._textured("metallic_roughness_texture", number):
-            values = texture.lookup(uv[row])
+        for row, values in self._looked_up("base_color_texture", *at):
+            base_color[row] *= values
+        for row, values in self._looked_up("metallic_roughness_texture", *at):
             roughness[row] *= values[:, 1]
             metallic[row] *= values[:, 2]
         alpha = np.maximum(roughness * roughness, np.float32(MIN_ALPHA))
         coat_f0 = self._factors["coat_f0"][number]
-        return Scattering(base_color, alpha, metallic, coat_f0, self._emission(number, uv))
+        layers = self._weights(*at), self._clear_coat(*at)
+        return Scattering(base_color, alpha, metallic, coat_f0, self._emission(*at), *layers)
+
+    def shading_normals(
+        self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, ng: np.ndarray, wo: np.ndarray
+    ) -> np.ndarray:
+        """Unit normals with the relief of normal textures, (n, 3) float32, not turned to wo.
+
+        ng, wo: (n, 3) float32, unit, geometric normals and directions to the viewer. The others
+        are those of `scattering`.
+        """
+        n = interpolate_normals(self.normals, self.triangles, triangle, u, v)
+        number = self.material_numbers[triangle]
+        for row, values in self._looked_up("normal_texture", number, triangle, u, v):
+            material = self.materials[number[row[0]]]
+            uvs = self.uv_set(material.normal_texture.uv_set)
+            mesh, hits = (self.positions, uvs, self.tangents, self.triangles), (triangle, u, v)
+            at = [values_at.take(row, axis=0) for values_at in (*hits, n, ng, wo)]
+            bumps = values, material.normal_scale, mesh, tuple(at[:3])
+            n[row] = bumped_normals(*bumps, *at[3:])
+        return n
+
+    @cached_property
+    def transmittance(self) -> Transmittance | None:
+        """What its triangles let through; None if they are all opaque."""
+        return object_transmittance(self)
+
+    def own_share(
+        self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, ng: np.ndarray, wo: np.ndarray
+    ) -> np.ndarray | None:
+        """By what to divide what is scattered at hits, since rays end there only so often:
+        (n, 3) float32, or None for 1.
+
+        Less than 1 on thin glass, which scatters all the more of what does not go through; see
+        `transmission`. Arguments are those of `shading_normals`.
+        """
+        if self.transmittance is None or not self._factors["transmission"].any():
+            return None
+        row = np.flatnonzero(self._factors["transmission"][self.material_numbers[triangle]])
+        facing = np.sum(ng[row] * wo[row], axis=1) > 0
+        result = np.ones((len(triangle), 3), np.float32)
+        at = triangle[row], u[row], v[row], wo[row], facing
+        result[row] = np.maximum(1 - self.transmittance.at(*at), np.float32(1e-6))
+        return result
 
     def emission(self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Radiance to both sides, (n, 3) float32, W/(m^2 sr); arguments as in `scattering`."""
-        return self._emission(self.material_numbers[triangle], self._uv(triangle, u, v))
+        """Radiance to both sides, (n, 3) float32, W/(m^2 sr); arguments as in `scattering`.
 
-    def _emission(self, number: np.ndarray, uv: np.ndarray) -> np.ndarray:
+        Of the surface itself, where it lets light through.
+        """
+        return self._emission(self.material_numbers[triangle], triangle, u, v)
+
+    def opaque_emission(self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """`emission` times the share of the surface that is there."""
+        radiance = self.emission(triangle, u, v)
+        if self.transmittance is not None:
+            any_way = np.ones((len(triangle), 3), np.float32), np.ones(len(triangle), bool)
+            radiance *= 1.0 - self.transmittance.at(triangle, u, v, *any_way)
+        return radiance
+
+    def _emission(self, number, triangle, u, v) -> np.ndarray:
         emission = self._factors["emission"][number]
-        for row, texture in self._textured("emission_texture", number):
-            emission[row] *= texture.lookup(uv[row])
+        for row, values in self._looked_up("emission_texture", number, triangle, u, v):
+            emission[row] *= values
         return emission
+
+    def _weights(self, number, triangle, u, v) -> np.ndarray | None:
+        """Scattering.weights: of the coat, and of what is diffuse."""
+        if (self._factors["coat_weight"] == 1).all() and not self._factors["transmission"].any():
+            return None
+        coat = self._factors["coat_weight"][number]
+        transmission = self._factors["transmission"][number]
+        for row, values in self._looked_up("coat_weight_texture", number, triangle, u, v):
+            coat[row] *= values[:, 0]
+        for row, values in self._looked_up("transmission_texture", number, triangle, u, v):
+            transmission[row] *= values[:, 0]
+        return np.column_stack([coat, 1 - transmission])
+
+    def _clear_coat(self, number, triangle, u, v) -> ClearCoat | None:
+        if not self._factors["clear_coat"].any():
+            return None
+        weight = self._factors["clear_coat"][number]
+        roughness = self._factors["clear_coat_roughness"][number]
+        for row, values in self._looked_up("clear_coat_texture", number, triangle, u, v):
+            weight[row] *= values[:, 0]
+        for row, values in self._looked_up("clear_coat_roughness_texture", number, triangle, u, v):
+            roughness[row] *= values[:, 1]
+        n = interpolate_normals(self.normals, self.triangles, triangle, u, v)
+        return ClearCoat(weight, roughness * roughness, n)
 
     @cached_property
     def is_emissive(self) -> bool:
@@ -104,26 +194,26 @@ class MeshObject:
 
     @cached_property
     def _factors(self) -> dict[str, np.ndarray]:
-        names = "base_color", "metallic", "roughness", "coat_f0", "emission"
+        names = "base_color", "metallic", "roughness", "coat_f0", "coat_weight", "emission"
+        names += "clear_coat", "clear_coat_roughness", "transmission"
         return {
             name: np.array([getattr(material, name) for material in self.materials], np.float32)
             for name in names
         }
 
-    def _textured(self, name: str, number: np.ndarray) -> Iterator[tuple[np.ndarray, Texture]]:
-        """Rows that share a texture, and the texture."""
-        textures = [getattr(material, name) for material in self.materials]
+    def _looked_up(
+        self, name: str, number: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+    ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Rows that share a texture, and its values there, (k, 3) float32."""
+        textures: list[Texture | None] = [getattr(material, name) for material in self.materials]
         if any(texture is not None for texture in textures):
             for place in np.flatnonzero(np.bincount(number)):
-                if textures[place] is not None:
-                    yield np.flatnonzero(number == place), textures[place]
-
-    def _uv(self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Texture coordinates, (n, 2) float32; 0 where no material has use for them."""
-        uv = np.zeros((len(triangle), 2), np.float32)
-        if self.uvs is not None and any(material.has_textures for material in self.materials):
-            _interpolate(self.uvs, self.triangles, triangle, u, v, uv)
-        return uv
+                if (texture := textures[place]) is not None:
+                    row = np.flatnonzero(number == place)
+                    uv = np.empty((len(row), 2), np.float32)
+                    at = self.triangles, triangle[row], u[row], v[row]
+                    _interpolate(self.uv_set(texture.uv_set), *at, uv)
+                    yield row, texture.lookup(uv)
 
 
 def points_of_a_triangle(k: int) -> list[tuple[float, float]]:

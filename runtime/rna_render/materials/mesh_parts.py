@@ -20,7 +20,7 @@ class Part:
 
     positions: (v, 3) float. normals: the same, of any length, or None. uvs: (v, 2) float, (0, 0)
     the upper left corner of images, or None. triangles: (t, 3) integers. material: place in the
-    file's list of materials.
+    file's list of materials. second_uvs: as uvs. tangents: (v, 4) float, as in MeshObject, or None.
     """
 
     positions: np.ndarray
@@ -28,6 +28,8 @@ class Part:
     uvs: np.ndarray | None
     triangles: np.ndarray
     material: int
+    second_uvs: np.ndarray | None = None
+    tangents: np.ndarray | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,27 +55,31 @@ def join_parts(
     starts = np.cumsum([0] + [len(part.positions) for part in parts[:-1]])
     if starts[-1] + len(parts[-1].positions) >= 2**32:
         raise SceneError("there are too many vertices in it", file=path)
-    uvs = None
-    if any(part.uvs is not None for part in parts):
-        # Parts without any have no textures either: any number will do.
-        uvs = np.concatenate(
-            [
-                np.zeros((len(part.positions), 2), np.float32) if part.uvs is None else part.uvs
-                for part in parts
-            ]
-        )
     triangles = [part.triangles + start for part, start in zip(parts, starts, strict=True)]
     return MeshObject(
         positions=np.concatenate([part.positions for part in parts]),
         normals=np.concatenate([part.normals for part in parts]),
-        uvs=uvs,
+        uvs=_joined([part.uvs for part in parts], parts, 2),
         triangles=np.ascontiguousarray(np.concatenate(triangles), np.uint32),
         material_numbers=np.concatenate(
             [np.full(len(part.triangles), part.material, np.int32) for part in parts]
         ),
         materials=tuple(materials),
         catches_shadows=catches_shadows,
+        second_uvs=_joined([part.second_uvs for part in parts], parts, 2),
+        tangents=_joined([part.tangents for part in parts], parts, 4),
     )
+
+
+def _joined(
+    values: Sequence[np.ndarray | None], parts: Sequence[Part], width: int
+) -> np.ndarray | None:
+    """What some parts have, 0 for the others, who have no use for it; None if none has any."""
+    if all(value is None for value in values):
+        return None
+    zeros = (np.zeros((len(part.positions), width), np.float32) for part in parts)
+    pairs = zip(values, zeros, strict=True)
+    return np.concatenate([zero if value is None else value for value, zero in pairs])
 
 
 def fans(faces: np.ndarray) -> np.ndarray:
@@ -98,21 +104,36 @@ def _checked(path: Path, part: Part, materials: Sequence[Material]) -> Part:
         raise SceneError(f"a triangle has a vertex outside [0, {count})", file=path)
     if not (np.abs(positions) <= MAX_NUMBER).all():
         raise SceneError(f"positions must be finite and at most {MAX_NUMBER:g}", file=path)
-    uvs = part.uvs
-    if uvs is not None:
-        with np.errstate(over="ignore"):
-            uvs = np.asarray(uvs, np.float32)
-        if not np.isfinite(uvs).all():
-            raise SceneError("texture coordinates must be finite in float32", file=path)
-    elif materials[part.material].has_textures:
-        raise SceneError("a texture needs texture coordinates, but there are none", file=path)
+    uvs = [_checked_uvs(path, values) for values in (part.uvs, part.second_uvs)]
+    for texture in materials[part.material].textures:
+        if uvs[texture.uv_set] is None:
+            raise SceneError("a texture needs texture coordinates, but there are none", file=path)
     if part.normals is not None:
-        return Part(positions, _unit(part.normals), uvs, triangles, part.material)
+        tangents = None if part.tangents is None else _unit_tangents(part.tangents)
+        normals = _unit(part.normals)
+        return Part(positions, normals, uvs[0], triangles, part.material, uvs[1], tangents)
     corners = triangles.ravel()
     normals = np.repeat(flat_normals(positions, triangles), 3, axis=0).astype(np.float32)
-    uvs = None if uvs is None else uvs[corners]
+    uvs = [None if values is None else values[corners] for values in uvs]
     apart = np.arange(len(corners)).reshape(-1, 3)
-    return Part(positions[corners], normals, uvs, apart, part.material)
+    return Part(positions[corners], normals, uvs[0], apart, part.material, uvs[1])
+
+
+def _checked_uvs(path: Path, uvs: np.ndarray | None) -> np.ndarray | None:
+    if uvs is None:
+        return None
+    with np.errstate(over="ignore"):
+        uvs = np.asarray(uvs, np.float32)
+    if not np.isfinite(uvs).all():
+        raise SceneError("texture coordinates must be finite in float32", file=path)
+    return uvs
+
+
+def _unit_tangents(tangents: np.ndarray) -> np.ndarray:
+    """With the sign of the bitangent, and 0 for tangents that are of no use."""
+    unit = _unit(tangents[:, :3])
+    sign = np.where(tangents[:, 3:] < 0, -1, 1) * unit.any(axis=1, keepdims=True)
+    return np.column_stack([unit, sign]).astype(np.float32)
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:

@@ -7,8 +7,11 @@ as in glTF 2.0, section 3.8.4.
 from __future__ import annotations
 
 import io
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numba import prange
@@ -17,6 +20,9 @@ from rna_render.bilinear import REPEAT, texels_around
 from rna_render.srgb import decode_srgb
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
+
+if TYPE_CHECKING:
+    from PIL.ImageFile import ImageFile
 
 _LEVELS = np.arange(256) / 255.0
 LINEAR = _LEVELS.astype(np.float32)
@@ -32,12 +38,14 @@ class Texture:
     decode: (256,) float32, linear value of each level: SRGB or LINEAR.
     wrap: what is outside [0, 1] in u and in v: REPEAT, CLAMP or MIRROR.
     transform: (2, 3) float64, from the mesh's coordinates (u, v, 1) to the image's.
+    uv_set: which of the mesh's coordinates.
     """
 
     texels: np.ndarray
     decode: np.ndarray
     wrap: tuple[int, int] = (REPEAT, REPEAT)
     transform: np.ndarray = field(default_factory=lambda: IDENTITY)
+    uv_set: int = 0
 
     def lookup(self, uv: np.ndarray) -> np.ndarray:
         """Linear colours at texture coordinates (n, 2) float32, finite: (n, 3) float32."""
@@ -57,16 +65,31 @@ def read_texels(source: Path | bytes, name: object) -> np.ndarray:
     source: the file, or what is in it. name: for errors. Raises SceneError if it is not there or
     is no image.
     """
+    with _opened(source, name) as image:
+        if image.mode.startswith("I"):  # 16 bits of grey, which PIL would clip to 8
+            grey = np.clip(np.asarray(image, np.float64) / 257.0, 0, 255)
+            return np.repeat(np.rint(grey).astype(np.uint8)[..., None], 3, axis=2)
+        if image.mode == "F":
+            raise SceneError("images of floating point numbers are no textures", file=name)
+        return np.array(image.convert("RGB"))
+
+
+def read_alpha(source: Path | bytes, name: object) -> np.ndarray | None:
+    """The alpha of an image file in all three channels, (height, width, 3) uint8; None if it has
+    none. Arguments and errors are those of `read_texels`."""
+    with _opened(source, name) as image:
+        if "A" not in image.getbands() and "transparency" not in image.info:
+            return None
+        return np.repeat(np.array(image.convert("RGBA"))[..., 3:], 3, axis=2)
+
+
+@contextmanager
+def _opened(source: Path | bytes, name: object) -> Iterator[ImageFile]:
     from PIL import Image
 
     try:
         with Image.open(source if isinstance(source, Path) else io.BytesIO(source)) as image:
-            if image.mode.startswith("I"):  # 16 bits of grey, which PIL would clip to 8
-                grey = np.clip(np.asarray(image, np.float64) / 257.0, 0, 255)
-                return np.repeat(np.rint(grey).astype(np.uint8)[..., None], 3, axis=2)
-            if image.mode == "F":
-                raise SceneError("images of floating point numbers are no textures", file=name)
-            return np.array(image.convert("RGB"))
+            yield image
     except FileNotFoundError as error:
         raise SceneError("no such file", file=name) from error
     except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:

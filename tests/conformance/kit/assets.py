@@ -1,148 +1,56 @@
-"""The packages of the kit, and what every tier of them answers in float64."""
+"""The packages of the kit as files, and what every tier of them answers in float64."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from rna_sdk.package import Bounds, Curves, Int8Planes, Mesh, Provenance, Tier, TierData
-from rna_sdk.package.writer import write_package
-from tests.conformance.kit import decoders, shapes
+from rna_sdk.package import (
+    Bounds,
+    Int8Planes,
+    Part,
+    Provenance,
+    Tier,
+    TierData,
+    TierEmission,
+    TierPart,
+    TransmittanceRecord,
+    write_package,
+)
+from tests.conformance.kit import decoders
 from tests.conformance.kit.blocks import Points, decoder_inputs, moved_blocks
 from tests.conformance.kit.decoders import Decoder, Int8Decoder, short
 from tests.conformance.kit.oddities import make_odd
-from tests.conformance.kit.queries import ORDINARY, Maker, make_queries, valid_rows
-from tests.package.builders import make_manifest, make_tier
+from tests.conformance.kit.plans import EmissionPlan, PartPlan, Plan, TierPlan
+from tests.conformance.kit.queries import (
+    EMISSION_COLUMNS,
+    ORDINARY,
+    Maker,
+    make_queries,
+    valid_rows,
+)
+from tests.package.builders import make_manifest, make_part, make_tier_part
 
 PART_OF_SCALE = 1e-4  # tolerance of a well-conditioned row
 SIGN_PATTERNS = 32
 _CALIBRATION_ROWS = 600
 
-SURFACE = ("features", "position", "normal", "wo", "wi", "half_vector")
-SURFACE_ALL = (
-    *("wi", "learned_normal", "highlight", "position"),
-    *("half_vector", "normal", "features", "wo"),
-)
-FIBER = ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_lobes")
-FIBER_ALL = ("fiber_lobes", "h", "fiber_angles", "position", "wi", "features", "tangent", "wo")
-
 
 @dataclass(frozen=True)
-class TierPlan:
-    """What a tier is made of; `int8`: "" for a float32 decoder, else how its weights are."""
+class Asked:
+    """What is asked of a package."""
 
-    name: str
-    inputs: tuple[str, ...]
-    resolution: int
-    channels: int
-    planes: str = "float16"
-    int8: str = ""
-    widths: tuple[int, ...] = (16, 16)
-    mixing: int = 0  # outputs that a matrix makes colours of; 0: a factor does
-    loud: bool = False  # texels beyond the Clip of the decoder's inputs
-    faint: bool = False  # a channel of texels that float16 holds as subnormal numbers
-    shares_planes: bool = False  # with the tier before
-
-
-@dataclass(frozen=True)
-class Plan:
-    name: str
-    what: str
-    geometry: Mesh | Curves
-    low: tuple[float, float, float]
-    high: tuple[float, float, float]
-    tiers: tuple[TierPlan, ...]
-    warning: str | None = None  # the code that the validator gives it
-
-    @property
-    def is_fiber(self) -> bool:
-        return isinstance(self.geometry, Curves)
-
-    @property
-    def bounds(self) -> np.ndarray:
-        """(2, 3) float64, rounded to float32 as readers have them."""
-        return np.array([self.low, self.high], np.float32).astype(np.float64)
-
-
-ONE = (-1.0,) * 3, (1.0,) * 3
-HERE = (3.0, -0.7, 0.5), 0.002
-
-PLANS = (
-    Plan(
-        *("surface-float32", "float32 planes, two float32 tiers"),
-        *(shapes.ball(), *ONE),
-        (
-            TierPlan("small", SURFACE, 6, 4, "float32"),
-            TierPlan("hq", SURFACE_ALL, 9, 5, "float32", widths=(24, 16, 16), mixing=6),
-        ),
-    ),
-    Plan(
-        *("surface-clip", "features beyond the decoder's first Clip, colours beyond its second"),
-        *(shapes.steps(), *ONE),
-        (TierPlan("loud", SURFACE, 16, 2, "float32", widths=(), loud=True),),
-    ),
-    Plan(
-        *("surface-float16", "float16 planes, every block of surfaces, self-shadowing"),
-        *(shapes.bowl(), *ONE),
-        (TierPlan("all", SURFACE_ALL, 12, 3),),
-    ),
-    Plan(
-        *("surface-int8", "int8 planes, one tier in int8 and one in float32; sheets"),
-        *(shapes.steps(), *ONE),
-        (
-            TierPlan("small-int8", SURFACE, 8, 4, "int8", "plain"),
-            TierPlan("small", SURFACE, 8, 4, "int8", shares_planes=True),
-        ),
-    ),
-    Plan(
-        *("surface-int8-saturating", "int8 weights that 16-bit sums of pairs cannot hold"),
-        *(shapes.steps(), *ONE),
-        (TierPlan("small-int8", SURFACE, 8, 4, "float16", "saturating"),),
-        "DECODER_SATURATION",
-    ),
-    Plan(
-        *("surface-one-texel", "R = 1, one channel, wound clockwise, narrow and long bounds"),
-        *(shapes.backwards(shapes.bowl()), (-1.0, -1.5, -40.0), (1.0, 1.0, 1.0)),
-        (TierPlan("one", ("learned_normal", *SURFACE), 1, 1),),
-    ),
-    Plan(
-        *("surface-tiny", "bounds of 2 mm far from the origin, two channels, four layers"),
-        shapes.placed(shapes.ball(5, 8), HERE[1] / 2, HERE[0]),
-        *(tuple(c + s * HERE[1] / 2 for c in HERE[0]) for s in (-1, 1)),
-        (TierPlan("two", SURFACE_ALL, 7, 2, "float16", widths=(16, 12, 8)),),
-    ),
-    Plan(
-        *("surface-odd", "a manifest, planes and container as no exporter writes them; subnormals"),
-        *(shapes.with_uvs(shapes.ball(4, 7)), *ONE),
-        (TierPlan("odd", SURFACE, 5, 3, "float16", faint=True),),
-        "EXTENSION_UNKNOWN",
-    ),
-    Plan(
-        *("fiber-float16", "float16 planes, every block of fibers, two tiers"),
-        *(shapes.curls(7, 3), *ONE),
-        (
-            TierPlan("small", FIBER, 8, 4),
-            TierPlan("hq", FIBER_ALL, 12, 6, widths=(24, 15), mixing=9),
-        ),
-    ),
-    Plan(
-        *("fiber-int8", "int8 planes and decoder; strands that touch, cross and double back"),
-        *(shapes.crossings(), *ONE),
-        (TierPlan("small-int8", FIBER, 8, 4, "int8", "plain", (13, 10), mixing=6),),
-    ),
-    Plan(
-        *("fiber-one-channel", "float32 planes, R = 1, one channel, no features among the inputs"),
-        *(shapes.curls(2, 5), *ONE),
-        (TierPlan("one", ("h", "fiber_lobes", "fiber_angles"), 1, 1, "float32", widths=(13, 7)),),
-    ),
-)
+    tier: str
+    part: int
+    output: str  # of decoders.OUTPUTS
 
 
 @dataclass(frozen=True)
 class Answers:
-    """Of one tier: queries (n, 13) float32; blocks (n, K), expected and tolerance (n, 6) float64.
+    """To one question: queries (n, 13 or 10) float32; blocks (n, K), expected and tolerance
+    (n, 6 or 3) float64.
 
     classes: name, first row, rows. scale: root mean square of the expected of ordinary rows.
     step: the most that a step of one int8 activation changes an output; 0 for float32.
@@ -157,46 +65,113 @@ class Answers:
     step: float
 
 
-def write_asset(plan: Plan, folder: Path) -> dict[str, Answers]:
-    """Write NAME.rna below `folder`; the answers of its tiers."""
-    records: list[Tier] = []
-    data: dict[str, list[TierData]] = {}
-    answers: dict[str, Answers] = {}
-    for number, tier in enumerate(plan.tiers):
-        rng = np.random.default_rng([len(plan.name), number, *plan.name.encode()])
-        if not tier.shares_planes:
-            planes, values = _planes(rng, tier)
-        decoder = _decoder(rng, plan, tier, values)
-        data[tier.name] = [TierData(planes, decoder.file())]
-        shared = records[-1].parts[0].planes if tier.shares_planes else None
-        records.append(_record(tier, shared or f"features/{tier.name}.safetensors"))
-        seed = int(rng.integers(2**32))
-        answers[tier.name] = _answers(seed, plan, tier, values, decoder)
+def write_asset(plan: Plan, folder: Path) -> dict[Asked, Answers]:
+    """Write NAME.rna below `folder`; the answers of its parts in its tiers."""
+    made = [_Made(plan, number, part) for number, part in enumerate(plan.parts)]
+    names = [tier.name for tier in plan.parts[0].tiers]
     manifest = make_manifest(
-        *records,
-        kind="fiber" if plan.is_fiber else "surface",
-        geometry="geometry/curves.safetensors" if plan.is_fiber else "geometry/mesh.glb",
+        *(Tier(name=n, parts=tuple(p.records[k] for p in made)) for k, n in enumerate(names)),
+        parts=tuple(part.record for part in made),
         generator="rna conformance kit",
         name=plan.name,
-        bounds=Bounds(min=plan.low, max=plan.high),
         provenance=Provenance(source="tests/conformance/kit/assets.py", tool="numpy"),
     )
     path = folder / f"{plan.name}.rna"
-    write_package(path, manifest, [plan.geometry], data)
+    data = {name: [part.data[k] for part in made] for k, name in enumerate(names)}
+    textures = {
+        _texture(name): record.texture for part in plan.parts for name, record in part.records
+    }
+    write_package(path, manifest, [part.geometry for part in plan.parts], data, textures)
     if plan.name == "surface-odd":
         make_odd(path)
-    return answers
+    return {asked: answers for part in made for asked, answers in part.answers.items()}
 
 
-def _record(tier: TierPlan, planes: str) -> Tier:
-    return make_tier(
-        tier.name,
-        planes=planes,
+def _texture(name: str) -> str:
+    return f"transmittance/{name}.safetensors"
+
+
+class _Made:
+    """A part of a package, with the record, data and answers of each tier."""
+
+    def __init__(self, plan: Plan, number: int, part: PartPlan) -> None:
+        alone = len(plan.parts) == 1
+        self._end = "" if alone else f"-{part.name}"
+        self.record = _part(part, alone)
+        self.records: list[TierPart] = []
+        self.data: list[TierData] = []
+        self.answers: dict[Asked, Answers] = {}
+        for k, tier in enumerate(part.tiers):
+            seed = [len(plan.name), k + 100 * number, *plan.name.encode()]
+            rng = np.random.default_rng(seed)
+            if not tier.shares_planes:
+                self._planes, self._values = _planes(rng, tier)
+            self._add(rng, number, part, tier)
+
+    def _add(self, rng: np.random.Generator, number: int, part: PartPlan, tier: TierPlan) -> None:
+        decoder = _decoder(rng, part, tier, self._values)
+        shared = self.records[-1].planes if tier.shares_planes else None
+        record = _record(tier, self._end, shared)
+        self.answers[Asked(tier.name, number, "transport")] = _answers(
+            int(rng.integers(2**32)), part, tier, tier.inputs, self._values, decoder
+        )
+        glow = None
+        if tier.emission:
+            asked = _as_tier(tier, tier.emission)
+            glow = _decoder(rng, part, asked, self._values, "emission")
+            record = record.model_copy(update={"emission": _emission(tier, self._end)})
+            self.answers[Asked(tier.name, number, "emission")] = _answers(
+                int(rng.integers(2**32)), part, tier, asked.inputs, self._values, glow
+            )
+        self.records.append(record)
+        self.data.append(TierData(self._planes, decoder.file(), glow and glow.file()))
+
+
+def _part(part: PartPlan, alone: bool) -> Part:
+    ending = "safetensors" if part.is_fiber else "glb"
+    geometry = {} if alone else {"geometry": f"geometry/{part.name}.{ending}"}
+    return make_part(
+        name=part.name,
+        kind="fiber" if part.is_fiber else "surface",
+        bounds=Bounds(min=part.low, max=part.high),
+        transmittance=tuple(
+            TransmittanceRecord(
+                triangles=(record.first, record.count),
+                texture=_texture(name),
+                cutoff=record.cutoff,
+                ior=record.ior,
+            )
+            for name, record in part.records
+        ),
+        **geometry,
+    )
+
+
+def _as_tier(tier: TierPlan, emission: EmissionPlan) -> TierPlan:
+    """For the decoder of emission."""
+    made = {name: getattr(emission, name) for name in ("inputs", "int8", "widths", "mixing")}
+    return replace(tier, **made)
+
+
+def _record(tier: TierPlan, end: str, planes: str | None) -> TierPart:
+    own = {"planes": planes} if planes else {}
+    return make_tier_part(
+        tier.name + end,
         inputs=tier.inputs,
         resolution=tier.resolution,
         channels=tier.channels,
         plane_precision=tier.planes,
         decoder_precision="int8" if tier.int8 else "float32",
+        **own,
+    )
+
+
+def _emission(tier: TierPlan, end: str) -> TierEmission:
+    assert tier.emission
+    return TierEmission(
+        decoder=f"decoders/{tier.name}{end}-emission.onnx",
+        inputs=tier.emission.inputs,
+        decoder_precision="int8" if tier.emission.int8 else "float32",
     )
 
 
@@ -219,39 +194,51 @@ def _planes(rng: np.random.Generator, tier: TierPlan) -> tuple[np.ndarray | Int8
 
 
 def _decoder(
-    rng: np.random.Generator, plan: Plan, tier: TierPlan, planes: np.ndarray
+    rng: np.random.Generator,
+    part: PartPlan,
+    tier: TierPlan,
+    planes: np.ndarray,
+    output: str = "transport",
 ) -> Decoder | Int8Decoder:
-    rows = Maker(rng, plan.is_fiber, plan.bounds).ordinary(_CALIBRATION_ROWS)
-    blocks = decoder_inputs(Points.of(rows, plan.bounds), tier.inputs, planes)
+    rows = Maker(rng, part.is_fiber, part.bounds).ordinary(_CALIBRATION_ROWS)
+    blocks = decoder_inputs(Points.of(rows, part.bounds), tier.inputs, planes)
     blocks = np.clip(blocks, -20, 20)  # but for loud texels, which would drown the others
     first = None
     if tier.int8 == "saturating":
         first = decoders.saturating_weights(rng, blocks, tier.widths[0])
-    decoder = decoders.make_decoder(rng, blocks, tier.widths, tier.mixing, first)
+    decoder = decoders.make_decoder(rng, blocks, tier.widths, tier.mixing, first, output)
     if not tier.int8:
         return decoder
     return decoders.make_int8_decoder(decoder, blocks, 127 if tier.int8 == "saturating" else 64)
 
 
 def _answers(
-    seed: int, plan: Plan, tier: TierPlan, planes: np.ndarray, decoder: Decoder | Int8Decoder
+    seed: int,
+    part: PartPlan,
+    tier: TierPlan,
+    inputs_of: tuple[str, ...],
+    planes: np.ndarray,
+    decoder: Decoder | Int8Decoder,
 ) -> Answers:
-    queries, classes = make_queries(seed, plan.is_fiber, plan.bounds)
-    if tier.resolution == 1 and not plan.is_fiber:
+    """inputs_of: the decoder."""
+    queries, classes = make_queries(seed, part.is_fiber, part.bounds)
+    if tier.resolution == 1 and not part.is_fiber:
         queries, classes = _with_cancelled_normals(queries, classes)
+    if decoder.output == "emission":
+        queries = queries[:, :EMISSION_COLUMNS]
     valid = valid_rows(queries)
-    points = Points.of(queries[valid], plan.bounds)
-    inputs = decoder_inputs(points, tier.inputs, planes)
+    points = Points.of(queries[valid], part.bounds)
+    inputs = decoder_inputs(points, inputs_of, planes)
     answer, rng = decoder(inputs), np.random.default_rng(seed)
     change = np.zeros_like(answer)
     for _ in range(SIGN_PATTERNS):
-        moved = decoder_inputs(points.rounded(rng), tier.inputs, planes)
+        moved = decoder_inputs(points.rounded(rng), inputs_of, planes)
         change = np.maximum(change, np.abs(decoder(moved_blocks(moved, rng)) - answer))
     name, first, count = classes[0]
     assert name == ORDINARY and first == 0
     scale = float(np.sqrt(np.mean(answer[:count] ** 2)))
     blocks = np.zeros((len(queries), inputs.shape[1]))
-    expected, tolerance = np.zeros((2, len(queries), 6))
+    expected, tolerance = np.zeros((2, len(queries), answer.shape[1]))
     blocks[valid], expected[valid] = inputs, answer
     tolerance[valid] = PART_OF_SCALE * scale + change
     step = 0.0

@@ -25,11 +25,12 @@ class Points:
 
     @classmethod
     def of(cls, queries: np.ndarray, bounds: np.ndarray) -> Points:
-        """queries: (n, 13) float32 rows that are valid; bounds: (2, 3) float64."""
+        """queries: (n, 13) float32 rows that are valid; or (n, 10) of emission, whose blocks read
+        no wi, and get wo for it. bounds: (2, 3) float64."""
         rows = queries.astype(np.float64)
         p = np.clip((rows[:, 0:3] - bounds[0]) / (bounds[1] - bounds[0]), 0, 1)
         h = np.clip(rows[:, 6], -1, 1)
-        return cls(p, unit(rows[:, 3:6]), h, unit(rows[:, 7:10]), unit(rows[:, 10:13]))
+        return cls(p, unit(rows[:, 3:6]), h, unit(rows[:, 7:10]), unit(rows[:, -3:]))
 
     def rounded(self, rng: np.random.Generator) -> Points:
         """As a reader has them who rounds to float32: components moved by one unit, either way."""

@@ -2,32 +2,50 @@
 
 from __future__ import annotations
 
+import io
+import json
+import zipfile
+from dataclasses import dataclass
 from pathlib import Path
 
+from rna_sdk.package.extension_checks import KNOWN_EXTENSIONS
 from rna_sdk.package.issues import Code, Severity
-from tests.package.corpus import (
-    container_cases,
-    content_cases,
-    curve_cases,
-    manifest_cases,
-    part_cases,
-)
-from tests.package.corpus.registry import CASES, good_entries
+from tests.package.corpus.every import CASES
+from tests.package.corpus.registry import good_entries
 
-MODULES = (container_cases, content_cases, curve_cases, manifest_cases, part_cases)
 LARGEST = 48 * 1024
 """Larger cases (a decoder of 64 MiB, a manifest of 1 MiB) stay with the unit tests."""
 
 
-def broken_packages(folder: Path) -> dict[str, tuple[bytes, str, bool]]:
-    """Name -> its bytes, the code that it gets, whether it is valid all the same (a warning).
+@dataclass(frozen=True)
+class Broken:
+    """A package with the code that it gets; extension: an optional one that it uses."""
 
-    folder: for files on the way.
-    """
+    data: bytes
+    code: str
+    extension: str | None
+
+    @property
+    def is_valid(self) -> bool:
+        """All the same, since the code is that of a warning."""
+        return Code[self.code].severity is Severity.WARNING
+
+
+def broken_packages(folder: Path) -> dict[str, Broken]:
+    """By name; folder: for files on the way."""
     good, result = good_entries(folder), {}
     for case in CASES:
         data = case.breaker(good[case.base])
         if len(data) <= LARGEST:
-            is_valid = Code[case.code].severity is Severity.WARNING
-            result[case.name] = data, case.code, is_valid
+            result[case.name] = Broken(data, case.code, _extension(data))
     return result
+
+
+def _extension(data: bytes) -> str | None:
+    """The extension of the spec that a package uses, as far as it can be read."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            manifest = json.loads(archive.read("manifest.json"))
+        return next(iter(KNOWN_EXTENSIONS & set(manifest["extensionsUsed"])), None)
+    except (zipfile.BadZipFile, ValueError, KeyError, TypeError, NotImplementedError, EOFError):
+        return None

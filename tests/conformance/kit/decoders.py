@@ -10,6 +10,7 @@ import numpy as np
 from rna_sdk.runtime import onnx_bytes as pb
 
 LARGEST_INPUT = 65504.0
+OUTPUTS = {"transport": 6, "emission": 3}
 TOP = 5.0  # the largest log of a colour
 UNIT = 0.05  # what a log near 0 counts in
 
@@ -44,14 +45,16 @@ class Int8Layer:
 class Decoder:
     """Float64 reading and file of the same numbers.
 
-    ends: what the last layer's outputs become transport by: a factor, or a matrix (outputs, 6).
+    ends: what the last layer's outputs become colours by: a factor, or a matrix (outputs, 6 or 3).
+    output: of OUTPUTS.
     """
 
     layers: list[Layer]
     ends: np.ndarray
+    output: str = "transport"
 
     def __call__(self, blocks: np.ndarray) -> np.ndarray:
-        """(n, 6) float64 for blocks (n, K) float64."""
+        """(n, 6 or 3) float64 for blocks (n, K) float64."""
         x = np.clip(blocks, -LARGEST_INPUT, LARGEST_INPUT)
         for k, layer in enumerate(self.layers):
             x = np.maximum(x, 0) if k else x
@@ -64,7 +67,7 @@ class Decoder:
         for k, layer in enumerate(self.layers):
             value = graph.node("Relu", value) if k else value
             value = graph.node("Gemm", value, layer.weight, layer.bias)
-        return _file(graph, value, self.ends, len(self.layers[0].weight))
+        return _file(graph, value, self.ends, len(self.layers[0].weight), self.output)
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,7 @@ class Int8Decoder:
     offset: np.ndarray
     layers: list[Int8Layer]
     ends: np.ndarray
+    output: str = "transport"
 
     def __call__(self, blocks: np.ndarray) -> np.ndarray:
         return self.from_steps(self.steps(blocks))
@@ -118,7 +122,7 @@ class Int8Decoder:
             scale = layer.input_scale * layer.scale
             bias = graph.node("DequantizeLinear", layer.bias, scale, axis=0)
             value = graph.node("Gemm", value, weight, bias)
-        return _file(graph, value, self.ends, len(self.gain))
+        return _file(graph, value, self.ends, len(self.gain), self.output)
 
 
 def make_decoder(
@@ -127,13 +131,15 @@ def make_decoder(
     widths: tuple[int, ...],
     mixing: int = 0,
     first: np.ndarray | None = None,
+    output: str = "transport",
 ) -> Decoder:
     """Random layers whose outputs on these (n, K) blocks are colours of 0.02 to 2 or so.
 
-    mixing: outputs of the last layer that a matrix makes six colours of; 0 for none. first:
+    mixing: outputs of the last layer that a matrix makes the colours of; 0 for none. first:
     (K, outputs), the first layer's weights but for a factor an output.
     """
-    sizes, layers, x = [blocks.shape[1], *widths, mixing or 6], [], blocks
+    colours = OUTPUTS[output]
+    sizes, layers, x = [blocks.shape[1], *widths, mixing or colours], [], blocks
     spread = blocks.std(axis=0)
     spread = np.where(spread > 1e-6, spread, 1)
     for k in range(len(sizes) - 1):
@@ -145,7 +151,8 @@ def make_decoder(
         weight = short(weight * (deviation / (x @ weight).std(axis=0)))
         layers.append(Layer(weight, short(mean - (x @ weight).mean(axis=0))))
         x = np.maximum(x @ layers[-1].weight + layers[-1].bias, 0)
-    return Decoder(layers, _mixing(rng, mixing) if mixing else np.float32(UNIT))
+    ends = _mixing(rng, mixing, colours) if mixing else np.float32(UNIT)
+    return Decoder(layers, ends, output)
 
 
 def make_int8_decoder(decoder: Decoder, blocks: np.ndarray, largest: int = 64) -> Int8Decoder:
@@ -167,7 +174,7 @@ def make_int8_decoder(decoder: Decoder, blocks: np.ndarray, largest: int = 64) -
         layers.append(Int8Layer(steps, weight_scale, np.round(bias / unit).astype(np.int32), scale))
         x = _sums(_quantized(x, layers[-1]), layers[-1])
         scale = np.float32(short(np.maximum(x, 0).max() / 255.0))
-    return Int8Decoder(gain, offset, layers, decoder.ends)
+    return Int8Decoder(gain, offset, layers, decoder.ends, decoder.output)
 
 
 def entry_steps(blocks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -188,11 +195,11 @@ def saturating_weights(rng: np.random.Generator, blocks: np.ndarray, outputs: in
     return signs[: len(gain)] * gain[:, None]
 
 
-def _mixing(rng: np.random.Generator, outputs: int) -> np.ndarray:
-    """(outputs, 6), of 6 as exporters have it: colours from a sum and a part of the other."""
-    if outputs == 6:
+def _mixing(rng: np.random.Generator, outputs: int, colours: int) -> np.ndarray:
+    """(outputs, colours), of 6 and 6 as exporters have it: from a sum and a part of the other."""
+    if outputs == colours == 6:
         return short(np.kron([[1.0, 0.25], [0.5, 1.0]], np.eye(3)) * UNIT)
-    return short(rng.uniform(0, 0.5, (outputs, 6)) * UNIT)
+    return short(rng.uniform(0, 0.5, (outputs, colours)) * UNIT)
 
 
 def _product(x: np.ndarray, weight: np.ndarray) -> np.ndarray:
@@ -234,14 +241,14 @@ class _Graph:
         return f"c{len(self.constants) - 1}"
 
 
-def _file(graph: _Graph, value: str, ends: np.ndarray, columns: int) -> bytes:
-    """The ModelProto from `queries` to `transport`, the closing nodes included."""
+def _file(graph: _Graph, value: str, ends: np.ndarray, columns: int, output: str) -> bytes:
+    """The ModelProto from `queries` to the output, the closing nodes included."""
     value = graph.node("Exp", graph.node("Clip", value, 0.0, TOP))
     value = graph.node("Sub", value, 1.0)
-    graph.node("MatMul" if np.ndim(ends) else "Mul", value, ends, output="transport")
+    graph.node("MatMul" if np.ndim(ends) else "Mul", value, ends, output=output)
     fields = [pb.chunk(1, node) for node in graph.nodes]
     fields += [pb.chunk(2, b"decoder"), *(pb.chunk(5, constant) for constant in graph.constants)]
     fields += [pb.chunk(11, pb.value("queries", ["N", columns]))]
-    fields += [pb.chunk(12, pb.value("transport", ["N", 6]))]
+    fields += [pb.chunk(12, pb.value(output, ["N", OUTPUTS[output]]))]
     model = pb.integer(1, 8) + pb.chunk(2, b"rna-conformance") + pb.chunk(7, b"".join(fields))
     return model + pb.chunk(8, pb.opset("", 17))

@@ -11,13 +11,16 @@ from typing import Any
 
 import numpy as np
 
-from tests.conformance.kit.assets import PLANS, Answers, Plan, write_asset
+from tests.conformance.kit.assets import Answers, Asked, write_asset
 from tests.conformance.kit.broken import broken_packages
 from tests.conformance.kit.hits import make_hits
+from tests.conformance.kit.plans import PLANS, Plan
 
 INDEX = "kit.json"
 BY_HAND = {"README.md"}
-INT8_SHARE = 0.02  # of the rows of an int8 tier may differ by a step
+INT8_SHARE = 0.02  # of the rows of an int8 decoder may differ by a step
+VISIBILITY_TOLERANCE = 1e-3
+ROUNDED = ("expected/", "blocks/", "queries/", "visibility/")
 
 Files = dict[str, bytes]
 
@@ -25,20 +28,23 @@ Files = dict[str, bytes]
 def kit_files() -> Files:
     """Path below the kit -> content."""
     files: Files = {}
-    index: dict[str, Any] = {"version": 1, "int8Share": INT8_SHARE}
+    index: dict[str, Any] = {"version": 2, "int8Share": INT8_SHARE}
+    index |= {"visibilityTolerance": VISIBILITY_TOLERANCE}
     index |= {"evaluate": [], "visibility": [], "validate": []}
     with tempfile.TemporaryDirectory() as folder:
         for plan in PLANS:
             answers = write_asset(plan, Path(folder))
             package = f"packages/{plan.name}.rna"
             files[package] = (Path(folder) / f"{plan.name}.rna").read_bytes()
-            for tier, answer in answers.items():
-                index["evaluate"].append(_evaluate_case(files, plan, package, tier, answer))
+            for asked, answer in answers.items():
+                index["evaluate"].append(_evaluate_case(files, plan, package, asked, answer))
             index["visibility"].append(_visibility_case(files, plan, package))
             index["validate"].append(_validate_case(package, True, plan.warning))
-        for name, (data, code, valid) in broken_packages(Path(folder)).items():
-            files[f"broken/{name}.rna"] = data
-            index["validate"].append(_validate_case(f"broken/{name}.rna", valid, code))
+        for name, broken in broken_packages(Path(folder)).items():
+            path = f"broken/{name}.rna"
+            files[path] = broken.data
+            case = _validate_case(path, broken.is_valid, broken.code, broken.extension)
+            index["validate"].append(case)
     index["files"] = {
         name: {"size": len(data), "sha256": hashlib.sha256(data).hexdigest()}
         for name, data in sorted(files.items())
@@ -47,12 +53,13 @@ def kit_files() -> Files:
 
 
 def _evaluate_case(
-    files: Files, plan: Plan, package: str, tier: str, answers: Answers
+    files: Files, plan: Plan, package: str, asked: Asked, answers: Answers
 ) -> dict[str, Any]:
+    name = f"{plan.name}.{asked.tier}.{asked.part}" + ".emission" * (asked.output == "emission")
     paths = {
-        "queries": f"queries/{plan.name}.{tier}.f32",
-        "blocks": f"blocks/{plan.name}.{tier}.f32",
-        "expected": f"expected/{plan.name}.{tier}.f64",
+        "queries": f"queries/{name}.f32",
+        "blocks": f"blocks/{name}.f32",
+        "expected": f"expected/{name}.f64",
     }
     files[paths["queries"]] = answers.queries.astype("<f4").tobytes()
     files[paths["blocks"]] = answers.blocks.astype("<f4").tobytes()
@@ -60,7 +67,9 @@ def _evaluate_case(
     files[paths["expected"]] = both.astype("<f8").tobytes()
     return {
         "package": package,
-        "tier": tier,
+        "tier": asked.tier,
+        "part": asked.part,
+        "output": asked.output,
         "what": plan.what,
         **paths,
         "rows": len(answers.queries),
@@ -72,21 +81,31 @@ def _evaluate_case(
 
 
 def _visibility_case(files: Files, plan: Plan, package: str) -> dict[str, Any]:
-    hits, picks, classes = make_hits(len(plan.name), plan.geometry)
-    paths = {"hits": f"hits/{plan.name}.bin", "picks": f"picks/{plan.name}.u8"}
-    files[paths["hits"]], files[paths["picks"]] = hits.records(), picks.tobytes()
+    names = [part.name for part in plan.parts]
+    bodies = [part.body() for part in plan.parts]
+    records, seen, classes = make_hits(len(plan.name), names, bodies)
+    paths = {"hits": f"hits/{plan.name}.bin", "expected": f"visibility/{plan.name}.f32"}
+    files[paths["hits"]] = records
+    files[paths["expected"]] = seen.astype("<f4").tobytes()
     return {
         "package": package,
         "what": plan.what,
         **paths,
-        "rows": len(picks),
+        "rows": len(seen),
         "classes": _classes(classes),
     }
 
 
-def _validate_case(package: str, valid: bool, code: str | None) -> dict[str, Any]:
-    needs_engine = code in ("DECODER_LOAD", "DECODER_RESULT")
-    return {"package": package, "valid": valid, "code": code, "needsEngine": needs_engine}
+def _validate_case(
+    package: str, valid: bool, code: str | None, extension: str | None = None
+) -> dict[str, Any]:
+    return {
+        "package": package,
+        "valid": valid,
+        "code": code,
+        "needsEngine": code in ("DECODER_LOAD", "DECODER_RESULT"),
+        "extension": extension,
+    }
 
 
 def _classes(ranges: list[tuple[str, int, int]]) -> list[dict[str, Any]]:
@@ -144,7 +163,9 @@ def _present(folder: Path) -> set[str]:
 def _alike(name: str, found: bytes, expected: bytes) -> bool:
     if name == INDEX:
         return _same_index(json.loads(found), json.loads(expected))
-    if len(found) != len(expected) or not name.startswith(("expected/", "blocks/", "queries/")):
+    if len(found) != len(expected) or not name.startswith(
+        ("expected/", "blocks/", "queries/", "visibility/")
+    ):
         return False
     dtype, close = ("<f8", 1e-6) if name.endswith("f64") else ("<f4", 1e-6)
     pair = (np.frombuffer(data, dtype) for data in (found, expected))

@@ -1,38 +1,82 @@
-"""Hits of the kit, class by class: where readers pick the wrong one of `visible` and `shadowed`."""
+"""Hits of the kit, class by class: where readers get the visibility wrong."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from rna_sdk.package import Curves, Mesh
 from tests.conformance.kit.blocks import dot, unit
-from tests.conformance.kit.visibility import FiberHits, MeshHits, stable, strands
+from tests.conformance.kit.visibility import (
+    Body,
+    FiberHits,
+    MeshHits,
+    stable,
+    strands,
+    visibility,
+)
 from tests.render.round_cones import depths
 
 Hits = MeshHits | FiberHits
 Ranges = list[tuple[str, int, int]]
 
 
-def make_hits(seed: int, geometry: Mesh | Curves) -> tuple[Hits, np.ndarray, Ranges]:
-    """Stable hits, (n,) uint8 picks (0 visible, 1 shadowed), and the ranges of the classes."""
+def make_hits(
+    seed: int, names: Sequence[str], bodies: Sequence[Body]
+) -> tuple[bytes, np.ndarray, Ranges]:
+    """Stable hits as records, (n, 3) float64 visibility, and the ranges of the classes.
+
+    names: of the parts.
+    """
     rng = np.random.default_rng(seed)
-    classes = _mesh_classes if isinstance(geometry, Mesh) else _fiber_classes
-    records, picks, ranges, first = [], [], [], 0
-    for name, hits in classes(rng, geometry):  # type: ignore[operator]
-        kept = hits.take(stable(hits, geometry)[:60])
-        if len(kept.wi):
-            records.append(kept)
-            picks.append(1 - kept.visible(geometry).astype(np.uint8))
-            ranges.append((name, first, len(kept.wi)))
-            first += len(kept.wi)
-    return _joined(records), np.concatenate(picks), ranges
+    records, seen, ranges, first = [], [], [], 0
+    for part, own in enumerate(names):
+        for name, hits in _classes(rng, part, bodies):
+            kept = hits.take(stable(hits, bodies, part)[:60])
+            if len(kept.wi):
+                records.append(kept.records(part))
+                seen.append(visibility(bodies, kept.rays(bodies, part)))
+                ranges.append((f"{own}: {name}" if len(bodies) > 1 else name, first, len(kept.wi)))
+                first += len(kept.wi)
+    return b"".join(records), np.concatenate(seen), ranges
 
 
-def _joined(parts: list[Hits]) -> Hits:
-    names = list(parts[0].__dataclass_fields__)
-    return type(parts[0])(*(np.concatenate([getattr(p, name) for p in parts]) for name in names))
+def _classes(
+    rng: np.random.Generator, part: int, bodies: Sequence[Body]
+) -> list[tuple[str, MeshHits]] | list[tuple[str, FiberHits]]:
+    """Those of the kind, and directions to other parts and to what lets light through."""
+    geometry = bodies[part].geometry
+    if isinstance(geometry, Mesh):
+        made = _mesh_classes(rng, geometry)
+    else:
+        made = _fiber_classes(rng, geometry)
+    _, ordinary = made[0]
+    targets = [("towards another part", b.geometry) for b in bodies if b is not bodies[part]]
+    targets += [("towards what lets light through", _passing(b)) for b in bodies if b.records]
+    for name, target in targets:
+        points = _points_of(target)
+        chosen = points[rng.integers(0, len(points), len(ordinary.wi))]
+        wi = unit(chosen - ordinary.x(geometry) + 0.02 * rng.normal(size=chosen.shape))
+        made.append((name, replace(ordinary, wi=wi.astype(np.float32))))
+    return made
+
+
+def _passing(body: Body) -> Mesh:
+    """The triangles with records."""
+    mesh = body.geometry
+    rows = np.concatenate([np.arange(r.first, r.first + r.count) for r in body.records])
+    return replace(mesh, triangles=mesh.triangles[rows])
+
+
+def _points_of(geometry: Mesh | Curves) -> np.ndarray:
+    """Points inside the triangles or on the strands."""
+    if isinstance(geometry, Curves):
+        return geometry.points.astype(np.float64)
+    v = geometry.positions[geometry.triangles].astype(np.float64)
+    weights = np.random.default_rng(0).dirichlet((1, 1, 1), (len(v), 8))
+    return np.einsum("tpk,tkc->tpc", weights, v).reshape(-1, 3)
 
 
 def _directions(rng: np.random.Generator, n: int) -> np.ndarray:
@@ -88,8 +132,8 @@ def _fiber_classes(rng: np.random.Generator, curves: Curves) -> list[tuple[str, 
         return FiberHits(segment.astype(np.uint32), x.astype(np.float32), _directions(rng, n))
 
     def towards(hits: FiberHits, targets: np.ndarray) -> FiberHits:
-        wi = unit(targets - hits.x + 0.02 * rng.normal(size=hits.x.shape))
-        return FiberHits(hits.segment, hits.x, wi.astype(np.float32))
+        wi = unit(targets - hits.position + 0.02 * rng.normal(size=hits.position.shape))
+        return FiberHits(hits.segment, hits.position, wi.astype(np.float32))
 
     def other(hits: FiberHits, own: bool) -> np.ndarray:
         """For each hit a segment of its own strand, or of another."""
@@ -117,7 +161,7 @@ def _fiber_classes(rng: np.random.Generator, curves: Curves) -> list[tuple[str, 
 def _inside_others(hits: FiberHits, curves: Curves) -> FiberHits:
     """Those that lie well inside a segment of another strand."""
     strand = strands(curves)
-    deep = depths(curves, hits.x) > 0.005
+    deep = depths(curves, hits.position) > 0.005
     deep &= strand != strand[hits.segment][:, None]
     return hits.take(np.flatnonzero(deep.any(axis=1)))
 
@@ -125,7 +169,7 @@ def _inside_others(hits: FiberHits, curves: Curves) -> FiberHits:
 def _ends_of_other(hits: FiberHits, curves: Curves) -> np.ndarray:
     """For each hit an end of a segment beside the one of another strand that it lies in."""
     strand, first = strands(curves), curves.segments().astype(int)
-    depth = depths(curves, hits.x)
+    depth = depths(curves, hits.position)
     depth[strand == strand[hits.segment][:, None]] = -np.inf
     inside = depth.argmax(axis=1)
     after = np.minimum(inside + 1, len(first) - 1)

@@ -16,6 +16,7 @@ from tests.conformance.kit.blocks import unit
 POSITION, AXIS, H = slice(0, 3), slice(3, 6), 6
 WO, WI = slice(7, 10), slice(10, 13)
 ORDINARY = "ordinary"
+EMISSION_COLUMNS = WI.start
 
 
 @dataclass(frozen=True)
@@ -211,6 +212,7 @@ def make_queries(
 
 
 def valid_rows(queries: np.ndarray) -> np.ndarray:
-    """(n,) bool: False for those that get transport 0 (section 8)."""
-    directions = np.stack([queries[:, columns] for columns in (AXIS, WO, WI)])
+    """(n,) bool: False for those that get 0 (section 8); of emission rows have no wi."""
+    columns = (AXIS, WO) if queries.shape[1] == EMISSION_COLUMNS else (AXIS, WO, WI)
+    directions = np.stack([queries[:, own] for own in columns])
     return np.isfinite(queries).all(axis=1) & directions.any(axis=2).all(axis=0)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, Transmittance
 from tests.conformance.kit.blocks import unit
 
 
@@ -103,6 +105,50 @@ def crossings() -> Curves:
     ]
     radii = [[0.1] * 4, [0.1, 0.12, 0.06], [0.08, 0.08, 0.05], [0.07] * 4, [0.02, 0.15, 0.04]]
     return joined([np.array(path) for path in paths], [np.array(r) for r in radii])
+
+
+def wick() -> Curves:
+    """Strands that stand in the middle of the floor."""
+    paths = [
+        [(0.0, -0.49, 0.0), (0.05, -0.2, 0.02), (0.0, 0.1, 0.05)],
+        [(-0.2, -0.49, 0.1), (-0.25, 0.0, 0.15), (-0.2, 0.4, 0.1), (0.0, 0.5, 0.0)],
+    ]
+    return joined(
+        [np.array(path) for path in paths], [np.array([0.05, 0.06, 0.03]), 0.04 + np.zeros(4)]
+    )
+
+
+def floor() -> Mesh:
+    return flat(((-0.9, -0.5, -0.9), (-0.9, -0.5, 0.9), (0.9, -0.5, 0.9), (0.9, -0.5, -0.9)))
+
+
+def panes() -> Mesh:
+    """Four upright sheets around the middle, and a slanted opaque one; u, v run over each."""
+    x, y, z = 0.7, 0.8, 0.6
+    mesh = flat(
+        ((-x, -0.4, z), (x, -0.4, z), (x, y, z), (-x, y, z)),
+        ((x, -0.4, z), (x, -0.4, -z), (x, y, -z), (x, y, z)),
+        ((x, -0.4, -z), (-x, -0.4, -z), (-x, y, -z), (x, y, -z)),
+        ((-x, -0.4, -z), (-x, -0.4, z), (-x, y, z), (-x, y, -z)),
+        ((-0.5, 0.85, 0.3), (0.5, 0.85, 0.3), (0.5, 0.95, -0.3), (-0.5, 0.95, -0.3)),
+    )
+    corners = np.float32([[-0.25, 1.5], [1.75, 1.5], [1.75, -0.25], [-0.25, -0.25]])
+    return replace(mesh, uvs=np.tile(corners, (5, 1)))
+
+
+def pane_records() -> tuple[tuple[str, Transmittance], ...]:
+    """A leaf with holes; coloured glass; a coated pane, seen through; half of the last, a dark
+    inside. The other half of it and the slanted sheet are opaque."""
+    rng = np.random.default_rng(5)
+    leaf = rng.integers(0, 2, (4, 3, 1)).astype(np.uint8) * 255
+    tint = rng.integers(60, 256, (3, 5, 3)).astype(np.uint8)
+    clear, grey = np.full((1, 1, 1), 255, np.uint8), np.full((1, 1, 3), 128, np.uint8)
+    return (
+        ("leaf", Transmittance(0, 2, leaf, 0.5, None)),
+        ("tint", Transmittance(2, 2, tint, None, None)),
+        ("clear", Transmittance(4, 2, clear, None, (1.5, 1.5))),
+        ("grey", Transmittance(6, 1, grey, None, (1.33, 1 / 1.33))),
+    )
 
 
 def joined(paths: list[np.ndarray], radii: list[np.ndarray]) -> Curves:

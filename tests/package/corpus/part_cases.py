@@ -11,7 +11,7 @@ from rna_sdk.package.glb_writer import mesh_to_glb
 from rna_sdk.package.tensor_file import tensors_to_bytes
 from tests.package.builders import make_decoder, make_mesh
 from tests.package.corpus.registry import Entries, case, with_entry, with_manifest
-from tests.package.lantern import GLOW, LEAF, MESH
+from tests.package.lantern import GLOW, GLOW_COLUMNS, LEAF, MESH
 
 
 @case("VERSION_TOO_OLD", "parts")
@@ -124,12 +124,14 @@ def emission_of_other_columns(entries: Entries) -> bytes:
 
 @case("DECODER_OUTPUT", "parts")
 def emission_decoder_that_gives_transport(entries: Entries) -> bytes:
-    return with_entry(entries, GLOW, make_decoder("float32", 13))
+    return with_entry(entries, GLOW, make_decoder("float32", GLOW_COLUMNS))
 
 
 @case("DECODER_OUTPUT", "parts")
 def emission_of_two_colours(entries: Entries) -> bytes:
-    return with_entry(entries, GLOW, make_decoder("float32", 13, output="emission", outputs=6))
+    return with_entry(
+        entries, GLOW, make_decoder("float32", GLOW_COLUMNS, output="emission", outputs=6)
+    )
 
 
 @case("GEOMETRY_OUTSIDE", "parts")

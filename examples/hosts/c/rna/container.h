@@ -3,7 +3,7 @@
 #define RNA_CONTAINER_H
 
 #include "hashes.h"
-#include "report.h"
+#include "rules.h"
 
 typedef struct Entry {
     char name[MAX_NAME + 1];

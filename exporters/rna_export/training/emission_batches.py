@@ -1,0 +1,38 @@
+"""Batches of what an asset emits, beside those of its transport."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from torch import Tensor
+
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.training.emission import EmissionDecoder
+from rna_export.training.losses import unbiased_l2
+from rna_export.training.samples import SampleTable, columns
+from rna_export.training.triplane import Triplane
+
+_BATCH_SHARE = 4  # a step has a quarter as many samples of emission as of transport
+
+
+@dataclass
+class EmissionBatches:
+    """Endless random batches of a part's samples of emission, on the device."""
+
+    table: SampleTable
+    rows: Iterator[Tensor]
+
+    @classmethod
+    def of(
+        cls, part: DatasetPart, batch: int, seed: int, device: str, done: int
+    ) -> EmissionBatches:
+        """Without the first `done`: a stopped run saw them."""
+        table = SampleTable(part.emission_samples(), batch // _BATCH_SHARE, seed, device, done)
+        return cls(table, iter(table))
+
+    def loss(self, emission: EmissionDecoder, triplane: Triplane, blur: float) -> Tensor:
+        """Of the next batch; relative, so that noise does not bias it."""
+        at = columns(next(self.rows), self.table.fields)
+        y = emission.decoder(emission.queries(triplane, at, blur))
+        return unbiased_l2(y, at["radiance"], emission.unit)

@@ -1,0 +1,66 @@
+"""`rna-pack`: writes a package again, its entries coded or plain, with a poster."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from rna_sdk.console import command_parser, run_command
+from rna_sdk.errors import RnaError
+from rna_sdk.package.packing import Unpacked
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-pack`."""
+    p = command_parser(
+        "rna-pack",
+        "Write a package again with the same content: smaller, plain, or with a poster.",
+        "rna-pack toy.rna --out toy-small.rna --deflate",
+        epilog="Without --deflate all entries are stored plain, as every reader takes them.",
+    )
+    p.add_argument("package", type=Path, help="the package to read (path)")
+    p.add_argument("--out", type=Path, required=True, help="the package to write (path)")
+    p.add_argument(
+        "--deflate",
+        action="store_true",
+        help="store entries coded, without loss, by the extension RNA_deflate; readers that do not "
+        "know it refuse the package (default: off)",
+    )
+    p.add_argument(
+        "--poster", type=Path, metavar="PNG", help="picture of the asset (path, default: as it is)"
+    )
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    args = parser().parse_args(argv)
+    return run_command(lambda: _run(args), args.debug, "nothing was written")
+
+
+def _run(args: argparse.Namespace) -> None:
+    unpacked = Unpacked.read(args.package)
+    if args.poster is not None:
+        unpacked = unpacked.with_poster(_read(args.poster))
+    before = args.package.stat().st_size
+    (unpacked.deflated() if args.deflate else unpacked).write(args.out)
+    size = args.out.stat().st_size
+    print(
+        f"wrote {args.out}, {size / 1e6:.2f} MB ({args.package}: {before / 1e6:.2f} MB)\n"
+        f"next: rna-validate {args.out}"
+    )
+
+
+def _read(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise RnaError(f"{path}: found {error.strerror}, expected a PNG (--poster)") from error
+
+
+if __name__ == "__main__":
+    sys.exit(main())

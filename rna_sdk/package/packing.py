@@ -1,0 +1,153 @@
+"""Change a package entry by entry, without its models: code its entries, add a poster."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from os import PathLike
+
+from pydantic import JsonValue
+
+from rna_sdk.errors import PackageError
+from rna_sdk.package.deflate import encode
+from rna_sdk.package.extensions import (
+    Coding,
+    Deflate,
+    Extension,
+    Poster,
+    Proxy,
+    extension,
+)
+from rna_sdk.package.geometry import Geometry, geometry_to_bytes
+from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.manifest import Manifest
+from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES
+from rna_sdk.package.poster import png_size
+from rna_sdk.package.validator import inspect
+from rna_sdk.package.writer import write_entries
+
+_CODINGS = ((1, 0), (1, 1), (2, 0), (2, 1), (2, 3), (2, 4), (4, 0), (4, 3))
+"""Element sizes and distances that are tried on an entry, beside those of its planes' channels."""
+
+
+@dataclass(frozen=True)
+class Unpacked:
+    """A package in memory.
+
+    Attributes:
+        manifest: as it is written; its `entries` are computed anew.
+        entries: name -> bytes, none of them coded.
+    """
+
+    manifest: Manifest
+    entries: Mapping[str, bytes]
+
+    @classmethod
+    def read(cls, path: str | PathLike[str]) -> Unpacked:
+        """The package at `path`, its coded entries decoded.
+
+        Raises:
+            PackageError: the file cannot be read or breaks the format.
+        """
+        result = inspect(path)
+        if result.errors or result.container is None or result.manifest is None:
+            raise PackageError(result.errors, path)
+        entries = {name: bytes(result.container.view(name)) for name in result.manifest.entries}
+        return cls(result.manifest, entries)._without(Deflate)
+
+    def write(self, path: str | PathLike[str]) -> Manifest:
+        """Write the package whole or not at all; returns the manifest as it is read again.
+
+        Raises:
+            PackageError: it is not valid.
+            OSError: the file cannot be written.
+        """
+        return write_entries(path, self.manifest, self.entries)
+
+    def with_poster(self, png: bytes) -> Unpacked:
+        """With this PNG as its poster, instead of another.
+
+        Raises:
+            PackageError: POSTER_IMAGE, where the bytes are no PNG.
+        """
+        name, size = f"extensions/{Poster.NAME}/poster.png", png_size(png)
+        if size is None:
+            refuse(Code.POSTER_IMAGE, name, "no PNG", "a PNG")
+        data = Poster(image=name, width=size[0], height=size[1])
+        return self.with_extension(data, {name: png})
+
+    def with_proxies(self, proxies: list[list[tuple[Geometry, int]]]) -> Unpacked:
+        """With coarser geometry for each part (none: an empty list), each with its height."""
+        entries, parts = {}, []
+        for part, levels in zip(self.manifest.parts, proxies, strict=True):
+            records: list[JsonValue] = []
+            for geometry, height in levels:
+                suffix = GEOMETRY_ENTRIES[part.kind].rpartition(".")[2]
+                name = f"extensions/{Proxy.NAME}/{part.name}-{height}.{suffix}"
+                entries[name] = geometry_to_bytes(geometry, part.kind, name)
+                records.append({"geometry": name, "height": height})
+            parts.append(records or None)
+        return self.with_extension(Proxy.model_validate({"parts": parts}), entries)
+
+    def with_extension(self, data: Extension, entries: Mapping[str, bytes]) -> Unpacked:
+        """With this data of an extension and these entries of it, instead of others."""
+        bare = self._without(type(data))
+        manifest = bare.manifest
+        changed = manifest.model_copy(
+            update={
+                "extensions_used": (*manifest.extensions_used, data.NAME),
+                "extensions": {
+                    **manifest.extensions,
+                    data.NAME: data.model_dump(mode="json", by_alias=True),
+                },
+            }
+        )
+        return replace(bare, manifest=changed, entries={**bare.entries, **entries})
+
+    def deflated(self) -> Unpacked:
+        """With every entry coded that gets smaller by it (RNA_deflate)."""
+        distances = {
+            part.planes: part.channels for tier in self.manifest.tiers for part in tier.parts
+        }
+        codings, entries = {}, dict(self.entries)
+        for name, data in self.entries.items():
+            size, distance, stream = _smallest(data, distances.get(name))
+            if len(stream) < len(data):
+                entries[name] = stream
+                codings[name] = Coding(
+                    element_size=size,
+                    distance=distance,
+                    size=len(data),
+                    sha256=hashlib.sha256(data).hexdigest(),
+                )
+        if not codings:
+            return self
+        coded = replace(self, entries=entries).with_extension(Deflate(entries=codings), {})
+        required = (*coded.manifest.extensions_required, Deflate.NAME)
+        manifest = coded.manifest.model_copy(update={"extensions_required": required})
+        return replace(coded, manifest=manifest)
+
+    def _without(self, kind: type[Extension]) -> Unpacked:
+        manifest = self.manifest
+        if extension(manifest, kind) is None:
+            return self
+        folder = f"extensions/{kind.NAME}/"
+        update = {
+            "extensions_used": _other(manifest.extensions_used, kind.NAME),
+            "extensions_required": _other(manifest.extensions_required, kind.NAME),
+            "extensions": {k: v for k, v in manifest.extensions.items() if k != kind.NAME},
+        }
+        kept = {k: v for k, v in self.entries.items() if not k.startswith(folder)}
+        return Unpacked(manifest.model_copy(update=update), kept)
+
+
+def _other(names: tuple[str, ...], name: str) -> tuple[str, ...]:
+    return tuple(other for other in names if other != name)
+
+
+def _smallest(data: bytes, channels: int | None) -> tuple[int, int, bytes]:
+    """Element size, distance and stream of the coding that makes the fewest bytes."""
+    own = () if channels is None else ((1, channels), (2, channels), (4, channels))
+    coded = ((size, far, encode(data, size, far)) for size, far in (*_CODINGS, *own))
+    return min(coded, key=lambda one: len(one[2]))

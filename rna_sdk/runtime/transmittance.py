@@ -1,0 +1,89 @@
+"""How much light goes straight through a triangle: spec/RNA.md, 4.4, in numpy.
+
+For tests, tools and readers in Python; renderers have kernels of their own with the same formula.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.package import Mesh, Transmittance
+
+Float = NDArray[np.float64]
+
+
+def transmittance(
+    mesh: Mesh,
+    records: Sequence[Transmittance],
+    triangle: NDArray[np.integer],
+    u: NDArray[np.floating],
+    v: NDArray[np.floating],
+    direction: NDArray[np.floating],
+) -> NDArray[np.float32]:
+    """(n, 3) RGB from 0 to 1 of rays that meet triangles of a part; 0 where it is opaque.
+
+    records: of the part (`asset.parts[k].transmittance_records`). triangle: (n,) which of the
+    mesh's. u, v: (n,) barycentric coordinates of its second and third corner. direction: (n, 3)
+    of the rays, object space, of length 1.
+    """
+    tau = np.zeros((len(triangle), 3))
+    for record in records:
+        rows = np.flatnonzero((triangle >= record.first) & (triangle < record.first + record.count))
+        corners = mesh.triangles[triangle[rows]]
+        weights = np.stack([1.0 - u[rows] - v[rows], u[rows], v[rows]], axis=1, dtype=np.float64)
+        tau[rows] = _texture(record, mesh, corners, weights)
+        if record.ior is not None:
+            tau[rows] *= 1.0 - _reflected(record.ior, mesh, corners, weights, direction[rows])
+    return tau.astype(np.float32)
+
+
+def fresnel(eta: Float, cosine: Float) -> Float:
+    """Reflectance of unpolarised light at a smooth dielectric of relative index `eta`."""
+    square = eta**2 - 1.0 + cosine**2
+    total = square <= 0.0
+    g = np.sqrt(np.where(total, 1.0, square))
+    ratio = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0)
+    return np.where(total, 1.0, ((g - cosine) / (g + cosine)) ** 2 * (1.0 + ratio**2) / 2.0)
+
+
+def _texture(
+    record: Transmittance, mesh: Mesh, corners: NDArray[np.uint32], weights: Float
+) -> Float:
+    """(n, 1 or 3): the texture at the hits, repeated, bilinear, after its cutoff."""
+    texels = record.texture
+    if mesh.uvs is None:  # then the texture is one texel
+        uv = np.zeros((len(corners), 2))
+    else:
+        uv = np.einsum("nk,nkc->nc", weights, mesh.uvs[corners].astype(np.float64))
+    height, width = texels.shape[:2]
+    s, t = uv[:, 0] * width - 0.5, uv[:, 1] * height - 0.5
+    i, j = np.floor(s), np.floor(t)
+    a, b = (s - i)[:, None], (t - j)[:, None]
+    columns = [np.mod(i + k, width).astype(np.int64) for k in (0, 1)]
+    rows = [np.mod(j + k, height).astype(np.int64) for k in (0, 1)]
+    upper, lower = (
+        (1.0 - a) * texels[row, columns[0]] + a * texels[row, columns[1]] for row in rows
+    )
+    value: Float = ((1.0 - b) * upper + b * lower) / 255.0
+    return value if record.cutoff is None else (value > record.cutoff).astype(np.float64)
+
+
+def _reflected(
+    ior: tuple[float, float],
+    mesh: Mesh,
+    corners: NDArray[np.uint32],
+    weights: Float,
+    direction: NDArray[np.floating],
+) -> Float:
+    """(n, 1): what Fresnel's law keeps from going on."""
+    p = mesh.positions[corners].astype(np.float64)
+    d = direction.astype(np.float64)
+    outward = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+    n = np.einsum("nk,nkc->nc", weights, mesh.normals[corners].astype(np.float64))
+    length = np.linalg.norm(n, axis=1)
+    n /= np.where(length > 0.0, length, 1.0)[:, None]
+    eta = np.where(np.sum(d * outward, axis=1) < 0.0, *ior)
+    return fresnel(eta, np.minimum(np.abs(np.sum(n * d, axis=1)), 1.0))[:, None]

@@ -1,0 +1,125 @@
+"""Normals with the relief of a normal texture: glTF 2.0, sections 3.7.2.1 and 3.9.3.
+
+Tangents are the file's, interpolated; where there are none they follow from the texture
+coordinates of each triangle, not from MikkTSpace, which smooths them over the corners.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import prange
+
+from rna_render.materials.vectors import dot, unit, vector_at
+from rna_sdk.compiled import compiled
+
+# A mirror direction keeps this cosine to the geometric normal, or 0.9 of wo's if that is less, as
+# in Cycles: else relief that leans away from the viewer would mirror the inside of the surface.
+MIN_MIRROR_COSINE = 0.01
+
+
+def bumped_normals(
+    texture: np.ndarray,
+    scale: float,
+    mesh: tuple[np.ndarray, np.ndarray, np.ndarray | None, np.ndarray],
+    hits: tuple[np.ndarray, np.ndarray, np.ndarray],
+    n: np.ndarray,
+    ng: np.ndarray,
+    wo: np.ndarray,
+) -> np.ndarray:
+    """Unit normals, (m, 3) float32, on the side that n is on.
+
+    texture: (m, 3) float32 in [0, 1]. scale: of its x and y. mesh: positions, the texture's
+    coordinates, tangents and triangles, as in MeshObject. hits: triangle, u and v, (m,) each.
+    n, ng, wo: (m, 3) float32, unit: interpolated and geometric normals and directions to the
+    viewer.
+    """
+    positions, uvs, tangents, triangles = mesh
+    tangents = np.zeros((0, 4), np.float32) if tangents is None else tangents
+    result = np.empty_like(n)
+    arrays = positions, uvs, tangents, triangles
+    _bump(texture, scale, *arrays, *hits, n, ng, wo, result)
+    return result
+
+
+@compiled(fastmath=())
+def _minus(a, b):
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+@compiled(fastmath=())
+def _plus(a, s, b):
+    """a + s b"""
+    return a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
+
+
+@compiled(fastmath=())
+def _cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@compiled(fastmath=())
+def _given(tangents, corners, u, v):
+    """The interpolated tangent and its sign; a sign of 0 where a corner has none."""
+    if len(tangents) == 0:
+        return (0.0, 0.0, 0.0), 0.0
+    t, sign = (0.0, 0.0, 0.0), np.float64(tangents[corners[0], 3])
+    for k in range(3):
+        weight = 1.0 - u - v if k == 0 else (u if k == 1 else v)
+        t = _plus(t, weight, vector_at(tangents, corners[k]))
+        sign = sign if tangents[corners[k], 3] != 0.0 else 0.0
+    return t, sign
+
+
+@compiled(fastmath=())
+def _derived(positions, uvs, corners, n):
+    """The direction of u on the triangle, and the sign that makes the bitangent go against v."""
+    e1 = _minus(vector_at(positions, corners[1]), vector_at(positions, corners[0]))
+    e2 = _minus(vector_at(positions, corners[2]), vector_at(positions, corners[0]))
+    du1 = np.float64(uvs[corners[1], 0]) - uvs[corners[0], 0]
+    dv1 = np.float64(uvs[corners[1], 1]) - uvs[corners[0], 1]
+    du2 = np.float64(uvs[corners[2], 0]) - uvs[corners[0], 0]
+    dv2 = np.float64(uvs[corners[2], 1]) - uvs[corners[0], 1]
+    area = du1 * dv2 - du2 * dv1
+    along_u = _plus((dv2 * e1[0], dv2 * e1[1], dv2 * e1[2]), -dv1, e2)
+    along_v = _plus((du1 * e2[0], du1 * e2[1], du1 * e2[2]), -du2, e1)
+    if area < 0.0:
+        along_u = -along_u[0], -along_u[1], -along_u[2]
+        along_v = -along_v[0], -along_v[1], -along_v[2]
+    sign = -1.0 if dot(_cross(n, along_u), along_v) > 0.0 else 1.0
+    return along_u, (sign if area != 0.0 else 0.0)
+
+
+@compiled(fastmath=())
+def _kept_above(m, g, o):
+    """m, or the nearest normal that mirrors o above the surface; g is on o's side."""
+    twice = 2.0 * dot(m, o)
+    mirror = (twice * m[0] - o[0], twice * m[1] - o[1], twice * m[2] - o[2])
+    missing = min(0.9 * dot(g, o), MIN_MIRROR_COSINE) - dot(g, mirror)
+    if missing <= 0.0:
+        return m
+    return unit(_plus(o, 1.0, unit(_plus(mirror, missing, g))))
+
+
+@compiled(parallel=True, fastmath=())
+def _bump(texture, scale, positions, uvs, tangents, triangles, triangle, u, v, n, ng, wo, result):
+    for i in prange(len(n)):
+        corners = triangles[triangle[i]]
+        m, g, o = vector_at(n, i), vector_at(ng, i), unit(vector_at(wo, i))
+        t, sign = _given(tangents, corners, np.float64(u[i]), np.float64(v[i]))
+        if sign == 0.0:
+            t, sign = _derived(positions, uvs, corners, m)
+        t = unit(_plus(t, -dot(t, m), m))
+        x, y = scale * (2.0 * texture[i, 0] - 1.0), scale * (2.0 * texture[i, 1] - 1.0)
+        z = 2.0 * texture[i, 2] - 1.0
+        bent = (z * m[0], z * m[1], z * m[2])
+        if sign != 0.0 and dot(t, t) > 0.0:
+            bent = unit(_plus(_plus(bent, x, t), y * sign, _cross(m, t)))
+            # All on the side of the surface that wo is on, and back.
+            side = -1.0 if dot(g, o) < 0.0 else 1.0
+            own = side if dot(m, g) >= 0.0 else -side
+            g = (side * g[0], side * g[1], side * g[2])
+            bent = _kept_above((own * bent[0], own * bent[1], own * bent[2]), g, o)
+            bent = (own * bent[0], own * bent[1], own * bent[2])
+        else:
+            bent = m
+        result[i, 0], result[i, 1], result[i, 2] = bent

@@ -1,0 +1,230 @@
+"""The packages of the kit: what each is made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_sdk.package import Curves, Mesh, Transmittance, quantise
+from tests.conformance.kit import shapes
+from tests.conformance.kit.visibility import Body
+
+SURFACE = ("features", "position", "normal", "wo", "wi", "half_vector")
+SURFACE_ALL = (
+    *("wi", "learned_normal", "highlight", "position"),
+    *("half_vector", "normal", "features", "wo"),
+)
+FIBER = ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_lobes")
+FIBER_ALL = ("fiber_lobes", "h", "fiber_angles", "position", "wi", "features", "tangent", "wo")
+
+
+GLOW = ("features", "position", "normal", "wo")
+GLOW_OF_FIBERS = ("wo", "h", "features", "tangent", "position")
+
+
+@dataclass(frozen=True)
+class EmissionPlan:
+    """A decoder of emission; `int8` and `mixing` as those of TierPlan."""
+
+    inputs: tuple[str, ...]
+    int8: str = ""
+    widths: tuple[int, ...] = (16, 16)
+    mixing: int = 0
+
+
+@dataclass(frozen=True)
+class TierPlan:
+    """What a part is in a tier; `int8`: "" for a float32 decoder, else how its weights are."""
+
+    name: str  # of the tier
+    inputs: tuple[str, ...]
+    resolution: int
+    channels: int
+    planes: str = "float16"
+    int8: str = ""
+    widths: tuple[int, ...] = (16, 16)
+    mixing: int = 0  # outputs that a matrix makes colours of; 0: a factor does
+    loud: bool = False  # texels beyond the Clip of the decoder's inputs
+    faint: bool = False  # a channel of texels that float16 holds as subnormal numbers
+    shares_planes: bool = False  # with the tier before
+    emission: EmissionPlan | None = None
+
+
+@dataclass(frozen=True)
+class PartPlan:
+    """A part; records: with the names of their textures."""
+
+    name: str
+    geometry: Mesh | Curves
+    low: tuple[float, float, float]
+    high: tuple[float, float, float]
+    tiers: tuple[TierPlan, ...]
+    records: tuple[tuple[str, Transmittance], ...] = ()
+
+    @property
+    def is_fiber(self) -> bool:
+        return isinstance(self.geometry, Curves)
+
+    @property
+    def bounds(self) -> np.ndarray:
+        """(2, 3) float64, rounded to float32 as readers have them."""
+        return np.array([self.low, self.high], np.float32).astype(np.float64)
+
+    def body(self) -> Body:
+        return Body(self.geometry, tuple(record for _, record in self.records))
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A package: its parts have the same tiers."""
+
+    name: str
+    what: str
+    parts: tuple[PartPlan, ...]
+    warning: str | None = None  # the code that the validator gives it
+
+
+def one_part(
+    name: str,
+    what: str,
+    geometry: Mesh | Curves,
+    low: tuple[float, float, float],
+    high: tuple[float, float, float],
+    tiers: tuple[TierPlan, ...],
+    warning: str | None = None,
+) -> Plan:
+    return Plan(name, what, (PartPlan("asset", geometry, low, high, tiers),), warning)
+
+
+ONE = (-1.0,) * 3, (1.0,) * 3
+HERE = (3.0, -0.7, 0.5), 0.002
+
+PLANS = (
+    one_part(
+        *("surface-float32", "float32 planes, two float32 tiers"),
+        *(shapes.ball(), *ONE),
+        (
+            TierPlan("small", SURFACE, 6, 4, "float32"),
+            TierPlan("hq", SURFACE_ALL, 9, 5, "float32", widths=(24, 16, 16), mixing=6),
+        ),
+    ),
+    one_part(
+        *("surface-clip", "features beyond the decoder's first Clip, colours beyond its second"),
+        *(shapes.steps(), *ONE),
+        (TierPlan("loud", SURFACE, 16, 2, "float32", widths=(), loud=True),),
+    ),
+    one_part(
+        *("surface-float16", "float16 planes, every block of surfaces, self-shadowing"),
+        *(shapes.bowl(), *ONE),
+        (TierPlan("all", SURFACE_ALL, 12, 3),),
+    ),
+    one_part(
+        *("surface-int8", "int8 planes, one tier in int8 and one in float32; sheets"),
+        *(shapes.steps(), *ONE),
+        (
+            TierPlan("small-int8", SURFACE, 8, 4, "int8", "plain"),
+            TierPlan("small", SURFACE, 8, 4, "int8", shares_planes=True),
+        ),
+    ),
+    one_part(
+        *("surface-int8-saturating", "int8 weights that 16-bit sums of pairs cannot hold"),
+        *(shapes.steps(), *ONE),
+        (TierPlan("small-int8", SURFACE, 8, 4, "float16", "saturating"),),
+        "DECODER_SATURATION",
+    ),
+    one_part(
+        *("surface-one-texel", "R = 1, one channel, wound clockwise, narrow and long bounds"),
+        *(shapes.backwards(shapes.bowl()), (-1.0, -1.5, -40.0), (1.0, 1.0, 1.0)),
+        (TierPlan("one", ("learned_normal", *SURFACE), 1, 1),),
+    ),
+    one_part(
+        *("surface-tiny", "bounds of 2 mm far from the origin, two channels, four layers"),
+        shapes.placed(shapes.ball(5, 8), HERE[1] / 2, HERE[0]),
+        *(tuple(c + s * HERE[1] / 2 for c in HERE[0]) for s in (-1, 1)),
+        (TierPlan("two", SURFACE_ALL, 7, 2, "float16", widths=(16, 12, 8)),),
+    ),
+    one_part(
+        *("surface-odd", "a manifest, planes and container as no exporter writes them; subnormals"),
+        *(shapes.with_uvs(shapes.ball(4, 7)), *ONE),
+        (TierPlan("odd", SURFACE, 5, 3, "float16", faint=True),),
+        "EXTENSION_UNKNOWN",
+    ),
+    one_part(
+        *("fiber-float16", "float16 planes, every block of fibers, two tiers"),
+        *(shapes.curls(7, 3), *ONE),
+        (
+            TierPlan("small", FIBER, 8, 4),
+            TierPlan("hq", FIBER_ALL, 12, 6, widths=(24, 15), mixing=9),
+        ),
+    ),
+    one_part(
+        *("fiber-int8", "int8 planes and decoder; strands that touch, cross and double back"),
+        *(shapes.crossings(), *ONE),
+        (TierPlan("small-int8", FIBER, 8, 4, "int8", "plain", (13, 10), mixing=6),),
+    ),
+    one_part(
+        *("fiber-one-channel", "float32 planes, R = 1, one channel, no features among the inputs"),
+        *(shapes.curls(2, 5), *ONE),
+        (TierPlan("one", ("h", "fiber_lobes", "fiber_angles"), 1, 1, "float32", widths=(13, 7)),),
+    ),
+    one_part(
+        *("surface-quantised", "a mesh in 16 bits, with texture coordinates"),
+        *(quantise(shapes.with_uvs(shapes.bowl())), *ONE),
+        (TierPlan("small", SURFACE, 6, 4, widths=(12,)),),
+    ),
+    one_part(
+        *("fiber-quantised", "strands in steps"),
+        *(quantise(shapes.curls(7, 3)), *ONE),
+        (TierPlan("small", FIBER, 6, 4, widths=(12,)),),
+    ),
+    one_part(
+        *("surface-glow", "one part that emits, float32"),
+        *(shapes.steps(), *ONE),
+        (TierPlan("small", SURFACE, 6, 4, widths=(12,), emission=EmissionPlan(GLOW)),),
+    ),
+    Plan(
+        *("parts-head", "a mesh and strands that shadow each other, two tiers"),
+        (
+            PartPlan(
+                *("skin", shapes.backwards(shapes.bowl()), *ONE),
+                (
+                    TierPlan("small", SURFACE, 6, 4),
+                    TierPlan("hq", SURFACE_ALL, 9, 3, widths=(24, 16), mixing=6),
+                ),
+            ),
+            PartPlan(
+                *("hair", shapes.curls(7, 3), (-1.0, -0.9, -1.1), (1.1, 1.0, 1.0)),
+                (TierPlan("small", FIBER, 8, 4), TierPlan("hq", FIBER_ALL, 10, 5)),
+            ),
+        ),
+    ),
+    Plan(
+        *("parts-lantern", "strands and two meshes behind glass and cut-outs; two parts emit"),
+        (
+            PartPlan(
+                *("wick", shapes.wick(), *ONE),
+                (
+                    TierPlan(
+                        *("small", FIBER, 6, 4),
+                        emission=EmissionPlan(GLOW_OF_FIBERS, widths=(13, 10), mixing=5),
+                    ),
+                ),
+            ),
+            PartPlan(
+                *("panes", shapes.panes(), (-1.0, -1.0, -1.2), (1.0, 1.0, 1.2)),
+                (
+                    TierPlan(
+                        *("small", SURFACE, 6, 4, "int8"),
+                        emission=EmissionPlan(GLOW, int8="plain", mixing=3),
+                    ),
+                ),
+                shapes.pane_records(),
+            ),
+            PartPlan(
+                *("floor", shapes.floor(), *ONE),
+                (TierPlan("small", SURFACE, 5, 3),),
+            ),
+        ),
+    ),
+)

@@ -1,0 +1,26 @@
+"""Every case of the corpus: the modules that register them, and their list."""
+
+from __future__ import annotations
+
+from tests.package.corpus import (
+    container_cases,
+    content_cases,
+    curve_cases,
+    extension_cases,
+    manifest_cases,
+    part_cases,
+    quantised_cases,
+)
+from tests.package.corpus.registry import CASES
+
+MODULES = (
+    container_cases,
+    manifest_cases,
+    content_cases,
+    curve_cases,
+    part_cases,
+    quantised_cases,
+    extension_cases,
+)
+
+__all__ = ["CASES", "MODULES"]

@@ -1,0 +1,158 @@
+"""Packages whose extensions of the specification's text are wrong."""
+
+from __future__ import annotations
+
+import hashlib
+import struct
+import zlib
+from typing import Any
+
+from rna_sdk.package.deflate import encode
+from tests.package.corpus.registry import MESH, Entries, case, with_entry, with_manifest
+
+POSTER = "extensions/RNA_poster/poster.png"
+PROXY = "extensions/RNA_proxy/asset-64.glb"
+
+
+def used(manifest: dict[str, Any], name: str, data: Any, required: bool = False) -> None:
+    """Declare the extension with its data."""
+    manifest["extensionsUsed"] = [name]
+    manifest["extensionsRequired"] = [name] if required else []
+    manifest["extensions"] = {name: data}
+
+
+def coding_of(data: bytes, **changes: Any) -> dict[str, Any]:
+    digest = hashlib.sha256(data).hexdigest()
+    return {"elementSize": 2, "distance": 3, "size": len(data), "sha256": digest} | changes
+
+
+def with_coded_mesh(entries: Entries, stream: bytes | None = None, **changes: Any) -> bytes:
+    """The package with its mesh coded, or with another stream, and with changes of the record."""
+    coding = coding_of(entries[MESH], **changes)
+    data = {"entries": {MESH: coding}}
+    coded = encode(entries[MESH], 2, 3) if stream is None else stream
+    return with_entry(entries, MESH, coded, lambda m: used(m, "RNA_deflate", data, True))
+
+
+def with_poster(entries: Entries, png: bytes, **changes: Any) -> bytes:
+    data = {"image": POSTER, "width": 2, "height": 1} | changes
+    return with_entry(entries, POSTER, png, lambda m: used(m, "RNA_poster", data))
+
+
+def with_proxy(entries: Entries, mesh: bytes, *levels: dict[str, Any]) -> bytes:
+    data = {"parts": [list(levels) or [{"geometry": PROXY, "height": 64}]]}
+    return with_entry(entries, PROXY, mesh, lambda m: used(m, "RNA_proxy", data))
+
+
+def png_of(width: int, height: int) -> bytes:
+    """The first bytes of a PNG."""
+    return b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
+
+
+@case("DEFLATE_STREAM")
+def coded_entry_of_no_stream(entries: Entries) -> bytes:
+    return with_coded_mesh(entries, b"no zlib stream")
+
+
+@case("DEFLATE_STREAM")
+def coded_entry_cut_short(entries: Entries) -> bytes:
+    return with_coded_mesh(entries, encode(entries[MESH], 2, 3)[:-9])
+
+
+@case("DEFLATE_STREAM")
+def coded_entry_with_bytes_behind(entries: Entries) -> bytes:
+    return with_coded_mesh(entries, encode(entries[MESH], 2, 3) + b"more")
+
+
+@case("DEFLATE_STREAM")
+def coded_entry_that_goes_on_and_on(entries: Entries) -> bytes:
+    return with_coded_mesh(entries, zlib.compress(bytes(2**26)))
+
+
+@case("DEFLATE_STREAM")
+def coded_entry_of_fewer_bytes(entries: Entries) -> bytes:
+    return with_coded_mesh(entries, size=len(entries[MESH]) + 1)
+
+
+@case("ENTRY_HASH")
+def coded_entry_of_other_bytes(entries: Entries) -> bytes:
+    return with_coded_mesh(entries, distance=4)
+
+
+@case("FIELD_VALUE")
+def coded_entry_of_three_bytes_an_element(entries: Entries) -> bytes:
+    return with_coded_mesh(entries, elementSize=3)
+
+
+@case("FIELD_VALUE")
+def coded_entry_beyond_a_file(entries: Entries) -> bytes:
+    return with_coded_mesh(entries, size=2**32)
+
+
+@case("FIELD_VALUE")
+def coded_entries_beyond_a_file_together(entries: Entries) -> bytes:
+    codings = {name: coding_of(b"", size=2**31) for name in entries if name != "manifest.json"}
+    data = {"entries": codings}
+    return with_manifest(entries, lambda m: used(m, "RNA_deflate", data, True))
+
+
+@case("EXTENSION_UNDECLARED")
+def coded_entry_that_is_not_required(entries: Entries) -> bytes:
+    data = {"entries": {MESH: coding_of(entries[MESH])}}
+    coded = encode(entries[MESH], 2, 3)
+    return with_entry(entries, MESH, coded, lambda m: used(m, "RNA_deflate", data))
+
+
+@case("REFERENCE_MISSING")
+def coded_entry_that_is_not_there(entries: Entries) -> bytes:
+    data = {"entries": {"manifest.json": coding_of(b"")}}
+    return with_manifest(entries, lambda m: used(m, "RNA_deflate", data, True))
+
+
+@case("FIELD_MISSING")
+def known_extension_without_data(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: m.update(extensionsUsed=["RNA_standin"]))
+
+
+@case("POSTER_IMAGE")
+def poster_that_is_no_png(entries: Entries) -> bytes:
+    return with_poster(entries, b"JFIF")
+
+
+@case("POSTER_IMAGE")
+def poster_of_another_size(entries: Entries) -> bytes:
+    return with_poster(entries, png_of(2, 2))
+
+
+@case("FIELD_UNKNOWN")
+def poster_with_a_title(entries: Entries) -> bytes:
+    return with_poster(entries, png_of(2, 1), title="toy")
+
+
+@case("PARTS_DIFFER")
+def standin_of_two_parts(entries: Entries) -> bytes:
+    material = {"baseColor": [1, 1, 1], "roughness": 1, "metallic": 0}
+    data = {"parts": [material, material]}
+    return with_manifest(entries, lambda m: used(m, "RNA_standin", data))
+
+
+@case("FIELD_VALUE")
+def standin_brighter_than_white(entries: Entries) -> bytes:
+    material = {"baseColor": [1, 1, 1.5], "roughness": 1, "metallic": 0}
+    return with_manifest(entries, lambda m: used(m, "RNA_standin", {"parts": [material]}))
+
+
+@case("GEOMETRY_CONTAINER")
+def proxy_that_is_no_mesh(entries: Entries) -> bytes:
+    return with_proxy(entries, b"no mesh")
+
+
+@case("FIELD_VALUE")
+def proxies_that_ascend(entries: Entries) -> bytes:
+    levels = [{"geometry": PROXY, "height": height} for height in (32, 64)]
+    return with_proxy(entries, entries[MESH], *levels)
+
+
+@case("FIELD_VALUE")
+def proxy_of_no_part(entries: Entries) -> bytes:
+    return with_manifest(entries, lambda m: used(m, "RNA_proxy", {"parts": [None]}))

@@ -1,0 +1,117 @@
+"""Coded entries, posters, stand-ins and proxies: written, read again, and left out again."""
+
+from __future__ import annotations
+
+import io
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from rna_sdk.package import Package, PackageError, quantise, validate
+from rna_sdk.package.container import Container
+from rna_sdk.package.deflate import decode, encode
+from rna_sdk.package.extensions import Deflate, Poster, Proxy, Standin, StandinMaterial, extension
+from rna_sdk.package.pack_cli import main
+from rna_sdk.package.packing import Unpacked
+from tests.package.builders import make_mesh, read_entries
+
+
+def png(width: int = 3, height: int = 2) -> bytes:
+    file = io.BytesIO()
+    Image.new("RGBA", (width, height)).save(file, format="PNG")
+    return file.getvalue()
+
+
+@pytest.mark.parametrize("element_size", [1, 2, 4])
+@pytest.mark.parametrize("distance", [0, 1, 3, 7, 500, 2**53 - 1])
+@pytest.mark.parametrize("size", [0, 1, 3, 4, 257, 1026])
+def test_coding_gives_back_every_byte(element_size: int, distance: int, size: int) -> None:
+    data = np.random.default_rng(size).bytes(size)
+    stream = encode(data, element_size, distance)
+    assert decode(stream, size, element_size, distance) == data
+
+
+def test_coding_of_the_specification() -> None:
+    """Worked by hand: elements 0x0102, 0x0104, 0x0001, and a byte behind."""
+    data = bytes.fromhex("0201 0401 0100 ff".replace(" ", ""))
+    coded = bytes.fromhex("02 02 fd 01 00 fe ff".replace(" ", ""))
+    assert decode(zlib.compress(coded), 7, 2, 1) == data
+    assert zlib.decompress(encode(data, 2, 1)) == coded
+
+
+def test_no_more_is_inflated_than_declared() -> None:
+    with pytest.raises(ValueError, match="more than 10 bytes"):
+        decode(zlib.compress(bytes(2**20)), 10, 1, 0)
+
+
+def test_deflated_package_is_the_same_asset(tuft: Path, tmp_path: Path) -> None:
+    coded, plain = tmp_path / "coded.rna", tmp_path / "plain.rna"
+    assert main([str(tuft), "--out", str(coded), "--deflate"]) == 0
+    stored, whole = (Container.open(p).entries for p in (coded, tuft))
+    for name in ("geometry/curves.safetensors", "decoders/small.onnx"):
+        assert stored[name].size < whole[name].size
+    assert validate(coded) == []
+    with Package.open(tuft) as one, Package.open(coded) as other:
+        np.testing.assert_array_equal(one.curves().points, other.curves().points)
+        np.testing.assert_array_equal(one.planes("small"), other.planes("small"))
+        assert one.decoder("small") == other.decoder("small")
+        assert other.manifest.extensions_required == (Deflate.NAME,)
+    assert main([str(coded), "--out", str(plain)]) == 0
+    assert plain.read_bytes() == tuft.read_bytes()
+
+
+def test_coding_twice_changes_nothing(tiny: Path, tmp_path: Path) -> None:
+    once = tmp_path / "once.rna"
+    Unpacked.read(tiny).deflated().write(once)
+    Unpacked.read(once).deflated().write(tmp_path / "twice.rna")
+    assert once.read_bytes() == (tmp_path / "twice.rna").read_bytes()
+
+
+def test_poster_replaces_the_one_before(tiny: Path, tmp_path: Path) -> None:
+    picture, out = tmp_path / "poster.png", tmp_path / "out.rna"
+    for size in ((3, 2), (5, 4)):
+        picture.write_bytes(png(*size))
+        assert main([str(tiny), "--out", str(out), "--poster", str(picture)]) == 0
+    with Package.open(out) as package:
+        poster = extension(package.manifest, Poster)
+        assert (poster.width, poster.height) == (5, 4)
+        assert package.poster() == png(5, 4)
+        assert package.manifest.min_reader_version == "1.0"
+    assert validate(out) == []
+
+
+def test_poster_that_is_no_png_is_refused(
+    tiny: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = str(tmp_path / "out.rna")
+    assert main([str(tiny), "--out", out, "--poster", str(tiny)]) == 1
+    assert "POSTER_IMAGE" in capsys.readouterr().err
+    assert main([str(tiny), "--out", out, "--poster", str(tmp_path / "none.png")]) == 1
+    assert "none.png" in capsys.readouterr().err
+    assert not Path(out).exists()
+
+
+def test_standin_and_proxy_come_back(tiny: Path, tmp_path: Path) -> None:
+    material = StandinMaterial(base_color=(0.5, 0.25, 0.125), roughness=0.5, metallic=0.25)
+    proxy = quantise(make_mesh())
+    dressed = Unpacked.read(tiny).with_extension(Standin(parts=(material,)), {})
+    dressed.with_proxies([[(make_mesh(), 64), (proxy, 32)]]).write(tmp_path / "x.rna")
+    assert validate(tmp_path / "x.rna") == []
+    with Package.open(tmp_path / "x.rna") as package:
+        assert extension(package.manifest, Standin).parts == (material,)
+        levels = extension(package.manifest, Proxy).parts[0]
+        assert [level.height for level in levels] == [64, 32]
+        assert package.geometry_at(65.0).quantised is None
+        assert package.geometry_at(64.0).quantised is None
+        np.testing.assert_array_equal(package.geometry_at(32.0).positions, proxy.positions)
+    Unpacked.read(tmp_path / "x.rna").write(tmp_path / "again.rna")
+    assert read_entries(tmp_path / "again.rna") == read_entries(tmp_path / "x.rna")
+
+
+def test_broken_package_is_not_packed(tmp_path: Path) -> None:
+    (tmp_path / "bad.rna").write_bytes(b"no package")
+    with pytest.raises(PackageError, match="ZIP_NOT_ZIP"):
+        Unpacked.read(tmp_path / "bad.rna")
