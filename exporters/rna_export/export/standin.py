@@ -30,7 +30,8 @@ def standin_material(samples: Mapping[str, np.ndarray]) -> StandinMaterial:
         return _material(colour, 1.0, metal=False)
     n, wo, wi = (picked[name] for name in ("normal", "wo", "wi"))
     cos_i, cos_o = _dots(n, wi), _dots(n, wo)
-    lit = (picked["visible"].reshape(-1) > 0) & (cos_i > 0.1) & (cos_o > 0.1)
+    visible = picked["visible"].reshape(len(cos_i), -1).mean(axis=1) > 0.5
+    lit = visible & (cos_i > 0.1) & (cos_o > 0.1)
     halves = wi[lit] + wo[lit]
     halves /= np.maximum(np.linalg.norm(halves, axis=1, keepdims=True), 1e-9)
     cos_h, cos_i, cos_o = _dots(n[lit], halves), cos_i[lit], cos_o[lit]
