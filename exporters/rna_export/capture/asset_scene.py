@@ -10,7 +10,7 @@ import numpy as np
 from rna_export.capture.fiber_shape import FiberShape
 from rna_export.capture.settings import SHARPEST
 from rna_export.capture.surface_shape import SurfaceShape
-from rna_render.asset_parts import transmittance_of
+from rna_render.asset_parts import mesh_transmittance
 from rna_render.parts_scene import PartHits, PartPoints, PartsScene
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.transmittance import Transmittance
@@ -72,7 +72,7 @@ class AssetScene:
             for g in geometries
         )
         tables = [
-            transmittance_of(geometry, records) if isinstance(geometry, Mesh) else None
+            mesh_transmittance(geometry, records) if isinstance(geometry, Mesh) else None
             for geometry, records in zip(
                 geometries, transmittances or [()] * len(geometries), strict=True
             )
