@@ -22,7 +22,8 @@ from rna_export.compare.run import Pair, judge, render_cycles, render_ours
 from rna_export.compare.views import shots_of
 from rna_export.machine import default_workers
 from rna_export.metrics import PSNR_DEFINITION, to_png
-from rna_render.world import Placement, World
+from rna_render.render import place_asset
+from rna_render.world import World
 from rna_sdk.console import split_script_arguments
 from rna_sdk.runtime import load
 
@@ -40,7 +41,7 @@ def main() -> None:
             cycles = [render_cycles(shot, *shown) for shot in near]
     pairs: dict[str, list[Pair]] = {}
     for package, asset in assets.items():
-        world = World([Placement(asset, np.eye(4))])
+        world = World([place_asset(asset, np.eye(4))])
         pairs[package.stem] = [
             judge(shot, render_ours(shot, world, package, args.samples), original)
             for shot, original in zip(near, cycles, strict=True)

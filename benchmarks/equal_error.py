@@ -30,7 +30,8 @@ from rna_export.compare.run import Timed, render_ours
 from rna_export.compare.views import FOV_Y, Shot, shots_of
 from rna_export.machine import default_workers
 from rna_export.metrics import PSNR_DEFINITION, psnr_without_noise
-from rna_render.world import Placement, World
+from rna_render.render import place_asset
+from rna_render.world import World
 from rna_sdk.console import split_script_arguments
 from rna_sdk.runtime import Asset, load
 
@@ -94,7 +95,7 @@ class _Cycles:
 
 def _ours(asset: Asset, shot: Shot, samples: int, args: argparse.Namespace) -> Timed:
     """RGBA, and the median time of the renders after one that warms up."""
-    world = World([Placement(asset, np.eye(4))])
+    world = World([place_asset(asset, np.eye(4))])
     renders = [render_ours(shot, world, args.package, samples) for _ in range(1 + args.repeats)]
     return Timed(renders[-1].pixels, float(np.median([r.seconds for r in renders[1:]])))
 

@@ -24,7 +24,8 @@ from report import publish
 from rna_render.bodies import FIBER_LOBES, SURFACE_LOBES
 from rna_render.neural_sampling import LobeMixture
 from rna_render.points import Points, Role
-from rna_render.world import Placement, World
+from rna_render.render import place_asset
+from rna_render.world import World
 from rna_sdk.runtime import Asset, load
 
 POINTS, DIRECTIONS, STEPS = 400, 1024, 100
@@ -106,7 +107,7 @@ class _Transport:
 
 def _seen_points(asset: Asset, rng: np.random.Generator) -> tuple[Points, np.ndarray]:
     """What rays from all around at the asset hit, and the directions back."""
-    world = World([Placement(asset, np.eye(4))])
+    world = World([place_asset(asset, np.eye(4))])
     geometry = asset.curves.points if asset.kind == "fiber" else asset.mesh.positions
     centre = (geometry.min(axis=0) + geometry.max(axis=0)) / 2
     target = geometry[rng.integers(len(geometry), size=4 * POINTS)]

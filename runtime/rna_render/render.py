@@ -145,10 +145,8 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
             except QueryError as error:
                 raise scene_file.error(("assets", index, "tier"), str(error)) from error
             emissions[path, tier] = emission_of(loaded[path, tier])
-        emission, matrix = emissions[path, tier], world_from_object(model.transform)
-        shines = emission is not None and model.emission > 0.0
-        light = AssetLight(emission, matrix, model.emission) if shines else None
-        placements.append(Placement(loaded[path, tier], matrix, light))
+        at = world_from_object(model.transform), emissions[path, tier], model.emission
+        placements.append(place_asset(loaded[path, tier], *at))
     return placements
 
 
@@ -184,6 +182,23 @@ def _placed_lights(scene_file: SceneFile) -> list[Placement]:
         for light in lights
         if isinstance(light, PlacedLight)
     ]
+
+
+def place_asset(
+    asset: Asset,
+    world_from_object: np.ndarray,
+    emission: AssetEmission | None = None,
+    factor: float = 1.0,
+) -> Placement:
+    """An asset, and the light that it sends out.
+
+    world_from_object: (4, 4), a similarity. emission: `emission_of` the asset, for callers that
+    place it several times. factor: on what it emits.
+    """
+    emission = emission or emission_of(asset)
+    shines = emission is not None and factor > 0.0
+    light = AssetLight(emission, world_from_object, factor) if shines else None
+    return Placement(asset, world_from_object, light)
 
 
 def emission_of(asset: Asset) -> AssetEmission | None:

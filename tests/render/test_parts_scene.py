@@ -14,7 +14,7 @@ from tests.render.round_cones import entries
 from tests.render.strands import curls, straight
 
 UPRIGHT = straight(((0, 0.5, 0), (0, 1.5, 0)))
-BESIDE = straight(((5, 0, 0), (5, 1, 0)), ((0.5, 0.5, 0), (0.5, 1.5, 0)))
+BESIDE = straight(((0.5, 0.5, 0), (0.5, 1.5, 0)), ((5, 0, 0), (5, 1, 0)))
 
 
 def rays(*pairs) -> tuple[np.ndarray, np.ndarray]:
@@ -39,7 +39,7 @@ def test_hits_name_part_and_primitive():
     )  # fmt: skip
     hits = scene.intersect(origins, directions)
     assert hits.part.tolist() == [0, 1, 2, 2, -1]
-    assert hits.primitive.tolist() == [0, 0, 1, 0, -1]
+    assert hits.primitive.tolist() == [0, 0, 0, 1, -1]
     np.testing.assert_allclose(hits.t, [2.9, 3, 2.9, 2.9, np.inf])
     np.testing.assert_allclose(hits.normals[:3], [[0, 0, 1], [0, 1, 0], [0, 0, 1]], atol=1e-6)
     strand, floor = (
@@ -59,9 +59,9 @@ def test_parts_block_one_another():
     assert not scene.visible(0, on_strand((0.1, 1, 0)), right)[0]
     assert scene.visible(0, on_strand((0.1, 1, 0)), right, 0.2)[0]
     assert scene.visible(0, on_strand((0.1, 1, 0)), left)[0]
-    assert not scene.visible(2, on_strand((0.4, 1, 0), 1), left)[0]
-    assert scene.visible(2, on_strand((0.4, 1, 0), 1), right)[0]
-    assert not scene.visible(2, on_strand((0.6, 1, 0), 1), down)[0]
+    assert not scene.visible(2, on_strand((0.4, 1, 0)), left)[0]
+    assert scene.visible(2, on_strand((0.4, 1, 0)), right)[0]
+    assert not scene.visible(2, on_strand((0.6, 1, 0)), down)[0]
     for x, up, free in ((0, 1, False), (0.3, 1, True), (0.3, -1, True)):
         assert scene.visible(1, on_square(x, 0), np.float32([[0.02, up, 0]]))[0] == free
 

@@ -12,8 +12,8 @@ import numpy as np
 from rna_export.capture.worker import BlenderWorker
 from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
 from rna_export.metrics import flip, psnr, psnr_without_noise
-from rna_render.render import make_integrator, render
-from rna_render.world import Placement, World
+from rna_render.render import make_integrator, place_asset, render
+from rna_render.world import World
 from rna_sdk.runtime import Asset
 
 
@@ -54,7 +54,7 @@ def compare(
     done: Callable[[Pair], None],
 ) -> list[Pair]:
     """The standard shots of the named cameras, one after the other, each program's time its own."""
-    world = World([Placement(asset, np.eye(4))])
+    world = World([place_asset(asset, np.eye(4))])
     pairs = []
     for shot in shots_of(asset, resolution, turn_deg, frame):
         if shot.camera_name in cameras:

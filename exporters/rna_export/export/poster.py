@@ -9,10 +9,10 @@ import numpy as np
 from PIL import Image
 
 from rna_render.lights.models import DirectionalModel, EnvironmentModel
-from rna_render.render import make_integrator, render
+from rna_render.render import make_integrator, place_asset, render
 from rna_render.scene_model import AssetModel, CameraModel, Scene
 from rna_render.srgb import encode_srgb
-from rna_render.world import Placement, World
+from rna_render.world import World
 from rna_sdk.runtime import load
 
 _SIDE = 256  # pixels
@@ -32,7 +32,7 @@ def render_poster(package: Path) -> bytes:
     geometries = [part.curves if part.kind == "fiber" else part.mesh for part in asset.parts]
     low, high = (np.array(corners) for corners in zip(*(g.box() for g in geometries), strict=True))
     scene = _scene(package, low.min(axis=0), high.max(axis=0))
-    world = World([Placement(asset, np.eye(4))])
+    world = World([place_asset(asset, np.eye(4))])
     channels = render(scene, make_integrator(scene, world)).channels()
     return png_of(np.stack([channels[name] for name in "RGBA"], axis=-1))
 
