@@ -185,7 +185,8 @@ def test_planes_that_float16_cannot_hold_are_refused(
         if name.startswith("model.triplane.") and value.ndim == 4:
             value[0, 0, 0, 0] = 1e6
     torch.save(saved, tmp_path / "bright.ckpt")
-    refusal(capsys, tmp_path / "bright.ckpt", "--out", tmp_path / "x.rna")
+    precision = "--precision", "float32-float16"
+    refusal(capsys, tmp_path / "bright.ckpt", "--out", tmp_path / "x.rna", *precision)
     assert not (tmp_path / "x.rna").exists()
 
 

@@ -118,7 +118,7 @@ def cut(whole: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Cut:
 def error_of_steps(
     across: Callable[[np.ndarray], tuple[int, int]], cut: Cut, plane: float
 ) -> tuple[float, float]:
-    """Of the step in radiance over 3 texels across x = plane: RMS error; RMS error of values.
+    """RMS error of the step in radiance over 3 texels across a plane; RMS error of the radiance.
 
     `across`: which models answer on the near and on the far side.
     """
@@ -144,18 +144,19 @@ def error_of_steps(
 
 
 def test_no_seam_shows_at_three_texels(cut: Cut) -> None:
-    """A step of the error at the seam is as a step inside a piece, and below the model's error."""
+    """The error steps at the seam no more than it does over as many texels inside a piece."""
     low, high = np.array(cut.dataset.parts[0].bounds)
     axis = int(np.argmin(high - low))
     upper = int(cut.dataset.parts[1].bounds[0][axis] > low[axis])
     order = (1 - upper, upper)
     seam, error = error_of_steps(lambda _: order, cut, 0.0)
-    assert seam < 1.5 * error
     inside = [
-        error_of_steps(lambda _, k=side: (k, k), cut, plane)[1]
+        error_of_steps(lambda _, k=side: (k, k), cut, plane)
         for side, plane in ((order[0], -0.3), (order[1], 0.3))
     ]
-    assert error < 1.5 * np.mean(inside)
+    step_inside, error_inside = np.mean(inside, axis=0)
+    assert seam < 1.25 * step_inside and seam < 1.25 * error
+    assert error < 1.25 * error_inside
 
 
 def test_a_package_of_pieces(cut: Cut, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

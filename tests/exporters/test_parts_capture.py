@@ -9,64 +9,16 @@ import pytest
 
 from rna_export.capture.asset_scene import AssetScene, part_counts
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
-from rna_export.capture.run import Crew, begin, finish, scene_of
+from rna_export.capture.run import Crew, begin, finish
 from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.tasks import all_tasks
 from rna_export.capture.view_rays import _aimed, _outside, sample_view_rays
-from rna_export.capture.worker import RenderedRays, Source
+from rna_export.capture.worker import Source
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Mesh
 from tests.exporters.meshes import moved, sphere
 from tests.exporters.scenes import fur, write_scene
-from tests.render.assets import unit_vectors
+from tests.exporters.two_parts import make, spikes
 
 WI = np.float32([0.36, 0.8, 0.48])
-
-
-def spikes(count: int, radius: float = 0.01, root: float = 1.0, tip: float = 1.5) -> Curves:
-    """Straight strands that stand on the unit ball."""
-    out = unit_vectors(np.random.default_rng(5), count)
-    points = (np.linspace(root, tip, 4)[:, None] * out[:, None]).reshape(-1, 3)
-    radii = np.full(4 * count, radius, np.float32)
-    return Curves(
-        points.astype(np.float32), radii, np.arange(0, 4 * count + 1, 4).astype(np.uint32)
-    )
-
-
-class Teacher:
-    """Answers rays with their direction as radiance."""
-
-    def render_rays(self, origins, directions, wi, samples, seed, reach=None):
-        radiance = np.abs(directions) + np.float32(0.1)
-        return RenderedRays(radiance, np.ones(len(origins)), origins, radiance / 2)
-
-
-def make(folder: Path, geometries: dict[str, Mesh | Curves]) -> Dataset:
-    parts = []
-    for name, geometry in geometries.items():
-        low, high = geometry.box()
-        kind = "fiber" if isinstance(geometry, Curves) else "surface"
-        bounds = tuple(low.tolist()), tuple(high.tolist())
-        parts.append(CapturedPart(name=name, kind=kind, bounds=bounds))
-    settings = CaptureSettings(
-        rays=300, lights=4, lights_per_shard=2, validation_views=2, validation_resolution=48
-    )
-    manifest = CaptureManifest(
-        name="two",
-        parts=tuple(parts),
-        source="two.py",
-        source_sha256="0" * 64,
-        settings=settings,
-        blender="none",
-        generator="tests",
-        opaque_cutouts=False,
-    )
-    dataset = Dataset.create(folder, manifest, geometries)
-    scene = scene_of(dataset)
-    for task in all_tasks(dataset):
-        task.run(dataset, scene, Teacher())
-    return Dataset(folder)
 
 
 @pytest.fixture(scope="module")

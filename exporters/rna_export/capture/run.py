@@ -70,9 +70,7 @@ def begin(
         settings = CaptureSettings.usual(worker.kind, **asked)
         exported = exported_parts(worker, settings.exact_geometry)
         geometries = exported.geometries
-        scene = AssetScene(
-            tuple(geometries.values()), settings.sharpest, exported.transmittances()
-        )
+        scene = AssetScene(tuple(geometries.values()), settings.sharpest, exported.transmittances())
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         rate = _paths_a_second(scene, settings, domain, worker) * crew.workers
@@ -153,9 +151,7 @@ class _Shift:
     crew: Crew
     bar: tqdm
     limit: TimeLimit | None = None
-    todo: queue.SimpleQueue[Task] = field(
-        default_factory=queue.SimpleQueue
-    )
+    todo: queue.SimpleQueue[Task] = field(default_factory=queue.SimpleQueue)
     stop: threading.Event = field(default_factory=threading.Event)
     failures: list[Exception] = field(default_factory=list)
     workers: list[BlenderWorker] = field(default_factory=list)

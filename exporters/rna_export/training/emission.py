@@ -16,6 +16,7 @@ INPUTS = {"surface": ("features", "normal", "wo"), "fiber": ("features", "tangen
 
 HIDDEN_LAYERS = 2
 
+
 class EmissionDecoder(nn.Module):
     """L_e(x, wo), as y = log(x / unit + 1); the planes are those of the transport.
 
