@@ -80,7 +80,8 @@ def frame():
 def candle():
     """Wax with a hollow around its wick, and a drip down its side; wick; dish."""
     wax = [(0.0, 0.0), (0.027, 0.0), (0.0275, 0.004), (0.0272, 0.088), (0.0268, 0.093),
-           (0.0255, 0.0955), (0.023, 0.095), (0.018, 0.0915), (0.01, 0.0895), (0.0, 0.089)]  # fmt: skip
+           (0.0255, 0.0955), (0.023, 0.095), (0.018, 0.0915), (0.01, 0.0895),
+           (0.0, 0.089)]  # fmt: skip
     body = shapes.lathe(wax, 48)
     x, y, z = body.points.T
     angle, high = np.arctan2(y, x), np.clip(z / 0.09, 0.0, 1.0)

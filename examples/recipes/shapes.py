@@ -15,9 +15,10 @@ class Shape:
     faces: list
     uvs: list
 
-    def placed(self, offset=(0.0, 0.0, 0.0), turn=np.eye(3), scale=(1.0, 1.0, 1.0)):
+    def placed(self, offset=(0.0, 0.0, 0.0), turn=None, scale=(1.0, 1.0, 1.0)):
         """The shape scaled, turned by a rotation matrix, then moved."""
-        points = (self.points * np.asarray(scale)) @ np.asarray(turn).T + np.asarray(offset)
+        matrix = np.eye(3) if turn is None else np.asarray(turn)
+        points = (self.points * np.asarray(scale)) @ matrix.T + np.asarray(offset)
         return Shape(points, self.faces, self.uvs)
 
 
