@@ -17,8 +17,8 @@ class Shape:
 
     def placed(self, offset=(0.0, 0.0, 0.0), turn=None, scale=(1.0, 1.0, 1.0)):
         """The shape scaled, turned by a rotation matrix, then moved."""
-        turn = np.eye(3) if turn is None else np.asarray(turn)
-        points = (self.points * np.asarray(scale)) @ turn.T + np.asarray(offset)
+        matrix = np.eye(3) if turn is None else np.asarray(turn)
+        points = (self.points * np.asarray(scale)) @ matrix.T + np.asarray(offset)
         return Shape(points, self.faces, self.uvs)
 
 
