@@ -87,12 +87,15 @@ class OurScene:
 class CyclesScene:
     """The same scene in a worker that has the original open.
 
-    bounces: of light, or None for what the original's file sets, as capture has it.
+    bounces: of light, or None for what the original's file sets, as capture has it. emission:
+    whether its materials emit light.
     """
 
-    def __init__(self, worker: BlenderWorker, scene: Scene, bounces: int | None):
+    def __init__(
+        self, worker: BlenderWorker, scene: Scene, bounces: int | None, emission: bool = False
+    ):
         self._worker, self._size = worker, scene.resolution
-        self._described = cycles_scene(scene, bounces=bounces)
+        self._described = cycles_scene(scene, bounces=bounces, emission=emission)
         fov = np.radians(scene.camera.vertical_fov_deg)
         self._view = Camera(scene.camera, scene.resolution).to_world, fov
         self.render(1, seed=1)  # builds the scene

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rna_render.scene_model import Scene
-from rna_sdk.runtime import Asset, FiberAsset
+from rna_sdk.runtime import Asset
 
 GREY = {"type": "diffuse", "color": (0.2, 0.2, 0.2)}
 RED = {"type": "diffuse", "color": (0.65, 0.05, 0.04)}
@@ -38,8 +38,8 @@ class Stage:
 
     @classmethod
     def of(cls, asset: Asset, package: Path, tier: str | None, **view: Any) -> Stage:
-        fibers = isinstance(asset, FiberAsset)
-        return cls(package, tier, asset.curves.points if fibers else asset.mesh.positions, **view)
+        points = [p.curves.points if p.kind == "fiber" else p.mesh.positions for p in asset.parts]
+        return cls(package, tier, np.concatenate(points), **view)
 
     @property
     def low(self) -> np.ndarray:

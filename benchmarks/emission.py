@@ -1,0 +1,115 @@
+"""What an asset that emits light throws on the things around it, beside Cycles with the original.
+
+    python benchmarks/emission.py lamp.rna examples/recipes/lamp.py \
+        --out benchmarks/results/emission-lamp.json --picture docs/images/emission-lamp.png
+
+Two scenes, with a grey ground: a dark room, where a red wall stands beside the asset; and the same
+things under a dim sky. Brightness is the mean radiance over Cycles', in each channel: of what the
+asset does not cover, and of the asset.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+from report import publish
+
+from rna_bench.beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
+from rna_bench.stage import Stage
+from rna_export.capture import blender_env
+from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.machine import default_workers
+from rna_render.scene_model import Scene
+from rna_sdk.console import split_script_arguments
+from rna_sdk.cpu import processor
+from rna_sdk.runtime import load
+
+
+def main() -> None:
+    own, arguments = split_script_arguments(None)
+    args = _parser().parse_args(own)
+    asset = load(args.package, tier=args.tier, threads=1)
+    resolution = tuple(args.resolution)
+    stage = Stage.of(asset, args.package.resolve(), args.tier, turn_deg=0.0, resolution=resolution)
+    rows, strips = {}, []
+    with tempfile.TemporaryDirectory() as scratch:
+        folder, source = Path(scratch), Source(args.source, arguments)
+        python, workers = blender_env.find_python(), default_workers()
+        with BlenderWorker(python, source, folder, workers) as worker:
+            for name, scene in _scenes(stage, args.sky, folder).items():
+                rows[name], strip = _measured(scene, worker, args)
+                strips.append(strip)
+                print(name, rows[name], flush=True)
+    if args.picture is not None:
+        Image.fromarray(np.concatenate(strips)).save(args.picture)
+    report = {
+        "package": args.package.name,
+        "tier": args.tier or "default",
+        "processor": processor(),
+        "resolution": args.resolution,
+        "samples": args.samples,
+        "cycles_samples": 2 * args.cycles_samples,
+        "sky": args.sky,
+        "psnr": f"PSNR without the noise of Cycles, of {EXPOSURE_DEFINITION}",
+        "scenes": rows,
+    }
+    publish(report, args.out)
+
+
+def _scenes(stage: Stage, sky: float, folder: Path) -> dict[str, Scene]:
+    things = {"ground": stage.ground, "objects": [stage.wall(folder)]}
+    dim = {"type": "environment", "radiance": (sky, sky, sky)}
+    return {"dark room": stage.scene(**things), "dim sky": stage.scene(dim, **things)}
+
+
+def _measured(
+    scene: Scene, worker: BlenderWorker, args: argparse.Namespace
+) -> tuple[dict[str, Any], np.ndarray]:
+    cycles = CyclesScene(worker, scene, args.bounces, emission=True)
+    halves = np.stack([cycles.render(args.cycles_samples, seed).pixels for seed in (2, 3)])
+    channels = OurScene(scene).channels(args.samples)
+    ours = np.stack([channels[name] for name in "RGB"], axis=-1)
+    covered = channels["assetId"] == 1
+    beside = Beside.of(halves, covered)
+    found = {
+        name: {
+            "brightness": _brightness(ours[where], beside.reference[where]),
+            "psnr": beside.psnr(ours, where),
+        }
+        for name, where in (("asset", covered), ("things", ~covered))
+    }
+    return found, beside.strip(ours)
+
+
+def _brightness(ours: np.ndarray, cycles: np.ndarray) -> list[float]:
+    """Red, green and blue, over Cycles'."""
+    ratio = ours.mean(axis=0, dtype=np.float64) / cycles.mean(axis=0, dtype=np.float64)
+    return [round(float(x), 4) for x in ratio]
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        description=__doc__.splitlines()[0],
+        epilog="Arguments after -- go to a source that is a Python script.",
+        formatter_class=argparse.ArgumentDefaultsHelpFormatter,
+    )
+    parser.add_argument("package", type=Path, help="the .rna file")
+    parser.add_argument("source", type=Path, help="what it was captured from")
+    parser.add_argument("--tier", help="of the package")
+    parser.add_argument("--sky", type=float, default=0.1, help="radiance of the dim sky")
+    parser.add_argument("--samples", type=int, default=128, help="ours a pixel")
+    parser.add_argument("--cycles-samples", type=int, default=256, help="of each of two renders")
+    parser.add_argument("--resolution", type=int, nargs=2, default=[192, 144])
+    parser.add_argument("--bounces", type=int, help="of light in Cycles (default: the source's)")
+    parser.add_argument("--picture", type=Path, help="PNG: ours, Cycles, FLIP")
+    parser.add_argument("--out", type=Path, help="file for the JSON")
+    return parser
+
+
+if __name__ == "__main__":
+    main()
