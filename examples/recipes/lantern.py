@@ -15,7 +15,7 @@ import shapes
 HALF = 0.07  # from the axis to a pane
 FLOOR, CEILING = 0.03, 0.215  # heights between which there is glass
 POST = 0.012  # width of the frame's bars
-FLAME = 40.0  # radiance, W/(m^2 sr)
+FLAME = 150.0  # radiance, W/(m^2 sr)
 TINTS = {
     "amber": (0.95, 0.72, 0.35),
     "clear": (0.93, 0.96, 0.94),

@@ -28,6 +28,7 @@ CASE_NAMES = (
     "luck",
     "numbers",
     "energy",
+    "posed",
 )
 
 

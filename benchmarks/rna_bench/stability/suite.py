@@ -17,6 +17,7 @@ from rna_bench.stability.cases import (
     near_light,
     noise,
     numbers,
+    posed,
     shadow_edges,
     sharp,
     thin,
@@ -42,6 +43,7 @@ CASES: tuple[Case, ...] = tuple(
         luck,
         numbers,
         energy,
+        posed,
     )
 )
 

@@ -92,6 +92,10 @@ class Workshop:
         return self.subject.dataset
 
     def capture(self, name: str, script: str, *arguments: str, **settings: Any) -> DatasetPart:
+        """The part of an asset of the suite's own that has one; settings as of `capture_parts`."""
+        return self.capture_parts(name, script, *arguments, **settings).only
+
+    def capture_parts(self, name: str, script: str, *arguments: str, **settings: Any) -> Dataset:
         """A dataset of one of the suite's own assets; settings as in `CaptureSettings`."""
         out = self._folder / "captures" / f"{name}.rays"
         out.parent.mkdir(parents=True, exist_ok=True)
@@ -102,7 +106,7 @@ class Workshop:
         ended = subprocess.run([*map(str, command), "--", *arguments])
         if ended.returncode:
             raise CaptureError(f"the capture of {name} failed, status {ended.returncode}")
-        return Dataset(out).only
+        return Dataset(out)
 
     def train(self, name: str, dataset: DatasetPart, preset: Preset, seed: int = 0) -> Trained:
         """The model after the last step: the best by a few views would hide overfitting."""
