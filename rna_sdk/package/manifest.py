@@ -33,7 +33,7 @@ REQUIRED_IN_FILE = ("format", "version", "minReaderVersion", "units", "entries")
 """Members with a default for whoever makes a Manifest; a file must have them all the same."""
 
 Cutoff = Annotated[float, Field(gt=0, lt=1)]
-Index = Annotated[float, Field(gt=0)]
+Index = Annotated[float, Field(ge=0.01, le=100)]
 
 
 class TransmittanceRecord(SparseRecord):

@@ -31,7 +31,7 @@ WHOLE = "`8`, `8.0` and `8e0` are the same."
 LARGEST = "from -(2^53 - 1) to 2^53 - 1"
 CONVERTED = '`"8"`, `true` and `null` are no numbers.'
 NULL = '`null` is a value only where "null" stands in a table'
-NOT_RECORDED = "Left out and null mean the same: not recorded."
+NOT_RECORDED = "left out and null mean the same: not recorded."
 FINITE = "It must be finite: `1e400` is an error"
 PATTERN = 'A pattern matches the whole string: `"1.0\\n"` does not match'
 VERSION = 'but not `"01.0"`, `"1.00"` or `"1"`'
@@ -143,9 +143,9 @@ VALUES = [
 PARTS_NAME = "`[A-Za-z0-9][A-Za-z0-9._-]*`, at most 64"
 RECORDS = "array of 1 to 64 records, optional, of a `surface` alone"
 CUTOFF = "greater than 0 and less than 1: a hole or none, with a sharp outline"
-IOR = "two numbers greater than 0: light is also reflected by Fresnel's law"
-TRIANGLES = "integers, `count` at least 1; ranges ascend, do not overlap, and end with the mesh"
-FORMS = "A manifest has one form or the other, not a mixture."
+IOR = "two numbers from 0.01 to 100: light is also reflected by Fresnel's law"
+TRIANGLES = "integers, `count` at least 1; ranges ascend, do not overlap, and lie inside the mesh"
+FORMS = "form exactly if it has the member `parts`; there is no mixture."
 TIER_PARTS = "array of one tier part for each part, in their order"
 EMITS = "A part that has `emission` in one tier has it in all of them."
 GLOW = "/tiers/0/parts/0/emission"
@@ -167,6 +167,8 @@ VALUES_OF_PARTS = [
     (f"{LEAF}/cutoff", "1e-300", "", CUTOFF),
     (f"{LEAF}/cutoff", "null", "FIELD_VALUE", NULL),
     (f"{LEAF}/ior", "[1, 0]", "FIELD_VALUE", IOR),
+    (f"{LEAF}/ior", "[101, 1]", "FIELD_VALUE", IOR),
+    (f"{LEAF}/ior", "[0.01, 100]", "", IOR),
     (f"{LEAF}/ior", "[1]", "FIELD_VALUE", IOR),
     (f"{LEAF}/ior", "[1.5, 0.5]", "", IOR),
     (f"{LEAF}/ior", "null", "FIELD_VALUE", NULL),

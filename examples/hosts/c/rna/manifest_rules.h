@@ -171,7 +171,7 @@ static const Rule SHORT_TIER[] = {TIER_MEMBERS, TIER_PART_MEMBERS, {0}};
 static const Rule A_SHORT_TIER = {"", OBJECT, .of = SHORT_TIER};
 #define ABOVE_0 DBL_TRUE_MIN
 static const Rule TRIANGLE = {"", INTEGER, 0, 0, HUGE_VAL};
-static const Rule INDEX_OF_REFRACTION = {"", NUMBER, 0, ABOVE_0, HUGE_VAL};
+static const Rule INDEX_OF_REFRACTION = {"", NUMBER, 0, 0.01, 100};
 static void counts_triangles(Schema *schema, const Json *range) {
     if (!(range->first->next->number >= 1)) break_rule(schema, schema->value, "1 triangle at least", "0");
 }
