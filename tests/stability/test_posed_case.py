@@ -36,12 +36,13 @@ def test_the_arm_is_raised() -> None:
 
 
 @pytest.mark.parametrize(("error", "passes"), [(0.19, True), (0.21, False)])
-def test_the_rise_is_judged_at_thirty_degrees(error: float, passes: bool) -> None:
+def test_the_worse_part_is_judged_at_thirty_degrees(error: float, passes: bool) -> None:
     errors = {0.0: 0.1, 10.0: 0.11, 30.0: error, 60.0: 0.4}
-    rows = [{"angle_deg": a, "where": "both", "error": e} for a, e in errors.items()]
+    rows = [{"angle_deg": a, "where": "arm", "error": e} for a, e in errors.items()]
+    rows += [{"angle_deg": a, "where": "body", "error": 0.05} for a in errors]
     verdict = posed.judge(rows)
     assert verdict.passed == passes
-    assert "10 degrees +10%" in verdict.found and "60 degrees +300%" in verdict.found
+    assert "body +0%, +0%, +0%; arm +10%" in verdict.found and "+300%" in verdict.found
 
 
 @pytest.mark.blender
