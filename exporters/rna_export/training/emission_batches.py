@@ -13,7 +13,7 @@ from rna_export.training.losses import unbiased_l2
 from rna_export.training.samples import SampleTable, columns
 from rna_export.training.triplane import Triplane
 
-_BATCH_SHARE = 4  # a step has a quarter as many samples of emission as of transport
+_BATCH_SHARE = 2  # a step has half as many samples of emission as of transport
 
 
 @dataclass
