@@ -12,7 +12,6 @@ import torch
 from torch import Tensor
 from torch.utils.data import IterableDataset
 
-
 _DIM = 0.02  # of the mean of what an asset emits
 
 
