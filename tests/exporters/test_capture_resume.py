@@ -160,8 +160,7 @@ def test_a_finished_capture_says_what_is_next(source: Path, uninterrupted: Path)
 
 
 def test_what_a_capture_holds(uninterrupted: Path) -> None:
-    dataset = Dataset(uninterrupted)
-    samples = dataset.training_samples()
+    samples = Dataset(uninterrupted).only.training_samples()
     n = len(samples["visible"])
     assert 0.98 * 256 * 64 < n <= 256 * 64
     for name in ("normal", "wo", "wi"):
@@ -175,7 +174,7 @@ def test_what_a_capture_holds(uninterrupted: Path) -> None:
 
 
 def test_validation_views_are_two_independent_halves(uninterrupted: Path) -> None:
-    dataset = Dataset(uninterrupted)
+    dataset = Dataset(uninterrupted).only
     views = dataset.validation_views()
     assert len(views) == 2
     for view in views:
@@ -190,5 +189,6 @@ def test_validation_views_are_two_independent_halves(uninterrupted: Path) -> Non
 
 def test_a_shard_has_what_the_docs_name(uninterrupted: Path) -> None:
     arrays = load_file(uninterrupted / "train" / "00000.safetensors")
-    assert set(arrays) == {"position", "normal", "wo", "wi", "radiance", "visible"}
-    assert {str(a.dtype) for k, a in arrays.items() if k != "visible"} == {"float32"}
+    fields = ("position", "normal", "wo", "wi", "radiance", "visible")
+    assert set(arrays) == {f"asset/{field}" for field in fields}
+    assert {str(a.dtype) for k, a in arrays.items() if k != "asset/visible"} == {"float32"}
