@@ -92,7 +92,7 @@ def test_emission_of_rows_that_are_no_points_is_0(path: Path) -> None:
     body = load(path).parts[0]
     points = random_points(20)
     at = points.positions, points.normals, points.wo
-    assert body.emission(*at).any(axis=1).all()
+    assert body.emission(*at)[[3, 7]].any(axis=1).all()
     for array in at:
         array[3, 1], array[7] = np.nan, 0
     found = body.emission(*at)
