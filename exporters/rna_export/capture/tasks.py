@@ -177,7 +177,7 @@ def _capture(
     keep = seen & np.isfinite(rendered.radiance).all(axis=1)
     if scene.transmits:  # of what Cycles shows, the share that is the point's own
         own = 1.0 - points.transmittance
-        keep &= own.min(axis=1) > _LEAST_OWN
+        keep &= own.max(axis=1) > _LEAST_OWN
         of_ray["radiance"] = rendered.radiance / np.maximum(own, _LEAST_OWN)
     return {
         part.name: _kept(on, keep, of_ray, (*_fields(part, wi), *(extra or {})))
