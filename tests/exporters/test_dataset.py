@@ -112,7 +112,8 @@ def test_a_damaged_file_is_named(dataset: Dataset, damage: Callable[[Path], None
 
 def test_halves_of_other_pixels_are_refused(dataset: Dataset) -> None:
     path = dataset.validation_path(0, 1)
-    write_arrays(path, {name: values[1:] for name, values in load_file(path).items()})
+    rows = load_file(path).items()
+    write_arrays(path, {name: values[len(values) // 4 :] for name, values in rows})
     with pytest.raises(CaptureError, match=r"00-1\.safetensors: damaged .*first half"):
         dataset.only.validation_views()
 

@@ -135,7 +135,7 @@ class DatasetPart:
     ) -> View:
         paths = [path_of(index, half) for half in (0, 1)]
         first, second = (self._read(p, (*fields, "pixel")) for p in paths)
-        # Where a ray just misses in Cycles and meets glass, its alpha is noise: one half may lack it.
+        # Where a ray just misses in Cycles and meets glass, alpha is noise: one half may lack it.
         pixel, *rows = np.intersect1d(first["pixel"], second["pixel"], return_indices=True)
         if len(pixel) < _SHARED * max(len(first["pixel"]), len(second["pixel"])):
             raise damaged(paths[1], "its pixels are not those of the first half")
