@@ -102,6 +102,8 @@ def _fit(run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int) 
             progress = {"step": done, "fitting": fitting.state(), "pace": pace.state()}
             save_checkpoint(run.out / "last.ckpt", fitting.model, record, progress)
             bar.set_postfix(psnr=f"{row['psnr']:.2f} dB")
+    if report.brightness is not None:
+        print(report.brightness)
 
 
 def _validations(run: Run, pace: Pace) -> int:
