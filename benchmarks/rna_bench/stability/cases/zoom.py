@@ -83,7 +83,7 @@ def _row(ours: np.ndarray, halves: np.ndarray) -> Row:
     flat = [image.reshape(-1, 3) for image in (ours, *halves)]
     return {
         "flip": flip(np.ascontiguousarray(ours), np.ascontiguousarray(reference))[0],
-        "psnr": psnr_without_noise(*flat),
+        "psnr": psnr_without_noise(*flat).db,
         "picture": _as_text(np.concatenate([ours, reference], axis=1)),
     }
 
