@@ -10,8 +10,8 @@ import pytest
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.exported_parts import exported_parts
 from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.run import scene_of
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import EmissionShard, TrainingShard
 from rna_export.capture.worker import BlenderWorker
 from tests.exporters.conftest import OpenWorker

@@ -18,6 +18,7 @@ from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSet
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
 
+_LINES = 5  # of Blender's output, in an error
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
 
 
@@ -156,8 +157,13 @@ class BlenderWorker:
             pass
         raise CaptureError(
             f"{self._source.path}: the Blender worker ended without an answer to "
-            f"{request['op']!r}; its output is in {self._log.name}"
+            f"{request['op']!r}; its last words: {self._last_words()}"
         )
+
+    def _last_words(self) -> str:
+        self._log.flush()
+        lines = Path(self._log.name).read_text(errors="replace").split("\n")
+        return " / ".join([line.strip() for line in lines if line.strip()][-_LINES:]) or "none"
 
     @property
     def kind(self) -> str:
