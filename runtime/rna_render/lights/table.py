@@ -39,7 +39,7 @@ from rna_render.lights.mesh import sample_triangles
 from rna_render.lights.point import sample_point_light
 from rna_render.lights.rectangle import rectangle_density, sample_rectangle
 from rna_render.lights.sphere import sample_sphere, sphere_density
-from rna_render.materials.vectors import vector_at
+from rna_render.vectors import vector_at
 from rna_sdk.compiled import compiled
 
 
