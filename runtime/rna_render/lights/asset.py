@@ -8,7 +8,7 @@ import numpy as np
 
 from rna_render.asset_parts import Asset, FiberPart, SurfacePart, part_transmittance
 from rna_render.fiber import FiberPoints
-from rna_render.lights.base import LightSamples, ShapeLight
+from rna_render.lights.base import ShapeLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
@@ -90,17 +90,16 @@ class AssetLight(ShapeLight):
         self._emission, self._factor = emission, np.float32(factor)
         transform = Transform(world_from_object)
         self._scale, self._place = np.float32(transform.scale), transform.matrix[:3, 3]
-        self._rotation = (transform.matrix[:3, :3] / transform.scale).astype(np.float32)
+        rotation = transform.matrix[:3, :3] / transform.scale
+        self._rotation = rotation.astype(np.float32)
+        self.row = emission.placed_row(rotation, self._place, transform.scale)
 
     def power(self, scene_radius: float) -> float:
         size = scene_radius / float(self._scale)
         return float(self._factor * self._scale**2) * self._emission.power(size)
 
-    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
-        samples = self._emission.sample(self._in_object(x_world), u)
-        wi_world = samples.wi_world @ self._rotation.T
-        radiance, distance = self._factor * samples.radiance, self._scale * samples.distance
-        return LightSamples(wi_world, distance, radiance, samples.pdf)
+    def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
+        return self._factor * self._emission.sent(place, d_world @ self._rotation)
 
     def met(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
