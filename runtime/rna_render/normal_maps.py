@@ -12,7 +12,7 @@ import numpy as np
 from numba import prange
 
 from rna_render.materials.bumps import derived_tangent
-from rna_render.materials.vectors import dot, unit, vector_at
+from rna_render.vectors import cross, dot, unit, vector_at
 from rna_sdk.compiled import compiled
 from rna_sdk.package import Mesh
 
@@ -44,9 +44,7 @@ class NormalMaps:
         starts = np.cumsum([0, *(h * w for h, w in sizes)])[:-1]
         self._sizes = np.column_stack([starts, sizes]).astype(np.int64)
 
-    def at(
-        self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
-    ) -> np.ndarray:
+    def at(self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The mapped normals, (m, 3) float32, unit.
 
         n: (m, 3) float32, interpolated normals. triangle, u, v: (m,), as of a hit.
@@ -111,18 +109,14 @@ def _mapped(n, triangle, u, v, positions, uvs, triangles, number, texels, sizes,
                 x, y = _looked_up(texels, *_row(sizes, k), s, r)
                 z = np.sqrt(max(0.0, 1.0 - x * x - y * y))
                 y *= sign
-                b = (
-                    m[1] * t[2] - m[2] * t[1],
-                    m[2] * t[0] - m[0] * t[2],
-                    m[0] * t[1] - m[1] * t[0],
-                )
-                sum_ = (
+                b = cross(m, t)
+                total = (
                     x * t[0] + y * b[0] + z * m[0],
                     x * t[1] + y * b[1] + z * m[1],
                     x * t[2] + y * b[2] + z * m[2],
                 )
-                if dot(sum_, sum_) > 1e-12:
-                    bent = unit(sum_)
+                if dot(total, total) > 1e-12:
+                    bent = unit(total)
         result[i, 0], result[i, 1], result[i, 2] = bent
 
 

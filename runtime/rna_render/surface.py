@@ -34,6 +34,14 @@ class Mesh(Protocol):
     triangles: np.ndarray
 
 
+class NormalMaps(Protocol):
+    """Of a mesh: rna_render.normal_maps.NormalMaps."""
+
+    def at(
+        self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+    ) -> np.ndarray: ...
+
+
 def interpolate_positions(
     positions: np.ndarray,
     triangles: np.ndarray,
@@ -103,23 +111,34 @@ def lifts(
 class SurfacePoints:
     """Points of a mesh, (m, 3) float32 each, as the functions above give them.
 
-    x: positions. n: shading normals. ng: geometric normals. lift: from x onto the smooth surface.
+    x: positions. n: interpolated normals. ng: geometric normals. lift: from x onto the smooth
+    surface. mapped: n with the relief of normal maps, where the mesh has any.
     """
 
     x: np.ndarray
     n: np.ndarray
     ng: np.ndarray
     lift: np.ndarray
+    mapped: np.ndarray
 
     @classmethod
-    def of(cls, mesh: Mesh, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> SurfacePoints:
+    def of(
+        cls,
+        mesh: Mesh,
+        triangle: np.ndarray,
+        u: np.ndarray,
+        v: np.ndarray,
+        maps: NormalMaps | None = None,
+    ) -> SurfacePoints:
         """The points at barycentrics (u, v) of the given triangles."""
         at = mesh.triangles, triangle, u, v
+        n = interpolate_normals(mesh.normals, *at)
         return cls(
             interpolate_positions(mesh.positions, *at),
-            interpolate_normals(mesh.normals, *at),
+            n,
             geometric_normals(mesh.positions, mesh.triangles, triangle),
             lifts(mesh.positions, mesh.normals, *at),
+            n if maps is None else maps.at(n, triangle, u, v),
         )
 
     def __len__(self) -> int:
@@ -134,7 +153,9 @@ class SurfacePoints:
 
     def take(self, row: np.ndarray) -> SurfacePoints:
         """The given rows."""
-        return SurfacePoints(*(a.take(row, axis=0) for a in (self.x, self.n, self.ng, self.lift)))
+        return SurfacePoints(
+            *(getattr(self, name).take(row, axis=0) for name in SurfacePoints.__slots__)
+        )
 
 
 def leaving_origins(points: SurfacePoints, directions: np.ndarray, extent: float) -> np.ndarray:

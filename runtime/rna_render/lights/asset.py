@@ -6,14 +6,20 @@ from itertools import pairwise
 
 import numpy as np
 
-from rna_render.asset_parts import Asset, FiberPart, SurfacePart, part_transmittance
+from rna_render.asset_parts import (
+    Asset,
+    FiberPart,
+    SurfacePart,
+    part_normal_maps,
+    part_transmittance,
+)
 from rna_render.fiber import FiberPoints
 from rna_render.lights.base import ShapeLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
 from rna_render.rays import vectors
-from rna_render.surface import geometric_normals, interpolate_normals, interpolate_positions
+from rna_render.surface import SurfacePoints, geometric_normals, interpolate_normals
 from rna_render.tracing import ClosestHits
 from rna_render.transmittance import Transmittance
 from rna_sdk.runtime import offset_across
@@ -119,15 +125,15 @@ class _MeshEmitter:
     def __init__(self, part: SurfacePart) -> None:
         self.part = part
         self._transmittance: Transmittance | None = part_transmittance(part)
+        self._normal_maps = part_normal_maps(part)
 
     def emission(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
     ) -> np.ndarray:
         """Radiance of the opaque share towards wo: (n, 3) float32."""
         mesh = self.part.mesh
-        at = mesh.triangles, triangle, u, v
-        x = interpolate_positions(mesh.positions, *at)
-        return self.part.emission(x, interpolate_normals(mesh.normals, *at), wo)
+        points = SurfacePoints.of(mesh, triangle, u, v, self._normal_maps)
+        return self.part.emission(points.x, points.mapped, wo)
 
     def opacity(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray

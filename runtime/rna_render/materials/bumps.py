@@ -66,7 +66,7 @@ def _given(tangents, corners, u, v):
 
 
 @compiled(fastmath=())
-def _derived(positions, uvs, corners, n):
+def derived_tangent(positions, uvs, corners, n):
     """The direction of u on the triangle, and the sign that makes the bitangent go against v."""
     e1 = _minus(vector_at(positions, corners[1]), vector_at(positions, corners[0]))
     e2 = _minus(vector_at(positions, corners[2]), vector_at(positions, corners[0]))
@@ -104,7 +104,7 @@ def bumped_normal(texel, scale, positions, uvs, tangents, corners, u, v, m, g, o
     """
     t, sign = _given(tangents, corners, u, v)
     if sign == 0.0:
-        t, sign = _derived(positions, uvs, corners, m)
+        t, sign = derived_tangent(positions, uvs, corners, m)
     t = unit(_plus(t, -dot(t, m), m))
     x, y = scale * (2.0 * texel[0] - 1.0), scale * (2.0 * texel[1] - 1.0)
     z = 2.0 * texel[2] - 1.0
