@@ -29,7 +29,9 @@ def export_normal_maps(path, side):
         finally:
             bpy.data.materials.remove(copy)
         if note:
-            notes.append(f"material {material.name!r} has relief by {note}: it is learnt, not mapped")
+            notes.append(
+                f"material {material.name!r} has relief by {note}: it is learnt, not mapped"
+            )
         if texture is not None:
             found[material.name] = texture
     np.savez(path, **{str(k): texture for k, texture in enumerate(found.values())})

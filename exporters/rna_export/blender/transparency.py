@@ -12,6 +12,7 @@ import bpy
 import numpy as np
 from uv_render import not_of_uv, rendered
 
+
 @dataclass
 class Transparency:
     """One material's.
