@@ -113,8 +113,6 @@ class Workshop:
         out = self._folder / "runs" / dataset.folder.stem / name
         if not (out / "best.ckpt").is_file():
             train(Run(dataset, preset, "small", out, seed, validations=2))
-            for checkpoint in out.glob("step=*.ckpt"):
-                checkpoint.unlink()
         return load_checkpoint(out / "last.ckpt")
 
     def preset(self, kind: str, **model: Any) -> Preset:

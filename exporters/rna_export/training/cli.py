@@ -78,8 +78,7 @@ def parser() -> argparse.ArgumentParser:
     length.add_argument(
         "--steps",
         type=int,
-        help="length, of each part, rounded up to a multiple of 10 (int, default: the preset's, "
-        f"{usual})",
+        help=f"length, of each part (int, default: the preset's, {usual})",
     )
     p.add_argument(
         "--seed",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import multiprocessing
 import os
 import traceback
@@ -114,14 +113,12 @@ class _Process:
 
 
 def _begin(dataset: Path, crew: Crew) -> None:
-    import lightning  # its own log handler comes with it
     import torch
 
     from rna_export.memory import keep_freed_memory
     from rna_sdk.kernel_threads import limit_kernel_threads
 
     keep_freed_memory()
-    logging.getLogger(lightning.pytorch.__name__).setLevel(logging.WARNING)
     torch.set_num_threads(crew.threads)
     limit_kernel_threads(crew.threads)
     _Process.dataset, _Process.device = Dataset(dataset).only, crew.device

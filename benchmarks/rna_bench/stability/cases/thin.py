@@ -56,7 +56,7 @@ def measure(workshop: Workshop) -> list[Row]:
             asked = {"folded": (model, folded), "clear": (model, ~folded)}
         for where, (answering, points) in asked.items():
             shaded = picked(of_model(answering), rows_of(samples, points))
-            error = psnr_without_noise(shaded, *halves[:, points])
+            error = psnr_without_noise(shaded, *halves[:, points]).db
             share = float(points.mean())
             rows.append({"shape": shape, "where": where, "share": share, "psnr": error})
     return rows
