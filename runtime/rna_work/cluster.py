@@ -16,7 +16,7 @@ from rna_work.places import Needs
 from rna_work.processes import portable
 from rna_work.ray_slots import RayWorkers
 from rna_work.sources import Carried
-from rna_work.travelling import Travelling, check_elsewhere
+from rna_work.travelling import Travelling, check_elsewhere, content_hash
 
 Answer = TypeVar("Answer")
 
@@ -80,12 +80,19 @@ class RayCluster:
     def workers(self, needs: Needs, count: int | None) -> RayWorkers:
         return RayWorkers(needs, count)
 
-    def carry(self, path: Path, others: Sequence[Path] = ()) -> Carried:
-        """Sent are the files below the folder of `path`; the others have to be everywhere."""
-        carried, elsewhere = Travelling.of(path, others)
-        if elsewhere:
-            self.on_every_node(partial(check_elsewhere, path, elsewhere))
-        return carried
+    def gpus(self) -> float:
+        return float(sum(node["Resources"].get("GPU", 0) for node in alive_nodes()))
+
+    def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
+        hashes = {file.absolute(): content_hash(file) for file in fixed}
+        if hashes:
+            self.on_every_node(partial(check_elsewhere, path, hashes))
+        return Travelling.of(path, others)
+
+    def whole_machines(self, threads: int | None) -> tuple[RayWorkers, int]:
+        least = min((int(node["Resources"]["CPU"]) for node in alive_nodes()), default=1)
+        count = min(threads or least, least)
+        return RayWorkers(Needs("threads", max(count, 1)), None), max(count, 1)
 
     def on_every_node(self, do: Callable[[], Answer]) -> dict[str, Answer]:
         import ray

@@ -80,9 +80,7 @@ class Pool(Generic[Item, Result]):
         """How many workers each node has."""
         return Counter(member.node for member in self._ready)
 
-    def run(
-        self, items: Iterable[Item], ordered: bool = False
-    ) -> Iterator[Outcome[Item, Result]]:
+    def run(self, items: Iterable[Item], ordered: bool = False) -> Iterator[Outcome[Item, Result]]:
         """The outcome of every item, as they are finished or in the order of the items.
 
         Items are taken when a worker is free for them. Raises what kept workers from starting.

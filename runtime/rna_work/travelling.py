@@ -17,9 +17,10 @@ from rna_sdk.errors import WorkError
 
 @dataclass(frozen=True)
 class Travelling:
-    """Files of one folder, whose contents are in Ray's object store.
+    """Files with their places to one another, whose contents are in Ray's object store.
 
-    names: of all files, from the folder on; the first is the one that is asked for.
+    names: of all files, from the deepest folder on that they share; the first is the one that is
+    asked for.
     """
 
     names: tuple[str, ...]
@@ -27,20 +28,22 @@ class Travelling:
     contents: Any  # of a list of bytes, in the same order; a Ray reference
 
     @classmethod
-    def of(cls, path: Path, others: Sequence[Path]) -> tuple[Travelling, dict[Path, str]]:
-        """What travels, and the hashes of those of the others that lie elsewhere and do not."""
+    def of(cls, path: Path, others: Sequence[Path]) -> Travelling:
+        """A file and others. Raises WorkError where one cannot be read."""
         import ray
 
-        path = path.resolve()
-        resolved = sorted({other.resolve() for other in others} - {path})
-        inside = [path, *(o for o in resolved if o.is_relative_to(path.parent))]
-        names = tuple(str(file.relative_to(path.parent)) for file in inside)
-        contents = [file.read_bytes() for file in inside]
+        first = os.path.abspath(path)
+        files = [first, *sorted({os.path.abspath(other) for other in others} - {first})]
+        root = os.path.commonpath([os.path.dirname(file) for file in files])
+        names = tuple(os.path.relpath(file, root) for file in files)
+        try:
+            contents = [Path(file).read_bytes() for file in files]
+        except OSError as error:
+            raise WorkError(f"{path} reads {error.filename}: {error.strerror}") from error
         whole = hashlib.sha256()
         for name, data in zip(names, contents, strict=True):
             whole.update(f"{name}\0{hashlib.sha256(data).hexdigest()}\0".encode())
-        elsewhere = {o: content_hash(o) for o in resolved if o not in inside}
-        return cls(names, whole.hexdigest(), ray.put(contents)), elsewhere
+        return cls(names, whole.hexdigest(), ray.put(contents))
 
     def here(self) -> Path:
         """The path on this machine, where the files are written unless they are there."""
@@ -79,9 +82,9 @@ def check_elsewhere(source: Path, hashes: dict[Path, str]) -> None:
     if wrong:
         more = f" and {len(wrong) - 3} more" if len(wrong) > 3 else ""
         raise WorkError(
-            f"{source} reads {', '.join(wrong[:3])}{more}, which this machine has not, or not the "
-            f"same: put such files below {source.parent}, where they travel with it, or on "
-            "every node"
+            f"{source} reads {', '.join(wrong[:3])}{more} by an absolute path, where this machine "
+            "has no such file, or another one: name it by a path relative to the source, and it "
+            "travels"
         )
 
 

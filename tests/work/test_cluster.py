@@ -63,14 +63,15 @@ def test_a_source_travels_with_what_lies_beside_it(
     where: Place, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    source, texture = tmp_path / "a" / "toy.py", tmp_path / "a" / "maps" / "wood.png"
-    texture.parent.mkdir(parents=True)
+    source, texture = tmp_path / "a" / "toy.py", tmp_path / "maps" / "wood.png"
+    for path in (source, texture):
+        path.parent.mkdir()
     source.write_text("toy")
     texture.write_bytes(b"wood")
     carried = where.carry(source, [texture, source])
     here = carried.here()
     assert here != source and here.read_text() == "toy"
-    assert (here.parent / "maps" / "wood.png").read_bytes() == b"wood"
+    assert (here.parent / "../maps/wood.png").read_bytes() == b"wood"
     assert carried.here() == here and where.carry(source, [texture]).here() == here
     texture.write_bytes(b"oak")
     assert where.carry(source, [texture]).here() != here
@@ -83,8 +84,8 @@ def test_files_that_are_elsewhere_and_missing_are_an_error(where: Place, tmp_pat
     for path in (source, outside):
         path.parent.mkdir()
         path.write_bytes(b"x")
-    where.carry(source, [outside])  # all nodes are this machine, which has it
-    with pytest.raises(WorkError, match=r"toy\.blend reads .*gone\.png, which this machine has"):
+    where.carry(source, fixed=[outside])  # all nodes are this machine, which has it
+    with pytest.raises(WorkError, match=r"toy\.blend reads .*gone\.png by an absolute path"):
         check_elsewhere(source, {tmp_path / "gone.png": "0"})
 
 
