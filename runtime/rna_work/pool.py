@@ -80,9 +80,7 @@ class Pool(Generic[Item, Result]):
         """How many workers each node has."""
         return Counter(member.node for member in self._ready)
 
-    def run(
-        self, items: Iterable[Item], ordered: bool = False
-    ) -> Iterator[Outcome[Item, Result]]:
+    def run(self, items: Iterable[Item], ordered: bool = False) -> Iterator[Outcome[Item, Result]]:
         """The outcome of every item, as they are finished or in the order of the items.
 
         Items are taken when a worker is free for them. Raises what kept workers from starting.
@@ -229,7 +227,8 @@ class Pool(Generic[Item, Result]):
 
     def _run_again(self, member: _Member, job: _Job, failure: Exception, feed: _Feed) -> None:
         feed.put_back([job])
-        self._tell_user(f"{job.item} runs again; worker {member.slot.name} on {member.node}: {failure}")
+        who = f"worker {member.slot.name} on {member.node}"
+        self._tell_user(f"{job.item} runs again; {who}: {failure}")
 
     def _give_up(self, member: _Member, feed: _Feed) -> None:
         """Do without a worker; what it has not begun goes to others."""

@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import curves_export
 import mesh_export
 import ray_render
+import read_files
 import scene_parts
 import scene_render
 import source_scene
@@ -22,6 +23,7 @@ import transparency
 
 
 def open_scene(request):
+    read_files.watch()
     source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
     notes = source_scene.keep_only_the_asset()
     parts = scene_parts.find_parts(request["parts"])
@@ -33,6 +35,7 @@ def open_scene(request):
         "notes": notes,
         "blender": source_scene.blender_version(),
         "emitters": emitters,
+        "files": read_files.files_of(request["source"]),
     }
 
 
