@@ -32,7 +32,8 @@ def shared_names(parts: tuple[Part, ...]) -> Iterator[str]:
     """Entries of all tiers, some perhaps twice: geometry and textures of the parts."""
     for part in parts:
         yield part.geometry
-        yield from (record.texture for record in (*part.transmittance, *part.normal_maps))
+        yield from (record.texture for record in part.transmittance)
+        yield from (record.texture for record in part.normal_maps)
 
 
 def tier_names(tier: Tier) -> Iterator[str]:

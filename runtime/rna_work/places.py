@@ -49,10 +49,20 @@ class Place(Protocol):
     def workers(self, needs: Needs, count: int | None) -> Backend:
         """Room for workers; at most `count`, or None for as many as there is room for."""
 
-    def carry(self, path: Path, others: Sequence[Path] = ()) -> Carried:
+    def gpus(self) -> float:
+        """How many GPUs there are."""
+
+    def whole_machines(self, threads: int | None) -> tuple[Backend, int]:
+        """Room for workers of so many threads, None for all of a machine, and how many they are.
+
+        On this machine one.
+        """
+
+    def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
         """A file for workers, with others that it reads.
 
-        Raises WorkError where one of those is missing on a machine.
+        fixed: those that it names by absolute paths, which stay where they are. Raises WorkError
+        where one of these is missing on a machine.
         """
 
     def on_every_node(self, do: Callable[[], Answer]) -> dict[str, Answer]:
@@ -73,7 +83,15 @@ class ThisMachine:
         wanted = count or max(1, int(self.cores // needs.cpus))
         return Threads(wanted) if needs.local == "threads" else Processes(wanted)
 
-    def carry(self, path: Path, others: Sequence[Path] = ()) -> Carried:
+    def gpus(self) -> float:
+        import torch
+
+        return torch.cuda.device_count()
+
+    def whole_machines(self, threads: int | None) -> tuple[Backend, int]:
+        return Threads(1), min(threads or self.cores, self.cores)
+
+    def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
         return InPlace(path)
 
     def on_every_node(self, do: Callable[[], Answer]) -> dict[str, Answer]:

@@ -227,9 +227,8 @@ class Pool(Generic[Item, Result]):
 
     def _run_again(self, member: _Member, job: _Job, failure: Exception, feed: _Feed) -> None:
         feed.put_back([job])
-        self._tell_user(
-            f"{job.item} runs again; worker {member.slot.name} on {member.node}: {failure}"
-        )
+        who = f"worker {member.slot.name} on {member.node}"
+        self._tell_user(f"{job.item} runs again; {who}: {failure}")
 
     def _give_up(self, member: _Member, feed: _Feed) -> None:
         """Do without a worker; what it has not begun goes to others."""

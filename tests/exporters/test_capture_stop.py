@@ -74,7 +74,7 @@ def blender(monkeypatch: pytest.MonkeyPatch) -> Blender:
 
 def pool(tmp_path: Path) -> Pool[Any, None]:
     path = tmp_path / "ball.blend"
-    job = shift.CaptureJob(tmp_path, "", Source(path), InPlace(path), tmp_path)
+    job = shift.CaptureJob(tmp_path, "", Source(path), InPlace(path), scratch=tmp_path)
     return Pool(Threads(1), lambda name: CaptureWorker(job, name), attempts=2)
 
 

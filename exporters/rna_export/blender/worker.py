@@ -16,6 +16,7 @@ import curves_export
 import mesh_export
 import normal_maps
 import ray_render
+import read_files
 import scene_parts
 import scene_render
 import source_scene
@@ -23,6 +24,7 @@ import transparency
 
 
 def open_scene(request):
+    read_files.watch()
     source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
     notes = source_scene.keep_only_the_asset()
     parts = scene_parts.find_parts(request["parts"])
@@ -34,6 +36,7 @@ def open_scene(request):
         "notes": notes,
         "blender": source_scene.blender_version(),
         "emitters": emitters,
+        "files": read_files.files_of(request["source"]),
     }
 
 

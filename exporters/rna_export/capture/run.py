@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 import rna_sdk
+from rna_export.capture import blender_env
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import light_direction
@@ -35,6 +36,8 @@ from rna_work.patience import Patience
 from rna_work.places import Needs, Place, this_machine
 from rna_work.pool import Pool
 from rna_work.progress import Progress
+from rna_work.shared import check_shared
+from rna_work.sources import Carried
 
 _COUNTED = 4096
 _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
@@ -56,6 +59,15 @@ class Crew:
     def probe(self, source: Source) -> BlenderWorker:
         """A Blender of this machine that is not one of the workers."""
         return BlenderWorker(self.python, source, self.scratch, threads=1, name="probe")
+
+    def carried(self, source: Source) -> Carried:
+        """The source for workers; what it reads beside itself is found by opening it here."""
+        if not self.place.far:
+            return self.place.carry(source.path)
+        with self.probe(source) as worker:
+            files = worker.opened["files"]
+        travel, fixed = ([Path(path) for path in files[kind]] for kind in ("travel", "fixed"))
+        return self.place.carry(source.path, travel, fixed)
 
     def backend(self) -> Backend:
         """The place's room for workers."""
@@ -120,21 +132,26 @@ def finish(
     crew: Crew,
     limit: TimeLimit | None = None,
     say: Callable[[str], None] = print,
-    files: Sequence[Path] = (),
 ) -> None:
     """Render every task whose file is missing. Ctrl-C loses only the tasks under way.
 
-    When the time of `limit` is up, the lights that are left are taken out of the plan. files: what
-    the source reads beside itself. Raises CaptureError where a task fails twice.
+    When the time of `limit` is up, the lights that are left are taken out of the plan. Raises
+    CaptureError where a task fails twice, WorkError where a cluster cannot do the work.
     """
     for unfinished in dataset.folder.glob("*/*.part"):
         unfinished.unlink()
     missing = [task for task in all_tasks(dataset) if not task.path(dataset).is_file()]
     if not missing:
         return
-    scratch = None if crew.place.far else crew.scratch
-    job = CaptureJob.of(dataset, source, crew.place.carry(source.path, files), scratch)
-    crew.place.on_every_node(job.check)
+    check_shared(crew.place, dataset.folder)
+    crew.place.on_every_node(blender_env.find_or_set_up)
+    job = CaptureJob(
+        dataset.folder.resolve(),
+        dataset.manifest.model_dump_json(),
+        source,
+        crew.carried(source),
+        scratch=None if crew.place.far else crew.scratch,
+    )
     cost = partial(_cost, dataset)
     total = sum(map(cost, missing))
     with (

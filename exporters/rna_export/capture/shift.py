@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import shutil
 import tempfile
 import threading
@@ -16,7 +15,6 @@ from rna_export.capture.dataset import Dataset
 from rna_export.capture.tasks import Task
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.memory import keep_freed_memory
-from rna_sdk.errors import CaptureError
 from rna_work.sources import Carried
 
 _TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
@@ -27,28 +25,15 @@ _opening = threading.Lock()
 class CaptureJob:
     """What a worker needs, wherever it is.
 
-    files: the source, and what it reads. scratch: for ray images; None for a temporary folder of
-    the worker's machine.
+    manifest: of the dataset in the folder. files: the source, and what it reads. scratch: for ray
+    images; None for a temporary folder of the worker's machine.
     """
 
     folder: Path
-    manifest_sha256: str
+    manifest: str
     source: Source
     files: Carried
     scratch: Path | None
-
-    @classmethod
-    def of(
-        cls, dataset: Dataset, source: Source, files: Carried, scratch: Path | None
-    ) -> CaptureJob:
-        """The job of all tasks of a dataset."""
-        return cls(dataset.folder.resolve(), manifest_hash(dataset.folder), source, files, scratch)
-
-    def check(self) -> None:
-        """Get this machine ready for workers. Raises CaptureError if that cannot be."""
-        if manifest_hash(self.folder) != self.manifest_sha256:
-            raise CaptureError(f"{self.folder}: another dataset than where the capture was started")
-        blender_env.find_or_set_up()
 
 
 class CaptureWorker:
@@ -64,7 +49,7 @@ class CaptureWorker:
         keep_freed_memory()
         job = self._job
         with _opening:  # workers that are threads share what is opened
-            self._dataset, self._scene = opened(job.folder, job.manifest_sha256)
+            self._dataset, self._scene = opened(job.folder, job.manifest)
         if job.scratch is None:
             self._temporary = Path(tempfile.mkdtemp(prefix="rna-capture-"))
         source = replace(job.source, path=job.files.here())
@@ -93,20 +78,12 @@ class CaptureWorker:
             self._blender.kill()
 
 
-def manifest_hash(folder: Path) -> str:
-    """By which the same dataset is recognised from elsewhere. Raises CaptureError without one."""
-    try:
-        return hashlib.sha256((folder / "manifest.json").read_bytes()).hexdigest()
-    except OSError as error:
-        raise CaptureError(
-            f"{folder} is not there ({error.strerror}): --out has to be a folder that all nodes "
-            "of the cluster share"
-        ) from error
-
-
 @lru_cache(1)
-def opened(folder: Path, sha256: str) -> tuple[Dataset, AssetScene]:
-    """The dataset in a folder, and its parts ready to be asked with rays."""
+def opened(folder: Path, manifest: str) -> tuple[Dataset, AssetScene]:
+    """The dataset in a folder, and its parts ready to be asked with rays.
+
+    manifest: what tells datasets apart that were in the folder one after the other.
+    """
     dataset = Dataset(folder)
     return dataset, scene_of(dataset)
 
