@@ -94,7 +94,7 @@ def test_samples_have_the_normal_that_cycles_shades_with(
     found = at["radiance"][shown].mean(axis=1)
     assert np.median(np.abs(found - expected)) < 3e-3
     assert np.percentile(np.abs(found - expected), 90) < 0.01
-    assert np.ptp(at["normal"] @ np.float32([0, 1, 0])) > 0.3  # the squares lean differently
+    assert np.ptp(at["normal"] @ np.float32([0, 1, 0])) > 0.1  # the squares lean differently
 
 
 def test_relief_that_no_map_can_have_is_told(open_worker: OpenWorker) -> None:
