@@ -65,11 +65,25 @@ def test_frames_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
     assert render([*common, str(tmp_path / "a" / "%d.exr")]) == 0
     assert render([*common, str(tmp_path / "b" / "%d.exr"), "--cluster", ray_address]) == 0
     for number in range(4):
-        one, other = (read_exr(tmp_path / name / f"{number}.exr") for name in ("a", "b"))
-        assert one[1] == other[1]
-        for channel, values in one[0].items():
-            np.testing.assert_array_equal(values, other[0][channel])
+        same_images(tmp_path / "a" / f"{number}.exr", tmp_path / "b" / f"{number}.exr")
     assert len(contents(tmp_path / "b")) == 4
+
+
+def test_a_large_image_has_the_same_bits(ray_address: str, tmp_path: Path) -> None:
+    write_lambert_package(tmp_path / "ball.rna", sphere(4))
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(SCENE.replace("[12, 8]", "[300, 200]"))
+    one, other = tmp_path / "a.exr", tmp_path / "b.exr"
+    assert render([str(scene), "--out", str(one)]) == 0
+    assert render([str(scene), "--out", str(other), "--cluster", ray_address]) == 0
+    same_images(one, other)
+
+
+def same_images(path: Path, another: Path) -> None:
+    one, other = read_exr(path), read_exr(another)
+    assert one[1] == other[1]
+    for channel, values in one[0].items():
+        np.testing.assert_array_equal(values, other[0][channel])
 
 
 def test_trainings_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
