@@ -108,7 +108,7 @@ def _workshop(args: argparse.Namespace) -> Any:
     from rna_export.capture.dataset import Dataset
     from rna_export.capture.worker import Source
 
-    for name in ("dataset", "package", "source", "out", "work"):
+    for name in ("dataset", "package", "source", "out", "work") if args.cluster else ():
         if (path := getattr(args, name)) is not None:
             setattr(args, name, path.absolute())  # for workers on other machines
     for path in (args.package, args.source):
