@@ -16,6 +16,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import curves_export
 import mesh_export
+import normal_maps
 import ray_render
 import read_files
 import scene_parts
@@ -47,6 +48,7 @@ HANDLERS = {
     "open": open_scene,
     "exportCurves": lambda request: curves_export.export_curves(request["out"], request["owner"]),
     "exportMesh": lambda request: mesh_export.export_mesh(request["out"], request["owner"]),
+    "exportNormalMaps": lambda r: normal_maps.export_normal_maps(r["out"], r["side"]),
     "exportTransparency": lambda request: transparency.export_transparency(request["out"]),
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,

@@ -41,6 +41,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "domain",
     "parts",
     "sharpest",
+    "normal_texels",
     "clamp_direct",
     "clamp_indirect",
     "validation_views",

@@ -4,6 +4,7 @@ toy.rays/
   manifest.json               parts, settings, source, what is planned
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
   transmittance/0.safetensors texture of a material that lets light through, as in a package
+  normals/0.safetensors       normal map of a material, as in a package
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
@@ -25,6 +26,7 @@ from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.normal_maps import normals_to_bytes
 from rna_sdk.package.transmittance import texture_to_bytes
 
 
@@ -60,10 +62,11 @@ class Dataset:
         geometries: of each part. textures: of all transmittance, by the names that records have.
         """
         folder = Path(folder)
-        for inner in ("geometry", "transmittance", "train", "emission", "validation"):
+        for inner in ("geometry", "transmittance", "normals", "train", "emission", "validation"):
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for name, texture in (textures or {}).items():
-            write_atomically(folder / name, texture_to_bytes(texture, name))
+            to_bytes = normals_to_bytes if name.startswith("normals/") else texture_to_bytes
+            write_atomically(folder / name, to_bytes(texture, name))
         for name, geometry in geometries.items():
             write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
         manifest.write(folder / "manifest.json")

@@ -94,9 +94,10 @@ def begin(
     with crew.probe(source) as worker:
         opening = monotonic() - start
         settings = CaptureSettings.usual(worker.kind, **asked)
-        exported = exported_parts(worker, settings.exact_geometry)
+        exported = exported_parts(worker, settings)
         geometries = exported.geometries
-        scene = AssetScene(tuple(geometries.values()), settings.sharpest, exported.transmittances())
+        materials = exported.transmittances(), exported.normal_maps()
+        scene = AssetScene(tuple(geometries.values()), settings.sharpest, *materials)
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         rate = _paths_a_second(scene, settings, domain, worker) * crew.backend().width()
@@ -114,7 +115,7 @@ def begin(
         settings=settings,
         blender=opened["blender"],
         generator=f"rna-capture {rna_sdk.__version__}",
-        opaque_cutouts=bool(exported.notes),
+        opaque_cutouts=exported.has_opaque_cutouts,
         emitters=tuple(opened["emitters"]),
         notes=(*opened["notes"], *exported.notes),
         processors=(processor_key(),),

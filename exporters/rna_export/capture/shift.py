@@ -94,4 +94,5 @@ def scene_of(dataset: Dataset) -> AssetScene:
     """All parts of a dataset, ready to be asked with rays."""
     geometries = [part.geometry() for part in dataset.parts]
     transmittances = [part.transmittance() for part in dataset.parts]
-    return AssetScene(geometries, dataset.manifest.settings.sharpest, transmittances)
+    maps = [part.normal_maps() for part in dataset.parts]
+    return AssetScene(geometries, dataset.manifest.settings.sharpest, transmittances, maps)

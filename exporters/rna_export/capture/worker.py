@@ -197,6 +197,15 @@ class BlenderWorker:
         }
         return found, answer["notes"]
 
+    def export_normal_maps(self, side: int) -> tuple[dict[str, np.ndarray], list[str]]:
+        """Normal maps by material, (h, w, 2) uint8 as in a package, and notes for the user.
+
+        side: texels along a side, at most.
+        """
+        textures, answer = self._exported("exportNormalMaps", side=side)
+        names = answer["materials"]
+        return {name: textures[str(k)] for k, name in enumerate(names)}, answer["notes"]
+
     def _exported(self, op: str, **request: Any) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
         path = self._folder / f"exported-{self._name}.npz"
         answer = self._ask(op=op, out=str(path), **request)
