@@ -4,7 +4,8 @@ toy.rays/
   manifest.json               parts, settings, source, what is planned
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
   transmittance/0.safetensors texture of a material that lets light through, as in a package
-  train/00000.safetensors     samples of some lights, arrays NAME/FIELD
+  train/00000.safetensors     samples of some lights, arrays NAME/FIELD; with NAME/weight where
+                              they were chosen, as by rna-make
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
 """
@@ -102,9 +103,9 @@ class Dataset:
             shards += 1
         return min(shards * settings.lights_per_shard, settings.lights)
 
-    def leave_out_lights_from(self, light: int) -> None:
-        """Shorten the plan to the lights before this one."""
-        settings = self.manifest.settings.model_copy(update={"lights": light})
+    def plan_lights(self, lights: int) -> None:
+        """Make the plan one of so many lights, the first ones as they were."""
+        settings = self.manifest.settings.model_copy(update={"lights": lights})
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")
 

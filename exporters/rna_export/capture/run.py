@@ -6,7 +6,7 @@ import hashlib
 import queue
 import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import monotonic
@@ -113,19 +113,23 @@ def finish(
     crew: Crew,
     limit: TimeLimit | None = None,
     say: Callable[[str], None] = print,
+    tasks: Sequence[Task] | None = None,
+    bars: Callable[..., tqdm] = tqdm,
 ) -> None:
     """Render every task whose file is missing. Ctrl-C loses only the tasks under way.
 
-    When the time of `limit` is up, the lights that are left are taken out of the plan.
+    When the time of `limit` is up, the lights that are left are taken out of the plan. tasks: of
+    the plan; None: all of it. bars: makes the progress bar.
     """
     for unfinished in dataset.folder.glob("*/*.part"):
         unfinished.unlink()
-    missing = [task for task in all_tasks(dataset) if not task.path(dataset).is_file()]
+    asked = all_tasks(dataset) if tasks is None else tasks
+    missing = [task for task in asked if not task.path(dataset).is_file()]
     if not missing:
         return
     total = sum(task.paths_to_trace(dataset) for task in missing)
     scene = scene_of(dataset)
-    with tqdm(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
+    with bars(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
         shift = _Shift(dataset, scene, source, crew, bar, limit)
         for task in missing:
             shift.todo.put(task)
@@ -133,8 +137,8 @@ def finish(
     if shift.failures:
         raise shift.failures[0]
     lights, there = dataset.manifest.settings.lights, dataset.lights_finished()
-    if there < lights:
-        dataset.leave_out_lights_from(there)
+    if limit is not None and there < lights:
+        dataset.plan_lights(there)
         say(f"the time is up: {there:,} of {lights:,} lights, which make a whole dataset")
 
 
