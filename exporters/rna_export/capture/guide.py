@@ -26,17 +26,20 @@ UNIFORM = 0.5
 """Share of the rays that are chosen without regard to the error: no weight is above 2."""
 
 _CANDIDATES = 4  # for each ray that is kept
-_VISIBLE, _ANGLES, _VOXELS, _LIGHTS = 2, (8, 6), 8, 8  # cells along each axis
-_PRIOR = 8.0  # samples' worth that a coarser cell says of a finer one
+_ANGLES, _VOXELS = (8, 6), 8  # cells along an angle, along a side of the bounds
+_SHAPE = (2, _ANGLES[0] * _ANGLES[1], _VOXELS**3, 8)  # visibility, angles, position, octant of wi
+_PRIOR = 8.0  # samples' worth that other cells say of one
 
 Samples = Mapping[str, np.ndarray]
+Cells = tuple[np.ndarray, ...]
+"""A place on each axis of _SHAPE."""
 
 
 @dataclass(frozen=True)
 class Guide:
     """The expected error of each part by cells, over its mean: 1 is usual.
 
-    parts: as the dataset has them. errors: of each, (cells,) float32.
+    parts: as the dataset has them. errors: of each, (2, angles, positions, lights) float32.
     """
 
     parts: tuple[CapturedPart, ...]
@@ -73,7 +76,7 @@ class Guide:
                 "wi": lights[on.rows],
                 "visible": visible[on.rows],
             }
-            expected[on.rows] = errors[_cells(part, at)[-1]]
+            expected[on.rows] = errors[_cells(part, at)]
         return expected
 
     def save(self, path: Path) -> None:
@@ -102,38 +105,52 @@ def thinned(probability: np.ndarray, rng: np.random.Generator) -> tuple[np.ndarr
 def relative_errors(part: CapturedPart, at: Samples, squared: np.ndarray) -> np.ndarray:
     """Of each cell, the root of its mean squared error over the mean of that over all samples.
 
-    at: n samples, with their `weight` if they have one. squared: (n,) their squared errors. A cell
-    of few samples is taken to be much as the coarser one that it is a part of.
+    at: n samples, with their `weight` if they have one. squared: (n,) their squared errors. Of a
+    cell with few samples, as most are, the axes say the most: errors of its angles, position and
+    light, over the usual one, multiplied.
     """
     weight = np.asarray(at.get("weight", np.ones(len(squared))), np.float64)
-    levels, of_whole = _cells(part, at), np.average(squared, weights=weight)
-    mean, size = np.array([of_whole]), 1
-    for cell, count in zip(levels, _sizes(), strict=True):
-        parent = np.repeat(mean, count // size)
-        total = np.bincount(cell, weight * squared, count) + _PRIOR * parent
-        mean, size = total / (np.bincount(cell, weight, count) + _PRIOR), count
-    error = np.sqrt(mean)
-    usual = np.average(error[levels[-1]], weights=weight)
+    cells = _cells(part, at)
+    of_whole = np.full(_SHAPE, np.average(squared, weights=weight))
+    of_visibility = _mean(cells, (0,), weight, squared, of_whole)
+    expected = of_visibility
+    for axis in (1, 2, 3):
+        own = _mean(cells, (0, axis), weight, squared, of_visibility)
+        expected = expected * own / np.maximum(of_visibility, 1e-30)
+    error = np.sqrt(_mean(cells, (0, 1, 2, 3), weight, squared, expected))
+    usual = np.average(error[cells], weights=weight)
     return (error / max(usual, 1e-12)).astype(np.float32)
 
 
-def _sizes() -> list[int]:
-    """How many cells each level has."""
-    angles = _VISIBLE * _ANGLES[0] * _ANGLES[1]
-    return [angles, angles * _VOXELS**3, angles * _VOXELS**3 * _LIGHTS]
+def _mean(
+    cells: Cells,
+    axes: tuple[int, ...],
+    weight: np.ndarray,
+    squared: np.ndarray,
+    expected: np.ndarray,
+) -> np.ndarray:
+    """Weighted mean over the samples that share a place on these axes, _SHAPE.
+
+    Drawn towards what is expected, _SHAPE, which counts as much as a few samples.
+    """
+    size = tuple(_SHAPE[axis] if axis in axes else 1 for axis in range(len(_SHAPE)))
+    place = np.ravel_multi_index(tuple(cells[axis] for axis in axes), [_SHAPE[a] for a in axes])
+    total, count = (
+        np.bincount(place, values, int(np.prod(size))).reshape(size)
+        for values in (weight * squared, weight)
+    )
+    return (total + _PRIOR * expected) / (count + _PRIOR)
 
 
-def _cells(part: CapturedPart, at: Samples) -> list[np.ndarray]:
-    """The cell of each sample: by visibility and angles; then also by position; and by light."""
+def _cells(part: CapturedPart, at: Samples) -> Cells:
+    """Where each sample lies on the axes of a table: visibility, angles, position, light."""
     visible = np.asarray(at["visible"], np.float32).reshape(len(at["wi"]), -1).mean(axis=1) > 0.5
     spread, across = _surface_angles(at) if part.kind == "surface" else _fiber_angles(at)
     angles = _place(spread, _ANGLES[0]) * _ANGLES[1] + _place(across, _ANGLES[1])
     low, high = np.float32(part.bounds)
     voxel = _place((at["position"] - low) / np.maximum(high - low, 1e-9), _VOXELS)
-    coarse = visible * (_ANGLES[0] * _ANGLES[1]) + angles
-    fine = coarse * _VOXELS**3 + voxel @ np.array([_VOXELS**2, _VOXELS, 1])
     octant = (at["wi"] > 0.0) @ np.array([4, 2, 1])
-    return [coarse, fine, fine * _LIGHTS + octant]
+    return visible.astype(np.int64), angles, voxel @ np.array([_VOXELS**2, _VOXELS, 1]), octant
 
 
 def _place(x: np.ndarray, count: int) -> np.ndarray:

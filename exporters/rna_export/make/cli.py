@@ -163,7 +163,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.run import Crew
     from rna_export.capture.settings import CaptureSettings
     from rna_export.capture.worker import Source
-    from rna_export.make.run import Make, Order, export
+    from rna_export.make.order import Order
+    from rna_export.make.run import Make, export
     from rna_export.make.state import Asked
     from rna_export.memory import keep_freed_memory
     from rna_export.training.device import chosen_device

@@ -61,10 +61,6 @@ class Phase:
             table = SampleTable(part.samples_of(shards), device=self.device)
             train(run, table, _quiet, stage.part(k / len(parts), 1 / len(parts)))
 
-    def trained(self) -> list[Trained]:
-        """The best model of each part."""
-        return trained_in(self.folder, self.dataset)
-
     def _start(self, part: str) -> Path | None:
         if self.start is None:
             return None
@@ -83,6 +79,12 @@ class Phase:
             learning_rate=_RESTART * training.learning_rate,
             plane_learning_rate=_RESTART * training.plane_learning_rate,
         )
+
+
+def phase_folder(work: Path, preset: str, number: int | None) -> Path:
+    """Of a preset's phase: that of a round, from 0 on, or its last one."""
+    name = "last" if number is None else f"round-{number + 1:02d}"
+    return work / "runs" / preset / name
 
 
 def trained_in(folder: Path, dataset: Dataset) -> list[Trained]:
