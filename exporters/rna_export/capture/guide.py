@@ -144,13 +144,14 @@ def _mean(
 
 def _cells(part: CapturedPart, at: Samples) -> Cells:
     """Where each sample lies on the axes of a table: visibility, angles, position, light."""
-    visible = np.asarray(at["visible"], np.float32).reshape(len(at["wi"]), -1).mean(axis=1) > 0.5
+    visible = at["visible"] if at["visible"].ndim == 1 else at["visible"].mean(axis=1)
     spread, across = _surface_angles(at) if part.kind == "surface" else _fiber_angles(at)
     angles = _place(spread, _ANGLES[0]) * _ANGLES[1] + _place(across, _ANGLES[1])
     low, high = np.float32(part.bounds)
     voxel = _place((at["position"] - low) / np.maximum(high - low, 1e-9), _VOXELS)
     octant = (at["wi"] > 0.0) @ np.array([4, 2, 1])
-    return visible.astype(np.int64), angles, voxel @ np.array([_VOXELS**2, _VOXELS, 1]), octant
+    lit = (visible > 0.5).astype(np.int64)
+    return lit, angles, voxel @ np.array([_VOXELS**2, _VOXELS, 1]), octant
 
 
 def _place(x: np.ndarray, count: int) -> np.ndarray:

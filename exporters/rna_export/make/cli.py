@@ -229,14 +229,11 @@ def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
         found = tier.validation
         lines.append(f"{tier.name}: PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}")
         lead = found if tier.name == made.lead else lead
-    is_met = goal is not None and goal.met_by(lead)
-    if goal is None:
-        end = made.why
-    elif is_met:
+    end = "the error stopped falling" if made.why == "stopped falling" else made.why
+    if goal is not None and goal.met_by(lead):
         end = f"goal met: {goal}"
-    else:
-        why = "the error stopped falling" if made.why == "stopped falling" else made.why
-        end = f"goal not met, {why}: {goal}"
+    elif goal is not None:
+        end = f"goal not met, {end}: {goal}"
     return "\n".join([*lines, f"{end}; {made.rounds} rounds of rays"])
 
 
