@@ -15,7 +15,7 @@ UNIT_BOX = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
 def batch(kind: str, target: torch.Tensor, weight: torch.Tensor | None) -> dict[str, torch.Tensor]:
     """Samples at one point, seen and lit alike, of these radiances (n,)."""
     n = len(target)
-    up = torch.tensor([[0.0, 0.0, 1.0]]).expand(n, 3)
+    up = torch.tensor([[0.0, 0.0, 1.0]]).repeat(n, 1)
     at = {"position": 0.5 * up, "wo": up, "wi": up, "visible": torch.ones(n)}
     at["radiance"] = target[:, None].expand(n, 3)
     if kind == "surface":
