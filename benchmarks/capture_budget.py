@@ -24,7 +24,7 @@ from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.validation_view import ValidationView
 from rna_export.memory import keep_freed_memory
-from rna_export.metrics import PSNR_DEFINITION
+from rna_export.metrics import WITHOUT_NOISE_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.presets import PRESETS
 from rna_export.training.run import Run, train
@@ -73,7 +73,7 @@ def main() -> None:
         for resolution in RESOLUTIONS:
             rows.append(_trained(plan, resolution, dataset, views, args))
     _draw(rows, args.chart)
-    settings = {"paths": args.paths, "steps": args.steps, "psnr": f"{PSNR_DEFINITION}; no noise"}
+    settings = {"paths": args.paths, "steps": args.steps, "psnr": WITHOUT_NOISE_DEFINITION}
     publish({**settings, "source": args.source.name, "rows": rows}, args.out)
 
 
@@ -106,7 +106,7 @@ def _trained(
         "rays_a_light": plan.rays,
         "lights": plan.lights(args.paths),
         "planes": resolution,
-        "psnr": scores.psnr_without_noise,
+        "psnr": scores.psnr_without_noise.db,
         "flip": scores.flip,
     }
 

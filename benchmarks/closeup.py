@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import tempfile
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,7 @@ from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.compare.run import Pair, judge, render_cycles, render_ours
 from rna_export.compare.views import shots_of
 from rna_export.machine import default_workers
-from rna_export.metrics import PSNR_DEFINITION, to_png
+from rna_export.metrics import WITHOUT_NOISE_DEFINITION, NoiselessPsnr, to_png
 from rna_render.render import place_asset
 from rna_render.world import World
 from rna_sdk.console import split_script_arguments
@@ -52,13 +53,13 @@ def main() -> None:
     Image.fromarray(to_png(picture)).save(args.picture)
     results = {
         name: {
-            "psnr": float(np.mean([p.psnr_without_noise for p in column])),
+            "psnr": asdict(NoiselessPsnr.mean([p.psnr_without_noise for p in column])),
             "flip": float(np.mean([p.flip for p in column])),
-            "lights": {p.shot.light_name: p.psnr_without_noise for p in column},
+            "lights": {p.shot.light_name: asdict(p.psnr_without_noise) for p in column},
         }
         for name, column in pairs.items()
     }
-    publish({"psnr": f"{PSNR_DEFINITION}; no noise", "packages": results}, args.out)
+    publish({"psnr": WITHOUT_NOISE_DEFINITION, "packages": results}, args.out)
 
 
 def _parser() -> argparse.ArgumentParser:

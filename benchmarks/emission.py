@@ -82,7 +82,7 @@ def _measured(
     found = {
         name: {
             "brightness": _brightness(ours[where], beside.reference[where]),
-            "psnr": beside.psnr(ours, where),
+            "psnr": beside.psnr(ours, where).db,
         }
         for name, where in (("asset", covered), ("things", ~covered))
     }

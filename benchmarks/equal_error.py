@@ -29,7 +29,7 @@ from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.compare.run import Timed, render_ours
 from rna_export.compare.views import FOV_Y, Shot, shots_of
 from rna_export.machine import default_workers
-from rna_export.metrics import PSNR_DEFINITION, psnr_without_noise
+from rna_export.metrics import IRRADIANCE, WITHOUT_NOISE_DEFINITION, display, psnr_without_noise
 from rna_render.render import place_asset
 from rna_render.world import World
 from rna_sdk.console import split_script_arguments
@@ -54,7 +54,7 @@ def main() -> None:
         "shot": shot.name,
         "resolution": args.resolution,
         "cores": len(os.sched_getaffinity(0)),
-        "psnr": PSNR_DEFINITION,
+        "psnr": WITHOUT_NOISE_DEFINITION,
         "reference_samples": 2 * args.reference_samples,
         "cycles": [
             {"samples": n, "seconds": image.seconds, "psnr": cycles.psnr(image.pixels)}
@@ -90,7 +90,8 @@ class _Cycles:
         return Timed(image, time.perf_counter() - begun)
 
     def psnr(self, image: np.ndarray) -> float:
-        return psnr_without_noise(image[self._covered][:, :3], *self._halves)
+        ours = display(image[self._covered][:, :3]) / IRRADIANCE  # its noise, too, as displayed
+        return psnr_without_noise(ours, *self._halves).db
 
 
 def _ours(asset: Asset, shot: Shot, samples: int, args: argparse.Namespace) -> Timed:

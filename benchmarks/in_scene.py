@@ -129,8 +129,8 @@ def _measure(
 
 def _quality(beside: Beside, image: np.ndarray) -> dict[str, float]:
     return {
-        "psnr_asset": beside.psnr(image),
-        "psnr_everywhere": beside.psnr(image, np.ones_like(beside.asset)),
+        "psnr_asset": beside.psnr(image).db,
+        "psnr_everywhere": beside.psnr(image, np.ones_like(beside.asset)).db,
         "flip": beside.flip(image)[0],
     }
 

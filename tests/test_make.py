@@ -50,7 +50,7 @@ STAGES = (  # a file of the work folder that appears in each
     "rays/validation/*.safetensors",
     "rays/train/00000.safetensors",
     "runs/small/round-01/last.ckpt",
-    "guide-02.safetensors",
+    "rays/guides/02.safetensors",
     "runs/small/round-02/last.ckpt",
     "runs/small/last/last.ckpt",
     "runs/tiny/last/best.ckpt",

@@ -11,7 +11,7 @@ import numpy as np
 from rna_export.capture.worker import BlenderWorker
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.compare.run import Timed
-from rna_export.metrics import IRRADIANCE, flip, psnr_without_noise, to_png
+from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
 from rna_render.camera import Camera
 from rna_render.render import load_world, make_integrator, render
 from rna_render.scene_file import SceneFile
@@ -40,10 +40,11 @@ class Beside:
     def reference(self) -> np.ndarray:
         return self.halves.mean(axis=0, dtype=np.float32)
 
-    def psnr(self, image: np.ndarray, where: np.ndarray | None = None) -> float:
-        """Without noise, over the asset's pixels, or those given."""
+    def psnr(self, image: np.ndarray, where: np.ndarray | None = None) -> NoiselessPsnr:
+        """Of the image as displayed, without the references' noise, over the asset or `where`."""
         rows = self.asset if where is None else where
-        return psnr_without_noise(*(self._shown(i)[rows] for i in (image, *self.halves)))
+        ours = display(self._shown(image)) / IRRADIANCE  # its own noise is an error, as displayed
+        return psnr_without_noise(ours[rows], *(self._shown(h)[rows] for h in self.halves))
 
     def flip(self, image: np.ndarray) -> tuple[float, np.ndarray]:
         """Mean and map, (h, w)."""

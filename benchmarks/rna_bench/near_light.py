@@ -46,7 +46,7 @@ def near_lights(
         beside = Beside.of(np.stack(halves), covered)
         ours = OurScene(scene).render(samples).pixels
         brightness = float(ours[covered].mean() / beside.reference[covered].mean())
-        error = beside.psnr(ours), beside.flip(ours)[0]
+        error = beside.psnr(ours).db, beside.flip(ours)[0]
         yield NearLight(distance, *error, brightness, beside.strip(ours))
 
 

@@ -21,6 +21,7 @@ from rna_sdk.package.manifest_tiers import (
     Validation,
 )
 from rna_sdk.package.mesh import Mesh
+from rna_sdk.package.normal_maps import NormalMap
 from rna_sdk.package.package import Package
 from rna_sdk.package.planes import Int8Planes, Planes
 from rna_sdk.package.tier_ranges import tier_ranges
@@ -42,6 +43,7 @@ __all__ = [
     "Issue",
     "Manifest",
     "Mesh",
+    "NormalMap",
     "Package",
     "PackageError",
     "Part",

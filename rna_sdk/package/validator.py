@@ -16,13 +16,14 @@ from rna_sdk.package.deflate import decoded_entry
 from rna_sdk.package.extensions import Deflate, Proxy, extension
 from rna_sdk.package.geometry import QUANTISED_VERSION, Geometry, geometry_from_bytes
 from rna_sdk.package.issues import Code, Issue, Severity
-from rna_sdk.package.manifest import Manifest, TransmittanceRecord
+from rna_sdk.package.manifest import Manifest, NormalMapRecord, TransmittanceRecord
 from rna_sdk.package.manifest_checks import manifest_warnings
 from rna_sdk.package.manifest_fields import Bounds, version_number
 from rna_sdk.package.manifest_reader import parse_manifest
 from rna_sdk.package.manifest_short import Places
 from rna_sdk.package.manifest_tiers import TierPart
 from rna_sdk.package.mesh import Mesh
+from rna_sdk.package.normal_maps import check_normal_maps, normals_from_bytes
 from rna_sdk.package.planes import check_finite, planes_from_bytes
 from rna_sdk.package.poster import poster_issues
 from rna_sdk.package.strict_json import pointer
@@ -137,6 +138,8 @@ def _check_contents(
                     textures = _Textures(result, container, intact)
                     where = places.part(k, "transmittance")
                     check_records(part, geometry, textures.get, where)
+                    where = places.part(k, "normalMaps")
+                    check_normal_maps(part, geometry, textures.get_map, where)
     result.issues += poster_issues(container, manifest, intact)
     _check_proxies(result, container, manifest, intact)
     checked: set[object] = set()  # tiers and parts may share entries
@@ -189,6 +192,15 @@ class _Textures:
         if record.texture in self._intact and key not in self._refused:
             with self._result.collect():
                 return texture_from_bytes(self._container.view(record.texture), record)
+            self._refused.add(key)
+        return None
+
+    def get_map(self, record: NormalMapRecord) -> Texture | None:
+        """Likewise."""
+        key = record.texture, False
+        if record.texture in self._intact and key not in self._refused:
+            with self._result.collect():
+                return normals_from_bytes(self._container.view(record.texture), record.texture)
             self._refused.add(key)
         return None
 

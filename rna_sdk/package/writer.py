@@ -19,6 +19,7 @@ from rna_sdk.package.manifest import EntryRecord, Manifest
 from rna_sdk.package.manifest_short import Places
 from rna_sdk.package.manifest_tiers import Tier, TierPart
 from rna_sdk.package.manifest_writer import is_written_short, manifest_to_json, with_versions
+from rna_sdk.package.normal_maps import normals_to_bytes
 from rna_sdk.package.planes import DTYPES, Planes, planes_to_bytes
 from rna_sdk.package.transmittance import Texture, texture_to_bytes
 from rna_sdk.package.validator import inspect
@@ -58,7 +59,7 @@ def write_package(
             what it needs.
         geometries: of each part, a Mesh for a surface, Curves for fibers.
         data: of every tier of the manifest, by name: that of each part.
-        textures: of every transmittance, by the name of the entry: (H, W, C) uint8.
+        textures: of every transmittance and normal map, by the name of the entry: (H, W, C) uint8.
 
     Returns:
         The manifest as it is read again.
@@ -131,6 +132,12 @@ class _Contents:
                     refuse(Code.REFERENCE_MISSING, where, "no such texture", record.texture)
                 data = texture_to_bytes(textures[record.texture], record.texture)
                 self._add(where, record.texture, data)
+            for j, mapped in enumerate(part.normal_maps):
+                where = self._places.part(k, "normalMaps", j, "texture")
+                if mapped.texture not in textures:
+                    refuse(Code.REFERENCE_MISSING, where, "no such texture", mapped.texture)
+                data = normals_to_bytes(textures[mapped.texture], mapped.texture)
+                self._add(where, mapped.texture, data)
 
     def add_tiers(self, data: Mapping[str, Sequence[TierData]]) -> None:
         """Planes and decoders of every tier."""

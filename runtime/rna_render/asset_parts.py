@@ -7,6 +7,7 @@ from typing import Literal, Protocol
 
 import numpy as np
 
+from rna_render.normal_maps import NormalMap, NormalMaps
 from rna_render.transmittance import Transmittance, TransmittanceTexture
 from rna_sdk.package import Curves, Mesh
 
@@ -47,6 +48,9 @@ class SurfacePart(Protocol):
 
     @property
     def transmittance_records(self) -> Sequence[TransmittanceRecord]: ...
+
+    @property
+    def normal_maps(self) -> Sequence[NormalMap]: ...
 
     def evaluate(
         self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
@@ -103,6 +107,13 @@ def part_transmittance(part: AssetPart) -> Transmittance | None:
     if part.kind == "fiber":
         return None
     return mesh_transmittance(part.mesh, part.transmittance_records)
+
+
+def part_normal_maps(part: AssetPart) -> NormalMaps | None:
+    """The relief of a part; None where it has none."""
+    if part.kind == "fiber" or not part.normal_maps:
+        return None
+    return NormalMaps(part.mesh, part.normal_maps)
 
 
 def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:

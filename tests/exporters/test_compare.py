@@ -12,7 +12,7 @@ from rna_export.capture.orientation import joined_axes, rotation
 from rna_export.compare.page import write_page
 from rna_export.compare.run import Pair
 from rna_export.compare.views import Shot, shots
-from rna_export.metrics import flip, psnr
+from rna_export.metrics import NoiselessPsnr, flip, psnr
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 
@@ -94,6 +94,8 @@ def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
     write_page(tmp_path, "a <b>", pairs, {"samples": 4})
     results = json.loads((tmp_path / "results.json").read_text())
     assert results["psnr"] == pytest.approx(np.mean([p.psnr for p in pairs]))
+    assert results["psnr_without_noise"]["low"] == pytest.approx(29.5)
+    assert [p["psnr_without_noise"]["low"] for p in results["pictures"]] == [29.0, 30.0]
     assert [p["name"] for p in results["pictures"]] == [p.shot.name for p in pairs]
     page = (tmp_path / "index.html").read_text()
     assert "a &lt;b&gt;" in page
@@ -106,4 +108,5 @@ def _pair(shot: Shot, seed: int) -> Pair:
     rng = np.random.default_rng(seed)
     ours, cycles = rng.random((2, 16, 16, 3), dtype=np.float32) * 0.3
     mean, error = flip(ours, cycles)
-    return Pair(shot, ours, cycles, error, psnr(ours, cycles), 30.0, mean, 0.0, 0.5, 1.0)
+    clean = NoiselessPsnr(30.0, 29.0 + seed, 31.0)
+    return Pair(shot, ours, cycles, error, psnr(ours, cycles), clean, mean, 0.0, 0.5, 1.0)

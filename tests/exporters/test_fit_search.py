@@ -9,6 +9,7 @@ import pytest
 from rna_export.fit.candidate import Candidate
 from rna_export.fit.goal import Goal
 from rna_export.fit.search import search
+from rna_export.metrics import NoiselessPsnr
 from rna_export.trials.scores import ModelScores
 from rna_export.trials.trial import Trial
 from rna_sdk.errors import TrainingError
@@ -20,7 +21,7 @@ STEPS = 1600
 def scores(psnr: float) -> ModelScores:
     return ModelScores(
         psnr=psnr,
-        psnr_without_noise=psnr,
+        psnr_without_noise=NoiselessPsnr(psnr, psnr, psnr),
         flip=10.0 ** (-psnr / 20.0),
         p99=0.1,
         relative_mse=0.1,

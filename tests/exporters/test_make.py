@@ -47,7 +47,7 @@ class Cycles:
 
     stop_after: float = math.inf
     shards: int = 0
-    guided: dict[int, Guide | None] = field(default_factory=dict)
+    guided: dict[int, int | None] = field(default_factory=dict)
 
     def begin(self, source: Source, asked: dict[str, Any], out: Path, *_: Any) -> Dataset:
         dataset = make_dataset(out, shards=1).dataset

@@ -115,6 +115,21 @@ def test_blur_goes_from_4_to_1_over_the_first_fifth(
     assert used == pytest.approx([4.0, 3.25, 2.5, 1.15, 1.0, 1.0, 1.0])
 
 
+@pytest.mark.parametrize("kind", PRESETS)
+@pytest.mark.parametrize(("preset", "ending"), [("small", "unbiased"), ("paper-small", "log")])
+def test_ours_end_with_the_unbiased_loss(
+    kind: str, preset: str, ending: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fitting, rows = make_fitting(kind, preset)
+    used, sample_loss = [], fitting_module.sample_loss
+    monkeypatch.setattr(
+        fitting_module, "sample_loss", lambda *a: used.append(a[3]) or sample_loss(*a)
+    )
+    for progress in (0.0, 0.89, 0.91):
+        fitting.step(rows, progress)
+    assert used == ["log", "log", ending]
+
+
 @pytest.mark.parametrize(("kind", "preset"), ALL)
 def test_the_planes_start_small_and_the_answer_finite(kind: str, preset: str) -> None:
     small = PRESETS[kind][preset].model.model_copy(update={"resolution": 8})

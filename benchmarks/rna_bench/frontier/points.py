@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 from rna_export.trials.cost import Costs
@@ -58,7 +59,7 @@ def _point(record: Record, precision: str, point: Point, costs: Costs | None) ->
         "ns_one_thread": cost.ns_one_thread if cost else None,
         "share_of_gemm": share,
         "psnr": scores.psnr,
-        "psnr_without_noise": scores.psnr_without_noise,
+        "psnr_without_noise": asdict(scores.psnr_without_noise),
         "flip": scores.flip,
         "p99": scores.p99,
         "views": [view.model_dump() for view in scores.views],

@@ -14,7 +14,9 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import curves_export
 import mesh_export
+import normal_maps
 import ray_render
+import read_files
 import scene_parts
 import scene_render
 import source_scene
@@ -22,6 +24,7 @@ import transparency
 
 
 def open_scene(request):
+    read_files.watch()
     source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
     notes = source_scene.keep_only_the_asset()
     parts = scene_parts.find_parts(request["parts"])
@@ -33,6 +36,7 @@ def open_scene(request):
         "notes": notes,
         "blender": source_scene.blender_version(),
         "emitters": emitters,
+        "files": read_files.files_of(request["source"]),
     }
 
 
@@ -40,6 +44,7 @@ HANDLERS = {
     "open": open_scene,
     "exportCurves": lambda request: curves_export.export_curves(request["out"], request["owner"]),
     "exportMesh": lambda request: mesh_export.export_mesh(request["out"], request["owner"]),
+    "exportNormalMaps": lambda r: normal_maps.export_normal_maps(r["out"], r["side"]),
     "exportTransparency": lambda request: transparency.export_transparency(request["out"]),
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import subprocess
 import sys
@@ -33,6 +34,20 @@ def find_python() -> Path:
             f"'rna-capture --setup-blender', or set {VARIABLE} to a Python 3.11 that can import bpy"
         )
     return python
+
+
+def find_or_set_up() -> Path:
+    """The interpreter; its environment is made where it is missing, by one process at a time.
+
+    Raises CaptureError if it cannot be made, or if the variable names none.
+    """
+    if os.environ.get(VARIABLE) or _is_whole(default_folder()):
+        return find_python()
+    folder = default_folder()
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with folder.with_name(folder.name + ".lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        return find_python() if _is_whole(folder) else set_up()
 
 
 def _is_whole(folder: Path) -> bool:

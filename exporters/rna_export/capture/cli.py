@@ -21,6 +21,7 @@ from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
+from rna_work.places import add_cluster_option, place
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset import Dataset
@@ -41,6 +42,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "domain",
     "parts",
     "sharpest",
+    "normal_texels",
     "clamp_direct",
     "clamp_indirect",
     "validation_views",
@@ -91,12 +93,7 @@ def parser() -> argparse.ArgumentParser:
         "limit)",
     )
     add_settings(p, _OPTIONS)
-    p.add_argument(
-        "--workers",
-        type=int,
-        default=default_workers(),
-        help="Blender processes, one thread each (int, default: one a core, here %(default)s)",
-    )
+    add_workers(p)
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
     )
@@ -127,6 +124,17 @@ def add_settings(p: argparse.ArgumentParser, names: Sequence[str]) -> None:
         const=True,
         help=f"{CaptureSettings.model_fields['exact_geometry'].description} (default: off)",
     )
+
+
+def add_workers(p: argparse.ArgumentParser) -> None:
+    """The options for who captures."""
+    p.add_argument(
+        "--workers",
+        type=int,
+        help="Blender processes, one thread each (int, default: one a core, here "
+        f"{default_workers()})",
+    )
+    add_cluster_option(p)
 
 
 def _usual(name: str) -> str:
@@ -194,19 +202,20 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     python = blender_env.find_python()
     scratch = args.out / "scratch"  # ray images; those of a killed capture go here
     shutil.rmtree(scratch, ignore_errors=True)
-    crew = Crew(python, scratch, args.workers)
     begun = (args.out / "manifest.json").is_file()
     try:
-        if begun:
-            dataset = _continue(args.out, args.source, arguments, asked)
-            _check_scene(dataset, for_scene)
-            settings = dataset.manifest.settings
-        else:
-            settings = CaptureSettings(**asked)
-        source = Source.captured(args.source, arguments, settings)
-        if not begun:
-            dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
-        finish(dataset, source, crew, limit)
+        with place(args.cluster) as where:
+            crew = Crew(python, scratch, args.workers, where)
+            if begun:
+                dataset = _continue(args.out, args.source, arguments, asked)
+                _check_scene(dataset, for_scene)
+                settings = dataset.manifest.settings
+            else:
+                settings = CaptureSettings(**asked)
+            source = Source.captured(args.source, arguments, settings)
+            if not begun:
+                dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
+            finish(dataset, source, crew, limit)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
     print(
@@ -243,8 +252,8 @@ def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) 
 
 def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
     """Refuse to go on for a scene that asks for other directions."""
-    from rna_export.capture.run import scene_of
     from rna_export.capture.scene_domain import scene_domain
+    from rna_export.capture.shift import scene_of
 
     manifest = dataset.manifest
     if for_scene is None:

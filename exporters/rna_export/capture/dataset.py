@@ -4,8 +4,10 @@ toy.rays/
   manifest.json               parts, settings, source, what is planned
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
   transmittance/0.safetensors texture of a material that lets light through, as in a package
+  normals/0.safetensors       normal map of a material, as in a package
   train/00000.safetensors     samples of some lights, arrays NAME/FIELD; with NAME/weight where
-                              they were chosen, as by rna-make
+                              a guide chose them, as by rna-make
+  guides/02.safetensors       where rna-make found the model to err, before its second round
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
 """
@@ -26,7 +28,18 @@ from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.normal_maps import normals_to_bytes
 from rna_sdk.package.transmittance import texture_to_bytes
+
+_FOLDERS = (
+    "geometry",
+    "transmittance",
+    "normals",
+    "train",
+    "guides",
+    "emission",
+    "validation",
+)
 
 
 class Dataset:
@@ -61,10 +74,11 @@ class Dataset:
         geometries: of each part. textures: of all transmittance, by the names that records have.
         """
         folder = Path(folder)
-        for inner in ("geometry", "transmittance", "train", "emission", "validation"):
+        for inner in _FOLDERS:
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for name, texture in (textures or {}).items():
-            write_atomically(folder / name, texture_to_bytes(texture, name))
+            to_bytes = normals_to_bytes if name.startswith("normals/") else texture_to_bytes
+            write_atomically(folder / name, to_bytes(texture, name))
         for name, geometry in geometries.items():
             write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
         manifest.write(folder / "manifest.json")
@@ -117,6 +131,9 @@ class Dataset:
 
     def validation_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
+
+    def guide_path(self, number: int) -> Path:
+        return self.folder / "guides" / f"{number:02d}.safetensors"
 
     def emission_path(self, shard: int) -> Path:
         return self.folder / "emission" / f"{shard:05d}.safetensors"

@@ -16,7 +16,8 @@ from rna_export.capture.stored_geometry import geometry_from_arrays
 from rna_export.capture.validation_view import EmissionView, ValidationView
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Mesh
-from rna_sdk.package.manifest import TransmittanceRecord
+from rna_sdk.package.manifest import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.normal_maps import NormalMap, normals_from_bytes
 from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
 
 if TYPE_CHECKING:
@@ -67,9 +68,24 @@ class DatasetPart:
             for record in self.captured.transmittance
         )
 
+    def normal_maps(self) -> tuple[NormalMap, ...]:
+        """The relief of its triangles; none of a part without."""
+        return tuple(
+            NormalMap(*record.triangles, self._map(record)) for record in self.captured.normal_maps
+        )
+
     def textures(self) -> dict[str, np.ndarray]:
-        """Those of `transmittance`, by the names that the records have for them."""
-        return {record.texture: self._texture(record) for record in self.captured.transmittance}
+        """Those of both, by the names that the records have for them."""
+        found = {record.texture: self._texture(record) for record in self.captured.transmittance}
+        maps = {record.texture: self._map(record) for record in self.captured.normal_maps}
+        return {**found, **maps}
+
+    def _map(self, record: NormalMapRecord) -> np.ndarray:
+        path = self.folder / record.texture
+        try:
+            return normals_from_bytes(memoryview(path.read_bytes()), record.texture)
+        except (OSError, PackageError) as error:
+            raise CaptureError(DAMAGED.format(path, error)) from error
 
     def _texture(self, record: TransmittanceRecord) -> np.ndarray:
         path = self.folder / record.texture

@@ -5,9 +5,9 @@ Arrays are named PART/FIELD; those of one part have a row for each sample of tha
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from uuid import uuid4
 
 import numpy as np
 from safetensors import SafetensorError, safe_open
@@ -63,7 +63,11 @@ def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
 
 
 def write_atomically(path: Path, data: bytes) -> None:
-    """Write under a temporary name, then rename."""
-    temporary = path.with_name(path.name + f".{os.getpid()}.part")
-    temporary.write_bytes(data)
-    temporary.replace(path)
+    """Write under a temporary name, which no process of another machine has either, then rename."""
+    temporary = path.with_name(f"{path.name}.{uuid4().hex[:12]}.part")
+    try:
+        temporary.write_bytes(data)
+        temporary.replace(path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise

@@ -37,11 +37,12 @@ Samples = dict[str, dict[str, np.ndarray]]
 class TrainingShard:
     """Samples of `lights_per_shard` light directions.
 
-    guide: chooses the view rays, whose samples then have weights; None: all count alike.
+    guide: number of that which chooses the view rays, whose samples then have weights; None: all
+    count alike.
     """
 
     index: int
-    guide: Guide | None = None
+    guide: int | None = None
 
     def path(self, dataset: Dataset) -> Path:
         return dataset.train_path(self.index)
@@ -70,7 +71,8 @@ class TrainingShard:
             rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
             extra = {}
         else:
-            rays, weight = self.guide.rays(scene, wi, settings.rays, domain.wo, rng)
+            guide = Guide.load(dataset.guide_path(self.guide), [p.captured for p in dataset.parts])
+            rays, weight = guide.rays(scene, wi, settings.rays, domain.wo, rng)
             extra = {"weight": weight}
         seed = int(rng.integers(2**31))
         return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng, extra)

@@ -47,6 +47,11 @@ class ValidationView:
         return self.samples["radiance"]
 
     @property
+    def visible(self) -> np.ndarray:
+        """How much of the light the asset lets through, (n,) or (n, 3)."""
+        return self.samples["visible"]
+
+    @property
     def queries(self) -> dict[str, np.ndarray]:
         """What a model is asked, by name, in the order of `evaluate`'s arguments."""
         return queries_of(self.samples)
@@ -91,6 +96,13 @@ class WholeView:
     def reference(self) -> np.ndarray:
         """See `CapturedImage`."""
         return np.concatenate([part.reference for part in self.parts])
+
+    @property
+    def visible(self) -> np.ndarray:
+        """Share of the light that the asset lets through, (n,), the mean of its channels."""
+        return np.concatenate(
+            [part.visible.reshape(len(part.pixel), -1).mean(axis=1) for part in self.parts]
+        )
 
     @cached_property
     def halves(self) -> np.ndarray:

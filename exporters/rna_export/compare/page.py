@@ -4,20 +4,28 @@ from __future__ import annotations
 
 import html
 import json
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
 from rna_export.compare.run import Pair
-from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, display, to_png
+from rna_export.metrics import (
+    FLIP_DEFINITION,
+    PSNR_DEFINITION,
+    WITHOUT_NOISE_DEFINITION,
+    NoiselessPsnr,
+    display,
+    to_png,
+)
 
 _STYLE = (
     "body{font:15px/1.4 sans-serif;margin:2em;background:#181818;color:#ddd}"
     "img{width:100%;display:block}td{padding:4px;vertical-align:top;width:25%}"
     "table{border-collapse:collapse;width:100%}th{text-align:left}"
 )
-_NUMBERS = ("psnr", "psnr_without_noise", "flip", "coverage", "seconds_ours", "seconds_cycles")
+_NUMBERS = ("psnr", "flip", "coverage", "seconds_ours", "seconds_cycles")
 
 
 def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, object]) -> None:
@@ -39,7 +47,8 @@ def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, 
         f"<style>{_STYLE}</style><h1>{html.escape(title)}</h1>"
         f"<p>{html.escape(json.dumps(settings))}</p><p>mean PSNR {summary['psnr']:.2f} dB, "
         f"mean FLIP {summary['flip']:.4f}</p><p>{html.escape(PSNR_DEFINITION)}; FLIP: "
-        f"{html.escape(FLIP_DEFINITION)}</p><table>{''.join(rows)}</table>"
+        f"{html.escape(FLIP_DEFINITION)}; without the noise of Cycles: "
+        f"{html.escape(WITHOUT_NOISE_DEFINITION)}</p><table>{''.join(rows)}</table>"
     )
     (folder / "index.html").write_text(page)
     results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
@@ -63,14 +72,23 @@ def _caption(kind: str, pair: Pair) -> str:
         "ours": f"ours, {pair.seconds_ours:.2f} s",
         "cycles": f"Cycles, {pair.seconds_cycles:.2f} s",
         "difference": f"difference x 4, PSNR {pair.psnr:.2f} dB, without the noise of Cycles "
-        f"{pair.psnr_without_noise:.2f} dB",
+        f"{pair.psnr_without_noise}",
         "flip": f"FLIP {pair.flip:.4f}",
     }[kind]
 
 
-def _summary(pairs: list[Pair]) -> dict[str, float]:
-    return {name: float(np.mean([getattr(pair, name) for pair in pairs])) for name in _NUMBERS}
+def _summary(pairs: list[Pair]) -> dict[str, object]:
+    clean = NoiselessPsnr.mean([pair.psnr_without_noise for pair in pairs])
+    means = {name: float(np.mean([getattr(pair, name) for pair in pairs])) for name in _NUMBERS}
+    return {**means, "psnr_without_noise": asdict(clean)}
 
 
 def _numbers(pairs: list[Pair]) -> list[dict[str, object]]:
-    return [{"name": p.shot.name, **{n: getattr(p, n) for n in _NUMBERS}} for p in pairs]
+    return [
+        {
+            "name": p.shot.name,
+            **{n: getattr(p, n) for n in _NUMBERS},
+            "psnr_without_noise": asdict(p.psnr_without_noise),
+        }
+        for p in pairs
+    ]

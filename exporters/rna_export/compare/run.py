@@ -11,7 +11,7 @@ import numpy as np
 
 from rna_export.capture.worker import BlenderWorker
 from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
-from rna_export.metrics import flip, psnr, psnr_without_noise
+from rna_export.metrics import NoiselessPsnr, flip, psnr, psnr_without_noise
 from rna_render.render import make_integrator, place_asset, render
 from rna_render.world import World
 from rna_sdk.runtime import Asset
@@ -34,7 +34,7 @@ class Pair:
     cycles: np.ndarray  # (h, w, 3) float32
     flip_map: np.ndarray  # (h, w)
     psnr: float  # over the pixels that the asset covers in both
-    psnr_without_noise: float  # against what Cycles would converge to
+    psnr_without_noise: NoiselessPsnr  # against what Cycles would converge to
     flip: float
     coverage: float  # mean difference of alpha over the picture: how far outlines differ
     seconds_ours: float

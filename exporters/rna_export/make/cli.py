@@ -14,14 +14,15 @@ from typing import TYPE_CHECKING
 from rna_export.capture import source_help
 from rna_export.capture.cli import (
     add_settings,
+    add_workers,
     asked_settings,
     check_settings,
     check_source,
 )
 from rna_export.capture.orientation import joined_axes
-from rna_export.machine import default_workers
 from rna_export.training.presets import PRESETS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_work.places import place
 
 if TYPE_CHECKING:
     from rna_export.fit.goal import Goal
@@ -102,12 +103,7 @@ def parser() -> argparse.ArgumentParser:
         default="auto",
         help="for trainings (default: %(default)s, the GPU if there is one)",
     )
-    p.add_argument(
-        "--workers",
-        type=int,
-        default=default_workers(),
-        help="Blender processes, one thread each (int, default: one a core, here %(default)s)",
-    )
+    add_workers(p)
     p.add_argument(
         "--work",
         type=Path,
@@ -188,21 +184,25 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         steps=args.steps,
         seed=args.seed,
     )
-    order = Order(
-        source=Source.captured(args.model, arguments, CaptureSettings(**settings)),
-        settings=settings,
-        for_scene=None if args.for_scene is None else read_scene(args.for_scene),
-        work=work,
-        presets=tuple(args.presets),
-        goal=goal,
-        minutes=args.minutes,
-        steps=args.steps,
-        seed=args.seed,
-        device=chosen_device(args.device),
-        crew=Crew(find_python(), scratch, args.workers),
-    )
+    source = Source.captured(args.model, arguments, CaptureSettings(**settings))
+    for_scene = None if args.for_scene is None else read_scene(args.for_scene)
+    device, python = chosen_device(args.device), find_python()
     try:
-        made = Make(order, asked, begun, print).run()
+        with place(args.cluster) as where:
+            order = Order(
+                source=source,
+                settings=settings,
+                for_scene=for_scene,
+                work=work,
+                presets=tuple(args.presets),
+                goal=goal,
+                minutes=args.minutes,
+                steps=args.steps,
+                seed=args.seed,
+                device=device,
+                crew=Crew(python, scratch, args.workers, where),
+            )
+            made = Make(order, asked, begun, print).run()
         manifest = export(made, args.out, args.source, args.license)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)

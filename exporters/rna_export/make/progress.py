@@ -70,7 +70,15 @@ class _Part:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """The share is full, whatever is left of the total."""
         _fill(self._bar, self._begun + self._units)
+
+    def write(self, line: str) -> None:
+        """A line above the bar."""
+        self._bar.write(line)
 
     def update(self, n: float = 1) -> None:
         """n more of the total are done."""
@@ -80,6 +88,10 @@ class _Part:
     def set_postfix(self, **shown: str) -> None:
         """Behind the bar."""
         self._bar.set_postfix(refresh=False, **shown)
+
+    def set_postfix_str(self, shown: str, refresh: bool = True) -> None:
+        """Likewise."""
+        self._bar.set_postfix_str(shown, refresh)
 
 
 def _fill(bar: tqdm, n: float) -> None:

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.guide import Guide
 from rna_export.capture.run import begin, finish
 from rna_export.capture.tasks import Task, TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.time_plan import TimeLimit
@@ -73,15 +72,15 @@ class Rays:
         order = self._order
         finish(self.dataset, order.source, order.crew, limit, _quiet, tasks, bars)
 
-    def _guide(self, number: int) -> Guide | None:
-        """For the rays of a round; None for those of the first one, or where nothing is unseen.
+    def _guide(self, number: int) -> int | None:
+        """Number of that for the rays of a round; None for the first, or where nothing is unseen.
 
         The rays of the round before test the model that was there before them; for the second
         round those that the first phase left out.
         """
         if number == 0:
             return None
-        path = self._order.work / f"guide-{number + 1:02d}.safetensors"
+        path = self.dataset.guide_path(number + 1)
         if not path.is_file():
             unseen = self._held_out() if number == 1 else self._shards_of(number - 1)
             if not unseen:
@@ -90,7 +89,7 @@ class Rays:
             trained = trained_in(folder, self.dataset)
             models = [one.model.to(self._order.device) for one in trained]
             guide_from(self.dataset, models, unseen, self._order.seed).save(path)
-        return Guide.load(path, [part.captured for part in self.dataset.parts])
+        return number + 1
 
     def _shards_of(self, number: int) -> list[Path]:
         """That a round added, and that are there."""
@@ -103,7 +102,7 @@ class Rays:
         return shards[-max(1, len(shards) // _HELD_OUT) :] if len(shards) > 1 else []
 
 
-def _guided(task: Task, first: int, guide: Guide | None) -> Task:
+def _guided(task: Task, first: int, guide: int | None) -> Task:
     if isinstance(task, TrainingShard) and task.index >= first:
         return TrainingShard(task.index, guide)
     return task

@@ -70,7 +70,8 @@ class Fitting:
         # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * progress)
         at = columns(rows, self._fields)
-        loss = sample_loss(self.model, at, blur, self._config.loss)
+        is_ending = progress >= 1.0 - self._config.unbiased_share
+        loss = sample_loss(self.model, at, blur, "unbiased" if is_ending else self._config.loss)
         if self._emission is None:
             return loss
         return loss + self._emission.loss(self.model.emission, self.model.triplane, blur)

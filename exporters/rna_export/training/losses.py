@@ -15,11 +15,9 @@ _LEAST_VISIBLE = 0.05
 def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") -> Tensor:
     """The loss of a batch of samples, of the outputs alone that match their visibility.
 
-    loss: "log" or "unbiased", of radiance that is not told apart into direct and scattered light.
-    Samples that have a `weight` count by it.
-
-    Direct light has no noise, scattered light next to nothing but noise: each gets its own loss,
-    where the model has an output for each.
+    loss: "log" or "unbiased"; of a model with an output for direct light, of that light alone:
+    scattered light is next to nothing but noise, and its loss is always the unbiased one. Samples
+    that have a `weight` count by it.
     """
     config, y = model.config, model(at, blur)
     weight = at["weight"][:, None] if "weight" in at else 1.0
@@ -31,7 +29,7 @@ def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") 
     else:  # weakened by what it came through
         of_light = of_light / v.clamp(min=_LEAST_VISIBLE)
     of_direct = weight * v if config.visibility_hint else weight
-    direct = log_l2(y[:, 0], of_light, model.unit, of_direct)
+    direct = _LOSSES[loss](y[:, 0], of_light, model.unit, of_direct)
     scattered = _of_visibility(y[:, 1:], at, config)
     return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit, weight)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from time import monotonic
 
+from rna_export.brightness import Brightness, brightness
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.model import NeuralAsset
 from rna_export.training.validation import (
@@ -26,6 +27,7 @@ class Report:
         self._views, self._out = dataset.validation_views(), out
         self._emission_views = dataset.emission_views()
         self._pictured, self._seconds = monotonic(), _USUAL_SECONDS
+        self.brightness: Brightness | None = None  # when the last pictures were made
 
     def of(self, model: NeuralAsset, is_last: bool) -> dict[str, float]:
         """A row of `Curves`; with FLIP, and pictures in `<out>/validation`, where time allows."""
@@ -39,6 +41,9 @@ class Report:
         if not is_last and self._seconds > _SHARE * (begun - self._pictured):
             return row
         row["flip"] = mean_flip(radiance, views)
+        self.brightness = brightness(
+            (r, view.reference, view.visible) for r, view in zip(radiance, views, strict=True)
+        )
         write_images(self._out / "validation", radiance, views)
         if self._emission_views:
             write_images(self._out / "emission", emitted, self._emission_views)

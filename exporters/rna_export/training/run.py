@@ -83,12 +83,19 @@ def train(
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
     with bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar:
-        _fit(run, fitting, table, pace, done, bar)
+        told = _fit(run, fitting, table, pace, done, bar)
+    if told is not None:
+        say(told)
     return so_far.replace(best) if so_far.is_file() else best
 
 
-def _fit(run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int, bar: tqdm) -> None:
-    """All steps after the first `done`, with validations at equal parts of the run."""
+def _fit(
+    run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int, bar: tqdm
+) -> str | None:
+    """All steps after the first `done`, with validations at equal parts of the run.
+
+    Returns what the last of them says of the brightness.
+    """
     curves, report = Curves(run.out, done), Report(run.dataset, run.out)
     batches, losses = iter(table), []
     while pace.progress < 1.0:
@@ -114,6 +121,7 @@ def _fit(run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int, 
         progress = {"step": done, "fitting": fitting.state(), "pace": pace.state()}
         save_checkpoint(run.out / "last.ckpt", fitting.model, record, progress)
         bar.set_postfix(psnr=f"{row['psnr']:.2f} dB")
+    return report.brightness
 
 
 def _unit(run: Run, table: SampleTable, earlier: dict[str, Any] | None) -> float:

@@ -11,7 +11,14 @@ import torch
 from PIL import Image
 
 from rna_export.capture.validation_view import CapturedImage, EmissionView, ValidationView
-from rna_export.metrics import flip, psnr, psnr_without_noise, relative_mse, to_png
+from rna_export.metrics import (
+    NoiselessPsnr,
+    flip,
+    psnr,
+    psnr_without_noise,
+    relative_mse,
+    to_png,
+)
 from rna_export.training.model import NeuralAsset
 
 _ROWS = 65536
@@ -25,7 +32,7 @@ class Scores:
     flip: float
     relative_mse: float
     psnr_of_references: float  # one half of the paths against the other: what noise allows
-    psnr_without_noise: float  # of the model against what the references would converge to
+    psnr_without_noise: NoiselessPsnr  # of the model against what the references would converge to
     images: int
 
 
@@ -66,7 +73,9 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
         relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
         # The mean of both halves has half the variance of either, their difference twice it.
         psnr_of_references=float(np.mean([psnr(*v.halves) + 6.02 for v in views])),
-        psnr_without_noise=float(np.mean([psnr_without_noise(r, *v.halves) for r, _, v in pairs])),
+        psnr_without_noise=NoiselessPsnr.mean(
+            [psnr_without_noise(r, *v.halves) for r, _, v in pairs]
+        ),
         images=len(views),
     )
 

@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict
 
 from rna_export.capture.validation_view import CapturedImage
 from rna_export.metrics import (
+    NoiselessPsnr,
     flip,
     psnr,
     psnr_without_noise,
@@ -36,7 +37,7 @@ class ModelScores(BaseModel):
     model_config = ConfigDict(frozen=True)
 
     psnr: float
-    psnr_without_noise: float
+    psnr_without_noise: NoiselessPsnr
     flip: float
     p99: float
     relative_mse: float
@@ -56,7 +57,7 @@ def judge(
     clean = [psnr_without_noise(r, *view.halves) for r, _, view in pairs]
     scores = ModelScores(
         psnr=float(np.mean([view.psnr for view in each])),
-        psnr_without_noise=float(np.mean(clean)),
+        psnr_without_noise=NoiselessPsnr.mean(clean),
         flip=float(np.mean([view.flip for view in each])),
         p99=float(np.mean([view.p99 for view in each])),
         relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),

@@ -62,7 +62,7 @@ def _trained(
     scores = score([shade(trained.model, view) for view in views], views)
     own = loss_of(trained, _tested(rows_of(samples, chosen)))
     gap = 10.0 * np.log10(loss_of(trained, held_out) / own)
-    return {"psnr": scores.psnr_without_noise, "flip": scores.flip, "gap_db": float(gap)}
+    return {"psnr": scores.psnr_without_noise.db, "flip": scores.flip, "gap_db": float(gap)}
 
 
 def _tested(samples: Samples) -> Samples:

@@ -21,7 +21,7 @@ def measure(workshop: Workshop) -> list[Row]:
     for seed in range(SEEDS):
         trained = _seeded(workshop, preset, seed)
         scores = score([shade(trained.model, view) for view in views], views)
-        rows.append({"seed": seed, "psnr": scores.psnr_without_noise, "flip": scores.flip})
+        rows.append({"seed": seed, "psnr": scores.psnr_without_noise.db, "flip": scores.flip})
     return rows
 
 

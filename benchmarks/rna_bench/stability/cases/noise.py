@@ -51,7 +51,7 @@ def row_of(radiance: list[np.ndarray], views: list[ValidationView]) -> Row:
     scores = score(radiance, views)
     true = np.concatenate([view.samples["radiance"] for view in views]).mean(dtype=np.float64)
     bias = float(np.concatenate(radiance).mean(dtype=np.float64) / true) - 1.0
-    return {"psnr": scores.psnr_without_noise, "bias": bias}
+    return {"psnr": scores.psnr_without_noise.db, "bias": bias}
 
 
 def judge(rows: list[Row]) -> Verdict:

@@ -133,10 +133,10 @@ def _few_bits(
     packages: dict[str, Answers], full: np.ndarray, samples: Samples, halves: np.ndarray
 ) -> list[Row]:
     """PSNR lost by packages of few bits against the model's own radiance, `full`."""
-    best, rows = psnr_without_noise(full, *halves), []
+    best, rows = psnr_without_noise(full, *halves).db, []
     for precision, answers in packages.items():
         answer = picked(answers, samples)
-        lost = best - psnr_without_noise(answer, *halves)
+        lost = best - psnr_without_noise(answer, *halves).db
         rows.append({**checked(precision, [answer]), "lost_db": float(lost)})
     return rows
 

@@ -12,7 +12,7 @@ from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
 from rna_bench.stability.errors import joined_views
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.run import scene_of
+from rna_export.capture.shift import scene_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Curves
 
@@ -56,7 +56,7 @@ def measure(workshop: Workshop) -> list[Row]:
             asked = {"folded": (model, folded), "clear": (model, ~folded)}
         for where, (answering, points) in asked.items():
             shaded = picked(of_model(answering), rows_of(samples, points))
-            error = psnr_without_noise(shaded, *halves[:, points])
+            error = psnr_without_noise(shaded, *halves[:, points]).db
             share = float(points.mean())
             rows.append({"shape": shape, "where": where, "share": share, "psnr": error})
     return rows
