@@ -97,6 +97,20 @@ def test_samples_have_the_normal_that_cycles_shades_with(
     assert np.ptp(at["normal"] @ np.float32([0, 1, 0])) > 0.1  # the squares lean differently
 
 
+def test_equal_maps_are_stored_once(open_worker: OpenWorker) -> None:
+    second = (
+        SQUARES
+        + """
+copy = material.copy()
+bpy.context.scene.objects["square1"].data.materials[0] = copy
+"""
+    )
+    exported = exported_parts(open_worker(second), CaptureSettings())
+    (maps,) = exported.maps.values()
+    assert len(maps) == 2 and len({record.texture for record in maps}) == 1
+    assert list(exported.textures) == [maps[0].texture]
+
+
 def test_relief_that_no_map_can_have_is_told(open_worker: OpenWorker) -> None:
     bump = (
         SQUARES
