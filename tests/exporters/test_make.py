@@ -89,8 +89,9 @@ class Cycles:
 @pytest.fixture
 def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple[Made, Cycles]]:
     """Runs a make of tiny models in `<tmp_path>/work`."""
-    for name in ("tiny", "small"):
-        monkeypatch.setitem(PRESETS["surface"], name, tiny(name, steps=80))
+    for name, width in (("tiny", 16), ("small", 24)):
+        preset = tiny(name, steps=80).with_model(width=width)
+        monkeypatch.setitem(PRESETS["surface"], name, preset)
     monkeypatch.setattr(stop_module, "LEAST_GAIN_DB", 6.0)  # three rounds or four
     monkeypatch.setattr(Curves, "draw", lambda _: None)
     monkeypatch.setattr(report_module, "write_images", lambda *_: None)
