@@ -194,8 +194,10 @@ def _run(options: argparse.Namespace) -> int:
         return 0
     denoiser = Denoiser(threads) if options.denoise else None
     output = Output(options.out, options.png, denoiser)
-    if options.frames is None:
+    if options.frames is None and options.cluster is None:
         return _render_still(scene_file, output, threads)
+    if options.frames is None:
+        return _render_in_pieces(scene_file, output, options)
     numbers = frame_numbers(scene_file, *options.frames)
     with place(options.cluster) as where:
         return render_sequence(scene_file, numbers, output, options.threads, _START, where)
@@ -239,6 +241,19 @@ def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
     for path in output.paths():
         print(f"wrote {path}")
     return INTERRUPTED if stopped else 0
+
+
+def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
+    from rna_render.pieces import render_pieces
+    from rna_work.places import place
+
+    output.check()
+    with place(options.cluster) as where:
+        film = render_pieces(scene_file, where, options.threads)
+    output.write(scene_file.scene, film)
+    for path in output.paths():
+        print(f"wrote {path}")
+    return 0
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""A worker that renders frames of a sequence, one after the other, with all threads that it has."""
+"""Workers that open a scene, and one that renders frames with all threads that it has."""
 
 from __future__ import annotations
 
@@ -9,11 +9,13 @@ import time
 import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Self
 
 from rna_render.animation import frame_scene
 from rna_render.output import Output
 from rna_render.render import load_world
 from rna_render.scene_file import SceneFile
+from rna_render.scene_model import Scene
 from rna_render.terminal import render_with_bar, tell_tiers
 from rna_render.world import World
 from rna_sdk.errors import SceneError
@@ -58,22 +60,43 @@ class FrameJob:
     started: float
 
 
-class FrameWorker:
-    """Renders frames of a job: see `rna_work.worker.Worker`. The world is loaded once."""
+class SceneWorker:
+    """Opens a scene where it is entered: see `rna_work.worker.Worker`.
 
-    def __init__(self, job: FrameJob, name: str) -> None:
-        self._job = job
-        self._stop = threading.Event()
-        self._world: World | None = None
+    Attributes:
+        scene_file: as it is on this machine. stop: set when the worker is to end.
+    """
 
-    def __enter__(self) -> FrameWorker:
+    def __init__(self, scene_file: SceneFile, files: Carried, threads: int) -> None:
+        self.scene_file, self._files, self._threads = scene_file, files, threads
+        self.stop = threading.Event()
+
+    def __enter__(self) -> Self:
         os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # see rna_render.cli
-        limit_kernel_threads(self._job.threads)
-        self._scene_file = replace(self._job.scene_file, path=self._job.files.here())
+        limit_kernel_threads(self._threads)
+        self.scene_file = replace(self.scene_file, path=self._files.here())
         return self
 
     def __exit__(self, *_: object) -> None:
         pass
+
+    def load(self, views: list[Scene]) -> World:
+        """The world for these images."""
+        world = load_world(self.scene_file, views)
+        tell_tiers(self.scene_file, world)
+        return world
+
+    def kill(self) -> None:
+        self.stop.set()
+
+
+class FrameWorker(SceneWorker):
+    """Renders frames of a job, one after the other. The world is loaded once."""
+
+    def __init__(self, job: FrameJob, name: str) -> None:
+        super().__init__(job.scene_file, job.files, job.threads)
+        self._job = job
+        self._world: World | None = None
 
     def run(self, frame: Frame) -> FrameFiles:
         """Render and write a frame. Raises SceneError if that cannot be, or if it is ended."""
@@ -85,25 +108,21 @@ class FrameWorker:
         lines = dict.fromkeys(str(warning.message) for warning in caught)
         return FrameFiles(paths, list(lines), time.perf_counter() - start)
 
-    def kill(self) -> None:
-        self._stop.set()
-
     def _render(self, frame: Frame, world: World) -> list[Path]:
-        scene = frame_scene(self._scene_file.scene, frame.number)
+        scene = frame_scene(self.scene_file.scene, frame.number)
         files = self._job.output.frame(frame.number)
         film = render_with_bar(
-            replace(self._scene_file, scene=scene), world, self._stop.is_set, frame.what
+            replace(self.scene_file, scene=scene), world, self.stop.is_set, frame.what
         )
-        if self._stop.is_set() and film.samples < scene.samples:
+        if self.stop.is_set() and film.samples < scene.samples:
             raise SceneError(f"{frame.what} was stopped")
         files.write(scene, film)
         return files.paths()
 
     def _loaded(self) -> World:
         if self._world is None:
-            views = [frame_scene(self._scene_file.scene, n) for n in self._job.numbers]
-            self._world = load_world(self._scene_file, views)
-            tell_tiers(self._scene_file, self._world)
+            scene = self.scene_file.scene
+            self._world = self.load([frame_scene(scene, n) for n in self._job.numbers])
             seconds = time.perf_counter() - self._job.started
             print(f"assets loaded after {seconds:.2f} s", file=sys.stderr)
         return self._world

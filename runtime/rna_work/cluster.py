@@ -89,7 +89,7 @@ class RayCluster:
             self.on_every_node(partial(check_elsewhere, path, hashes))
         return Travelling.of(path, others)
 
-    def whole_machines(self, threads: int | None) -> tuple[RayWorkers, int]:
+    def whole_machines(self, threads: int | None, local: str = "") -> tuple[RayWorkers, int]:
         least = min((int(node["Resources"]["CPU"]) for node in alive_nodes()), default=1)
         count = min(threads or least, least)
         return RayWorkers(Needs("threads", max(count, 1)), None), max(count, 1)

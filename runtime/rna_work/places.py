@@ -13,7 +13,7 @@ from typing import Literal, Protocol, TypeVar
 from rna_work.backend import Backend
 from rna_work.processes import Processes
 from rna_work.sources import Carried, InPlace
-from rna_work.threads import HERE, Threads
+from rna_work.threads import HERE, Caller, Threads
 
 Answer = TypeVar("Answer")
 
@@ -52,10 +52,13 @@ class Place(Protocol):
     def gpus(self) -> float:
         """How many GPUs there are."""
 
-    def whole_machines(self, threads: int | None) -> tuple[Backend, int]:
+    def whole_machines(
+        self, threads: int | None, local: Literal["threads", "caller"] = "threads"
+    ) -> tuple[Backend, int]:
         """Room for workers of so many threads, None for all of a machine, and how many they are.
 
-        On this machine one.
+        local: what holds the only one on this machine, if that is the place: a thread of its own,
+        or the one that takes the outcomes.
         """
 
     def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
@@ -88,8 +91,11 @@ class ThisMachine:
 
         return torch.cuda.device_count()
 
-    def whole_machines(self, threads: int | None) -> tuple[Backend, int]:
-        return Threads(1), min(threads or self.cores, self.cores)
+    def whole_machines(
+        self, threads: int | None, local: Literal["threads", "caller"] = "threads"
+    ) -> tuple[Backend, int]:
+        backend = Threads(1) if local == "threads" else Caller()
+        return backend, min(threads or self.cores, self.cores)
 
     def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
         return InPlace(path)

@@ -16,6 +16,7 @@ from rna_work.backend import Backend, Slot
 from rna_work.patience import Patience
 from rna_work.worker import Item, MakeWorker, Outcome, Result, TimedOut, WorkerLost
 
+_FAILED_STARTS = 3  # one after the other, for what a worker itself raises
 _LOOK = 1.0  # seconds between looks at time limits and at the room for workers
 
 
@@ -174,7 +175,8 @@ class Pool(Generic[Item, Result]):
             return
         member.slot.close(kill=True)
         self._failed_starts += 1
-        if self._failed_starts >= self._backend.losses:
+        lost = isinstance(failure, WorkerLost)
+        if self._failed_starts >= min(self._backend.losses, inf if lost else _FAILED_STARTS):
             raise failure
 
     def _finished(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import os
 import shutil
@@ -13,6 +12,7 @@ from typing import Any
 from uuid import uuid4
 
 from rna_sdk.errors import WorkError
+from rna_work.locks import locked
 
 
 @dataclass(frozen=True)
@@ -49,9 +49,7 @@ class Travelling:
         """The path on this machine, where the files are written unless they are there."""
         folder = cache_folder() / self.sha256
         if not folder.is_dir():
-            folder.parent.mkdir(parents=True, exist_ok=True)
-            with folder.with_name(self.sha256 + ".lock").open("w") as lock:
-                fcntl.flock(lock, fcntl.LOCK_EX)
+            with locked(folder.with_name(self.sha256 + ".lock")):
                 if not folder.is_dir():
                     self._write(folder)
         return folder / self.names[0]

@@ -23,6 +23,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def start_cluster(nodes: int = 3, cpus: int = 1) -> Any:
     """A cluster of nodes on this machine, of which the first is the head."""
     os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
+    os.environ["RAY_worker_niceness"] = "0"  # else 15: a busy machine would leave them nothing
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # Ray's own, of its future versions
         from ray.cluster_utils import Cluster

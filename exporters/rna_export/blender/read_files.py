@@ -2,7 +2,6 @@
 
 import os
 import sys
-import tempfile
 from pathlib import Path
 
 import bpy
@@ -45,7 +44,7 @@ def _is_below(path, folder):
 
 def _not_the_users():
     """Folders of Python, Blender, ours and the system."""
-    own = {sys.prefix, sys.base_prefix, bpy.utils.resource_path("LOCAL"), tempfile.gettempdir()}
+    own = {sys.prefix, sys.base_prefix, bpy.utils.resource_path("LOCAL")}
     own |= {bpy.utils.resource_path("USER"), bpy.app.tempdir, str(Path(__file__).parent)}
     system = ("/proc", "/sys", "/dev", "/usr", "/etc", "/lib", "/var")
     return {os.path.abspath(folder) for folder in (*own, *system) if folder}

@@ -4,8 +4,10 @@ Requests come as one JSON object a line on standard input; each is answered by o
 standard output that begins with `RNA `. Whatever else Blender prints there is not for us.
 """
 
+import ctypes
 import json
 import os
+import signal
 import sys
 import traceback
 from pathlib import Path
@@ -21,6 +23,8 @@ import scene_parts
 import scene_render
 import source_scene
 import transparency
+
+_PR_SET_PDEATHSIG = 1  # prctl(2)
 
 
 def open_scene(request):
@@ -57,7 +61,14 @@ def reply(message):
     sys.stdout.flush()
 
 
+def end_with_parent():
+    """Linux: a Blender that hangs reads no end of input; it is to end with the one that asked."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
 def main():
+    end_with_parent()
     for line in sys.stdin:
         request = json.loads(line)
         try:

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import os
 import subprocess
 import sys
@@ -13,6 +12,7 @@ import venv
 from pathlib import Path
 
 from rna_sdk.errors import CaptureError
+from rna_work.locks import locked
 
 BPY_VERSION = "5.0.1"  # the first whose fibers have the shape THICK_LINEAR
 VARIABLE = "RNA_BLENDER_PYTHON"
@@ -44,9 +44,7 @@ def find_or_set_up() -> Path:
     if os.environ.get(VARIABLE) or _is_whole(default_folder()):
         return find_python()
     folder = default_folder()
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    with folder.with_name(folder.name + ".lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    with locked(folder.with_name(folder.name + ".lock")):
         return find_python() if _is_whole(folder) else set_up()
 
 

@@ -14,7 +14,7 @@ toy.rays/
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
 
@@ -122,6 +122,13 @@ class Dataset:
         settings = self.manifest.settings.model_copy(update={"lights": lights})
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")
+
+    def record_processors(self, keys: Iterable[str]) -> None:
+        """Note in the manifest which processors rendered, by `rna_sdk.cpu.processor_key`."""
+        processors = tuple(sorted({*self.manifest.processors, *keys}))
+        if processors != self.manifest.processors:
+            self.manifest = self.manifest.model_copy(update={"processors": processors})
+            self.manifest.write(self.folder / "manifest.json")
 
     def geometry_path(self, part: str) -> Path:
         return _geometry_path(self.folder, part)

@@ -68,6 +68,7 @@ class CaptureManifest(DatasetModel):
     opaque_cutouts: bool  # light through some materials counts as theirs: alpha may be below 1
     emitters: tuple[str, ...] = ()  # materials that emit light
     notes: tuple[str, ...] = ()
+    processors: tuple[str, ...] = ()  # that rendered: where one is another, bits may differ
     scene_domain: Domain | None = None  # of --for; in the place of settings.domain
 
     @model_validator(mode="before")

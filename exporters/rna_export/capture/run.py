@@ -29,6 +29,7 @@ from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrun
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_render.scene_file import SceneFile
+from rna_sdk.cpu import processor_key
 from rna_sdk.package import Curves, Domain, Mesh
 from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
@@ -118,6 +119,7 @@ def begin(
         opaque_cutouts=exported.has_opaque_cutouts,
         emitters=tuple(opened["emitters"]),
         notes=(*opened["notes"], *exported.notes),
+        processors=(processor_key(),),
         scene_domain=limited,
     )
     for note in manifest.notes:
@@ -171,7 +173,7 @@ def finish(
     ):
         clock = _TaskClock(dataset, limit)
         for outcome in progress.of(pool, pool.run(clock.in_time(missing)), cost):
-            outcome.value()
+            dataset.record_processors([outcome.value()])
             clock.took = outcome.seconds
     opened.cache_clear()
     lights, there = dataset.manifest.settings.lights, dataset.lights_finished()

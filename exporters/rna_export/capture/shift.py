@@ -15,6 +15,7 @@ from rna_export.capture.dataset import Dataset
 from rna_export.capture.tasks import Task
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.memory import keep_freed_memory
+from rna_sdk.cpu import processor_key
 from rna_work.sources import Carried
 
 _TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
@@ -64,14 +65,15 @@ class CaptureWorker:
         if self._temporary is not None:
             shutil.rmtree(self._temporary, ignore_errors=True)
 
-    def run(self, task: Task) -> None:
-        """Render a task, unless a worker that was lost had finished it."""
+    def run(self, task: Task) -> str:
+        """Render a task, unless a worker that was lost had finished it; the processor's key."""
         if task.path(self._dataset).is_file():
-            return
+            return processor_key()
         if self._done and self._done % _TASKS_A_PROCESS == 0:
             self._blender.restart()
         task.run(self._dataset, self._scene, self._blender)
         self._done += 1
+        return processor_key()
 
     def kill(self) -> None:
         if self._blender is not None:
