@@ -121,6 +121,12 @@ def parser() -> argparse.ArgumentParser:
     )
     add_cluster_option(p)
     p.add_argument(
+        "--store",
+        metavar="URL",
+        help="where the nodes of a cluster put what is finished, if they do not share FOLDER, such "
+        "as s3://bucket/captures (address, default: they share it)",
+    )
+    p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
     )
     return p
@@ -182,6 +188,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.time_plan import TimeLimit
     from rna_export.capture.worker import Source
     from rna_render.scene_file import read_scene
+    from rna_work.store import Store
 
     keep_freed_memory()
     asked = _asked(args)
@@ -193,7 +200,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     begun = (args.out / "manifest.json").is_file()
     try:
         with place(args.cluster) as where:
-            crew = Crew(python, scratch, args.workers, where)
+            store = None if args.store is None else Store(args.store)
+            crew = Crew(python, scratch, args.workers, where, store)
             if begun:
                 dataset = _continue(args.out, args.source, arguments, asked)
                 _check_scene(dataset, for_scene)
