@@ -49,7 +49,7 @@ def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
 def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:
     """A shard of a capture."""
     crew = Crew(blender_env.find_python(), folder / "scratch", workers, where)
-    asked = {"lights": 32 * 24, "rays": 1024, "samples": 16, "validation_views": 1}
+    asked = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
     dataset = begin(source, asked, folder / "a.rays", crew, None, lambda line: None)
     carried = Gathered.of(dataset, where, None).carried()
     scratch = None if where.far else crew.scratch
@@ -60,9 +60,9 @@ def capture_seconds(where: Place, source: Source, folder: Path, workers: int) ->
 
 def frame_seconds(where: Place, scene: Path, folder: Path) -> float:
     """A frame, by one worker with all cores."""
-    turning = {"animation": {"frames": 16, "turntable": {}}, "samples": 8}
+    turning = {"animation": {"frames": 16, "turntable": {}}, "samples": 4, "resolution": [320, 180]}
     scene_file = read_scene(scene)
-    data = scene_file.scene.model_dump(exclude={"animation", "samples"}) | turning
+    data = scene_file.scene.model_dump(exclude={"animation", "samples", "resolution"}) | turning
     scene_file = scene_file.with_changes(**dict(Scene.model_validate(data)))
     backend, threads = where.whole_machines(None)
     numbers, output = range(16), Output(folder / "%d.exr")
