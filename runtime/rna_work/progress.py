@@ -12,11 +12,21 @@ from rna_work.worker import Outcome
 
 
 class Progress:
-    """A bar of items, by their cost; a context."""
+    """A bar of items, by their cost; a context.
 
-    def __init__(self, total: float, unit: str, what: str, done: float = 0.0) -> None:
+    bars: makes it, with the arguments of `tqdm`.
+    """
+
+    def __init__(
+        self,
+        total: float,
+        unit: str,
+        what: str,
+        done: float = 0.0,
+        bars: Callable[..., Any] = tqdm,
+    ) -> None:
         scaled = {"unit_scale": True, "smoothing": 0.05}
-        self._bar = tqdm(total=total, initial=done, unit=unit, desc=what, **scaled)
+        self._bar = bars(total=total, initial=done, unit=unit, desc=what, **scaled)
 
     def __enter__(self) -> Progress:
         return self

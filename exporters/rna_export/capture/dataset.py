@@ -5,7 +5,9 @@ toy.rays/
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
   transmittance/0.safetensors texture of a material that lets light through, as in a package
   normals/0.safetensors       normal map of a material, as in a package
-  train/00000.safetensors     samples of some lights, arrays NAME/FIELD
+  train/00000.safetensors     samples of some lights, arrays NAME/FIELD; with NAME/weight where
+                              a guide chose them, as by rna-make
+  guides/02.safetensors       where rna-make found the model to err, before its second round
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
 """
@@ -28,6 +30,16 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.normal_maps import normals_to_bytes
 from rna_sdk.package.transmittance import texture_to_bytes
+
+_FOLDERS = (
+    "geometry",
+    "transmittance",
+    "normals",
+    "train",
+    "guides",
+    "emission",
+    "validation",
+)
 
 
 class Dataset:
@@ -62,7 +74,7 @@ class Dataset:
         geometries: of each part. textures: of all transmittance, by the names that records have.
         """
         folder = Path(folder)
-        for inner in ("geometry", "transmittance", "normals", "train", "emission", "validation"):
+        for inner in _FOLDERS:
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for name, texture in (textures or {}).items():
             to_bytes = normals_to_bytes if name.startswith("normals/") else texture_to_bytes
@@ -105,9 +117,9 @@ class Dataset:
             shards += 1
         return min(shards * settings.lights_per_shard, settings.lights)
 
-    def leave_out_lights_from(self, light: int) -> None:
-        """Shorten the plan to the lights before this one."""
-        settings = self.manifest.settings.model_copy(update={"lights": light})
+    def plan_lights(self, lights: int) -> None:
+        """Make the plan one of so many lights, the first ones as they were."""
+        settings = self.manifest.settings.model_copy(update={"lights": lights})
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")
 
@@ -126,6 +138,9 @@ class Dataset:
 
     def validation_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
+
+    def guide_path(self, number: int) -> Path:
+        return self.folder / "guides" / f"{number:02d}.safetensors"
 
     def emission_path(self, shard: int) -> Path:
         return self.folder / "emission" / f"{shard:05d}.safetensors"

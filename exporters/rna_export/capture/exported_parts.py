@@ -109,7 +109,15 @@ def _add_surface(
             )
             exported.records.setdefault(part.name, []).append(record)
         if name in relief and corners["has_uv"]:
-            texture = f"normals/{list(relief).index(name)}.safetensors"
+            number = _first_equal(relief, name)
+            texture = f"normals/{number}.safetensors"
             exported.textures[texture] = relief[name]
             mapped = NormalMapRecord(triangles=triangles, texture=texture)
             exported.maps.setdefault(part.name, []).append(mapped)
+
+
+def _first_equal(textures: dict[str, np.ndarray], name: str) -> int:
+    """Place of the first texture that is equal to this one: they are stored once."""
+    return next(
+        k for k, texture in enumerate(textures.values()) if np.array_equal(texture, textures[name])
+    )

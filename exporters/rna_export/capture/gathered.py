@@ -13,6 +13,9 @@ from rna_work.shared import check_shared
 from rna_work.sources import Carried, InPlace
 from rna_work.store import Store
 
+_MADE = ("train", "emission", "validation", "scratch")
+"""Folders of a dataset that captures fill, and need not read."""
+
 
 @dataclass(frozen=True)
 class Gathered:
@@ -35,12 +38,15 @@ class Gathered:
         return cls(dataset, place, store.below(_name(dataset)))
 
     def carried(self) -> Carried:
-        """The manifest for workers, with the geometry beside it if they do not see the folder."""
+        """The manifest for workers, with what they read if they do not see the folder."""
         folder = self.dataset.folder.resolve()
         if self.store is None:
             return InPlace(folder / "manifest.json")
-        kinds = ("geometry", "transmittance")
-        others = [path for kind in kinds for path in (folder / kind).iterdir()]
+        others = [
+            path
+            for path in folder.rglob("*")
+            if path.is_file() and path.relative_to(folder).parts[0] not in _MADE
+        ]
         return self.place.carry(folder / "manifest.json", others)
 
     def fetch(self, missing: list[Task]) -> list[Task]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -12,6 +12,7 @@ from time import monotonic
 from typing import Any
 
 import numpy as np
+from tqdm import tqdm
 
 import rna_sdk
 from rna_export.capture import blender_env
@@ -137,15 +138,19 @@ def finish(
     crew: Crew,
     limit: TimeLimit | None = None,
     say: Callable[[str], None] = print,
+    tasks: Sequence[Task] | None = None,
+    bars: Callable[..., tqdm] = tqdm,
 ) -> None:
     """Render every task whose file is missing. Ctrl-C loses only the tasks under way.
 
-    When the time of `limit` is up, the lights that are left are taken out of the plan. Raises
-    CaptureError where a task fails twice, WorkError where a cluster cannot do the work.
+    When the time of `limit` is up, the lights that are left are taken out of the plan. tasks: of
+    the plan; None: all of it. bars: makes the progress bar. Raises CaptureError where a task fails
+    twice, WorkError where a cluster cannot do the work.
     """
     for unfinished in dataset.folder.glob("*/*.part"):
         unfinished.unlink()
-    missing = [task for task in all_tasks(dataset) if not task.path(dataset).is_file()]
+    asked = all_tasks(dataset) if tasks is None else tasks
+    missing = [task for task in asked if not task.path(dataset).is_file()]
     if not missing:
         return
     gathered = Gathered.of(dataset, crew.place, crew.store)
@@ -156,7 +161,7 @@ def finish(
     cost = partial(_cost, dataset)
     total = sum(map(cost, missing))
     with (
-        Progress(total, "path", "capture") as progress,
+        Progress(total, "path", "capture", bars=bars) as progress,
         Pool(
             crew.backend(),
             partial(CaptureWorker, job),
@@ -172,8 +177,8 @@ def finish(
             clock.took = outcome.seconds
     opened.cache_clear()
     lights, there = dataset.manifest.settings.lights, dataset.lights_finished()
-    if there < lights:
-        dataset.leave_out_lights_from(there)
+    if limit is not None and there < lights:
+        dataset.plan_lights(there)
         say(f"the time is up: {there:,} of {lights:,} lights, which make a whole dataset")
 
 

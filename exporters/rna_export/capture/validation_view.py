@@ -10,7 +10,7 @@ import numpy as np
 
 from rna_sdk.runtime import Asset
 
-_NO_QUERY = ("radiance", "direct", "visible", "pixel")
+_NO_QUERY = ("radiance", "direct", "visible", "pixel", "weight")
 
 
 class CapturedImage(Protocol):

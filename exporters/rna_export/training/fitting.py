@@ -84,8 +84,10 @@ class Fitting:
         }
 
     def load(self, state: dict[str, Any]) -> None:
-        """Go on from a `state`."""
+        """Go on from a `state`; what an answer may be at most is the higher of both."""
+        ceiling = self.model.ceiling.clone()
         self.model.load_state_dict(state["model"])
+        self.model.ceiling.copy_(torch.maximum(self.model.ceiling, ceiling))
         for optimizer, saved in zip(self._optimizers, state["optimizers"], strict=True):
             optimizer.load_state_dict(saved)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
@@ -40,22 +41,32 @@ class Run:
     begun: float | None = None  # when the minutes began, of `time.monotonic`; None: with `train`
     device: str = "cpu"
     validations: int = 10  # over the run; the best checkpoint is one of as many
+    start: Path | None = None  # `last.ckpt` of a run of the same model that this one goes on from
+    steps_before: int = 0  # that led to `start`; `train` finds them
 
 
-def train(run: Run, table: SampleTable | None = None) -> Path:
+def train(
+    run: Run,
+    table: SampleTable | None = None,
+    say: Callable[[str], None] = print,
+    bars: Callable[..., tqdm] = tqdm,
+) -> Path:
     """Train to the end; returns the best checkpoint, `best.ckpt`.
 
-    `<out>/last.ckpt` of an earlier, stopped call is continued. table: the dataset's samples on the
-    run's device, for callers that train on them several times. Raises `TrainingError` when the
-    checkpoint belongs to another run.
+    `<out>/last.ckpt` of an earlier, stopped call is continued. table: the samples to train on, on
+    the run's device; None: all of the dataset's. bars: makes the progress bar. Raises
+    `TrainingError` when the checkpoint belongs to another run.
     """
     begun = monotonic() if run.begun is None else run.begun
     if table is None:
         table = SampleTable(run.dataset.training_samples(), device=run.device)
     # Nothing brighter than the training data: a network asked beyond it may answer anything.
     ceiling = 1.5 * table.largest_radiance
-    unit = table.usual_radiance if run.preset.training.unit == "usual" else 1.0
-    run = replace(run, preset=with_fitting_loss(run.preset, run.dataset, unit))
+    earlier = load_progress(run.start) if run.start is not None else None
+    unit = _unit(run, table, earlier)
+    before = _steps(earlier) if earlier else 0
+    preset = with_fitting_loss(run.preset, run.dataset, unit)
+    run = replace(run, preset=preset, steps_before=before)
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
@@ -63,47 +74,66 @@ def train(run: Run, table: SampleTable | None = None) -> Path:
     saved = _continued(run.out / "last.ckpt", run)
     done = saved["step"] if saved else 0
     table = table.shuffled(run.preset.training.batch, run.seed, done)
-    print(_plan(run, len(table)))
+    say(_plan(run, len(table)))
     torch.manual_seed(run.seed)
     bounds, emission = padded_bounds(run.dataset), _emission(run, done)
     fitting = Fitting(run.preset, bounds, ceiling, unit, table.fields, emission, run.device)
-    if saved:
-        fitting.load(saved["fitting"])
+    if saved or earlier:
+        fitting.load(saved["fitting"] if saved else earlier["progress"]["fitting"])
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
-    _fit(run, fitting, table, _pace(run, begun, saved), done)
+    pace = _pace(run, begun, saved)
+    with bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar:
+        told = _fit(run, fitting, table, pace, done, bar)
+    if told is not None:
+        say(told)
     return so_far.replace(best) if so_far.is_file() else best
 
 
-def _fit(run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int) -> None:
-    """All steps after the first `done`, with validations at equal parts of the run."""
+def _fit(
+    run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int, bar: tqdm
+) -> str | None:
+    """All steps after the first `done`, with validations at equal parts of the run.
+
+    Returns what the last of them says of the brightness.
+    """
     curves, report = Curves(run.out, done), Report(run.dataset, run.out)
     batches, losses = iter(table), []
-    with tqdm(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar:
-        while pace.progress < 1.0:
-            validated = _validations(run, pace)
-            losses.append(fitting.step(next(batches), pace.progress))
-            pace.advance()
-            done += 1
-            if run.minutes is not None:
-                bar.total = round(done / pace.progress)
-            bar.update()
-            if _validations(run, pace) == validated:
-                continue
-            row = report.of(fitting.model, is_last=pace.progress >= 1.0)
-            is_best = row["psnr"] >= curves.best_psnr
-            curves.add({"step": done, "loss": float(torch.stack(losses).mean()), **row})
-            losses.clear()
-            if "flip" in row:
-                curves.draw()
-            record = _record(run, done)
-            if is_best:
-                save_checkpoint(run.out / _SO_FAR, fitting.model, record)
-            pace.validated()
-            progress = {"step": done, "fitting": fitting.state(), "pace": pace.state()}
-            save_checkpoint(run.out / "last.ckpt", fitting.model, record, progress)
-            bar.set_postfix(psnr=f"{row['psnr']:.2f} dB")
-    if report.brightness is not None:
-        print(report.brightness)
+    while pace.progress < 1.0:
+        validated = _validations(run, pace)
+        losses.append(fitting.step(next(batches), pace.progress))
+        pace.advance()
+        done += 1
+        if run.minutes is not None:
+            bar.total = round(done / pace.progress)
+        bar.update()
+        if _validations(run, pace) == validated:
+            continue
+        row = report.of(fitting.model, is_last=pace.progress >= 1.0)
+        is_best = row["psnr"] >= curves.best_psnr
+        curves.add({"step": done, "loss": float(torch.stack(losses).mean()), **row})
+        losses.clear()
+        if "flip" in row:
+            curves.draw()
+        record = _record(run, done)
+        if is_best:
+            save_checkpoint(run.out / _SO_FAR, fitting.model, record)
+        pace.validated()
+        progress = {"step": done, "fitting": fitting.state(), "pace": pace.state()}
+        save_checkpoint(run.out / "last.ckpt", fitting.model, record, progress)
+        bar.set_postfix(psnr=f"{row['psnr']:.2f} dB")
+    return report.brightness
+
+
+def _unit(run: Run, table: SampleTable, earlier: dict[str, Any] | None) -> float:
+    """Radiance that the loss calls 1; of a run that goes on from another, the same as there."""
+    if earlier is not None:
+        return float(earlier["progress"]["fitting"]["model"]["unit"])
+    return table.usual_radiance if run.preset.training.unit == "usual" else 1.0
+
+
+def _steps(earlier: dict[str, Any]) -> int:
+    """That led to a checkpoint."""
+    return int(earlier["progress"]["step"]) + int(earlier["record"].get("steps_before", 0))
 
 
 def _validations(run: Run, pace: Pace) -> int:
@@ -140,6 +170,7 @@ def _record(run: Run, done: int) -> dict[str, Any]:
         "preset_name": run.preset_name,
         "seed": run.seed,
         "steps": run.preset.training.steps if run.minutes is None else done,
+        "steps_before": run.steps_before,
         "minutes": run.minutes,
         "part": run.dataset.name,
         "cut": run.dataset.dataset.cut,
