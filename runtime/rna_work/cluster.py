@@ -41,7 +41,7 @@ def connected(address: str) -> Iterator[RayCluster]:
     if begun_here:
         try:
             ray.init(**options)
-        except (ConnectionError, RuntimeError, ValueError, OSError) as error:
+        except (ImportError, ConnectionError, RuntimeError, ValueError, OSError) as error:
             line = next(iter(str(error).splitlines()), type(error).__name__)
             raise WorkError(f"--cluster {address}: no cluster answers: {line}") from error
     try:
