@@ -2,8 +2,8 @@
 
     python benchmarks/cluster_rate.py examples/quickstart/toy.py examples/quickstart/scene.yaml
 
-Both in one run, in turns, as often as asked: from the first outcome to the last, so that no start
-of Ray, Blender or compiler counts.
+Both in one run, in turns, as often as asked, from when every worker has finished something: no
+start of Ray, Blender or a compiler counts.
 """
 
 from __future__ import annotations
@@ -37,13 +37,16 @@ from rna_work.pool import Pool
 
 
 def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
-    """From the outcome with which all workers have had one to the last."""
-    ends = []
+    """An item, from when every worker has finished one."""
+    at_work: set[str] = set()
+    ends: list[float] = []
     with pool:
         for outcome in pool.run(items):
             outcome.value()
-            ends.append(time.perf_counter())
-    return (ends[-1] - ends[workers - 1]) / (len(ends) - workers)
+            at_work.add(outcome.worker)
+            if len(at_work) == workers:
+                ends.append(time.perf_counter())
+    return (ends[-1] - ends[0]) / (len(ends) - 1)
 
 
 def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:

@@ -43,6 +43,7 @@ from rna_work.sources import Carried
 from rna_work.store import Store
 
 _COUNTED = 4096
+_RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
 _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
@@ -76,7 +77,7 @@ class Crew:
 
     def backend(self) -> Backend:
         """The place's room for workers."""
-        return self.place.workers(Needs("threads", resource="rna_blender"), self.workers)
+        return self.place.workers(Needs("threads", resource=_RESOURCE), self.workers)
 
 
 def begin(
@@ -155,7 +156,7 @@ def finish(
         return
     gathered = Gathered.of(dataset, crew.place, crew.store)
     missing = gathered.fetch(missing)
-    crew.place.on_every_node(blender_env.find_or_set_up)
+    crew.place.on_every_node(blender_env.find_or_set_up, _RESOURCE)
     scratch = None if crew.place.far else crew.scratch
     job = CaptureJob(gathered.carried(), gathered.store, source, crew.carried(source), scratch)
     cost = partial(_cost, dataset)
