@@ -41,7 +41,7 @@ def connected(address: str) -> Iterator[RayCluster]:
     if begun_here:
         try:
             ray.init(**options)
-        except (ConnectionError, RuntimeError, ValueError, OSError) as error:
+        except (ImportError, ConnectionError, RuntimeError, ValueError, OSError) as error:
             line = next(iter(str(error).splitlines()), type(error).__name__)
             raise WorkError(f"--cluster {address}: no cluster answers: {line}") from error
     try:
@@ -94,13 +94,15 @@ class RayCluster:
         count = min(threads or least, least)
         return RayWorkers(Needs("threads", max(count, 1)), None), max(count, 1)
 
-    def on_every_node(self, do: Callable[[], Answer]) -> dict[str, Answer]:
+    def on_every_node(
+        self, do: Callable[[], Answer], resource: str | None = None
+    ) -> dict[str, Answer]:
         import ray
         from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
 
         remote = ray.remote(num_cpus=0, max_retries=0)(_answer_of_node)
         asked = {}
-        for node in alive_nodes():
+        for node in nodes_with(resource):
             there = NodeAffinitySchedulingStrategy(node["NodeID"], soft=False)
             asked[node_name(node)] = remote.options(scheduling_strategy=there).remote(do)
         answers = {}
@@ -127,6 +129,12 @@ def alive_nodes() -> list[dict[str, Any]]:
     import ray
 
     return [node for node in ray.nodes() if node["Alive"] and node["Resources"].get("CPU", 0) > 0]
+
+
+def nodes_with(resource: str | None) -> list[dict[str, Any]]:
+    """Those that have a resource, if any has it; else all that can work."""
+    nodes = alive_nodes()
+    return [node for node in nodes if resource in node["Resources"]] or nodes
 
 
 def node_name(node: dict[str, Any]) -> str:

@@ -68,10 +68,12 @@ class Place(Protocol):
         where one of these is missing on a machine.
         """
 
-    def on_every_node(self, do: Callable[[], Answer]) -> dict[str, Answer]:
+    def on_every_node(
+        self, do: Callable[[], Answer], resource: str | None = None
+    ) -> dict[str, Answer]:
         """What `do`, which can be pickled, returns on each machine, by its name.
 
-        Raises what it raises, with the name of the machine.
+        resource: as of `Needs`. Raises what it raises, with the name of the machine.
         """
 
 
@@ -100,7 +102,9 @@ class ThisMachine:
     def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
         return InPlace(path)
 
-    def on_every_node(self, do: Callable[[], Answer]) -> dict[str, Answer]:
+    def on_every_node(
+        self, do: Callable[[], Answer], resource: str | None = None
+    ) -> dict[str, Answer]:
         return {HERE: do()}
 
 

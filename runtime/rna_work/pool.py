@@ -12,11 +12,13 @@ from queue import Empty, SimpleQueue
 from time import monotonic
 from typing import Any, Generic
 
+from rna_sdk.errors import WorkError
 from rna_work.backend import Backend, Slot
 from rna_work.patience import Patience
 from rna_work.worker import Item, MakeWorker, Outcome, Result, TimedOut, WorkerLost
 
 _FAILED_STARTS = 3  # one after the other, for what a worker itself raises
+_NO_ROOM = 60.0  # seconds
 _LOOK = 1.0  # seconds between looks at time limits and at the room for workers
 
 
@@ -67,6 +69,7 @@ class Pool(Generic[Item, Result]):
         self._failed_starts = 0
         self._looked = -inf
         self._room = 0
+        self._without = monotonic()  # since when there is no worker and no room
 
     def __enter__(self) -> Pool[Item, Result]:
         return self
@@ -155,6 +158,7 @@ class Pool(Generic[Item, Result]):
         try:
             member, future = self._events.get(timeout=_LOOK)
         except Empty:
+            self._wait_for_room()
             return self._out_of_time(feed)
         if member in self._starting:
             self._started(member, future)
@@ -164,6 +168,13 @@ class Pool(Generic[Item, Result]):
         outcome = self._finished(member, future, feed)
         late = self._out_of_time(feed) if monotonic() - self._looked >= _LOOK else []
         return late if outcome is None else [outcome, *late]
+
+    def _wait_for_room(self) -> None:
+        """Raises WorkError where there has been no worker and no room for one for a minute."""
+        if self._ready or (self._starting and self._room):
+            self._without = monotonic()
+        elif monotonic() - self._without > _NO_ROOM:
+            raise WorkError(f"no node has had room for a worker for {_NO_ROOM:.0f} s")
 
     def _started(self, member: _Member, future: Future[Any]) -> None:
         self._starting.remove(member)

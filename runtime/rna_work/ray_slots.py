@@ -52,11 +52,12 @@ class RayWorkers:
 
     def _wanted(self) -> dict[str, float]:
         """Resources that a worker takes, by Ray's names."""
-        from rna_work.cluster import alive_nodes
+        from rna_work.cluster import nodes_with
 
         needs = self.needs
         wanted = {"CPU": needs.cpus, "GPU": needs.gpus, "memory": needs.memory}
-        if needs.resource and any(needs.resource in node["Resources"] for node in alive_nodes()):
+        nodes = nodes_with(needs.resource)
+        if needs.resource and nodes and needs.resource in nodes[0]["Resources"]:
             wanted[needs.resource] = 1e-3  # only says which nodes
         return {name: need for name, need in wanted.items() if need}
 

@@ -74,7 +74,8 @@ def blender(monkeypatch: pytest.MonkeyPatch) -> Blender:
 
 def pool(tmp_path: Path) -> Pool[Any, None]:
     path = tmp_path / "ball.blend"
-    job = shift.CaptureJob(tmp_path, "", Source(path), InPlace(path), scratch=tmp_path)
+    path.touch()
+    job = shift.CaptureJob(InPlace(path), None, Source(path), InPlace(path), scratch=tmp_path)
     return Pool(Threads(1), lambda name: CaptureWorker(job, name), attempts=2)
 
 

@@ -108,7 +108,7 @@ class WithoutBlender(CaptureWorker):
     """Runs tasks that need no Blender."""
 
     def __enter__(self) -> WithoutBlender:
-        self._dataset = Dataset(self._job.folder)
+        self._dataset = Dataset(self._job.dataset.here().parent)
         self._scene = None
         return self
 

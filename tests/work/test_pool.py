@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from rna_sdk.errors import WorkError
 from rna_work.backend import Backend
 from rna_work.patience import Patience
 from rna_work.pool import Pool
 from rna_work.processes import Processes
-from rna_work.threads import Threads
+from rna_work.threads import Caller, Threads
 from rna_work.worker import TimedOut, WorkerLost
 from tests.work.workers import CannotStart, Doubling, Once, Repeating
 
@@ -102,6 +104,29 @@ def test_what_hangs_is_ended_and_run_again(backend: Backend, tmp_path: Path) -> 
 @pytest.mark.parametrize("backend", BACKENDS, ids=ids)
 def test_workers_that_cannot_start_say_why(backend: Backend) -> None:
     with Pool(backend, CannotStart) as pool, pytest.raises(ValueError, match="cannot start"):
+        list(pool.run([1]))
+
+
+def test_the_caller_can_be_the_worker() -> None:
+    thread = threading.get_ident()
+
+    class Telling(Doubling):
+        def run(self, item: object) -> object:
+            return super().run(item), threading.get_ident()
+
+    with Pool(Caller(), Telling) as pool:
+        outcomes = list(pool.run([1, "fail", 3]))
+    assert [o.result for o in outcomes] == [(2, thread), None, (6, thread)]
+
+
+class NoRoom(Threads):
+    def width(self) -> int:
+        return 0
+
+
+def test_no_room_for_workers_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rna_work.pool._NO_ROOM", 0.1)
+    with Pool(NoRoom(1), Doubling) as pool, pytest.raises(WorkError, match="no node has had room"):
         list(pool.run([1]))
 
 

@@ -22,6 +22,7 @@ from rna_export.memory import keep_freed_memory
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
 from rna_work.places import add_cluster_option, place
+from rna_work.store import Store
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset import Dataset
@@ -135,6 +136,12 @@ def add_workers(p: argparse.ArgumentParser) -> None:
         f"{default_workers()})",
     )
     add_cluster_option(p)
+    p.add_argument(
+        "--store",
+        metavar="URL",
+        help="where the nodes of a cluster put rays, if they share no folder with this machine, "
+        "such as s3://bucket/captures (address, default: they share it)",
+    )
 
 
 def _usual(name: str) -> str:
@@ -205,7 +212,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     begun = (args.out / "manifest.json").is_file()
     try:
         with place(args.cluster) as where:
-            crew = Crew(python, scratch, args.workers, where)
+            store = None if args.store is None else Store(args.store)
+            crew = Crew(python, scratch, args.workers, where, store)
             if begun:
                 dataset = _continue(args.out, args.source, arguments, asked)
                 _check_scene(dataset, for_scene)

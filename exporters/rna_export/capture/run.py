@@ -20,6 +20,7 @@ from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import light_direction
 from rna_export.capture.exported_parts import exported_parts
+from rna_export.capture.gathered import Gathered
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.settings import CaptureSettings
@@ -38,10 +39,11 @@ from rna_work.patience import Patience
 from rna_work.places import Needs, Place, this_machine
 from rna_work.pool import Pool
 from rna_work.progress import Progress
-from rna_work.shared import check_shared
 from rna_work.sources import Carried
+from rna_work.store import Store
 
 _COUNTED = 4096
+_RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
 _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
@@ -50,13 +52,15 @@ class Crew:
     """Who captures.
 
     python, scratch: of Blender on this machine. workers: how many, each with one thread, since a
-    small render scales badly; None for all that there is room for.
+    small render scales badly; None for all that there is room for. store: where workers put what is
+    finished; None if they all see the dataset's folder.
     """
 
     python: Path
     scratch: Path
     workers: int | None
     place: Place = field(default_factory=this_machine)
+    store: Store | None = None
 
     def probe(self, source: Source) -> BlenderWorker:
         """A Blender of this machine that is not one of the workers."""
@@ -73,7 +77,7 @@ class Crew:
 
     def backend(self) -> Backend:
         """The place's room for workers."""
-        return self.place.workers(Needs("threads", resource="rna_blender"), self.workers)
+        return self.place.workers(Needs("threads", resource=_RESOURCE), self.workers)
 
 
 def begin(
@@ -150,15 +154,11 @@ def finish(
     missing = [task for task in asked if not task.path(dataset).is_file()]
     if not missing:
         return
-    check_shared(crew.place, dataset.folder)
-    crew.place.on_every_node(blender_env.find_or_set_up)
-    job = CaptureJob(
-        dataset.folder.resolve(),
-        dataset.manifest.model_dump_json(),
-        source,
-        crew.carried(source),
-        scratch=None if crew.place.far else crew.scratch,
-    )
+    gathered = Gathered.of(dataset, crew.place, crew.store)
+    missing = gathered.fetch(missing)
+    crew.place.on_every_node(blender_env.find_or_set_up, _RESOURCE)
+    scratch = None if crew.place.far else crew.scratch
+    job = CaptureJob(gathered.carried(), gathered.store, source, crew.carried(source), scratch)
     cost = partial(_cost, dataset)
     total = sum(map(cost, missing))
     with (
@@ -174,6 +174,7 @@ def finish(
         clock = _TaskClock(dataset, limit)
         for outcome in progress.of(pool, pool.run(clock.in_time(missing)), cost):
             dataset.record_processors([outcome.value()])
+            gathered.finished(outcome.item)
             clock.took = outcome.seconds
     opened.cache_clear()
     lights, there = dataset.manifest.settings.lights, dataset.lights_finished()

@@ -17,6 +17,7 @@ from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.memory import keep_freed_memory
 from rna_sdk.cpu import processor_key
 from rna_work.sources import Carried
+from rna_work.store import Store
 
 _TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
 _opening = threading.Lock()
@@ -26,12 +27,13 @@ _opening = threading.Lock()
 class CaptureJob:
     """What a worker needs, wherever it is.
 
-    manifest: of the dataset in the folder. files: the source, and what it reads. scratch: for ray
-    images; None for a temporary folder of the worker's machine.
+    dataset: the manifest of the dataset, with its geometry. store: where finished files go; None
+    for the dataset's own folder. files: the source, and what it reads. scratch: for ray images;
+    None for a temporary folder of the worker's machine.
     """
 
-    folder: Path
-    manifest: str
+    dataset: Carried
+    store: Store | None
     source: Source
     files: Carried
     scratch: Path | None
@@ -50,7 +52,8 @@ class CaptureWorker:
         keep_freed_memory()
         job = self._job
         with _opening:  # workers that are threads share what is opened
-            self._dataset, self._scene = opened(job.folder, job.manifest)
+            manifest = job.dataset.here()
+            self._dataset, self._scene = opened(manifest.parent, manifest.read_text())
         if job.scratch is None:
             self._temporary = Path(tempfile.mkdtemp(prefix="rna-capture-"))
         source = replace(job.source, path=job.files.here())
@@ -67,17 +70,27 @@ class CaptureWorker:
 
     def run(self, task: Task) -> str:
         """Render a task, unless a worker that was lost had finished it; the processor's key."""
-        if task.path(self._dataset).is_file():
+        path = task.path(self._dataset)
+        if path.is_file():
             return processor_key()
         if self._done and self._done % _TASKS_A_PROCESS == 0:
             self._blender.restart()
+        path.parent.mkdir(exist_ok=True)
         task.run(self._dataset, self._scene, self._blender)
         self._done += 1
+        if self._job.store is not None:
+            self._job.store.put(path, stored_name(task, self._dataset))
+            path.unlink()
         return processor_key()
 
     def kill(self) -> None:
         if self._blender is not None:
             self._blender.kill()
+
+
+def stored_name(task: Task, dataset: Dataset) -> str:
+    """Of the task's file, from the dataset's folder on."""
+    return task.path(dataset).relative_to(dataset.folder).as_posix()
 
 
 @lru_cache(1)
