@@ -147,7 +147,7 @@ def test_rays_after_the_first_round_have_a_guide_and_weights(make: Any) -> None:
 
 
 def test_a_goal_that_is_met_ends_the_rounds_and_spares_the_last_phase(make: Any) -> None:
-    made, _ = make(goal=Goal("min_psnr", 12.0))
+    made, _ = make(goal=Goal("min_psnr", 5.0))
     assert (made.why, made.rounds) == ("goal met", 1)
     assert made.checkpoints[0].name == "round-01"
 
@@ -235,13 +235,13 @@ def stopping(*_: Any, **__: Any) -> None:
 
 
 def test_another_order_in_the_same_folder_is_refused(make: Any) -> None:
-    make(goal=Goal("min_psnr", 12.0))
+    make(goal=Goal("min_psnr", 5.0))
     with pytest.raises(TrainingError, match="was begun with goal"):
-        make(goal=Goal("min_psnr", 13.0))
+        make(goal=Goal("min_psnr", 6.0))
 
 
 def test_a_damaged_state_is_one_line(make: Any, tmp_path: Path) -> None:
-    make(goal=Goal("min_psnr", 12.0))
+    make(goal=Goal("min_psnr", 5.0))
     (tmp_path / "work" / "make.json").write_text("{")
     with pytest.raises(TrainingError, match=r"make\.json"):
-        make(goal=Goal("min_psnr", 12.0))
+        make(goal=Goal("min_psnr", 5.0))

@@ -29,7 +29,7 @@ class Progress:
 
     def stage(self, label: str, weight: float) -> Stage:
         """A stage begins; the ones before it are done."""
-        self._bar.set_description(label)
+        self._bar.set_description_str(label)
         self._begun = self._bar.n
         return Stage(self._bar, _UNITS * weight, self._begun)
 
