@@ -22,10 +22,13 @@ from rna_export.fit.goal import Goal
 from rna_export.make import phases as phases_module
 from rna_export.make import rays as rays_module
 from rna_export.make import run as run_module
+from rna_export.make import stop as stop_module
 from rna_export.make.order import Order
 from rna_export.make.run import Made, Make
 from rna_export.make.state import Asked
+from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.curves import Curves
 from rna_export.training.presets import PRESETS
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny
@@ -86,8 +89,12 @@ class Cycles:
 @pytest.fixture
 def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple[Made, Cycles]]:
     """Runs a make of tiny models in `<tmp_path>/work`."""
-    for name in ("tiny", "small"):
-        monkeypatch.setitem(PRESETS["surface"], name, tiny(name, steps=80))
+    for name, width in (("tiny", 16), ("small", 24)):
+        preset = tiny(name, steps=80).with_model(width=width)
+        monkeypatch.setitem(PRESETS["surface"], name, preset)
+    monkeypatch.setattr(stop_module, "LEAST_GAIN_DB", 6.0)  # three rounds or four
+    monkeypatch.setattr(Curves, "draw", lambda _: None)
+    monkeypatch.setattr(report_module, "write_images", lambda *_: None)
 
     def run(
         presets: tuple[str, ...] = ("small",),

@@ -42,6 +42,7 @@ def test_rounds_grow_and_end_in_full_length() -> None:
         assert plan.capture_seconds(k, math.inf) is None
     assert lights[0] == 256 and all(n % 16 == 0 for n in lights)
     assert all(1.3 < b / a < 1.7 for a, b in pairwise(lights))
+    assert all(b - a <= 1008 for a, b in pairwise(lights))  # half of the usual ones at most
     steps = [plan.phase(k, math.inf).steps for k in range(8)]
     assert steps[0] == 5000 and steps == sorted(steps) and max(steps) == 40_000
     assert plan.last_phase(math.inf, 2) == Length(steps=40_000)

@@ -88,6 +88,9 @@ static void trace_part(const RnaAsset *asset, const Tracer *tracer, int part, un
         rna_transmittance(asset, part, primitive, odd_number(i + 300), 0.2, direction, tau);
         for (int k = 0; k < 3; k++)
             if (!(v[k] >= 0 && v[k] <= 1 && tau[k] >= 0 && tau[k] <= 1)) stop("not from 0 to 1", seed);
+        rna_normal(asset, part, primitive, odd_number(i + 300), odd_number(i + 400), direction);
+        for (int k = 0; k < 3; k++)
+            if (!(fabsf(direction[k]) <= 1.0001f)) stop("a normal that is not unit", seed);
         if (trace_closest(tracer, position, wi, NULL, &hit) &&
             trace_closest(tracer, position, wi, &hit, &behind) && !(behind.t >= hit.t))
             stop("hits out of order", seed);

@@ -83,6 +83,13 @@ typedef struct RnaTransmittance {
     double ior[2];                    /* Fresnel reflection, front and back; 0 where there is none */
 } RnaTransmittance;
 
+/* The relief of a range of triangles (section 4.5); rna_normal looks it up. */
+typedef struct RnaNormalMap {
+    uint32_t first, count;  /* triangles */
+    uint32_t width, height; /* of the map */
+    const uint8_t *texels;  /* [height][width][2]: 127 + 127 times x and y; row 0 at v = 0 */
+} RnaNormalMap;
+
 /* A geometry with planes and decoders of its own. */
 typedef struct RnaPart {
     const char *name;
@@ -93,6 +100,8 @@ typedef struct RnaPart {
     bool emits;              /* whether rna_emission gives more than 0 */
     int record_count;        /* of transmittance; 0: every hit is opaque */
     const RnaTransmittance *records; /* in the order of their triangles */
+    int normal_map_count; /* 0: the normals of hits are those of the mesh */
+    const RnaNormalMap *normal_maps; /* in the order of their triangles */
 } RnaPart;
 
 typedef struct RnaAsset RnaAsset;
@@ -138,6 +147,12 @@ RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, cons
  * opaque one, and for a part or triangle that is not there; where it is 1, there is no hit. */
 void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2,
                        const float direction[3], float tau[3]);
+
+/* The unit normal to ask rna_evaluate and rna_emission with where a ray hits the triangle at barycentric
+ * coordinates b1, b2 of its second and third corner: interpolated (section 4.1), with the relief of the
+ * normal maps (4.5), not turned to the viewer.  0 where the corners' normals cancel, and for a part or
+ * triangle that is not there, or has no mesh.  Rays for the visibility know nothing of the relief. */
+void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, float normal[3]);
 
 /* A sentence for a status. */
 const char *rna_status_text(RnaStatus status);

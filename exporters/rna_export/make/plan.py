@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pydantic import BaseModel, ConfigDict
 
 _FIRST = 1 / 8  # of the usual lights, and of the preset's steps, in the first round
-_LIGHTS_GROW, _STEPS_GROW = 1.5, 1.5  # a round: in all, and each
+_STEPS_GROW = 1.5  # a round's, over those of the round before
+_MORE = 0.5  # lights of a round over all before it, and at most over the usual ones
 
 _TIMED_ROUNDS = 4
 _SHORT_SECONDS, _SHORT_ROUNDS = 240.0, 2  # each start of Blender costs seconds
@@ -43,8 +44,8 @@ class OpenPlan:
 
     def lights_of(self, round_: int, before: int) -> int:
         """Lights after a round, with `before` of the rounds before it."""
-        wanted = _FIRST * self.lights if round_ == 0 else _LIGHTS_GROW * before
-        return in_shards(wanted, before, self.shard)
+        more = _FIRST * self.lights if round_ == 0 else _MORE * min(before, self.lights)
+        return in_shards(before + more, before, self.shard)
 
     def capture_seconds(self, round_: int, left: float) -> float | None:
         """That a round's capture may take: no limit."""

@@ -95,4 +95,4 @@ class _Part:
 
 
 def _fill(bar: tqdm, n: float) -> None:
-    bar.update(max(n - bar.n, 0.0))
+    bar.update(max(min(n, bar.total) - bar.n, 0.0))

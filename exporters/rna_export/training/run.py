@@ -11,6 +11,7 @@ from typing import Any
 import torch
 from tqdm import tqdm
 
+from rna_export.brightness import Brightness
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_progress, save_checkpoint
 from rna_export.training.curves import Curves
@@ -83,18 +84,18 @@ def train(
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
     with bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar:
-        told = _fit(run, fitting, table, pace, done, bar)
-    if told is not None:
-        say(told)
+        found = _fit(run, fitting, table, pace, done, bar)
+    if found is not None:
+        say(str(found))
     return so_far.replace(best) if so_far.is_file() else best
 
 
 def _fit(
     run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int, bar: tqdm
-) -> str | None:
+) -> Brightness | None:
     """All steps after the first `done`, with validations at equal parts of the run.
 
-    Returns what the last of them says of the brightness.
+    Returns the brightness that the last of them found.
     """
     curves, report = Curves(run.out, done), Report(run.dataset, run.out)
     batches, losses = iter(table), []

@@ -7,7 +7,7 @@
 #include "decoder_load.h"
 #include "manifest.h"
 #include "mesh.h"
-#include "transmittance.h"
+#include "normal_maps.h"
 
 /* The entry that a reference names; NULL where it is not as declared. */
 static const Entry *intact_entry(Container *zip, const Json *object, const char *name) {
@@ -66,6 +66,7 @@ static void read_geometry(const Entry *entry, Span data, RnaAsset *asset, Part *
 
 static void read_transmittance(Container *zip, const Json *json, Part *part, RnaReport *report) {
     const Json *list = member(json, "transmittance");
+    uint64_t start = 0;
     for (const Json *item = list ? list->first : NULL; item; item = item->next) {
         int i = part->public.record_count++;
         RnaTransmittance *record = &part->records[i];
@@ -73,11 +74,32 @@ static void read_transmittance(Container *zip, const Json *json, Part *part, Rna
         const Entry *entry = intact_entry(zip, item, "texture");
         bool good = entry && read_texture(entry_data(zip, entry), record, entry->name, report);
         if (!part->public.mesh ||
-            !check_range(record, i ? record - 1 : NULL, &part->mesh, part->public.name, report))
+            !check_range("TRANSMITTANCE_RANGE", record->first, record->count, start, &part->mesh,
+                         part->public.name, report))
             return;
+        start = (uint64_t)record->first + record->count;
         if (good) check_coordinates(record, &part->mesh, part->public.name, report);
     }
     if (list) part->public.records = part->records;
+}
+
+static void read_normal_maps(Container *zip, const Json *json, Part *part, RnaReport *report) {
+    const Json *list = member(json, "normalMaps");
+    RnaPart *public = &part->public;
+    uint64_t start = 0;
+    for (const Json *item = list ? list->first : NULL; item; item = item->next) {
+        RnaNormalMap *map = &part->normal_maps[public->normal_map_count++];
+        range_of(item, &map->first, &map->count);
+        const Entry *entry = intact_entry(zip, item, "texture");
+        if (entry) read_normal_map(entry_data(zip, entry), map, entry->name, report);
+        if (!public->mesh || !check_range("NORMAL_MAP_RANGE", map->first, map->count, start, &part->mesh,
+                                          public->name, report))
+            return;
+        start = (uint64_t)map->first + map->count;
+    }
+    if (list) public->normal_maps = part->normal_maps;
+    if (list && !part->mesh.uvs)
+        refuse(report, "NORMAL_MAP_UV", public->name, "a mesh with TEXCOORD_0", "none");
 }
 
 static void read_part(Container *zip, const Json *root, const Json *json, RnaAsset *asset, RnaReport *report) {
@@ -95,6 +117,7 @@ static void read_part(Container *zip, const Json *root, const Json *json, RnaAss
     if (entry) read_geometry(entry, entry_data(zip, entry), asset, part, report);
     if (part->is_quantised) check_age(root, "quantised geometry", public->name, report);
     read_transmittance(zip, json, part, report);
+    read_normal_maps(zip, json, part, report);
 }
 
 /* ---------------------------------------------------------------------- Tiers */

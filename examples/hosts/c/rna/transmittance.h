@@ -21,27 +21,29 @@ static bool read_texture(Span file, RnaTransmittance *record, const char *entry,
     return true;
 }
 
+/* The triangles of a record.  Beyond 32 bits there is none, and check_range refuses what ends there. */
+static void range_of(const Json *json, uint32_t *first, uint32_t *count) {
+    const Json *triangles = member(json, "triangles")->first;
+    *first = (uint32_t)fmin(triangles->number, UINT32_MAX);
+    *count = (uint32_t)fmin(triangles->next->number, UINT32_MAX);
+}
+
 /* What the manifest says of a record. */
 static RnaTransmittance record_of(const Json *json) {
-    const Json *triangles = member(json, "triangles")->first, *cutoff = member(json, "cutoff");
-    const Json *ior = member(json, "ior");
+    const Json *cutoff = member(json, "cutoff"), *ior = member(json, "ior");
     RnaTransmittance record = {0};
-    /* Beyond 32 bits there is no triangle, and check_range refuses what ends there. */
-    record.first = (uint32_t)fmin(triangles->number, UINT32_MAX);
-    record.count = (uint32_t)fmin(triangles->next->number, UINT32_MAX);
+    range_of(json, &record.first, &record.count);
     if (cutoff) record.cutoff = cutoff->number;
     if (ior) record.ior[0] = ior->first->number, record.ior[1] = ior->first->next->number;
     return record;
 }
 
-/* The range lies behind that of the record before, and in the mesh. */
-static bool check_range(const RnaTransmittance *record, const RnaTransmittance *before,
+/* The range lies at `start` or behind, and in the mesh. */
+static bool check_range(const char *code, uint32_t first, uint32_t count, uint64_t start,
                         const RnaMesh *mesh, const char *where, RnaReport *report) {
-    uint64_t start = before ? (uint64_t)before->first + before->count : 0;
-    uint64_t end = (uint64_t)record->first + record->count;
-    return (record->first >= start && end <= mesh->triangle_count) ||
-           refuse(report, "TRANSMITTANCE_RANGE", where, "ranges that ascend, inside the mesh",
-                  "%u triangles from %u", (unsigned)record->count, (unsigned)record->first);
+    return (first >= start && (uint64_t)first + count <= mesh->triangle_count) ||
+           refuse(report, code, where, "ranges that ascend, inside the mesh", "%u triangles from %u",
+                  (unsigned)count, (unsigned)first);
 }
 
 /* Whether the mesh has the coordinates that the texture is looked up with. */
@@ -61,20 +63,27 @@ static double fresnel(double e, double c) {
 
 static double wrapped(double i, double size) { return i - size * floor(i / size); }
 
-/* Values of the texture at (u, v), which repeats. */
-static void sample_texture(const RnaTransmittance *record, double u, double v, double tau[3]) {
-    double s = u * record->width - 0.5, t = v * record->height - 0.5, i = floor(s), j = floor(t);
-    for (size_t channel = 0; channel < 3; channel++) tau[channel] = 0;
+/* [height][width][channels], which repeat. */
+typedef struct Texels {
+    const uint8_t *at;
+    uint32_t width, height, channels;
+} Texels;
+
+/* Values from 0 to 255 of each channel at (u, v), bilinear; false, and 0, beyond what float64 resolves. */
+static bool sample_texels(const Texels *texels, double u, double v, double *values) {
+    const double width = texels->width, height = texels->height;
+    double s = u * width - 0.5, t = v * height - 0.5, i = floor(s), j = floor(t);
+    for (size_t channel = 0; channel < texels->channels; channel++) values[channel] = 0;
     for (int corner = 0; corner < 4; corner++) {
-        double column = wrapped(i + (corner & 1), record->width);
-        double row = wrapped(j + (corner >> 1), record->height);
+        double column = wrapped(i + (corner & 1), width), row = wrapped(j + (corner >> 1), height);
         double weight = (corner & 1 ? s - i : 1 - (s - i)) * (corner >> 1 ? t - j : 1 - (t - j));
-        if (!(column < record->width && row < record->height)) return; /* beyond what float64 resolves */
+        if (!(column < width && row < height)) return false;
         const uint8_t *texel =
-            record->texels + ((size_t)row * record->width + (size_t)column) * record->channels;
-        for (size_t channel = 0; channel < 3; channel++)
-            tau[channel] += weight * texel[channel % record->channels] / 255;
+            texels->at + ((size_t)row * texels->width + (size_t)column) * texels->channels;
+        for (size_t channel = 0; channel < texels->channels; channel++)
+            values[channel] += weight * texel[channel];
     }
+    return true;
 }
 
 /* 1 - F for a ray of unit direction d: by its angle to the shading normal, from the side of the triangle
@@ -106,7 +115,9 @@ static void look_up(const RnaTransmittance *record, const RnaMesh *mesh, uint32_
     double uv[2] = {0}, d[3] = {direction[0], direction[1], direction[2]}, values[3], share = 1;
     for (int i = 0; i < 3 && mesh->uvs; i++)
         for (size_t k = 0; k < 2; k++) uv[k] += b[i] * mesh->uvs[2 * (size_t)corner[i] + k];
-    sample_texture(record, uv[0], uv[1], values);
+    const Texels texels = {record->texels, record->width, record->height, record->channels};
+    sample_texels(&texels, uv[0], uv[1], values);
+    for (uint32_t k = 3; k-- > 0;) values[k] = values[k % record->channels] / 255;
     if (record->cutoff > 0)
         for (int k = 0; k < 3; k++) values[k] = values[k] > record->cutoff;
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
