@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import socket
 from collections.abc import Callable
 from concurrent.futures import Future
@@ -40,7 +41,7 @@ class RayWorkers:
         )
 
     def slot(self, make: MakeWorker, name: str) -> RaySlot:
-        return RaySlot(self.options(), make, name)
+        return RaySlot(self.options(), max(1, int(self.needs.cpus)), make, name)
 
     def options(self) -> dict[str, Any]:
         """Of an actor."""
@@ -65,11 +66,11 @@ class RayWorkers:
 class RaySlot:
     """An actor with its worker."""
 
-    def __init__(self, options: dict[str, Any], make: MakeWorker, name: str) -> None:
+    def __init__(self, options: dict[str, Any], threads: int, make: MakeWorker, name: str) -> None:
         import ray
 
         self.name = name
-        self._actor = ray.remote(_Actor).options(**options).remote()
+        self._actor = ray.remote(_Actor).options(**options).remote(threads)
         self.ready = _settled(self._actor.begin.remote(make, name))
 
     def give(self, item: Any) -> Future[Any]:
@@ -90,6 +91,11 @@ class _Actor:
     """Runs in a process of its own on some node."""
 
     _worker: Worker
+
+    def __init__(self, threads: int) -> None:
+        """threads: of compiled kernels, which read this when the worker's modules are imported."""
+        os.environ["NUMBA_NUM_THREADS"] = str(threads)
+        os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # else idle threads spin
 
     def begin(self, make: MakeWorker, name: str) -> tuple[Any, Exception | None]:
         return _answer(lambda: self._enter(make, name))

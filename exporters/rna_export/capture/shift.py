@@ -16,6 +16,7 @@ from rna_export.capture.tasks import Task
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.memory import keep_freed_memory
 from rna_sdk.cpu import processor_key
+from rna_sdk.kernel_threads import limit_kernel_threads
 from rna_work.sources import Carried
 from rna_work.store import Store
 
@@ -50,6 +51,7 @@ class CaptureWorker:
 
     def __enter__(self) -> CaptureWorker:
         keep_freed_memory()
+        limit_kernel_threads(1)  # each worker has a core
         job = self._job
         with _opening:  # workers that are threads share what is opened
             manifest = job.dataset.here()
