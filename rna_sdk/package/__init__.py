@@ -9,7 +9,13 @@ from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
 from rna_sdk.package.curves import Curves
 from rna_sdk.package.geometry import quantise
 from rna_sdk.package.issues import Code, Issue, Severity
-from rna_sdk.package.manifest import Manifest, Part, Provenance, TransmittanceRecord
+from rna_sdk.package.manifest import (
+    Manifest,
+    NormalMapRecord,
+    Part,
+    Provenance,
+    TransmittanceRecord,
+)
 from rna_sdk.package.manifest_fields import Bounds, Cone, Domain
 from rna_sdk.package.manifest_tiers import (
     Agreement,
@@ -44,6 +50,7 @@ __all__ = [
     "Manifest",
     "Mesh",
     "NormalMap",
+    "NormalMapRecord",
     "Package",
     "PackageError",
     "Part",
