@@ -97,6 +97,17 @@ def test_light_and_shadow_are_on_every_geometry(kit: Kit) -> None:
         assert not between.any() or between.mean() > 0.1
 
 
+def test_normals_are_bent_in_every_way(kit: Kit) -> None:
+    (case,) = kit.normals
+    rows = {c.name: c.rows for c in case.classes}
+    assert set(rows) == {
+        *("ordinary", "mirrored", "no area in the texture", "no map", "edges and corners"),
+    }
+    assert min(rows.values()) > 100 and sum(rows.values()) == len(case.expected)
+    np.testing.assert_allclose(np.linalg.norm(case.expected, axis=1), 1)
+    assert case.tolerance.min() >= 1e-4 and case.tolerance.max() <= 1e-3
+
+
 @pytest.mark.parametrize("beyond", [0.0, 1e-2])
 def test_hits_next_to_a_decision_are_left_out(beyond: float) -> None:
     """A ray that passes the edge of the hovering sheet exactly, or clears it."""

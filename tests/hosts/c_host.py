@@ -122,11 +122,11 @@ class CAsset:
         return tau
 
     def normal(self, triangle: int, b1: float, b2: float) -> np.ndarray:
-        """(3,) float32: what a hit there is asked with."""
-        n = np.empty(3, np.float32)
+        """(3,) float32 that a surface is asked with."""
+        normal = np.empty(3, np.float32)
         place = ctypes.c_uint32(triangle), ctypes.c_double(b1), ctypes.c_double(b2)
-        self._rna.rna_normal(self._asset, self._part, *place, _address(n))
-        return n
+        self._rna.rna_normal(self._asset, self._part, *place, _address(normal))
+        return normal
 
     def _ask(self, function: str, *arrays: np.ndarray | None) -> None:
         rows = ctypes.c_size_t(0 if arrays[0] is None else len(arrays[0]))

@@ -148,16 +148,15 @@ void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, doubl
 
 void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, float normal[3]) {
     const RnaPart *of = rna_part(asset, part);
-    const double w[3] = {1 - b1 - b2, b1, b2};
-    double n[3];
-    for (int k = 0; k < 3; k++) normal[k] = 0;
-    if (!of || !of->mesh || triangle >= of->mesh->triangle_count) return;
-    const uint32_t *corner = &of->mesh->triangles[3 * (size_t)triangle];
-    if (!plain_normal(of->mesh, corner, w, n)) return;
-    for (int i = 0; i < of->normal_map_count; i++) {
-        const RnaNormalMap *map = &of->normal_maps[i];
-        if (triangle >= map->first && triangle - map->first < map->count)
-            bend_normal(map, of->mesh, corner, w, n);
+    const double b[3] = {1 - b1 - b2, b1, b2};
+    double n[3] = {0};
+    if (of && of->mesh && triangle < of->mesh->triangle_count) {
+        const uint32_t *corner = &of->mesh->triangles[3 * (size_t)triangle];
+        plain_normal(of->mesh, corner, b, n);
+        for (int i = 0; i < of->normal_map_count; i++)
+            if (triangle >= of->normal_maps[i].first &&
+                triangle - of->normal_maps[i].first < of->normal_maps[i].count)
+                bend_normal(&of->normal_maps[i], of->mesh, corner, b, n);
     }
     for (int k = 0; k < 3; k++) normal[k] = (float)n[k];
 }

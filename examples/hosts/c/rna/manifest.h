@@ -88,13 +88,13 @@ static void add_reference(References *list, const Json *object, const char *plac
     reference->path = member(object, name)->string;
 }
 
-/* The textures of the records in the member `name`. */
+/* The textures of the part's member `name`, a list of records. */
 static void collect_textures(const Json *part, const char *place, const char *name, References *list) {
     const Json *records = member(part, name);
     int i = 0;
     for (const Json *record = records ? records->first : NULL; record; record = record->next) {
         char where[48];
-        snprintf(where, sizeof where, "%.16s/%.16s/%d", place, name, i++);
+        snprintf(where, sizeof where, "%.16s/%s/%d", place, name, i++);
         add_reference(list, record, where, "texture");
     }
 }

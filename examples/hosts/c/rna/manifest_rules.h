@@ -112,11 +112,11 @@ static void parts_are_unique(Schema *schema, const Json *parts) {
 }
 
 static void is_a_surface(Schema *schema, const Json *part) {
-    static const char *const NAMES[] = {"transmittance", "normalMaps"};
-    for (int i = 0; i < 2; i++) {
-        if (is_string(member(part, "kind"), "surface") || !member(part, NAMES[i])) continue;
-        size_t before = push_text(schema, NAMES[i]);
-        break_rule(schema, schema->value, "of a surface alone", "%s of fibers", NAMES[i]);
+    static const char *const RECORDS[] = {"transmittance", "normalMaps"};
+    for (int i = 0; i < 2 && !is_string(member(part, "kind"), "surface"); i++) {
+        if (!member(part, RECORDS[i])) continue;
+        size_t before = push_text(schema, RECORDS[i]);
+        break_rule(schema, schema->value, "of a surface alone", "%s of fibers", RECORDS[i]);
         pop_place(schema, before);
     }
 }

@@ -1,35 +1,41 @@
-/* Normal maps (section 4.5). */
+/* Normals with the relief of normal maps (section 4.5). */
 #ifndef RNA_NORMAL_MAPS_H
 #define RNA_NORMAL_MAPS_H
 
-#include "transmittance.h"
+#include "textures.h"
 
 #define SHORT_VECTOR 1e-6
 
-static bool read_normal_map(Span file, RnaNormalMap *map, const char *entry, RnaReport *report) {
-    static const TensorCodes CODES = {"NORMAL_MAP_TEXTURE", "NORMAL_MAP_TEXTURE", "NORMAL_MAP_TEXTURE",
-                                      "NORMAL_MAP_TEXTURE", "NORMAL_MAP_TEXTURE", "NORMAL_MAP_TEXTURE"};
-    Tensor tensor = {"normals", "U8", 3, {1, 1, 2}, {MAX_TEXTURE, MAX_TEXTURE, 2}};
-    if (!read_tensors(file, &tensor, 1, entry, &CODES, report)) return false;
-    map->height = (uint32_t)tensor.shape[0];
-    map->width = (uint32_t)tensor.shape[1];
-    map->texels = tensor.data;
+static bool read_map(Span file, RnaNormalMap *map, const char *entry, RnaReport *report) {
+    Texture texture;
+    if (!read_texels(file, "normals", 2, 2, "NORMAL_MAP_TEXTURE", entry, &texture, report)) return false;
+    map->width = texture.width;
+    map->height = texture.height;
+    map->texels = texture.texels;
     return true;
 }
 
-static double dot3(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double dot_of(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* Of length 1; false, and as it was, where it has no direction. */
-static bool make_unit(double v[3]) {
-    double length = sqrt(dot3(v, v));
-    if (!(length > 0 && length <= DBL_MAX)) return false;
+/* Brings v to unit length; false, and v as it was, where it is no longer than `least`. */
+static bool made_unit(double v[3], double least) {
+    double length = sqrt(dot_of(v, v));
+    if (!(length > least)) return false;
     for (int k = 0; k < 3; k++) v[k] /= length;
     return true;
 }
 
-/* Along which u and v grow on the triangle; false where its coordinates do not tell. */
-static bool texture_directions(const RnaMesh *mesh, const uint32_t corner[3], double along_u[3],
-                               double along_v[3]) {
+/* The interpolated normal (section 4.1). */
+static void plain_normal(const RnaMesh *mesh, const uint32_t corner[3], const double b[3], double n[3]) {
+    for (size_t k = 0; k < 3; k++) {
+        n[k] = 0;
+        for (int i = 0; i < 3; i++) n[k] += b[i] * mesh->normals[3 * (size_t)corner[i] + k];
+    }
+    made_unit(n, 0);
+}
+
+/* U and V, along which u and v grow on the triangle; false where its coordinates do not tell. */
+static bool directions_of(const RnaMesh *mesh, const uint32_t corner[3], double along_u[3], double along_v[3]) {
     const float *p[3], *uv[3];
     for (int i = 0; i < 3; i++) {
         p[i] = &mesh->positions[3 * (size_t)corner[i]];
@@ -46,41 +52,25 @@ static bool texture_directions(const RnaMesh *mesh, const uint32_t corner[3], do
     return area != 0;
 }
 
-/* The frame (t, b, n) of the relief at the normal n; false where there is none. */
-static bool relief_frame(const RnaMesh *mesh, const uint32_t corner[3], const double n[3], double t[3],
-                         double b[3]) {
-    double along_u[3], along_v[3];
-    if (!texture_directions(mesh, corner, along_u, along_v)) return false;
-    double along_n = dot3(along_u, n);
-    for (int k = 0; k < 3; k++) t[k] = along_u[k] - along_n * n[k];
-    if (!(sqrt(dot3(t, t)) > SHORT_VECTOR * sqrt(dot3(along_u, along_u))) || !make_unit(t)) return false;
-    for (int k = 0; k < 3; k++) b[k] = n[(k + 1) % 3] * t[(k + 2) % 3] - n[(k + 2) % 3] * t[(k + 1) % 3];
-    if (dot3(b, along_v) > 0)
-        for (int k = 0; k < 3; k++) b[k] = -b[k];
-    return true;
-}
-
-/* Bends the unit normal n of a hit at weights w of the corners. */
+/* Bends n, the plain normal of a hit, by the map. */
 static void bend_normal(const RnaNormalMap *map, const RnaMesh *mesh, const uint32_t corner[3],
-                        const double w[3], double n[3]) {
-    double t[3], b[3], m[3], uv[2] = {0}, texel[2];
-    if (!relief_frame(mesh, corner, n, t, b)) return;
-    for (int i = 0; i < 3; i++)
-        for (size_t k = 0; k < 2; k++) uv[k] += w[i] * mesh->uvs[2 * (size_t)corner[i] + k];
-    const Texels texels = {map->texels, map->width, map->height, 2};
-    if (!sample_texels(&texels, uv[0], uv[1], texel)) return;
-    double x = (texel[0] - 127) / 127, y = (texel[1] - 127) / 127, z = sqrt(fmax(0, 1 - x * x - y * y));
-    for (int k = 0; k < 3; k++) m[k] = x * t[k] + y * b[k] + z * n[k];
-    if (sqrt(dot3(m, m)) > SHORT_VECTOR && make_unit(m)) memcpy(n, m, sizeof m);
-}
-
-/* The interpolated normal of a hit, unit; false where the corners' cancel. */
-static bool plain_normal(const RnaMesh *mesh, const uint32_t corner[3], const double w[3], double n[3]) {
-    for (size_t k = 0; k < 3; k++) {
-        n[k] = 0;
-        for (int i = 0; i < 3; i++) n[k] += w[i] * mesh->normals[3 * (size_t)corner[i] + k];
+                        const double b[3], double n[3]) {
+    const Texture texture = {map->width, map->height, 2, map->texels};
+    double t[3], along_v[3], across[3], uv[2], q[3], bent[3];
+    if (!directions_of(mesh, corner, t, along_v)) return;
+    double size = sqrt(dot_of(t, t)), along_n = dot_of(t, n);
+    for (int k = 0; k < 3; k++) t[k] -= along_n * n[k];
+    if (!made_unit(t, SHORT_VECTOR * size)) return;
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        across[k] = n[i] * t[j] - n[j] * t[i];
     }
-    return make_unit(n);
+    double up = dot_of(across, along_v) > 0 ? -1 : 1;
+    coordinates_at(mesh, corner, b, uv);
+    sample_texture(&texture, uv, q);
+    double x = (255 * q[0] - 127) / 127, y = (255 * q[1] - 127) / 127, z = sqrt(fmax(0, 1 - x * x - y * y));
+    for (int k = 0; k < 3; k++) bent[k] = x * t[k] + up * y * across[k] + z * n[k];
+    if (made_unit(bent, SHORT_VECTOR)) memcpy(n, bent, sizeof bent);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include "manifest.h"
 #include "mesh.h"
 #include "normal_maps.h"
+#include "transmittance.h"
 
 /* The entry that a reference names; NULL where it is not as declared. */
 static const Entry *intact_entry(Container *zip, const Json *object, const char *name) {
@@ -66,18 +67,16 @@ static void read_geometry(const Entry *entry, Span data, RnaAsset *asset, Part *
 
 static void read_transmittance(Container *zip, const Json *json, Part *part, RnaReport *report) {
     const Json *list = member(json, "transmittance");
-    uint64_t start = 0;
     for (const Json *item = list ? list->first : NULL; item; item = item->next) {
         int i = part->public.record_count++;
         RnaTransmittance *record = &part->records[i];
         *record = record_of(item);
         const Entry *entry = intact_entry(zip, item, "texture");
         bool good = entry && read_texture(entry_data(zip, entry), record, entry->name, report);
-        if (!part->public.mesh ||
-            !check_range("TRANSMITTANCE_RANGE", record->first, record->count, start, &part->mesh,
-                         part->public.name, report))
+        uint64_t start = i ? (uint64_t)record[-1].first + record[-1].count : 0;
+        if (!part->public.mesh || !check_range((Range){record->first, record->count}, start, &part->mesh,
+                                               "TRANSMITTANCE_RANGE", part->public.name, report))
             return;
-        start = (uint64_t)record->first + record->count;
         if (good) check_coordinates(record, &part->mesh, part->public.name, report);
     }
     if (list) part->public.records = part->records;
@@ -85,21 +84,22 @@ static void read_transmittance(Container *zip, const Json *json, Part *part, Rna
 
 static void read_normal_maps(Container *zip, const Json *json, Part *part, RnaReport *report) {
     const Json *list = member(json, "normalMaps");
-    RnaPart *public = &part->public;
     uint64_t start = 0;
+    if (list && part->public.mesh && !part->mesh.uvs)
+        refuse(report, "NORMAL_MAP_UV", part->public.name, "a mesh with TEXCOORD_0", "none");
     for (const Json *item = list ? list->first : NULL; item; item = item->next) {
-        RnaNormalMap *map = &part->normal_maps[public->normal_map_count++];
-        range_of(item, &map->first, &map->count);
+        RnaNormalMap *map = &part->maps[part->public.normal_map_count++];
+        const Range range = range_of(item);
         const Entry *entry = intact_entry(zip, item, "texture");
-        if (entry) read_normal_map(entry_data(zip, entry), map, entry->name, report);
-        if (!public->mesh || !check_range("NORMAL_MAP_RANGE", map->first, map->count, start, &part->mesh,
-                                          public->name, report))
+        map->first = range.first;
+        map->count = range.count;
+        if (entry) read_map(entry_data(zip, entry), map, entry->name, report);
+        if (!part->public.mesh ||
+            !check_range(range, start, &part->mesh, "NORMAL_MAP_RANGE", part->public.name, report))
             return;
-        start = (uint64_t)map->first + map->count;
+        start = (uint64_t)range.first + range.count;
     }
-    if (list) public->normal_maps = part->normal_maps;
-    if (list && !part->mesh.uvs)
-        refuse(report, "NORMAL_MAP_UV", public->name, "a mesh with TEXCOORD_0", "none");
+    if (list) part->public.normal_maps = part->maps;
 }
 
 static void read_part(Container *zip, const Json *root, const Json *json, RnaAsset *asset, RnaReport *report) {
