@@ -43,9 +43,9 @@ def run_reader(
     level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
     try:
         if level == "levels" and not rest:
-            had = {"evaluate": evaluate, "visibility": visibility, "normals": normals}
-            had["validate"] = validate
-            print("\n".join(name for name, function in had.items() if function))
+            levels = ("evaluate", "visibility", "normals", "validate")
+            had = (evaluate, visibility, normals, validate)
+            print("\n".join(name for name, function in zip(levels, had, strict=True) if function))
         elif level == "evaluate" and evaluate and len(rest) == 5:
             _answer(evaluate, 13, *rest)
         elif level == "emission" and emission and len(rest) == 5:
