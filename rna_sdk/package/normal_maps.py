@@ -19,6 +19,7 @@ from rna_sdk.package.tensor_file import (
     tensors_from_bytes,
     tensors_to_bytes,
 )
+from rna_sdk.package.texture_ranges import check_last_range
 
 Texels = NDArray[np.uint8]
 """(H, W, 2) uint8: 127 + 127 times x and y of the normal; row 0 is v = 0."""
@@ -77,13 +78,9 @@ def check_normal_maps(
     Raises:
         PackageError: NORMAL_MAP_RANGE or NORMAL_MAP_UV.
     """
-    if part.normal_maps:
-        last = len(part.normal_maps) - 1
-        end = sum(part.normal_maps[last].triangles)
-        if end > len(mesh.triangles):
-            found, expected = f"an end at {end}", f"at most {len(mesh.triangles)} triangles"
-            refuse(Code.NORMAL_MAP_RANGE, f"{where}/{last}/triangles", found, expected)
-        if mesh.uvs is None:
-            refuse(Code.NORMAL_MAP_UV, part.geometry, "no TEXCOORD_0", "texture coordinates")
+    ranges = [record.triangles for record in part.normal_maps]
+    check_last_range(ranges, mesh, Code.NORMAL_MAP_RANGE, where)
+    if ranges and mesh.uvs is None:
+        refuse(Code.NORMAL_MAP_UV, part.geometry, "no TEXCOORD_0", "texture coordinates")
     for record in part.normal_maps:
         texture_of(record)

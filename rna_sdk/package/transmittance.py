@@ -19,6 +19,7 @@ from rna_sdk.package.tensor_file import (
     tensors_from_bytes,
     tensors_to_bytes,
 )
+from rna_sdk.package.texture_ranges import check_last_range
 
 Texture = NDArray[np.uint8]
 """(H, W, C) uint8, C of 1 or 3: 255 times the transmittance, linear; row 0 is v = 0."""
@@ -84,12 +85,8 @@ def check_records(
     Raises:
         PackageError: TRANSMITTANCE_RANGE or TRANSMITTANCE_UV.
     """
-    if part.transmittance:
-        last = len(part.transmittance) - 1
-        end = sum(part.transmittance[last].triangles)
-        if end > len(mesh.triangles):
-            found, expected = f"an end at {end}", f"at most {len(mesh.triangles)} triangles"
-            refuse(Code.TRANSMITTANCE_RANGE, f"{where}/{last}/triangles", found, expected)
+    ranges = [record.triangles for record in part.transmittance]
+    check_last_range(ranges, mesh, Code.TRANSMITTANCE_RANGE, where)
     for record in part.transmittance:
         texture = texture_of(record)
         if texture is not None and texture.shape[:2] != (1, 1) and mesh.uvs is None:

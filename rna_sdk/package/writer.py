@@ -126,18 +126,15 @@ class _Contents:
         for k, (part, geometry) in enumerate(zip(parts, geometries, strict=True)):
             where = self._places.part(k, "geometry")
             self._add(where, part.geometry, geometry_to_bytes(geometry, part.kind, where))
-            for j, record in enumerate(part.transmittance):
-                where = self._places.part(k, "transmittance", j, "texture")
-                if record.texture not in textures:
-                    refuse(Code.REFERENCE_MISSING, where, "no such texture", record.texture)
-                data = texture_to_bytes(textures[record.texture], record.texture)
-                self._add(where, record.texture, data)
-            for j, mapped in enumerate(part.normal_maps):
-                where = self._places.part(k, "normalMaps", j, "texture")
-                if mapped.texture not in textures:
-                    refuse(Code.REFERENCE_MISSING, where, "no such texture", mapped.texture)
-                data = normals_to_bytes(textures[mapped.texture], mapped.texture)
-                self._add(where, mapped.texture, data)
+            for name, records, to_bytes in (
+                ("transmittance", part.transmittance, texture_to_bytes),
+                ("normalMaps", part.normal_maps, normals_to_bytes),
+            ):
+                for j, entry in enumerate(record.texture for record in records):
+                    where = self._places.part(k, name, j, "texture")
+                    if entry not in textures:
+                        refuse(Code.REFERENCE_MISSING, where, "no such texture", entry)
+                    self._add(where, entry, to_bytes(textures[entry], entry))
 
     def add_tiers(self, data: Mapping[str, Sequence[TierData]]) -> None:
         """Planes and decoders of every tier."""

@@ -7,25 +7,13 @@ from typing import Literal, Protocol
 
 import numpy as np
 
-from rna_render.normal_maps import NormalMap, NormalMaps
+from rna_render.normal_maps import NormalMaps, TextureRecord
 from rna_render.transmittance import Transmittance, TransmittanceTexture
 from rna_sdk.package import Curves, Mesh
 
 
-class TransmittanceRecord(Protocol):
-    """Holes or thin glass: `count` triangles from `first` on; spec/RNA.md, 4.4.
-
-    texture: (h, w, 1) or (h, w, 3) uint8.
-    """
-
-    @property
-    def first(self) -> int: ...
-
-    @property
-    def count(self) -> int: ...
-
-    @property
-    def texture(self) -> np.ndarray: ...
+class TransmittanceRecord(TextureRecord, Protocol):
+    """Holes or thin glass; spec/RNA.md, 4.4. texture: (h, w, 1) or (h, w, 3) uint8."""
 
     @property
     def cutoff(self) -> float | None: ...
@@ -50,7 +38,7 @@ class SurfacePart(Protocol):
     def transmittance_records(self) -> Sequence[TransmittanceRecord]: ...
 
     @property
-    def normal_maps(self) -> Sequence[NormalMap]: ...
+    def normal_maps(self) -> Sequence[TextureRecord]: ...
 
     def evaluate(
         self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray

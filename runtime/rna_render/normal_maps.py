@@ -17,8 +17,8 @@ from rna_sdk.compiled import compiled
 from rna_sdk.package import Mesh
 
 
-class NormalMap(Protocol):
-    """Of `count` triangles from `first` on; texture: (h, w, 2) uint8."""
+class TextureRecord(Protocol):
+    """The texture of `count` triangles from `first` on; of a normal map (h, w, 2) uint8."""
 
     @property
     def first(self) -> int: ...
@@ -33,7 +33,7 @@ class NormalMap(Protocol):
 class NormalMaps:
     """The normal maps of a mesh, ready to be looked up. Raises ValueError without any."""
 
-    def __init__(self, mesh: Mesh, maps: Sequence[NormalMap]) -> None:
+    def __init__(self, mesh: Mesh, maps: Sequence[TextureRecord]) -> None:
         uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
         self._mesh = mesh.positions, uvs, mesh.triangles
         self._number = np.full(len(mesh.triangles), -1, np.int32)
