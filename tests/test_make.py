@@ -20,7 +20,7 @@ pytestmark = pytest.mark.blender
 
 SCENE = """
 import sys
-rough = float(sys.argv[sys.argv.index("--") + 1])
+rough = float(sys.argv[1])
 add(*BALL, principled(Base_Color=(0.7, 0.2, 0.1, 1), Roughness=rough), smooth=True)
 """
 LAMP = """
@@ -61,10 +61,13 @@ def test_a_make_killed_at_every_stage_ends_with_a_package(tmp_path: Path) -> Non
     source = write_scene(tmp_path, "ball", SCENE)
     out, work = tmp_path / "ball.rna", tmp_path / "ball.make"
     for number, stage in enumerate(STAGES):
-        log = (tmp_path / f"{number}.log").open("w")
-        process = subprocess.Popen(
-            command(source, out, *SMALL, "--", 0.4), stdout=log, stderr=log, start_new_session=True
-        )
+        with (tmp_path / f"{number}.log").open("w") as log:
+            process = subprocess.Popen(
+                command(source, out, *SMALL, "--", 0.4),
+                stdout=log,
+                stderr=log,
+                start_new_session=True,
+            )
         while not list(work.glob(stage)) and process.poll() is None:
             time.sleep(0.02)
         assert process.poll() is None, f"{stage}: {(tmp_path / f'{number}.log').read_text()}"
