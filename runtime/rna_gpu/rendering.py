@@ -40,10 +40,11 @@ def render_scene(
     check_scene(scene_file, world)
     gpu = _on_gpu(scene_file, world, open_it())
     film = Film(scene_file.scene.resolution, gpu.groups)
+    report = _Report(progress, on_first_hits)
     losses = 0
     while film.samples < scene_file.scene.samples and not stop():
         try:
-            sample = _sample(gpu, film, stop, progress)
+            sample = _sample(gpu, film, stop, report)
         except DeviceLostError as error:
             losses += 1
             if losses > LOSSES:
@@ -53,8 +54,20 @@ def render_scene(
             continue
         if sample is not None:
             film.add(sample)
-        on_first_hits()
     return film
+
+
+class _Report:
+    """Tells of the first hits, once, and of progress."""
+
+    def __init__(self, progress: Callable[[int], None], on_first_hits: Callable[[], None]) -> None:
+        self._progress, self._on_first_hits, self._told = progress, on_first_hits, False
+
+    def __call__(self, pixels: int) -> None:
+        if not self._told:
+            self._told = True
+            self._on_first_hits()
+        self._progress(pixels)
 
 
 def _sample(
