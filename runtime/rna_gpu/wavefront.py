@@ -101,11 +101,12 @@ class Wavefront:
         padded = np.zeros((len(self._frames), _STRIDE), np.uint8)
         padded[:, : _FRAME.itemsize] = self._frames.view(np.uint8).reshape(len(padded), -1)
         device.write(self._uniform, padded)
-        for stage in self._stages:  # one submission each: no long work at a time
-            encoder = device.wgpu.create_command_encoder()
-            for step in stage:
-                self._record(encoder, step, count)
-            device.wgpu.queue.submit([encoder.finish()])
+        with device.working():
+            for stage in self._stages:  # one submission each: no long work at a time
+                encoder = device.wgpu.create_command_encoder()
+                for step in stage:
+                    self._record(encoder, step, count)
+                device.wgpu.queue.submit([encoder.finish()])
         data = device.read(self._path_sums, count * self._sums * 16)
         return _layers(data.view(np.float32).reshape(count, self._sums, 4))
 

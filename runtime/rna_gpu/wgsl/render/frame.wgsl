@@ -78,7 +78,7 @@ struct Pending {
 @group(0) @binding(2) var<storage, read_write> sums: array<vec4f>;
 @group(0) @binding(3) var<storage, read_write> pendings: array<Pending>;
 @group(0) @binding(4) var<storage, read> table: array<vec4f>;
-@group(0) @binding(5) var<storage, read> images: array<f32>;
+@group(0) @binding(5) var<storage, read> images: array<u32>; // floats of skies, bytes of textures
 
 fn path_number(id: vec3<u32>, groups: vec3<u32>) -> u32 {
     return id.y * groups.x * 64u + id.x;
