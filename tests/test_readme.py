@@ -36,7 +36,8 @@ def test_its_commands_exist() -> None:
 
 
 @pytest.mark.parametrize(
-    "page", ["README.md", "CONTRIBUTING.md", "docs/making-assets.md", "docs/preview.md"]
+    "page",
+    ["README.md", "CONTRIBUTING.md", "docs/making-assets.md", "docs/preview.md", "docs/gpu.md"],
 )
 def test_links_lead_somewhere(page: str) -> None:
     path = REPOSITORY / page
