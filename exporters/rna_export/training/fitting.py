@@ -56,8 +56,7 @@ class Fitting:
         loss.backward()
         for optimizer in self._optimizers:
             optimizer.step()
-            if not isinstance(optimizer, PlaneAdam):
-                optimizer.zero_grad()
+            optimizer.zero_grad()
         return loss.detach()
 
     @property

@@ -34,9 +34,9 @@ class LightSamples:
 
 @dataclass(frozen=True, slots=True)
 class LightRow:
-    """A light as compiled code has it: its row of `lights.table.LightTable`.
+    """A light as compiled code has it.
 
-    kind: one of `table`'s. numbers: float64, as its kind has them. words: uint64, likewise;
+    kind: one of `kinds`. numbers: float64, as its kind has them. words: uint64, likewise;
     addresses among them are valid as long as the light.
     """
 
@@ -73,10 +73,6 @@ class Light(ABC):
 
         Only for choosing among lights.
         """
-
-    def beside_rays(self) -> Light:
-        """The same light, as it is sampled where rays that scatter find it, too."""
-        return self
 
     def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
         """Directions for the points x, (n, 3) float32; u: (n, 2) float64 in [0, 1)."""
