@@ -26,7 +26,7 @@ PETAL_RINGS = [  # petals, how far they lean out in degrees, length, width
 
 
 def spline(points, count):
-    """`count` points along a Catmull-Rom spline through `points` (n, d), evenly in its parameter."""
+    """`count` points along a Catmull-Rom spline through `points` (n, d), even in its parameter."""
     p = np.asarray(points, float)
     slope = np.gradient(p, axis=0)
     at = np.linspace(0.0, len(p) - 1.0, count)
@@ -92,7 +92,7 @@ def stone(side=256):
 
 
 def sheet(surface, thickness):
-    """A closed sheet about `surface` (r, c, 3), `thickness` (r, c), 0 at its borders but one row."""
+    """A closed sheet about `surface` (r, c, 3); `thickness` (r, c) is 0 at its rim, but one row."""
     over_r, over_c = np.gradient(surface, axis=0), np.gradient(surface, axis=1)
     normal = np.cross(over_c, over_r)
     normal /= np.maximum(np.linalg.norm(normal, axis=-1, keepdims=True), 1e-9)
@@ -193,7 +193,7 @@ def add_eyes(gold, black):
     for side in (-1.0, 1.0):
         at = np.array([-0.052, side * 0.0245, 0.337])
         shapes.add(shapes.ball((0.0072, 0.0045, 0.0072), 24).placed(at), "iris", gold)
-        at = at + [-0.0008, side * 0.0026, 0.0006]
+        at += [-0.0008, side * 0.0026, 0.0006]
         shapes.add(shapes.ball((0.0045, 0.0028, 0.0045), 24).placed(at), "pupil", black)
 
 
@@ -225,7 +225,8 @@ def build(depth):
     add_eyes(gold, black)
     profile = spline(
         [(0.0, 0.0), (0.092, 0.0), (0.098, 0.006), (0.094, 0.013), (0.078, 0.017), (0.066, 0.024),
-         (0.064, 0.032), (0.072, 0.039), (0.074, 0.045), (0.068, 0.050), (0.030, 0.052), (0.0, 0.052)],
+         (0.064, 0.032), (0.072, 0.039), (0.074, 0.045), (0.068, 0.050), (0.030, 0.052),
+         (0.0, 0.052)],
         56,
     )  # fmt: skip
     profile[[0, -1], 0] = 0.0
