@@ -13,6 +13,8 @@ from rna_gpu.scene_support import check_scene
 from rna_gpu.scene_tables import scene_tables
 from rna_gpu.wavefront import Wavefront
 from rna_render.film import Film, Layers
+from rna_render.indirect_clamp import indirect_clamp
+from rna_render.materials import MeshObject
 from rna_render.render import all_lights
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
@@ -85,10 +87,17 @@ def _sample(
 
 
 def _on_gpu(scene_file: SceneFile, world: World, device: Device) -> Wavefront:
-    lights = all_lights(scene_file.scene, world, scene_file.resolve)
+    scene, every = scene_file.scene, all_lights(scene_file.scene, world, scene_file.resolve)
+    clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
+    lights = [light if _has_catcher(world) else light.beside_rays() for light in every]
     tables = scene_tables(world, lights)
     parts = _parts(scene_file, world, tables.parts, device)
-    return Wavefront(device, scene_file.scene, tables, parts, lights, world.scatters)
+    return Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
+
+
+def _has_catcher(world: World) -> bool:
+    """Shadow catchers find light by samples of lights alone, which then have to find all of it."""
+    return any(isinstance(x, MeshObject) and x.catches_shadows for x in world.things)
 
 
 def _parts(

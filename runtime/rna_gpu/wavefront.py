@@ -71,8 +71,9 @@ class Wavefront:
         parts: Sequence[GpuPart],
         lights: Sequence[Light],
         scatters: bool,
+        clamp: float | None,
     ) -> None:
-        """parts: those of `tables.parts`. scatters: as World.scatters.
+        """parts: those of `tables.parts`. scatters: as World.scatters. clamp: as of indirect_clamp.
 
         Raises:
             GpuError: the scene does not fit.
@@ -85,7 +86,7 @@ class Wavefront:
         self.band = min(_MOST_PATHS, width * height, *batches)
         self._sums = _OWN_SUMS + 2 * len(self.groups)
         self._frames, self._stages = _plan(scene, lights, len(parts), scatters)
-        self._fill_frames(scene, tables, lights)
+        self._fill_frames(scene, tables, len(lights), clamp)
         self._upload(tables)
         self._compile()
 
@@ -126,7 +127,9 @@ class Wavefront:
             run.dispatch_workgroups(*self._device.groups(count))
         run.end()
 
-    def _fill_frames(self, scene: Scene, tables: SceneTables, lights: Sequence[Light]) -> None:
+    def _fill_frames(
+        self, scene: Scene, tables: SceneTables, lights: int, clamp: float | None
+    ) -> None:
         camera = Camera(scene.camera, scene.resolution)
         common = {
             "camera": camera.position,
@@ -135,8 +138,8 @@ class Wavefront:
             "step_x": camera.step_x,
             "step_y": camera.step_y,
             "seed": scene.seed,
-            "clamp": scene.clamp_indirect or 0.0,
-            "light_count": len(lights),
+            "clamp": clamp or 0.0,
+            "light_count": lights,
             "things": tables.things,
             "surfaces": tables.surfaces,
             "lights": tables.lights,

@@ -59,11 +59,9 @@ camera: {{position: [1.4, 0.8, 0.8], look_at: [0.4, 0.15, -0.15], vertical_fov_d
 lights:
   - {{type: environment, path: sky.exr, rotation_deg: 30}}
   - {{type: spot, position: [1, 1.5, 1], look_at: [0.4, 0, 0], intensity: [1, 0.8, 0.6]}}
-  - {{type: point, position: [-0.5, 1, 1], intensity: [0.2, 0.3, 0.4]}}
   - {{type: directional, direction: [0.2, 1, 0.1], irradiance: [0.4, 0.4, 0.4]}}
-  - {{type: environment, radiance: [0.1, 0.1, 0.2], visible_to_camera: false}}
 resolution: [32, 24]
-samples: 8
+samples: 16
 max_depth: 3
 clamp_indirect: 2
 """
