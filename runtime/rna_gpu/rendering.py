@@ -14,6 +14,7 @@ from rna_gpu.scene_tables import scene_tables
 from rna_gpu.wavefront import Wavefront
 from rna_render.film import Film, Layers
 from rna_render.indirect_clamp import indirect_clamp
+from rna_render.lights import AssetLight
 from rna_render.materials import MeshObject
 from rna_render.render import all_lights
 from rna_render.scene_file import SceneFile
@@ -89,7 +90,8 @@ def _sample(
 def _on_gpu(scene_file: SceneFile, world: World, device: Device) -> Wavefront:
     scene, every = scene_file.scene, all_lights(scene_file.scene, world, scene_file.resolve)
     clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
-    lights = [light if _has_catcher(world) else light.beside_rays() for light in every]
+    sampled = [light for light in every if not isinstance(light, AssetLight)]
+    lights = sampled if _has_catcher(world) else [light.beside_rays() for light in sampled]
     tables = scene_tables(world, lights)
     parts = _parts(scene_file, world, tables.parts, device)
     return Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)

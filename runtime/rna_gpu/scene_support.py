@@ -26,8 +26,6 @@ def check_scene(scene_file: SceneFile, world: World) -> None:
     for k, (model, asset) in enumerate(zip(models, world.things, strict=False)):
         where = f"assets[{k}], {model.path.name}"
         for part in asset.parts:
-            if part.emits and model.emission > 0.0:
-                raise GpuError(f"{where}: emission of assets {_WHERE}, or with emission: 0")
             if part.kind == "surface" and part.transmittance_records:
                 raise GpuError(f"{where}: holes and thin glass: this {_WHERE}")
 

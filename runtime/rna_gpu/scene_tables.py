@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rna_gpu.geometry import Geometry, Placed, Shape, Strands, Triangles, build_geometry
 from rna_gpu.scene_support import check_material
 from rna_render.instances import ALL_RAYS, CAMERA_RAY
-from rna_render.lights import EnvironmentImageLight, Light, LightSelection
+from rna_render.lights import AssetLight, EnvironmentImageLight, Light, LightSelection
 from rna_render.lights.base import PlacedLight
 from rna_render.lights.kinds import ROW_NUMBERS
 from rna_render.materials import MeshObject
@@ -66,11 +66,11 @@ class _Surfaces:
         """Number of the surface of a part; of a mesh those of its triangles, by normal map."""
         self.parts.append((thing, number))
         if part.kind == "fiber":
-            return self._add(_surface(_OF_FIBERS, len(self.parts) - 1))
-        plain = self._add(_surface(_OF_NEURAL, len(self.parts) - 1))
+            return self._add(_surface(_OF_FIBERS, len(self.parts) - 1, part.emits))
+        plain = self._add(_surface(_OF_NEURAL, len(self.parts) - 1, part.emits))
         numbers = np.full(len(part.mesh.triangles), plain)
         for mapped in part.normal_maps:
-            record = _surface(_OF_NEURAL, len(self.parts) - 1)
+            record = _surface(_OF_NEURAL, len(self.parts) - 1, part.emits)
             record[3, :2] = self.images.add_texture(mapped.texture)
             numbers[mapped.first : mapped.first + mapped.count] = self._add(record)
         return numbers
@@ -132,7 +132,7 @@ def _is_srgb(texture: Texture | None) -> int:
 def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     """The tables of a world.
 
-    lights: all of the scene, those of the world first. Raises GpuError for what the shaders do not
+    lights: all of the scene but those of assets. Raises GpuError for what the shaders do not
     know; see `scene_support`.
     """
     images = Images()
@@ -150,6 +150,7 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
         placed.append(Placed(body, placement.world_from_object, _met_by(placement)))
         kept.append(k)
     geometry = build_geometry(bodies, placed)
+    geometry.instances[:, 7, 3] = [_factor(world.placements[kept[i]]) for i in geometry.order]
     sections = [
         _things(world, [kept[i] for i in geometry.order], geometry, placed),
         np.concatenate(surfaces.records),
@@ -159,6 +160,11 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     starts = np.cumsum([0, *(len(section) for section in sections)])[:-1]
     table = np.concatenate(sections).astype(np.float32)
     return SceneTables(geometry, table, images.whole(), surfaces.parts, *map(int, starts))
+
+
+def _factor(placement: Placement) -> float:
+    """On the light that the instance of an asset sends out."""
+    return float(placement.light.factor) if isinstance(placement.light, AssetLight) else 0.0
 
 
 def _met_by(placement: Placement) -> int:
@@ -186,9 +192,9 @@ def _shapes(thing: Any, place: int, surfaces: _Surfaces) -> list[Shape]:
     return shapes
 
 
-def _surface(kind: int, part: int) -> NDArray[np.float32]:
+def _surface(kind: int, part: int, emits: bool = False) -> NDArray[np.float32]:
     record = np.zeros((SURFACE_SIZE, 4), np.float32)
-    record[0, :2] = np.array([kind, part], np.uint32).view(np.float32)
+    record[0, :3] = np.array([kind, part, emits], np.uint32).view(np.float32)
     return record
 
 

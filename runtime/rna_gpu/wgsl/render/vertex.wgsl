@@ -34,11 +34,15 @@ fn thing_of(instance: u32) -> vec4f {
     return table[frame.things + instance];
 }
 
-const SURFACE_SIZE: u32 = 4u; // vec4f: kind, part; base colour, roughness; metallic, F0, coat's
+const SURFACE_SIZE: u32 = 4u; // vec4f: kind, part, 1 where it emits; base colour, roughness; metallic, F0, coat's
                               // weight, which textures are sRGB; place and size of two textures
 
 fn surface_kind(surface: u32) -> u32 {
     return bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * surface].x);
+}
+
+fn surface_emits(surface: u32) -> bool {
+    return bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * surface].z) == 1u;
 }
 
 // Place in `images`, and rows * 65536 + columns, 0 for none: of normals or base colour, and of
