@@ -230,7 +230,8 @@ def _render_still(scene_file: SceneFile, output: Output, device: str) -> int:
     output.check()
     world = load_world(scene_file)
     tell_tiers(scene_file, world)
-    tell_costs(scene_file, world)
+    if device == "cpu":
+        tell_costs(scene_file, world)
     with Interrupt() as interrupt:
         film = render_with_bar(
             scene_file,
