@@ -101,8 +101,8 @@ def test_highlights_are_resolved() -> None:
     planes = make_planes(8, 4)
     queries, _ = filled(planes, points, ("half_vector", "highlight"))
     expected = queries_reference(planes, CORNERS, ("half_vector", "highlight"), *points)
-    np.testing.assert_allclose(queries[:, 1], expected[:, 1], atol=2e-7)
-    np.testing.assert_allclose(queries[:, 5], expected[:, 5], atol=2e-7)
+    np.testing.assert_allclose(queries[:, 1], expected[:, 1], atol=1e-6)
+    np.testing.assert_allclose(queries[:, 5], expected[:, 5], atol=1e-6)
 
 
 def test_length_of_directions_does_not_count() -> None:
