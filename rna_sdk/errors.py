@@ -11,6 +11,7 @@
     +-- TrainingError    training cannot start or go on
     +-- ExportError      a checkpoint cannot be turned into a package
     +-- ConformanceError a reader, or the conformance kit, cannot be run
+    +-- WorkError        a worker ended, or a cluster cannot be used
 """
 
 from __future__ import annotations
@@ -89,3 +90,7 @@ class ExportError(RnaError):
 
 class ConformanceError(RnaError):
     """A reader, or the conformance kit, cannot be run."""
+
+
+class WorkError(RnaError):
+    """A worker of long work ended, or a cluster cannot be used."""

@@ -94,6 +94,7 @@ def arguments_that_need(command: str, folder: Path) -> list[object]:
     out = folder / "out"
     return {
         "rna-run": [scene, "--out", folder / "a.exr"],
+        "rna-make": [asset, "--out", folder / "a.rna"],
         "rna-capture": [asset, "--out", out],
         "rna-train": [folder, "--out", out],
         "rna-export": [folder / "best.ckpt", "--out", folder / "a.rna"],
@@ -105,6 +106,7 @@ def arguments_that_need(command: str, folder: Path) -> list[object]:
 
 EXTRAS = {
     "rna-run": "render",
+    "rna-make": "train",
     "rna-capture": "capture",
     "rna-train": "train",
     "rna-export": "train",
@@ -133,6 +135,7 @@ def test_what_the_base_can_do_it_does() -> None:
     "module",
     [
         "rna_render.cli:_parser",
+        "rna_export.make.cli:parser",
         "rna_export.capture.cli:parser",
         "rna_export.training.cli:parser",
         "rna_export.fit.cli:parser",

@@ -18,6 +18,8 @@ from rna_sdk.conformance.scoring import Score, cases, score
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import ConformanceError
 
+MEASURED = ("evaluate", "normals")
+"""Levels whose rows have tolerances of their own."""
 _TABLE = "{:<10} {:<24} {:<18} {:>5} {:>6}  {:>10} {:>9}  {}"
 
 
@@ -114,13 +116,13 @@ def print_table(scores: Iterable[Score]) -> list[Score]:
             passed = sum(one.passed for one in own)
             verdict = "pass" if passed == len(own) else "FAIL"
             largest = max(one.in_tolerances for one in own)
-            tail = f", largest difference {largest:.3g} tolerances" if level == "evaluate" else ""
+            tail = f", largest difference {largest:.3g} tolerances" if level in MEASURED else ""
             print(f"{level}: {verdict}, {passed} of {len(own)} cases{tail}")
     return printed
 
 
 def _line(one: Score) -> str:
-    measured = one.level == "evaluate" and one.in_tolerances > 0
+    measured = one.level in MEASURED and one.in_tolerances > 0
     numbers = [f"{one.in_tolerances:.3g}", f"{one.absolute:.2g}"] if measured else ["", ""]
     verdict = ": ".join(filter(None, ("pass" if one.passed else "FAIL", one.note)))
     named = one.level, one.package, one.tier

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from rna_sdk.errors import ConformanceError
 
 INDEX = "kit.json"
-VERSION = 2
-LEVELS = ("evaluate", "visibility", "validate")
+VERSION = 3
+LEVELS = ("evaluate", "visibility", "normals", "validate")
 
 
 @dataclass(frozen=True)
@@ -61,6 +61,18 @@ class VisibilityCase:
 
 
 @dataclass(frozen=True)
+class NormalsCase:
+    """Hits on a part of a package; expected, tolerance: (n, 3) float64, the mapped normal."""
+
+    package: Path
+    part: int
+    hits: Path
+    expected: NDArray[np.float64]
+    tolerance: NDArray[np.float64]
+    classes: tuple[RowClass, ...]
+
+
+@dataclass(frozen=True)
 class ValidateCase:
     """A package, whether it is valid, and the code among its issues, if there is one.
 
@@ -89,6 +101,7 @@ class Kit:
     visibility_tolerance: float
     evaluate: tuple[EvaluateCase, ...]
     visibility: tuple[VisibilityCase, ...]
+    normals: tuple[NormalsCase, ...]
     validate: tuple[ValidateCase, ...]
 
 
@@ -128,6 +141,7 @@ def load_kit(folder: Path) -> Kit:
         index["visibilityTolerance"],
         tuple(_evaluate_case(folder, record) for record in index["evaluate"]),
         tuple(_visibility_case(folder, record) for record in index["visibility"]),
+        tuple(_normals_case(folder, record) for record in index["normals"]),
         tuple(
             ValidateCase(
                 folder / record["package"],
@@ -154,8 +168,7 @@ def _check_file(path: Path, record: dict[str, Any]) -> None:
 
 
 def _evaluate_case(folder: Path, record: dict[str, Any]) -> EvaluateCase:
-    both = np.fromfile(folder / record["expected"], "<f8").reshape(record["rows"], -1)
-    expected, tolerance = np.hsplit(both.astype(np.float64), 2)
+    expected, tolerance = _expected(folder, record)
     return EvaluateCase(
         folder / record["package"],
         record["tier"],
@@ -165,6 +178,25 @@ def _evaluate_case(folder: Path, record: dict[str, Any]) -> EvaluateCase:
         expected,
         tolerance,
         record["step"],
+        _classes(record),
+    )
+
+
+def _expected(
+    folder: Path, record: dict[str, Any]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Expected values, and their tolerances."""
+    both = np.fromfile(folder / record["expected"], "<f8").reshape(record["rows"], -1)
+    expected, tolerance = np.hsplit(both.astype(np.float64), 2)
+    return expected, tolerance
+
+
+def _normals_case(folder: Path, record: dict[str, Any]) -> NormalsCase:
+    return NormalsCase(
+        folder / record["package"],
+        record["part"],
+        folder / record["hits"],
+        *_expected(folder, record),
         _classes(record),
     )
 

@@ -95,6 +95,12 @@ def visibility(program: Program, package: Path, hits: Path) -> NDArray[np.float6
     return _results(program, rows, 3, "visibility", str(package), str(hits))
 
 
+def normals(program: Program, package: Path, hits: Path) -> NDArray[np.float64]:
+    """(n, 3) mapped normals for a file of n hits."""
+    rows = hits.stat().st_size // 32
+    return _results(program, rows, 3, "normals", str(package), str(hits))
+
+
 def _results(program: Program, rows: int, columns: int, *call: str) -> NDArray[np.float64]:
     """What the program writes to a file that is named behind these arguments."""
     with tempfile.TemporaryDirectory() as folder:

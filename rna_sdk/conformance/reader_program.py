@@ -21,6 +21,8 @@ Emission = Callable[[str, str, int, NDArray[np.float32]], NDArray[np.float32]]
 """(package, tier, part, queries (n, 10)) -> (n, 3)."""
 Visibility = Callable[[str, bytes], NDArray[np.float32]]
 """(package, hit records) -> (n, 3) visibility, RGB."""
+Normals = Callable[[str, bytes], NDArray[np.float32]]
+"""(package, hit records) -> (n, 3) mapped normals."""
 Validate = Callable[[str], tuple[bool, list[str]]]
 """package -> whether it is valid, and the codes of its issues."""
 
@@ -31,6 +33,7 @@ def run_reader(
     evaluate: Evaluate | None = None,
     emission: Emission | None = None,
     visibility: Visibility | None = None,
+    normals: Normals | None = None,
     validate: Validate | None = None,
 ) -> int:
     """The exit status of the program; a level is had if its function is given.
@@ -40,8 +43,9 @@ def run_reader(
     level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
     try:
         if level == "levels" and not rest:
-            had = {"evaluate": evaluate, "visibility": visibility, "validate": validate}
-            print("\n".join(name for name, function in had.items() if function))
+            levels = ("evaluate", "visibility", "normals", "validate")
+            had = (evaluate, visibility, normals, validate)
+            print("\n".join(name for name, function in zip(levels, had, strict=True) if function))
         elif level == "evaluate" and evaluate and len(rest) == 5:
             _answer(evaluate, 13, *rest)
         elif level == "emission" and emission and len(rest) == 5:
@@ -49,6 +53,9 @@ def run_reader(
         elif level == "visibility" and visibility and len(rest) == 3:
             package, hits, results = rest
             _write(results, visibility(package, Path(hits).read_bytes()))
+        elif level == "normals" and normals and len(rest) == 3:
+            package, hits, results = rest
+            _write(results, normals(package, Path(hits).read_bytes()))
         elif level == "validate" and validate and len(rest) == 1:
             valid, codes = validate(rest[0])
             print("\n".join(codes))

@@ -8,7 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.conformance import program as reader
-from rna_sdk.conformance.kit import EvaluateCase, Kit, RowClass, ValidateCase, VisibilityCase
+from rna_sdk.conformance.kit import (
+    EvaluateCase,
+    Kit,
+    NormalsCase,
+    RowClass,
+    ValidateCase,
+    VisibilityCase,
+)
 from rna_sdk.conformance.program import Program
 from rna_sdk.errors import ConformanceError
 
@@ -39,7 +46,7 @@ class Score:
     note: str = ""
 
 
-Case = EvaluateCase | VisibilityCase | ValidateCase
+Case = EvaluateCase | VisibilityCase | NormalsCase | ValidateCase
 
 
 def cases(kit: Kit, level: str) -> list[Case]:
@@ -54,6 +61,8 @@ def score(program: Program, kit: Kit, case: Case) -> Score:
             return _evaluate(program, case, kit.int8_share)
         if isinstance(case, VisibilityCase):
             return _visibility(program, case, kit.visibility_tolerance)
+        if isinstance(case, NormalsCase):
+            return _normals(program, case)
         return _validate(program, case)
     except ConformanceError as error:
         return replace(_nothing(case), note=str(error))
@@ -65,6 +74,8 @@ def _nothing(case: Case) -> Score:
         return Score("evaluate", name, _tier(case), len(case.expected), 0, False)
     if isinstance(case, VisibilityCase):
         return Score("visibility", name, "", len(case.expected), 0, False)
+    if isinstance(case, NormalsCase):
+        return Score("normals", name, "", len(case.expected), 0, False)
     return Score("validate", name, "", 1, 0, False)
 
 
@@ -103,7 +114,9 @@ def _units(difference: NDArray[np.float64], tolerance: NDArray[np.float64]) -> N
     return np.divide(difference, tolerance, out=exact, where=tolerance > 0)
 
 
-def _worst(case: EvaluateCase | VisibilityCase, found: NDArray[np.float64], row: int) -> str:
+def _worst(
+    case: EvaluateCase | VisibilityCase | NormalsCase, found: NDArray[np.float64], row: int
+) -> str:
     return (
         f"row {row} ({_class_of(case.classes, row)}): found {_shown(found[row])}, "
         f"expected {_shown(case.expected[row])}"
@@ -123,6 +136,24 @@ def _visibility(program: Program, case: VisibilityCase, tolerance: float) -> Sco
         note = f"{_worst(case, found, int(wrong[0]))}; wrong in: {where}"
     rows = len(found)
     return Score("visibility", case.package.stem, "", rows, rows - len(wrong), not note, note=note)
+
+
+def _normals(program: Program, case: NormalsCase) -> Score:
+    found = reader.normals(program, case.package, case.hits)
+    difference = np.where(np.isfinite(found), np.abs(found - case.expected), np.inf)
+    units = _units(difference, case.tolerance)
+    wrong, worst = units.max(axis=1) > 1, int(units.max(axis=1).argmax())
+    return Score(
+        "normals",
+        case.package.stem,
+        "",
+        len(found),
+        int(np.sum(~wrong)),
+        not wrong.any(),
+        float(units.max()),
+        float(difference.max()),
+        _worst(case, found, worst) if wrong.any() else "",
+    )
 
 
 def _validate(program: Program, case: ValidateCase) -> Score:

@@ -9,7 +9,13 @@ from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
 from rna_sdk.package.curves import Curves
 from rna_sdk.package.geometry import quantise
 from rna_sdk.package.issues import Code, Issue, Severity
-from rna_sdk.package.manifest import Manifest, Part, Provenance, TransmittanceRecord
+from rna_sdk.package.manifest import (
+    Manifest,
+    NormalMapRecord,
+    Part,
+    Provenance,
+    TransmittanceRecord,
+)
 from rna_sdk.package.manifest_fields import Bounds, Cone, Domain
 from rna_sdk.package.manifest_tiers import (
     Agreement,
@@ -21,6 +27,7 @@ from rna_sdk.package.manifest_tiers import (
     Validation,
 )
 from rna_sdk.package.mesh import Mesh
+from rna_sdk.package.normal_maps import NormalMap
 from rna_sdk.package.package import Package
 from rna_sdk.package.planes import Int8Planes, Planes
 from rna_sdk.package.tier_ranges import tier_ranges
@@ -42,6 +49,8 @@ __all__ = [
     "Issue",
     "Manifest",
     "Mesh",
+    "NormalMap",
+    "NormalMapRecord",
     "Package",
     "PackageError",
     "Part",

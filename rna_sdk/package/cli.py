@@ -86,7 +86,7 @@ def _print_report(path: str, found: Inspection) -> None:
 
 @dataclass(frozen=True)
 class _Part:
-    """What is told of a part; has: "transmittance", "emission"."""
+    """What is told of a part; has: "transmittance", "normal maps", "emission"."""
 
     name: str
     kind: str
@@ -99,6 +99,7 @@ def _parts(manifest: Manifest) -> list[_Part]:
             part.name,
             part.kind,
             ("transmittance",) * bool(part.transmittance)
+            + ("normal maps",) * bool(part.normal_maps)
             + ("emission",) * bool(manifest.tiers[0].parts[k].emission),
         )
         for k, part in enumerate(manifest.parts)

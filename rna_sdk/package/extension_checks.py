@@ -47,9 +47,9 @@ def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
             yield Issue.of(Code.REFERENCE_MISSING, where, entry, "a key of /entries")
     if isinstance(data, Proxy):
         for k, (part, proxies) in enumerate(zip(manifest.parts, data.parts, strict=True)):
-            if part.transmittance and proxies:
+            if (part.transmittance or part.normal_maps) and proxies:
                 where = pointer("extensions", data.NAME, "parts", k)
-                found = "proxies of a part with transmittance"
+                found = "proxies of a part with textures"
                 yield Issue.of(Code.FIELD_VALUE, where, found, "null")
 
 

@@ -102,6 +102,9 @@ class Code(Enum):
     # transmittance/*.safetensors
     TRANSMITTANCE_RANGE = (Severity.ERROR, "Records of transmittance share or lack triangles.")
     TRANSMITTANCE_TEXTURE = (Severity.ERROR, "The texture is not the tensor file that it must be.")
+    NORMAL_MAP_RANGE = (Severity.ERROR, "Records of normal maps share or lack triangles.")
+    NORMAL_MAP_TEXTURE = (Severity.ERROR, "The map is not the tensor file that it must be.")
+    NORMAL_MAP_UV = (Severity.ERROR, "A mesh with a normal map has no texture coordinates.")
     TRANSMITTANCE_UV = (Severity.ERROR, "A mesh with a texture has no texture coordinates.")
 
     # features/*.safetensors

@@ -30,7 +30,7 @@ MAX_CHANNELS = 64
 MAX_TEXEL = np.float32(1e18)
 """Largest magnitude of a value of the planes; keeps sums and squares finite in float32."""
 
-MAX_TRANSMITTANCE_RECORDS = 64
+MAX_TEXTURE_RECORDS = 64
 MAX_TEXTURE_SIDE = 8192
 
 MAX_TENSORS_HEADER_BYTES = 2**16

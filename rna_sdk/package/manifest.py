@@ -11,7 +11,7 @@ from typing import Annotated, Literal
 from pydantic import Field, JsonValue, field_validator
 
 from rna_sdk.package.container import MANIFEST_NAME
-from rna_sdk.package.limits import MAX_PARTS, MAX_TIERS, MAX_TRANSMITTANCE_RECORDS
+from rna_sdk.package.limits import MAX_PARTS, MAX_TEXTURE_RECORDS, MAX_TIERS
 from rna_sdk.package.manifest_fields import (
     Bounds,
     Count,
@@ -49,6 +49,13 @@ class TransmittanceRecord(SparseRecord):
     )
 
 
+class NormalMapRecord(SparseRecord):
+    """Triangles with relief, and the map of it."""
+
+    triangles: tuple[Count, Positive] = Field(description="The first, and how many.")
+    texture: EntryPath = Field(description="Entry with the map.")
+
+
 class Part(SparseRecord):
     """One geometry with planes and decoders of its own."""
 
@@ -57,8 +64,11 @@ class Part(SparseRecord):
     bounds: Bounds
     geometry: EntryPath = Field(description="Entry with the mesh or the curves.")
     transmittance: Annotated[
-        tuple[TransmittanceRecord, ...], Field(max_length=MAX_TRANSMITTANCE_RECORDS), NotEmpty()
+        tuple[TransmittanceRecord, ...], Field(max_length=MAX_TEXTURE_RECORDS), NotEmpty()
     ] = Field(default=(), description="Holes and thin glass of a surface.")
+    normal_maps: Annotated[
+        tuple[NormalMapRecord, ...], Field(max_length=MAX_TEXTURE_RECORDS), NotEmpty()
+    ] = Field(default=(), description="Relief of a surface.")
 
 
 class EntryRecord(Record):

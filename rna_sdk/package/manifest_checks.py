@@ -22,7 +22,7 @@ def manifest_issues(manifest: Manifest, places: Places) -> list[Issue]:
         *_extension_issues(manifest),
         *extension_issues(manifest),
         *_input_issues(manifest, places),
-        *_transmittance_issues(manifest, places),
+        *_texture_issues(manifest, places),
         *_reference_issues(manifest, places),
     ]
 
@@ -42,6 +42,8 @@ def references(manifest: Manifest, places: Places) -> Iterator[tuple[str, str]]:
         yield places.part(k, "geometry"), part.geometry
         for j, record in enumerate(part.transmittance):
             yield places.part(k, "transmittance", j, "texture"), record.texture
+        for j, mapped in enumerate(part.normal_maps):
+            yield places.part(k, "normalMaps", j, "texture"), mapped.texture
     for i, tier in enumerate(manifest.tiers):
         for k, tier_part in enumerate(tier.parts):
             yield places.tier_part(i, k, "planes"), tier_part.planes
@@ -110,20 +112,22 @@ def _unknown_blocks(
             yield Issue.of(Code.INPUT_KIND, f"{where}/{j}", name, f"for {what}: {', '.join(known)}")
 
 
-def _transmittance_issues(manifest: Manifest, places: Places) -> list[Issue]:
-    """Surfaces alone let light through, by ranges of triangles that ascend."""
-    issues: list[Issue] = []
+def _texture_issues(manifest: Manifest, places: Places) -> Iterator[Issue]:
+    """Surfaces alone have records with textures, of ranges of triangles that ascend."""
     for k, part in enumerate(manifest.parts):
-        if part.kind != "surface" and part.transmittance:
-            where = places.part(k, "transmittance")
-            issues.append(Issue.of(Code.FIELD_VALUE, where, f"of a {part.kind}", "of a surface"))
-        ranges = [record.triangles for record in part.transmittance]
-        for j, ((first, count), (second, _)) in enumerate(pairwise(ranges)):
-            if second < first + count:
-                where = places.part(k, "transmittance", j + 1, "triangles")
-                expected = f"{first + count} or more, behind those of the record before"
-                issues.append(Issue.of(Code.TRANSMITTANCE_RANGE, where, second, expected))
-    return issues
+        for name, code, records in (
+            ("transmittance", Code.TRANSMITTANCE_RANGE, part.transmittance),
+            ("normalMaps", Code.NORMAL_MAP_RANGE, part.normal_maps),
+        ):
+            if part.kind != "surface" and records:
+                where = places.part(k, name)
+                yield Issue.of(Code.FIELD_VALUE, where, f"of a {part.kind}", "of a surface")
+            ranges = [record.triangles for record in records]
+            for j, ((first, count), (second, _)) in enumerate(pairwise(ranges)):
+                if second < first + count:
+                    where = places.part(k, name, j + 1, "triangles")
+                    expected = f"{first + count} or more, behind those of the record before"
+                    yield Issue.of(code, where, second, expected)
 
 
 def _reference_issues(manifest: Manifest, places: Places) -> list[Issue]:

@@ -33,6 +33,7 @@ def shared_names(parts: tuple[Part, ...]) -> Iterator[str]:
     for part in parts:
         yield part.geometry
         yield from (record.texture for record in part.transmittance)
+        yield from (record.texture for record in part.normal_maps)
 
 
 def tier_names(tier: Tier) -> Iterator[str]:

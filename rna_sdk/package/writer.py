@@ -19,8 +19,10 @@ from rna_sdk.package.manifest import EntryRecord, Manifest
 from rna_sdk.package.manifest_short import Places
 from rna_sdk.package.manifest_tiers import Tier, TierPart
 from rna_sdk.package.manifest_writer import is_written_short, manifest_to_json, with_versions
+from rna_sdk.package.normal_maps import NORMALS
 from rna_sdk.package.planes import DTYPES, Planes, planes_to_bytes
-from rna_sdk.package.transmittance import Texture, texture_to_bytes
+from rna_sdk.package.texture_form import Texture
+from rna_sdk.package.transmittance import TRANSMITTANCE
 from rna_sdk.package.validator import inspect
 
 
@@ -58,7 +60,7 @@ def write_package(
             what it needs.
         geometries: of each part, a Mesh for a surface, Curves for fibers.
         data: of every tier of the manifest, by name: that of each part.
-        textures: of every transmittance, by the name of the entry: (H, W, C) uint8.
+        textures: of every transmittance and normal map, by the name of the entry: (H, W, C) uint8.
 
     Returns:
         The manifest as it is read again.
@@ -125,12 +127,15 @@ class _Contents:
         for k, (part, geometry) in enumerate(zip(parts, geometries, strict=True)):
             where = self._places.part(k, "geometry")
             self._add(where, part.geometry, geometry_to_bytes(geometry, part.kind, where))
-            for j, record in enumerate(part.transmittance):
-                where = self._places.part(k, "transmittance", j, "texture")
-                if record.texture not in textures:
-                    refuse(Code.REFERENCE_MISSING, where, "no such texture", record.texture)
-                data = texture_to_bytes(textures[record.texture], record.texture)
-                self._add(where, record.texture, data)
+            for name, records, form in (
+                ("transmittance", part.transmittance, TRANSMITTANCE),
+                ("normalMaps", part.normal_maps, NORMALS),
+            ):
+                for j, entry in enumerate(record.texture for record in records):
+                    where = self._places.part(k, name, j, "texture")
+                    if entry not in textures:
+                        refuse(Code.REFERENCE_MISSING, where, "no such texture", entry)
+                    self._add(where, entry, form.to_bytes(textures[entry], entry))
 
     def add_tiers(self, data: Mapping[str, Sequence[TierData]]) -> None:
         """Planes and decoders of every tier."""

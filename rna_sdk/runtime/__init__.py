@@ -18,6 +18,7 @@ from rna_sdk.runtime.asset import Asset, CompositeAsset
 from rna_sdk.runtime.domain import in_region
 from rna_sdk.runtime.fiber_asset import FiberAsset
 from rna_sdk.runtime.load import load
+from rna_sdk.runtime.normal_maps import mapped_normals
 from rna_sdk.runtime.offset_across import offset_across
 from rna_sdk.runtime.surface_asset import SurfaceAsset
 from rna_sdk.runtime.tiers import choose_tier, expected_error, is_no_worse
@@ -37,6 +38,7 @@ __all__ = [
     "in_region",
     "is_no_worse",
     "load",
+    "mapped_normals",
     "offset_across",
     "transmittance",
 ]

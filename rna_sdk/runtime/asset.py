@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package import Domain, Package, Tier, Transmittance
+from rna_sdk.package import Domain, NormalMap, Package, Tier, Transmittance
 from rna_sdk.package.manifest_fields import Kind
 from rna_sdk.runtime.arguments import results, vectors
 from rna_sdk.runtime.batch import Batch, Rows
@@ -95,6 +95,7 @@ class AssetPart(Asset):
         kind: "surface" or "fiber".
         tier_part: the part's record in the tier.
         transmittance_records: holes and thin glass of a surface; see `transmittance`.
+        normal_maps: relief of a surface; see `mapped_normals`.
     """
 
     def __init__(self, package: Package, tier: Tier, threads: int, part: int, name: str) -> None:
@@ -110,6 +111,7 @@ class AssetPart(Asset):
         self.kind: Kind = record.kind
         self.tier_part = own
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
+        self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
         filler = QueryFiller(package.planes(tier.name, part), box, own, self.kind)
         decoder = Decoder(package.decoder(tier.name, part), filler.largest_query)
         self._evaluator = TileEvaluator(filler, decoder, threads)

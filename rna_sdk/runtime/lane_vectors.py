@@ -31,7 +31,13 @@ def unit(v: Any) -> Any:
     scale, near = 1.5 - 0.5 * square, absolute(square - 1.0) < 1e-5
     if not everywhere(near):
         scale = where(near, scale, 1.0 / sqrt(square))
-    return narrow(v[0] * scale), narrow(v[1] * scale), narrow(v[2] * scale)
+    return narrowed((v[0] * scale, v[1] * scale, v[2] * scale))
+
+
+@compiled()
+def narrowed(v: Any) -> Any:
+    """float64 vectors as float32."""
+    return narrow(v[0]), narrow(v[1]), narrow(v[2])
 
 
 @compiled()

@@ -16,18 +16,20 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.package.blocks import INPUT_BLOCKS
-from rna_sdk.runtime.fiber_blocks import fiber_blocks
-from rna_sdk.runtime.lane_memory import (
-    load_column,
-    load_lanes,
-    load_vectors,
-    store_column,
-    store_mask,
+from rna_sdk.runtime.block_columns import (
+    FEATURES,
+    LEARNED_NORMAL,
+    POSITION,
+    WI,
+    WO,
+    first_three,
+    put,
+    put_fiber,
+    put_surface,
 )
-from rna_sdk.runtime.lane_vectors import clamped, total, unit
-from rna_sdk.runtime.lanes import LANES, both, everywhere, narrow
-from rna_sdk.runtime.surface_blocks import half_vector, halfway, highlight, learned_normal
+from rna_sdk.runtime.lane_memory import load_lanes, load_vectors, store_mask
+from rna_sdk.runtime.lane_vectors import clamped, narrowed, total, unit
+from rna_sdk.runtime.lanes import LANES, both, everywhere
 from rna_sdk.runtime.texels import (
     CORNERS,
     PLANES,
@@ -40,20 +42,6 @@ from rna_sdk.runtime.vectors import Rows
 
 QueryKernel = Callable[..., None]
 
-_BLOCKS = tuple(INPUT_BLOCKS)
-FEATURES = _BLOCKS.index("features")
-POSITION = _BLOCKS.index("position")
-NORMAL = _BLOCKS.index("normal")
-TANGENT = _BLOCKS.index("tangent")
-H = _BLOCKS.index("h")
-WO = _BLOCKS.index("wo")
-WI = _BLOCKS.index("wi")
-HALF_VECTOR = _BLOCKS.index("half_vector")
-HIGHLIGHT = _BLOCKS.index("highlight")
-LEARNED_NORMAL = _BLOCKS.index("learned_normal")
-FIBER_ANGLES = _BLOCKS.index("fiber_angles")
-FIBER_LOBES = _BLOCKS.index("fiber_lobes")
-
 _TEXELS: dict[str, types.Type] = {
     "int8": types.int8,
     "float16": types.uint16,
@@ -64,19 +52,6 @@ _VECTORS = types.Array(types.float32, 2, "C", readonly=True)
 _SCALARS = types.Array(types.float32, 1, "C", readonly=True)
 _BOX = types.Array(types.float64, 2, "C", readonly=True)
 _COLUMNS = types.Array(types.int64, 1, "C", readonly=True)
-
-
-def block_columns(inputs: tuple[str, ...], channels: int) -> NDArray[np.int64]:
-    """(b,) int64: for each of INPUT_BLOCKS its first column in `queries`; -1 if not in `inputs`.
-
-    inputs: names of INPUT_BLOCKS in the order of the columns; channels: features a texel.
-    """
-    columns = np.full(len(_BLOCKS), -1, np.int64)
-    column = 0
-    for name in inputs:
-        columns[_BLOCKS.index(name)] = column
-        column += INPUT_BLOCKS[name] or channels
-    return columns
 
 
 @cache
@@ -159,18 +134,18 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
             if columns[POSITION] >= 0:
                 p = relative(x, box)
                 signed = 2.0 * p[0] - 1.0, 2.0 * p[1] - 1.0, 2.0 * p[2] - 1.0
-                _put(queries, row, columns[POSITION], _narrowed(signed))
-            _put(queries, row, columns[WO], o)
-            _put(queries, row, columns[WI], l)
+                put(queries, row, columns[POSITION], narrowed(signed))
+            put(queries, row, columns[WO], o)
+            put(queries, row, columns[WI], l)
             if is_fiber:
                 offset = load_lanes(h, start)
                 known = both(known, _finite(offset))
-                _put_fiber(queries, row, columns, axis, clamped(offset), o, l)
+                put_fiber(queries, row, columns, axis, clamped(offset), o, l)
             else:
                 bend = axis  # where no block reads it
                 if columns[LEARNED_NORMAL] >= 0:
-                    bend = _first_three(gathered, first, stride, channels)
-                _put_surface(queries, row, columns, axis, o, l, bend)
+                    bend = first_three(gathered, first, stride, channels)
+                put_surface(queries, row, columns, axis, o, l, bend)
             store_mask(valid, start, known)
             if not everywhere(known):
                 _clear(queries, row, valid)
@@ -182,60 +157,6 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
 def _finite(x: Any) -> Any:
     """False for NaN and infinities."""
     return x - x == 0.0
-
-
-@compiled()
-def _narrowed(v: Any) -> Any:
-    return narrow(v[0]), narrow(v[1]), narrow(v[2])
-
-
-@compiled()
-def _put(queries: Rows, row: int, column: int, values: Any) -> None:
-    """Columns of LANES rows from `column` on; none where it is negative."""
-    if column < 0:
-        return
-    width = np.uintp(queries.shape[1])
-    for k in range(len(values)):
-        at = np.uintp(row) * width + np.uintp(column + k)
-        store_column(queries, at, width, values[k])
-
-
-@compiled()
-def _put_surface(
-    queries: Rows, row: int, columns: NDArray[np.int64], n: Any, wo: Any, wi: Any, bend: Any
-) -> None:
-    _put(queries, row, columns[NORMAL], n)
-    h, opposite = halfway(wo, wi)
-    if columns[HALF_VECTOR] >= 0:
-        _put(queries, row, columns[HALF_VECTOR], half_vector(n, wo, wi, h, opposite))
-    if columns[HIGHLIGHT] >= 0:
-        _put(queries, row, columns[HIGHLIGHT], (highlight(n, h, opposite),))
-    if columns[LEARNED_NORMAL] >= 0:
-        _put(queries, row, columns[LEARNED_NORMAL], learned_normal(n, bend, h, opposite))
-
-
-@compiled()
-def _put_fiber(
-    queries: Rows, row: int, columns: NDArray[np.int64], t: Any, h: Any, wo: Any, wi: Any
-) -> None:
-    _put(queries, row, columns[TANGENT], t)
-    _put(queries, row, columns[H], (h,))
-    if columns[FIBER_ANGLES] >= 0 or columns[FIBER_LOBES] >= 0:
-        angles, lobes = fiber_blocks(t, h, wo, wi)
-        _put(queries, row, columns[FIBER_ANGLES], angles)
-        _put(queries, row, columns[FIBER_LOBES], lobes)
-
-
-@compiled()
-def _first_three(features: Rows, first: Any, stride: Any, channels: int) -> Any:
-    """The first three features of LANES rows, 0 for what is missing of three."""
-    x = load_column(features, first, stride)
-    y, z = x - x, x - x
-    if channels > 1:
-        y = load_column(features, first + np.uintp(1), stride)
-    if channels > 2:
-        z = load_column(features, first + np.uintp(2), stride)
-    return x, y, z
 
 
 @compiled()

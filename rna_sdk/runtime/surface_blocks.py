@@ -15,7 +15,7 @@ from rna_sdk.runtime.vectors import cross, dot
 BEND = 0.1
 """How far a feature of 1 moves the end of the normal: spec/RNA.md, Input blocks."""
 
-_SHORTEST = 1e-6
+SHORTEST = 1e-6
 """Length below which a sum of directions has none itself."""
 
 
@@ -29,7 +29,7 @@ def halfway(wo: Any, wi: Any) -> tuple[Any, Any]:
     s = (s[0] - e[0] * part, s[1] - e[1] * part, s[2] - e[2] * part)
     square = dot(s, s)
     scale = 1.0 / sqrt(square)
-    return (s[0] * scale, s[1] * scale, s[2] * scale), square < _SHORTEST * _SHORTEST
+    return (s[0] * scale, s[1] * scale, s[2] * scale), square < SHORTEST * SHORTEST
 
 
 @compiled()
@@ -48,7 +48,14 @@ def highlight(n: Any, h: Any, opposite: Any) -> Any:
 
 @compiled()
 def learned_normal(n: Any, bend: Any, h: Any, opposite: Any) -> tuple[Any, Any]:
-    """q.m and log2(1 - min(q.m, 1) + 1e-4) / 6, with q along n + BEND bend.
+    """q.m and log2(1 - min(q.m, 1) + 1e-4) / 6; arguments of `bent`."""
+    q, m, _ = bent(n, bend, h, opposite)
+    return dot(q, m), _log_gap(q, m)
+
+
+@compiled()
+def bent(n: Any, bend: Any, h: Any, opposite: Any) -> tuple[Any, Any, Any]:
+    """q, along n + BEND bend; m; and the length of that sum, below SHORTEST where q is n.
 
     bend: the first three features.
     """
@@ -57,10 +64,9 @@ def learned_normal(n: Any, bend: Any, h: Any, opposite: Any) -> tuple[Any, Any]:
     top = where(top > 0.0, top, 1.0)
     q = (q[0] / top, q[1] / top, q[2] / top)
     length = sqrt(dot(q, q))
-    nothing = length * top < _SHORTEST
+    nothing = length * top < SHORTEST
     q = _chosen(nothing, n, (q[0] / length, q[1] / length, q[2] / length))
-    m = _chosen(opposite, q, h)
-    return dot(q, m), _log_gap(q, m)
+    return q, _chosen(opposite, q, h), length * top
 
 
 @compiled()

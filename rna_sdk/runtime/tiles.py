@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
 from rna_sdk.package.manifest_fields import Kind
 from rna_sdk.runtime.batch import Batch, Rows
+from rna_sdk.runtime.block_columns import block_columns
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.lanes import LANES
 from rna_sdk.runtime.output_kernel import write_colours
-from rna_sdk.runtime.query_kernel import block_columns, query_kernel
+from rna_sdk.runtime.query_kernel import query_kernel
 
 _ROW_STEP = 16
 """The decoder always sees a multiple of this many rows: vector instructions then leave no

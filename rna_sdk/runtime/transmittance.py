@@ -58,6 +58,12 @@ def _texture(
         uv = np.zeros((len(corners), 2))
     else:
         uv = np.einsum("nk,nkc->nc", weights, mesh.uvs[corners].astype(np.float64))
+    value = bilinear(texels, uv) / 255.0
+    return value if record.cutoff is None else (value > record.cutoff).astype(np.float64)
+
+
+def bilinear(texels: NDArray[np.uint8], uv: Float) -> Float:
+    """(n, C): the integers of a texture (H, W, C) at uv (n, 2), repeated, interpolated."""
     height, width = texels.shape[:2]
     s, t = uv[:, 0] * width - 0.5, uv[:, 1] * height - 0.5
     i, j = np.floor(s), np.floor(t)
@@ -67,8 +73,8 @@ def _texture(
     upper, lower = (
         (1.0 - a) * texels[row, columns[0]] + a * texels[row, columns[1]] for row in rows
     )
-    value: Float = ((1.0 - b) * upper + b * lower) / 255.0
-    return value if record.cutoff is None else (value > record.cutoff).astype(np.float64)
+    result: Float = (1.0 - b) * upper + b * lower
+    return result
 
 
 def _reflected(

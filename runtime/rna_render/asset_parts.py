@@ -7,24 +7,13 @@ from typing import Literal, Protocol
 
 import numpy as np
 
+from rna_render.normal_maps import NormalMaps, TextureRecord, texture_numbers
 from rna_render.transmittance import Transmittance, TransmittanceTexture
 from rna_sdk.package import Curves, Mesh
 
 
-class TransmittanceRecord(Protocol):
-    """Holes or thin glass: `count` triangles from `first` on; spec/RNA.md, 4.4.
-
-    texture: (h, w, 1) or (h, w, 3) uint8.
-    """
-
-    @property
-    def first(self) -> int: ...
-
-    @property
-    def count(self) -> int: ...
-
-    @property
-    def texture(self) -> np.ndarray: ...
+class TransmittanceRecord(TextureRecord, Protocol):
+    """Holes or thin glass; spec/RNA.md, 4.4. texture: (h, w, 1) or (h, w, 3) uint8."""
 
     @property
     def cutoff(self) -> float | None: ...
@@ -47,6 +36,9 @@ class SurfacePart(Protocol):
 
     @property
     def transmittance_records(self) -> Sequence[TransmittanceRecord]: ...
+
+    @property
+    def normal_maps(self) -> Sequence[TextureRecord]: ...
 
     def evaluate(
         self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
@@ -105,13 +97,18 @@ def part_transmittance(part: AssetPart) -> Transmittance | None:
     return mesh_transmittance(part.mesh, part.transmittance_records)
 
 
+def part_normal_maps(part: AssetPart) -> NormalMaps | None:
+    """The relief of a part; None where it has none."""
+    if part.kind == "fiber" or not part.normal_maps:
+        return None
+    return NormalMaps(part.mesh, part.normal_maps)
+
+
 def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:
     """What a mesh with the given records lets through; None if there are none."""
     if not records:
         return None
-    number = np.full(len(mesh.triangles), -1, np.int32)
-    for k, record in enumerate(records):
-        number[record.first : record.first + record.count] = k
+    number = texture_numbers(mesh, records)
     uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
     textures = [TransmittanceTexture(r.texture, r.cutoff, ior=r.ior) for r in records]
     return Transmittance(mesh.triangles, uvs, mesh.normals, number, textures)

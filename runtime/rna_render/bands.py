@@ -8,10 +8,10 @@ and for Python.
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
-from itertools import islice
+from contextlib import closing
+from dataclasses import dataclass
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -19,11 +19,16 @@ import numpy as np
 from rna_render.film import Layers
 from rna_render.sampling import Sampler
 from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from rna_work.pool import Pool
+from rna_work.threads import Threads
 
 # Rays in a band: at most BAND, so that a stop is noticed soon, and no fewer than SMALL_BAND if the
 # image has them, so that each step has more to do than to start.
 BAND = 1 << 16
 SMALL_BAND = 1 << 13
+
+_Band = tuple[np.ndarray, Sampler, bool]
+"""Pixels, the sample's numbers, and whether it is the sample's last band."""
 
 
 class BandRenderer(Protocol):
@@ -38,25 +43,39 @@ def rendered_bands(
     """The bands of each sample in turn, and whether each is the last one of its sample.
 
     count: pixels of the image. As many bands are under way as numba has threads for the caller, and
-    one more waits, so that no thread idles while the caller takes what is finished; a caller that
+    as many wait, so that no thread idles while the caller takes what is finished; a caller that
     stops early waits for those under way, and the rest is not begun.
     """
     threads = kernel_threads()
     bands = _bands(count, threads)
     work = ((band, sampler, band is bands[-1]) for sampler in samplers for band in bands)
-    # Numba's number of threads is each thread's own.
-    workers = ThreadPoolExecutor(threads, "rna-band", limit_kernel_threads, (1,))
-    under_way: deque[tuple[Future[Layers], bool]] = deque()
-    try:
-        while True:
-            for band, sampler, last in islice(work, threads + 1 - len(under_way)):
-                under_way.append((workers.submit(renderer.render, band, sampler), last))
-            if not under_way:
-                return
-            rendered, last = under_way.popleft()
-            yield rendered.result(), last
-    finally:
-        workers.shutdown(cancel_futures=True)
+    make = partial(_BandWorker, renderer)
+    pool: Pool[_Band, Layers] = Pool(Threads(threads), make, ahead=1)
+    with pool, closing(pool.run(work, ordered=True)) as outcomes:
+        for outcome in outcomes:
+            yield outcome.value(), outcome.item[2]
+
+
+@dataclass(frozen=True)
+class _BandWorker:
+    """Renders bands in the thread that enters it."""
+
+    renderer: BandRenderer
+    name: str
+
+    def __enter__(self) -> _BandWorker:
+        limit_kernel_threads(1)  # numba's number of threads is each thread's own
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def run(self, item: _Band) -> Layers:
+        pixels, sampler, _ = item
+        return self.renderer.render(pixels, sampler)
+
+    def kill(self) -> None:
+        """A band is rendered to its end, which is soon."""
 
 
 def _bands(count: int, threads: int) -> list[np.ndarray]:

@@ -16,6 +16,7 @@ from rna_render.asset_parts import (
     FiberPart,
     SurfacePart,
     part_geometry,
+    part_normal_maps,
     part_transmittance,
 )
 from rna_render.embree import TriangleScene
@@ -48,7 +49,8 @@ class AssetBody:
         self._parts = asset.parts
         self.part_count = len(self._parts)
         tables = [part_transmittance(part) for part in self._parts]
-        self.scene = PartsScene([part_geometry(part) for part in self._parts], tables)
+        maps = [part_normal_maps(part) for part in self._parts]
+        self.scene = PartsScene([part_geometry(part) for part in self._parts], tables, maps)
 
     def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
@@ -102,7 +104,7 @@ class _MeshPoints(_NeuralPoints):
         self, asset: SurfacePart, scene: PartsScene, part: int, at: SurfacePoints, wo: np.ndarray
     ) -> None:
         super().__init__(scene, part, at, wo)
-        self._asset = asset
+        self._asset, self.n = asset, at.mapped
         self.tangents = np.zeros_like(self.n)
 
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from rna_render.limits import MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
 from rna_sdk.console import INTERRUPTED, command_parser, run_command
+from rna_work.places import add_cluster_option
 
 if TYPE_CHECKING:
     from rna_render.output import Output
@@ -113,6 +114,7 @@ def _parser() -> argparse.ArgumentParser:
         type=_whole(1, 4096),
         help="threads to use, at most one a core (default: one a core)",
     )
+    add_cluster_option(parser)
     add("--debug", action="store_true", help="show the traceback of an error (default: off)")
     return parser
 
@@ -151,7 +153,11 @@ def _frames(text: str) -> tuple[int, int | None]:
 def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     if options.out is None and not options.preview:
         parser.error("one of --out and --preview is required")
-    others = ("out", "png", "frames", "denoise") if options.preview else ("port", "environments")
+    others = (
+        ("out", "png", "frames", "denoise", "cluster")
+        if options.preview
+        else ("port", "environments")
+    )
     for name in others:
         if getattr(options, name):
             parser.error(f"--{name} is {'not for' if options.preview else 'only for'} --preview")
@@ -175,6 +181,7 @@ def _run(options: argparse.Namespace) -> int:
     from rna_render.output import Output
     from rna_render.scene_file import read_scene
     from rna_render.sequence import frame_numbers, render_sequence
+    from rna_work.places import place
 
     names = ("samples", "resolution", "seed", "tier", "view")
     changes = {name: value for name in names if (value := getattr(options, name)) is not None}
@@ -187,10 +194,13 @@ def _run(options: argparse.Namespace) -> int:
         return 0
     denoiser = Denoiser(threads) if options.denoise else None
     output = Output(options.out, options.png, denoiser)
-    if options.frames is None:
+    if options.frames is None and options.cluster is None:
         return _render_still(scene_file, output, threads)
+    if options.frames is None:
+        return _render_in_pieces(scene_file, output, options)
     numbers = frame_numbers(scene_file, *options.frames)
-    return render_sequence(scene_file, numbers, output, threads, _START)
+    with place(options.cluster) as where:
+        return render_sequence(scene_file, numbers, output, options.threads, _START, where)
 
 
 def _use_threads(count: int | None) -> int:
@@ -231,6 +241,19 @@ def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
     for path in output.paths():
         print(f"wrote {path}")
     return INTERRUPTED if stopped else 0
+
+
+def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
+    from rna_render.pieces import render_pieces
+    from rna_work.places import place
+
+    output.check()
+    with place(options.cluster) as where:
+        film = render_pieces(scene_file, where, options.threads)
+    output.write(scene_file.scene, film)
+    for path in output.paths():
+        print(f"wrote {path}")
+    return 0
 
 
 if __name__ == "__main__":

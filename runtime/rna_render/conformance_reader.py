@@ -45,6 +45,25 @@ def visibility(package: str, records: bytes) -> np.ndarray:
     return seen
 
 
+def normals(package: str, records: bytes) -> np.ndarray:
+    """(n, 3) float32: the normals that n hits of meshes are asked with."""
+    from rna_render.normal_maps import NormalMaps
+    from rna_render.surface import SurfacePoints
+
+    words = np.frombuffer(records, "<u4").reshape(-1, 8)
+    b = np.ascontiguousarray(words.view("<f4")[:, 1:3].T.astype(np.float32))
+    found = np.empty((len(words), 3), np.float32)
+    with Package.open(package) as opened:
+        for part in np.unique(words[:, 7]).tolist():
+            mesh, records = opened.mesh(part), opened.normal_maps(part)
+            rows = np.flatnonzero(words[:, 7] == part)
+            maps = NormalMaps(mesh, records) if records else None
+            b1, b2 = np.ascontiguousarray(b[:, rows])
+            triangle = words[rows, 0].astype(np.int32)
+            found[rows] = SurfacePoints.of(mesh, triangle, b1, b2, maps).mapped
+    return found
+
+
 def _points(
     geometry: Mesh | Curves, words: np.ndarray
 ) -> tuple[SurfacePoints | FiberPoints, np.ndarray]:
@@ -64,5 +83,11 @@ def _points(
 
 if __name__ == "__main__":
     sys.exit(
-        run_reader(evaluate=evaluate, emission=emission, visibility=visibility, validate=check)
+        run_reader(
+            evaluate=evaluate,
+            emission=emission,
+            visibility=visibility,
+            normals=normals,
+            validate=check,
+        )
     )

@@ -29,13 +29,17 @@ class Denoiser:
             raise SceneError(message) from error
         except OSError as error:
             raise SceneError(f"Intel Open Image Denoise cannot be loaded: {error}") from error
-        self._oidn = pyoidn
+        self._oidn, self._threads = pyoidn, threads
         self._device.set_int("numThreads", threads)
         self._device.commit()
         self._check()
         version = self._device.get_int("version")  # 20501 for 2.5.1
         numbers = f"{version // 10000}.{version // 100 % 100}.{version % 100}"
         self.name = f"Intel Open Image Denoise {numbers}"
+
+    def __reduce__(self) -> tuple[type[Denoiser], tuple[int]]:
+        """Made anew in another process."""
+        return type(self), (self._threads,)
 
     def __call__(self, rgb: np.ndarray) -> np.ndarray:
         """The image without noise, (height, width, 3) float32 as `rgb` is; finite everywhere.

@@ -13,6 +13,7 @@ import numpy as np
 from numba import prange
 
 from rna_render.rays import check_numbers
+from rna_render.vectors import unit, vector_at
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves
@@ -87,25 +88,33 @@ class FiberPoints:
         return FiberPoints(x, n, tangent, self.segment[row])
 
 
+@compiled(fastmath=())
+def point_on_cone(points, radii, a, u, n):
+    """The point of a hit at u of the segment that begins at point a: three float64."""
+    b = a + 1
+    radius = (1.0 - u) * radii[a] + u * radii[b]
+    return (
+        (1.0 - u) * points[a, 0] + u * points[b, 0] + radius * n[0],
+        (1.0 - u) * points[a, 1] + u * points[b, 1] + radius * n[1],
+        (1.0 - u) * points[a, 2] + u * points[b, 2] + radius * n[2],
+    )
+
+
+@compiled(fastmath=())
+def tangent_at(points, a):
+    """The unit direction of the segment that begins at point a."""
+    p, q = vector_at(points, a), vector_at(points, a + 1)
+    return unit((q[0] - p[0], q[1] - p[1], q[2] - p[2]))
+
+
 @compiled(parallel=True, fastmath=())
 def _hit_points(points, radii, first, segment, u, normals, result):
     for i in prange(len(segment)):
-        a = first[segment[i]]
-        b, fu = a + 1, np.float64(u[i])
-        radius = (1.0 - fu) * radii[a] + fu * radii[b]
-        for axis in range(3):
-            centre = (1.0 - fu) * points[a, axis] + fu * points[b, axis]
-            result[i, axis] = centre + radius * normals[i, axis]
+        at = first[segment[i]], np.float64(u[i]), vector_at(normals, i)
+        result[i, 0], result[i, 1], result[i, 2] = point_on_cone(points, radii, at[0], at[1], at[2])
 
 
 @compiled(parallel=True, fastmath=())
 def _tangents(points, first, segment, result):
     for i in prange(len(segment)):
-        a = first[segment[i]]
-        b = a + 1
-        x = np.float64(points[b, 0]) - points[a, 0]
-        y = np.float64(points[b, 1]) - points[a, 1]
-        z = np.float64(points[b, 2]) - points[a, 2]
-        length = np.sqrt(x * x + y * y + z * z)
-        scale = 1.0 / length if length > 0.0 else 0.0
-        result[i, 0], result[i, 1], result[i, 2] = x * scale, y * scale, z * scale
+        result[i, 0], result[i, 1], result[i, 2] = tangent_at(points, first[segment[i]])

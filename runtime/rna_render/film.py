@@ -75,7 +75,7 @@ class Film:
     def __init__(self, resolution: tuple[int, int], groups: Sequence[str] = ()) -> None:
         self.width, self.height = resolution
         self.samples = 0
-        self._groups = tuple(groups)
+        self.groups = tuple(groups)
         count = self.width * self.height
         self._sum = Layers.empty(count, len(groups), np.float64)
         self._squares = np.zeros((count, 3))
@@ -94,6 +94,14 @@ class Film:
         # The id of the first sample that hit anything: ids have no mean.
         np.copyto(total.asset, sample.asset, where=total.asset == 0)
         self.samples += 1
+
+    def put(self, start: int, part: Film) -> None:
+        """Take over all samples of some pixels from `start` on, of which another film is made."""
+        end = start + part.width * part.height
+        for field in fields(Layers):
+            getattr(self._sum, field.name)[start:end] = getattr(part._sum, field.name)
+        self._squares[start:end] = part._squares
+        self.samples = part.samples
 
     def channels(self) -> dict[str, np.ndarray]:
         """The image, (height, width) a channel; float32, but uint32 for assetId.
@@ -115,7 +123,7 @@ class Film:
         named = [
             ("RGBA", "", mean + self._shadows(lit) / count),
             ("RGB", "variance.", spread / max(count - 1, 1)),
-            *(("RGB", f"light.{name}.", groups[:, g]) for g, name in enumerate(self._groups)),
+            *(("RGB", f"light.{name}.", groups[:, g]) for g, name in enumerate(self.groups)),
             ("XYZ", "normal.", normal),
             ("XYZ", "position.", total.position_world / hits),
         ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from uuid import uuid4
 
 import numpy as np
 
@@ -112,4 +113,4 @@ def _write(path: Path, save: Callable[[Path], object]) -> None:
 
 
 def _temporary(path: Path) -> Path:
-    return path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    return path.with_name(f".{path.name}.{uuid4().hex[:12]}.tmp")

@@ -40,3 +40,21 @@ load_f32 = _load(ir.FloatType(), types.float32)
 load_f64 = _load(ir.DoubleType(), types.float64)
 store_u32 = _store(ir.IntType(32), types.uint32)
 store_f64 = _store(ir.DoubleType(), types.float64)
+
+
+def _pointer(element: Any) -> Any:
+    @intrinsic
+    def pointer(typing_context, address):
+        def codegen(context, builder, _signature, values):
+            kind = context.get_value_type(types.CPointer(element))
+            return builder.inttoptr(values[0], kind)
+
+        return types.CPointer(element)(types.uintp), codegen
+
+    return pointer
+
+
+# For `numba.carray`, which makes an array of them.
+pointer_i32 = _pointer(types.int32)
+pointer_f32 = _pointer(types.float32)
+pointer_f64 = _pointer(types.float64)

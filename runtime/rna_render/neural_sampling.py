@@ -10,13 +10,18 @@ Weights and widths of the lobes were chosen by `benchmarks/importance.py`.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numba import prange
 
+from rna_render.angles import sine_and_cosine
+from rna_render.vectors import dot, unit, vector_at
 from rna_sdk.compiled import compiled
 
-UNIFORM, COSINE, MIRROR, CONE, FORWARD = range(5)
+# Places in a mixture's numbers: shares of the lobes, then their widths.
+UNIFORM, COSINE, MIRROR, CONE, FORWARD, MIRROR_KAPPA, CONE_SCALE, FORWARD_KAPPA = range(8)
+LOBES = 5
 
 
 @dataclass(frozen=True)
@@ -48,7 +53,7 @@ class LobeMixture:
         u: (m, 3) float64 in [0, 1); the last one chooses the lobe.
         """
         wi = np.empty((len(n), 3), np.float32)
-        _sample(*self._numbers(), n, tangents, wo, u, wi)
+        _sample(self.numbers, n, tangents, wo, u, wi)
         return wi
 
     def pdf(
@@ -56,12 +61,15 @@ class LobeMixture:
     ) -> np.ndarray:
         """Density of `sample` in wi, per steradian: (m,) float32; all but u as there."""
         pdf = np.empty(len(n), np.float32)
-        _pdf(*self._numbers(), n, tangents, wo, wi, pdf)
+        _pdf(self.numbers, n, tangents, wo, wi, pdf)
         return pdf
 
-    def _numbers(self) -> tuple[np.ndarray, float, float, float]:
+    @cached_property
+    def numbers(self) -> np.ndarray:
+        """Shares and widths for compiled code, (8,) float64."""
         shares = np.array([self.uniform, self.cosine, self.mirror, self.cone, self.forward])
-        return shares / shares.sum(), self.mirror_kappa, self.cone_scale, self.forward_kappa
+        widths = self.mirror_kappa, self.cone_scale, self.forward_kappa
+        return np.append(shares / shares.sum(), widths)
 
 
 @compiled(fastmath=())
@@ -71,11 +79,12 @@ def _unit_or(x, y, z, otherwise):
 
 
 @compiled(fastmath=())
-def _about(axis, cosine, phi):
-    """The direction at that cosine to a unit axis, and that azimuth."""
+def _about(axis, cosine, turns):
+    """The direction at that cosine to a unit axis, and that azimuth, in turns."""
     x, y, z = axis
     sine = np.sqrt(max(0.0, 1.0 - cosine * cosine))
-    a, b = sine * np.cos(phi), sine * np.sin(phi)
+    sin_phi, cos_phi = sine_and_cosine(turns)
+    a, b = sine * cos_phi, sine * sin_phi
     # Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
     sign = np.copysign(1.0, z)
     c = -1.0 / (sign + z)
@@ -122,17 +131,15 @@ def _cone_pdf(sine, middle, scale):
 
 
 @compiled(fastmath=())
-def _frame(n, tangents, wo, i):
-    """Viewer, normal turned to it, tangent, and mirror direction, in float64."""
-    o = np.float64(wo[i, 0]), np.float64(wo[i, 1]), np.float64(wo[i, 2])
+def lobe_frame(n, tangent, o):
+    """What the functions below take for a point: viewer, normal turned to it, tangent, and mirror
+    direction."""
     up = (0.0, 1.0, 0.0)
-    nx, ny, nz = np.float64(n[i, 0]), np.float64(n[i, 1]), np.float64(n[i, 2])
-    normal = _unit_or(nx, ny, nz, up)
-    cosine = normal[0] * o[0] + normal[1] * o[1] + normal[2] * o[2]
+    normal = _unit_or(n[0], n[1], n[2], up)
+    cosine = dot(normal, o)
     if cosine < 0.0:
         cosine, normal = -cosine, (-normal[0], -normal[1], -normal[2])
-    tx, ty, tz = np.float64(tangents[i, 0]), np.float64(tangents[i, 1]), np.float64(tangents[i, 2])
-    tangent = _unit_or(tx, ty, tz, up)
+    tangent = _unit_or(tangent[0], tangent[1], tangent[2], up)
     twice = 2.0 * cosine
     mirror = (
         twice * normal[0] - o[0],
@@ -143,49 +150,54 @@ def _frame(n, tangents, wo, i):
 
 
 @compiled(fastmath=())
-def _dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+def lobe_sample(numbers, frame, u1, u2, u3):
+    """A direction, as often as `lobe_density` says: three float64. u3: chooses the lobe."""
+    o, normal, tangent, mirror = frame
+    lobe, choice = UNIFORM, u3
+    for k in range(LOBES):
+        if numbers[k] > 0.0:
+            lobe = k
+            if choice < numbers[k]:
+                break
+        choice -= numbers[k]
+    if lobe == UNIFORM:
+        direction = _about(normal, 1.0 - 2.0 * u1, u2)
+    elif lobe == COSINE:
+        direction = _about(normal, np.sqrt(1.0 - u1), u2)
+    elif lobe == MIRROR:
+        direction = _about(mirror, _fisher_cosine(u1, numbers[MIRROR_KAPPA]), u2)
+    elif lobe == CONE:
+        direction = _about(tangent, _cone_sine(u1, -dot(tangent, o), numbers[CONE_SCALE]), u2)
+    else:
+        backward = (-o[0], -o[1], -o[2])
+        direction = _about(backward, _fisher_cosine(u1, numbers[FORWARD_KAPPA]), u2)
+    return unit(direction)
+
+
+@compiled(fastmath=())
+def lobe_density(numbers, frame, w):
+    """Density per steradian in w."""
+    o, normal, tangent, mirror = frame
+    density = numbers[UNIFORM] / (4.0 * np.pi)
+    density += numbers[COSINE] * max(0.0, dot(normal, w)) / np.pi
+    if numbers[MIRROR] > 0.0:
+        density += numbers[MIRROR] * _fisher_pdf(dot(mirror, w), numbers[MIRROR_KAPPA])
+    if numbers[CONE] > 0.0:
+        density += numbers[CONE] * _cone_pdf(dot(tangent, w), -dot(tangent, o), numbers[CONE_SCALE])
+    if numbers[FORWARD] > 0.0:
+        density += numbers[FORWARD] * _fisher_pdf(-dot(o, w), numbers[FORWARD_KAPPA])
+    return density
 
 
 @compiled(parallel=True, fastmath=())
-def _sample(shares, mirror_kappa, cone_scale, forward_kappa, n, tangents, wo, u, wi):
+def _sample(numbers, n, tangents, wo, u, wi):
     for i in prange(len(n)):
-        o, normal, tangent, mirror = _frame(n, tangents, wo, i)
-        u1, phi, choice = u[i, 0], 2.0 * np.pi * u[i, 1], u[i, 2]
-        lobe = UNIFORM
-        for k in range(len(shares)):
-            if shares[k] > 0.0:
-                lobe = k
-                if choice < shares[k]:
-                    break
-            choice -= shares[k]
-        if lobe == UNIFORM:
-            direction = _about(normal, 1.0 - 2.0 * u1, phi)
-        elif lobe == COSINE:
-            direction = _about(normal, np.sqrt(1.0 - u1), phi)
-        elif lobe == MIRROR:
-            direction = _about(mirror, _fisher_cosine(u1, mirror_kappa), phi)
-        elif lobe == CONE:
-            direction = _about(tangent, _cone_sine(u1, -_dot(tangent, o), cone_scale), phi)
-        else:
-            backward = (-o[0], -o[1], -o[2])
-            direction = _about(backward, _fisher_cosine(u1, forward_kappa), phi)
-        length = np.sqrt(_dot(direction, direction))
-        for axis in range(3):
-            wi[i, axis] = direction[axis] / length
+        frame = lobe_frame(vector_at(n, i), vector_at(tangents, i), vector_at(wo, i))
+        wi[i, 0], wi[i, 1], wi[i, 2] = lobe_sample(numbers, frame, u[i, 0], u[i, 1], u[i, 2])
 
 
 @compiled(parallel=True, fastmath=())
-def _pdf(shares, mirror_kappa, cone_scale, forward_kappa, n, tangents, wo, wi, pdf):
+def _pdf(numbers, n, tangents, wo, wi, pdf):
     for i in prange(len(n)):
-        o, normal, tangent, mirror = _frame(n, tangents, wo, i)
-        w = np.float64(wi[i, 0]), np.float64(wi[i, 1]), np.float64(wi[i, 2])
-        density = shares[UNIFORM] / (4.0 * np.pi)
-        density += shares[COSINE] * max(0.0, _dot(normal, w)) / np.pi
-        if shares[MIRROR] > 0.0:
-            density += shares[MIRROR] * _fisher_pdf(_dot(mirror, w), mirror_kappa)
-        if shares[CONE] > 0.0:
-            density += shares[CONE] * _cone_pdf(_dot(tangent, w), -_dot(tangent, o), cone_scale)
-        if shares[FORWARD] > 0.0:
-            density += shares[FORWARD] * _fisher_pdf(-_dot(o, w), forward_kappa)
-        pdf[i] = density
+        frame = lobe_frame(vector_at(n, i), vector_at(tangents, i), vector_at(wo, i))
+        pdf[i] = lobe_density(numbers, frame, vector_at(wi, i))

@@ -30,6 +30,11 @@ class Output:
         exr, *png = (path.with_name(path.name % number) for path in self.paths())
         return replace(self, exr=exr, png=png[0] if png else None)
 
+    def absolute(self) -> Output:
+        """The same files, for a process with another working directory."""
+        png = None if self.png is None else self.png.absolute()
+        return replace(self, exr=self.exr.absolute(), png=png)
+
     def paths(self) -> list[Path]:
         """The files."""
         return [self.exr] if self.png is None else [self.exr, self.png]

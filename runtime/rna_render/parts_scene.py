@@ -11,7 +11,7 @@ from rna_render.embree import add_curves, add_mesh
 from rna_render.embree_filters import own_strand_filter, strand_transmittance_filter
 from rna_render.fiber import FiberPoints
 from rna_render.rays import check_numbers, per_ray, vectors
-from rna_render.surface import SurfacePoints, leaving_origins
+from rna_render.surface import NormalMaps, SurfacePoints, leaving_origins
 from rna_render.tracing import (
     NO_OWN,
     NOTHING,
@@ -53,7 +53,8 @@ class PartsScene(GeometryScene):
 
     Triangles behind Embree's robust (watertight) intersection; strands as in embree.add_curves.
     transmittance: of each part, None where it is opaque, as strands are; none at all if left out.
-    `intersect` and `occluded` do not ask for it.
+    `intersect` and `occluded` do not ask for it. normal_maps: of each part, None where it has
+    none; none at all if left out.
 
     Attributes:
         geometries: of the parts, in order.
@@ -67,9 +68,11 @@ class PartsScene(GeometryScene):
         self,
         geometries: Sequence[Mesh | Curves],
         transmittance: Sequence[Transmittance | None] = (),
+        normal_maps: Sequence[NormalMaps | None] = (),
     ) -> None:
         super().__init__()
         self.geometries = tuple(geometries)
+        self._normal_maps = normal_maps or [None] * len(self.geometries)
         self._transmittance = transmittance or [None] * len(self.geometries)
         self.transmits = any(table is not None for table in self._transmittance)
         self.coloured = any(table is not None and table.coloured for table in self._transmittance)
@@ -114,7 +117,7 @@ class PartsScene(GeometryScene):
         geometry, first = self.geometries[part], self._first[part]
         if isinstance(geometry, Curves):
             return FiberPoints.of(geometry, first, primitive, u, normals)
-        return SurfacePoints.of(geometry, primitive, u, v)
+        return SurfacePoints.of(geometry, primitive, u, v, self._normal_maps[part])
 
     def hit_transmittance(self, hits: PartHits, directions: np.ndarray) -> np.ndarray:
         """What each hit lets through, along rays (n, 3) float32: (n, 3) float32; 1 for misses."""

@@ -85,15 +85,25 @@ def _second_sobol_dimension(index):
     return np.uint32(x ^ ((x & np.uint32(0x55555555)) << np.uint32(1)))
 
 
+@compiled(fastmath=())
+def square_key(seed, dimension, pixel):
+    """What `square_point` has of a dimension of a pixel."""
+    image_key = hash_bits(hash_bits(seed) + np.uint32(dimension))
+    return hash_bits(image_key ^ hash_bits(np.uint32(pixel) + np.uint32(1)))
+
+
+@compiled(fastmath=())
+def square_point(key, number):
+    """A point of the unit square: the `number`-th of those that belong to a key."""
+    index = _owen_scramble(np.uint32(number), key)
+    first = _owen_scramble(_reverse_bits(index), hash_bits(key + np.uint32(1)))
+    second = _owen_scramble(_second_sobol_dimension(index), hash_bits(key + np.uint32(2)))
+    return first * 2.0**-32, second * 2.0**-32
+
+
 @compiled(parallel=True, fastmath=())
 def _scrambled_sobol(pixels, first_sample, dimension, seed, points):
-    image_key = hash_bits(hash_bits(seed) + np.uint32(dimension))
     for i in prange(len(pixels)):
-        key = hash_bits(image_key ^ hash_bits(pixels[i] + np.uint32(1)))
-        first_key, second_key = hash_bits(key + np.uint32(1)), hash_bits(key + np.uint32(2))
+        key = square_key(seed, dimension, pixels[i])
         for part in range(points.shape[1]):
-            index = _owen_scramble(np.uint32(first_sample + part), key)
-            first = _owen_scramble(_reverse_bits(index), first_key)
-            second = _owen_scramble(_second_sobol_dimension(index), second_key)
-            points[i, part, 0] = first * 2.0**-32
-            points[i, part, 1] = second * 2.0**-32
+            points[i, part] = square_point(key, first_sample + part)

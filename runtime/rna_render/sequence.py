@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import sys
-import time
-from collections.abc import Iterator
-from dataclasses import replace
-from pathlib import Path
-
-from pydantic import BaseModel
+import warnings
+from contextlib import closing
+from functools import partial
 
 from rna_render.animation import frame_scene
+from rna_render.frame_worker import Frame, FrameFiles, FrameJob, FrameWorker
 from rna_render.output import Output
-from rna_render.render import load_world
+from rna_render.render import QualityWarning
 from rna_render.scene_file import SceneFile
-from rna_render.terminal import Interrupt, render_with_bar, tell_tiers
+from rna_render.scene_sources import carried_scene, named_paths
 from rna_sdk.console import INTERRUPTED
+from rna_work.places import Place
+from rna_work.pool import Pool
+from rna_work.shared import check_shared
+from rna_work.threads import HERE
+from rna_work.worker import Outcome
 
 
 def frame_numbers(scene_file: SceneFile, first: int, last: int | None) -> range:
@@ -34,69 +37,74 @@ def frame_numbers(scene_file: SceneFile, first: int, last: int | None) -> range:
 
 
 def render_sequence(
-    scene_file: SceneFile, numbers: range, output: Output, threads: int, started: float
+    scene_file: SceneFile,
+    numbers: range,
+    output: Output,
+    threads: int | None,
+    started: float,
+    where: Place,
 ) -> int:
     """Render the frames that are not there yet. Returns the exit status.
 
-    output: names with a place for the number. started: when the program did, as perf_counter.
-    A frame that Ctrl-C ends is not written.
+    output: names with a place for the number. threads: of a worker; None for all of its machine.
+    started: when the program did, as perf_counter. A frame that Ctrl-C ends is not written.
     """
-    changed = _last_change(scene_file)
-    world, seconds = None, []
-    with Interrupt() as interrupt:
-        for place, number in enumerate(numbers, 1):
-            if interrupt.requested():
-                return _stopped(number)
-            scene, files = frame_scene(scene_file.scene, number), output.frame(number)
-            if files.is_there(scene, changed):
-                print(f"frame {number}: is there already")
-                continue
-            files.check()
-            start = time.perf_counter()
-            if world is None:
-                views = [frame_scene(scene_file.scene, n) for n in numbers]
-                world = load_world(scene_file, views)
-                tell_tiers(scene_file, world)
-                start = time.perf_counter()
-                print(f"assets loaded after {start - started:.2f} s", file=sys.stderr)
-            what = f"frame {number} ({place} of {len(numbers)})"
-            film = render_with_bar(
-                replace(scene_file, scene=scene), world, interrupt.requested, what
-            )
-            if interrupt.requested() and film.samples < scene.samples:
-                return _stopped(number)
-            files.write(scene, film)
-            seconds.append(time.perf_counter() - start)
-            paths = ", ".join(str(path) for path in files.paths())
-            left = _in_words(sum(seconds) / len(seconds) * (len(numbers) - place))
-            print(f"{what}: wrote {paths} in {seconds[-1]:.1f} s; about {left} left", flush=True)
+    missing = _missing(scene_file, numbers, output)
+    if not missing:
+        return 0
+    check_shared(where, output.exr.parent)
+    backend, threads = where.whole_machines(threads)
+    files = carried_scene(scene_file, where)
+    absolute = output.absolute() if where.far else output
+    job = FrameJob(scene_file, files, numbers, absolute, threads, started)
+    seconds: list[float] = []
+    try:
+        with (
+            Pool(backend, partial(FrameWorker, job), tell=print) as pool,
+            closing(pool.run(missing)) as outcomes,
+        ):
+            for outcome in outcomes:
+                frame = outcome.value()
+                seconds.append(frame.seconds)
+                for line in frame.warnings:
+                    warnings.warn(line, QualityWarning, stacklevel=1)
+                workers = max(1, pool.nodes().total())
+                left = (len(missing) - len(seconds)) / workers * sum(seconds) / len(seconds)
+                print(f"{_told(outcome, frame)}; about {_in_words(left)} left", flush=True)
+    except KeyboardInterrupt:
+        print(
+            "stopped; frames under way were not written; the same command goes on", file=sys.stderr
+        )
+        return INTERRUPTED
     return 0
 
 
-def _stopped(number: int) -> int:
-    print(f"stopped before the end of frame {number}; the same command goes on", file=sys.stderr)
-    return INTERRUPTED
+def _missing(scene_file: SceneFile, numbers: range, output: Output) -> list[Frame]:
+    """The frames that are not there; raises SceneError if one of them cannot be written."""
+    changed, missing = _last_change(scene_file), []
+    for place, number in enumerate(numbers, 1):
+        scene, files = frame_scene(scene_file.scene, number), output.frame(number)
+        if files.is_there(scene, changed):
+            print(f"frame {number}: is there already")
+        else:
+            files.check()
+            missing.append(Frame(number, f"frame {number} ({place} of {len(numbers)})"))
+    return missing
+
+
+def _told(outcome: Outcome[Frame, FrameFiles], frame: FrameFiles) -> str:
+    paths = ", ".join(str(path) for path in frame.paths)
+    on = "" if outcome.node == HERE else f" on {outcome.node}"
+    return f"{outcome.item.what}: wrote {paths} in {frame.seconds:.1f} s{on}"
 
 
 def _last_change(scene_file: SceneFile) -> float:
     """When the newest of the files that the scene names was changed; for ever if one is missing."""
-    paths = (scene_file.resolve(path) for path in _named_paths(scene_file.scene))
+    paths = (scene_file.resolve(path) for path in named_paths(scene_file.scene))
     try:
         return max((path.stat().st_mtime for path in paths), default=0.0)
     except OSError:
         return float("inf")
-
-
-def _named_paths(value: object) -> Iterator[Path]:
-    """All paths anywhere in a part of a scene."""
-    if isinstance(value, Path):
-        yield value
-    elif isinstance(value, BaseModel):
-        for _, part in value:
-            yield from _named_paths(part)
-    elif isinstance(value, tuple):
-        for part in value:
-            yield from _named_paths(part)
 
 
 def _in_words(seconds: float) -> str:

@@ -13,6 +13,7 @@ import numpy as np
 from numba import prange
 
 from rna_render.rays import check_numbers, vectors
+from rna_render.vectors import cross, dot, unit, vector_at
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
 
@@ -31,6 +32,14 @@ class Mesh(Protocol):
     positions: np.ndarray
     normals: np.ndarray
     triangles: np.ndarray
+
+
+class NormalMaps(Protocol):
+    """Of a mesh: rna_render.normal_maps.NormalMaps."""
+
+    def at(
+        self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+    ) -> np.ndarray: ...
 
 
 def interpolate_positions(
@@ -102,23 +111,34 @@ def lifts(
 class SurfacePoints:
     """Points of a mesh, (m, 3) float32 each, as the functions above give them.
 
-    x: positions. n: shading normals. ng: geometric normals. lift: from x onto the smooth surface.
+    x: positions. n: interpolated normals. ng: geometric normals. lift: from x onto the smooth
+    surface. mapped: n with the relief of normal maps, where the mesh has any.
     """
 
     x: np.ndarray
     n: np.ndarray
     ng: np.ndarray
     lift: np.ndarray
+    mapped: np.ndarray
 
     @classmethod
-    def of(cls, mesh: Mesh, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> SurfacePoints:
+    def of(
+        cls,
+        mesh: Mesh,
+        triangle: np.ndarray,
+        u: np.ndarray,
+        v: np.ndarray,
+        maps: NormalMaps | None = None,
+    ) -> SurfacePoints:
         """The points at barycentrics (u, v) of the given triangles."""
         at = mesh.triangles, triangle, u, v
+        n = interpolate_normals(mesh.normals, *at)
         return cls(
             interpolate_positions(mesh.positions, *at),
-            interpolate_normals(mesh.normals, *at),
+            n,
             geometric_normals(mesh.positions, mesh.triangles, triangle),
             lifts(mesh.positions, mesh.normals, *at),
+            n if maps is None else maps.at(n, triangle, u, v),
         )
 
     def __len__(self) -> int:
@@ -133,7 +153,9 @@ class SurfacePoints:
 
     def take(self, row: np.ndarray) -> SurfacePoints:
         """The given rows."""
-        return SurfacePoints(*(a.take(row, axis=0) for a in (self.x, self.n, self.ng, self.lift)))
+        return SurfacePoints(
+            *(getattr(self, name).take(row, axis=0) for name in SurfacePoints.__slots__)
+        )
 
 
 def leaving_origins(points: SurfacePoints, directions: np.ndarray, extent: float) -> np.ndarray:
@@ -169,32 +191,57 @@ def _check_hits(triangles, triangle, u, v):
         raise QueryError(f"{len(triangle)} triangles, but {len(u)} u and {len(v)} v")
 
 
+@compiled(fastmath=())
+def mixed_at(values, corners, u, v):
+    """The corners' rows of (v, 3) float32 at barycentrics (u, v): three float64."""
+    a, b, c = corners[0], corners[1], corners[2]
+    w = 1.0 - u - v
+    return (
+        w * values[a, 0] + u * values[b, 0] + v * values[c, 0],
+        w * values[a, 1] + u * values[b, 1] + v * values[c, 1],
+        w * values[a, 2] + u * values[b, 2] + v * values[c, 2],
+    )
+
+
+@compiled(fastmath=())
+def lift_at(positions, normals, corners, x):
+    """From x, on the triangle with given weights, onto the smooth surface; see `lifts`."""
+    u, v, point = x
+    weights = (1.0 - u - v, u, v)
+    dx, dy, dz = 0.0, 0.0, 0.0
+    for k in range(3):
+        p, n = vector_at(positions, corners[k]), vector_at(normals, corners[k])
+        height = dot((point[0] - p[0], point[1] - p[1], point[2] - p[2]), n)
+        step = weights[k] * min(height, 0.0)
+        dx, dy, dz = dx - step * n[0], dy - step * n[1], dz - step * n[2]
+    return dx, dy, dz
+
+
+@compiled(fastmath=())
+def smooth_share(n, ng, d):
+    """How much of its lift a ray along d starts with, and whether its step is along ng: see
+    `leaving_origins`."""
+    above_plane = dot(ng, d)
+    if above_plane < SMOOTH_BELOW and dot(n, d) > 0.0 and dot(n, ng) > 0.0:
+        return 1.0 - max(above_plane, 0.0) / SMOOTH_BELOW, True
+    return 0.0, above_plane >= 0.0
+
+
 @compiled(parallel=True, fastmath=())
 def _interpolate(values, triangles, triangle, u, v, normalise, result):
     for i in prange(len(triangle)):
-        a, b, c = triangles[triangle[i]]
-        fu, fv = np.float64(u[i]), np.float64(v[i])
-        x = (1.0 - fu - fv) * values[a, 0] + fu * values[b, 0] + fv * values[c, 0]
-        y = (1.0 - fu - fv) * values[a, 1] + fu * values[b, 1] + fv * values[c, 1]
-        z = (1.0 - fu - fv) * values[a, 2] + fu * values[b, 2] + fv * values[c, 2]
-        length = np.sqrt(x * x + y * y + z * z) if normalise else 1.0
-        scale = 1.0 / length if length > 0.0 else 0.0
-        result[i, 0], result[i, 1], result[i, 2] = x * scale, y * scale, z * scale
+        value = mixed_at(values, triangles[triangle[i]], np.float64(u[i]), np.float64(v[i]))
+        value = unit(value) if normalise else value
+        result[i, 0], result[i, 1], result[i, 2] = value
 
 
 @compiled(parallel=True, fastmath=())
 def _geometric_normals(positions, triangles, triangle, result):
     for i in prange(len(triangle)):
         a, b, c = triangles[triangle[i]]
-        e1x, e2x = np.float64(positions[b, 0]) - positions[a, 0], positions[c, 0] - positions[a, 0]
-        e1y, e2y = np.float64(positions[b, 1]) - positions[a, 1], positions[c, 1] - positions[a, 1]
-        e1z, e2z = np.float64(positions[b, 2]) - positions[a, 2], positions[c, 2] - positions[a, 2]
-        x = e1y * e2z - e1z * e2y
-        y = e1z * e2x - e1x * e2z
-        z = e1x * e2y - e1y * e2x
-        length = np.sqrt(x * x + y * y + z * z)
-        scale = 1.0 / length if length > 0.0 else 0.0
-        result[i, 0], result[i, 1], result[i, 2] = x * scale, y * scale, z * scale
+        p, q, r = vector_at(positions, a), vector_at(positions, b), vector_at(positions, c)
+        e1, e2 = (q[0] - p[0], q[1] - p[1], q[2] - p[2]), (r[0] - p[0], r[1] - p[1], r[2] - p[2])
+        result[i, 0], result[i, 1], result[i, 2] = unit(cross(e1, e2))
 
 
 @compiled(parallel=True, fastmath=())
@@ -202,29 +249,15 @@ def _lifts(positions, normals, triangles, triangle, u, v, result):
     for i in prange(len(triangle)):
         corners = triangles[triangle[i]]
         fu, fv = np.float64(u[i]), np.float64(v[i])
-        weights = (1.0 - fu - fv, fu, fv)
-        result[i] = 0.0
-        for k in range(3):
-            corner, height = corners[k], 0.0
-            for axis in range(3):
-                x = 0.0
-                for j in range(3):
-                    x += weights[j] * positions[corners[j], axis]
-                height += (x - positions[corner, axis]) * normals[corner, axis]
-            for axis in range(3):
-                result[i, axis] -= weights[k] * min(height, 0.0) * normals[corner, axis]
+        x = mixed_at(positions, corners, fu, fv)
+        result[i, 0], result[i, 1], result[i, 2] = lift_at(positions, normals, corners, (fu, fv, x))
 
 
 @compiled(parallel=True, fastmath=())
 def _leave(x, n, ng, lift, directions, step, result):
     for i in prange(len(x)):
-        above, above_plane, alike = np.float64(0.0), np.float64(0.0), np.float64(0.0)
+        g = vector_at(ng, i)
+        smooth, along = smooth_share(vector_at(n, i), g, vector_at(directions, i))
+        signed = step if along else -step
         for axis in range(3):
-            above += np.float64(n[i, axis]) * directions[i, axis]
-            above_plane += np.float64(ng[i, axis]) * directions[i, axis]
-            alike += np.float64(n[i, axis]) * ng[i, axis]
-        smooth, signed = 0.0, -step if above_plane < 0.0 else step
-        if above > 0.0 and alike > 0.0 and above_plane < SMOOTH_BELOW:
-            smooth, signed = 1.0 - max(above_plane, 0.0) / SMOOTH_BELOW, step
-        for axis in range(3):
-            result[i, axis] = x[i, axis] + smooth * lift[i, axis] + signed * ng[i, axis]
+            result[i, axis] = x[i, axis] + smooth * lift[i, axis] + signed * g[axis]

@@ -41,12 +41,12 @@ def in_time(
 def seconds_a_sample(renderer: BandRenderer, count: int) -> float:
     """How long one sample of an image of `count` pixels takes, measured on some of them."""
     chosen = np.linspace(0, count - 1, min(count, _MEASURED)).astype(np.uint32)
-    sparse = _SomePixels(renderer, chosen)
+    sparse = SomePixels(renderer, chosen)
     _seconds(sparse, min(len(chosen), 256))  # compiles, and warms caches
     return _seconds(sparse, len(chosen)) * count / len(chosen)
 
 
-class _SomePixels:
+class SomePixels:
     """A renderer of chosen pixels alone, (n,) uint32."""
 
     def __init__(self, renderer: BandRenderer, chosen: np.ndarray) -> None:

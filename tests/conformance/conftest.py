@@ -44,6 +44,7 @@ class InProcess:
     evaluate: Callable[[str, str, int, np.ndarray], np.ndarray] | None = None
     emission: Callable[[str, str, int, np.ndarray], np.ndarray] | None = None
     visibility: Callable[[str, bytes], np.ndarray] | None = None
+    normals: Callable[[str, bytes], np.ndarray] | None = None
     validate: Callable[[str], tuple[bool, list[str]]] | None = None
 
     def run(self, *arguments: str) -> Answer:

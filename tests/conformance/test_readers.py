@@ -20,7 +20,7 @@ from rna_sdk.conformance.cli import run_levels
 from rna_sdk.conformance.kit import LEVELS, Kit
 from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.scoring import Score
-from rna_sdk.package import Curves, Package, Transmittance
+from rna_sdk.package import Curves, NormalMap, Package, Transmittance
 from tests.conformance import float32_reader
 from tests.conformance.conftest import KIT, InProcess
 from tests.conformance.float32_reader import Formulas
@@ -44,7 +44,11 @@ def kind_of(score: Score) -> str:
 
 def test_the_runtime_passes_every_level(kit: Kit) -> None:
     program = InProcess(
-        reader.evaluate, reader.emission, conformance_reader.visibility, reader.check
+        reader.evaluate,
+        reader.emission,
+        conformance_reader.visibility,
+        conformance_reader.normals,
+        reader.check,
     )
     assert claimed_levels(program) == LEVELS
     assert failures(program, kit, *LEVELS) == []
@@ -286,3 +290,40 @@ def test_a_reader_without_emission_fails(kit: Kit) -> None:
     failed = failures(InProcess(reader.evaluate), kit, "evaluate")
     assert {score.tier.split()[-1] for score in failed} == {"emission"} and len(failed) == 3
     assert "no such call of a reader" in failed[0].note
+
+
+def with_maps(change: Callable[[NormalMap], NormalMap | None]):  # type: ignore[no-untyped-def]
+    """Normal maps are read wrong, or not at all."""
+    normal_maps = Package.normal_maps
+
+    def changed(package: Package, part: int = 0) -> list[NormalMap]:
+        return [new for old in normal_maps(package, part) if (new := change(old))]
+
+    def normals(package: str, records: bytes) -> np.ndarray:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(Package, "normal_maps", changed)
+            return conformance_reader.normals(package, records)
+
+    return normals
+
+
+def turned(texture: np.ndarray, *factors: int) -> np.ndarray:
+    """With other signs of x and y."""
+    return np.clip(127 + (texture.astype(int) - 127) * factors, 0, 255).astype(np.uint8)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda record: None,
+        lambda record: replace(record, texture=turned(record.texture, 1, -1)),
+        lambda record: replace(record, texture=turned(record.texture, -1, 1)),
+        lambda record: replace(record, texture=record.texture[..., ::-1].copy()),
+        lambda record: replace(record, texture=record.texture[::-1].copy()),
+        lambda record: replace(record, first=record.first + 1),
+    ],
+    ids=["plain", "y down", "x back", "y first", "upside down", "triangles"],
+)
+def test_readers_that_get_normal_maps_wrong_fail(change, kit: Kit) -> None:  # type: ignore[no-untyped-def]
+    (failed,) = failures(InProcess(normals=with_maps(change)), kit, "normals")
+    assert failed.package == "surface-relief" and "expected" in failed.note

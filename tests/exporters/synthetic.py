@@ -53,7 +53,7 @@ def make_dataset(
     rng = np.random.default_rng(seed)
     for shard in range(shards):
         wi = np.repeat(unit_vectors(rng, LIGHTS_A_SHARD), RAYS, axis=0)
-        write_parts(dataset.train_path(shard), {"asset": _samples(*_seen(rng, len(wi)), wi)})
+        write_parts(dataset.train_path(shard), {"asset": samples_of_light(rng, wi)})
     for view in range(views):
         _write_view(dataset, view, rng)
     return dataset.only
@@ -69,6 +69,11 @@ def transport(n: np.ndarray, wo: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray
     through = 0.03 + 0.02 * ALBEDO * cosine
     visible = cosine[:, 0] > 0.0
     return np.where(visible[:, None], lit, through).astype(np.float32), visible
+
+
+def samples_of_light(rng: np.random.Generator, wi: np.ndarray) -> dict[str, np.ndarray]:
+    """Samples at random points, seen from random directions, one for each wi (n, 3)."""
+    return _samples(*_seen(rng, len(wi)), wi)
 
 
 def _seen(rng: np.random.Generator, count: int) -> tuple[np.ndarray, np.ndarray]:

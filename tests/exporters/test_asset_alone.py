@@ -7,8 +7,8 @@ import pytest
 
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CapturedPart, CaptureManifest
-from rna_export.capture.run import scene_of
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import TrainingShard
 from rna_export.capture.weld import weld
 from tests.exporters.conftest import OpenWorker

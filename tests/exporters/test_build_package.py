@@ -12,8 +12,8 @@ import torch
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.export.cli import main
 from rna_export.metrics import flip, psnr
-from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.curves import Curves
 from rna_export.training.run import Run, train
 from rna_export.training.validation import score, shade
 from rna_sdk.package import Package, validate
@@ -34,7 +34,7 @@ def exported(tmp_path_factory: pytest.TempPathFactory) -> Exported:
     folder = tmp_path_factory.mktemp("export")
     dataset = make_dataset(folder / "ball.rays", domain="hemisphere")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run_module, "draw_curves", lambda _: None)
+        patch.setattr(Curves, "draw", lambda _: None)
         checkpoints = {
             name: train(Run(dataset, tiny(name, steps=60), name, folder / name))
             for name in ("small", "paper-small")
@@ -181,8 +181,8 @@ def test_planes_that_float16_cannot_hold_are_refused(
     exported: Exported, tmp_path: Path, capsys
 ) -> None:
     saved = torch.load(exported.checkpoints["small"], weights_only=True)
-    for name, value in saved["state_dict"].items():
-        if name.startswith("model.triplane.") and value.ndim == 4:
+    for name, value in saved["model"].items():
+        if name.startswith("triplane.") and value.ndim == 4:
             value[0, 0, 0, 0] = 1e6
     torch.save(saved, tmp_path / "bright.ckpt")
     precision = "--precision", "float32-float16"

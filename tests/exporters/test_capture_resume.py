@@ -101,6 +101,7 @@ def test_kill_minus_9_keeps_finished_shards(
     process = capture(source, out, workers=2)
     wait_for_shards(process, out, 3)
     workers = children(process.pid)
+    os.kill(workers[0], signal.SIGSTOP)  # one that hangs, and reads no end of its input
     process.kill()
     process.wait()
     killed = state(out)

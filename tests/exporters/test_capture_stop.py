@@ -1,8 +1,9 @@
-"""Ctrl-C in a capture, with stand-ins for Blender and for the tasks."""
+"""Ctrl-C and failures in a capture, with stand-ins for Blender and for the tasks."""
 
 from __future__ import annotations
 
 import threading
+from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import SimpleNamespace
@@ -10,83 +11,117 @@ from typing import Any
 
 import pytest
 
-from rna_export.capture import run
+from rna_export.capture import shift
+from rna_export.capture.shift import CaptureWorker
+from rna_export.capture.worker import Source
 from rna_sdk.errors import CaptureError
+from rna_work.pool import Pool
+from rna_work.sources import InPlace
+from rna_work.threads import Threads
 
 
 @dataclass
-class Worker:
-    """A Blender that answers nothing until it is killed."""
+class Blender:
+    """Answers nothing until it is killed."""
 
     starts: int = 0
+    restarts: int = 0
     killed: threading.Event = field(default_factory=threading.Event)
 
-    def __enter__(self) -> Worker:
+    def __enter__(self) -> Blender:
         self.starts += 1
         return self
 
-    def __exit__(self, *_: object) -> None:
+    def close(self) -> None:
         pass
 
     def restart(self) -> None:
-        self.starts += 1
+        self.restarts += 1
 
     def kill(self) -> None:
         self.killed.set()
 
 
-@dataclass
+@dataclass(eq=False)
 class Task:
     """Runs until its worker is killed, or fails of its own the first `failures` times."""
 
-    failures: int = 0
+    folder: Path
+    failures: int | None = None
     runs: int = 0
     begun: threading.Event = field(default_factory=threading.Event)
 
-    def run(self, dataset: object, scene: object, worker: Worker) -> None:
+    def path(self, dataset: object) -> Path:
+        return self.folder / "shard"
+
+    def run(self, dataset: object, scene: object, worker: Blender) -> None:
         self.runs += 1
         self.begun.set()
-        if self.failures == 0:
+        if self.failures is None:
             assert worker.killed.wait(10.0)
-        if self.failures == 0 or self.runs <= self.failures:
+        if self.failures is None or self.runs <= self.failures:
             raise CaptureError("the Blender worker ended without an answer")
 
-    def paths_to_trace(self, dataset: object) -> int:
-        return 1
+
+@pytest.fixture
+def blender(monkeypatch: pytest.MonkeyPatch) -> Blender:
+    blender = Blender()
+    monkeypatch.setattr(shift, "BlenderWorker", lambda *_, **__: blender)
+    monkeypatch.setattr(shift, "opened", lambda *_: (None, None))
+    monkeypatch.setattr(shift, "blender_env", SimpleNamespace(find_or_set_up=Path))
+    return blender
 
 
-def shift(task: Task, worker: Worker) -> Any:
-    crew = SimpleNamespace(workers=1, worker=lambda source, name: worker)
-    bar = SimpleNamespace(update=lambda paths: None)
-    source: Any = Path("ball.blend")
-    result = run._Shift(dataset=None, scene=None, source=source, crew=crew, bar=bar)
-    result.todo.put(task)
-    return result
+def pool(tmp_path: Path) -> Pool[Any, None]:
+    path = tmp_path / "ball.blend"
+    path.touch()
+    job = shift.CaptureJob(InPlace(path), None, Source(path), InPlace(path), scratch=tmp_path)
+    return Pool(Threads(1), lambda name: CaptureWorker(job, name), attempts=2)
 
 
-def test_ctrl_c_repeats_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    task, worker = Task(), Worker()
-    pressed = []
+def test_ctrl_c_ends_blender_and_repeats_nothing(blender: Blender, tmp_path: Path) -> None:
+    stopped, later = Task(tmp_path), Task(tmp_path)
 
-    def press_once(_: float) -> None:
-        assert task.begun.wait(10.0)
-        if not pressed:
-            pressed.append(True)
-            raise KeyboardInterrupt
+    def items() -> Any:
+        yield stopped
+        assert stopped.begun.wait(10.0)
+        raise KeyboardInterrupt  # where the pool looks for more to give
+        yield later
 
-    monkeypatch.setattr(run, "time", SimpleNamespace(sleep=press_once))
-    with pytest.raises(KeyboardInterrupt):
-        shift(task, worker).work()
-    assert (task.runs, worker.starts) == (1, 1)
+    with (
+        pytest.raises(KeyboardInterrupt),
+        pool(tmp_path) as workers,
+        closing(workers.run(items())) as outcomes,
+    ):
+        workers._backend = Threads(2)  # so that it looks for more
+        list(outcomes)
+    assert (stopped.runs, later.runs, blender.killed.is_set()) == (1, 0, True)
 
 
-def test_a_task_is_repeated_once_where_blender_died() -> None:
-    task, worker = Task(failures=1), Worker()
-    work = shift(task, worker)
-    work.work()
-    assert (task.runs, worker.starts, work.failures) == (2, 2, [])
+def test_a_task_is_repeated_once_where_blender_died(blender: Blender, tmp_path: Path) -> None:
+    task = Task(tmp_path, failures=1)
+    with pool(tmp_path) as workers:
+        [outcome] = workers.run([task])
+    assert outcome.failure is None and (task.runs, blender.starts) == (2, 2)
 
-    task, worker = Task(failures=2), Worker()
-    work = shift(task, worker)
-    work.work()
-    assert task.runs == 2 and len(work.failures) == 1
+    task = Task(tmp_path, failures=2)
+    with pool(tmp_path) as workers:
+        [outcome] = workers.run([task])
+    assert isinstance(outcome.failure, CaptureError) and task.runs == 2
+
+
+def test_what_a_lost_worker_had_finished_is_not_done_again(
+    blender: Blender, tmp_path: Path
+) -> None:
+    (tmp_path / "shard").touch()
+    task = Task(tmp_path)
+    with pool(tmp_path) as workers:
+        assert [o.failure for o in workers.run([task])] == [None]
+    assert task.runs == 0
+
+
+def test_blender_is_fresh_after_a_dozen_tasks(blender: Blender, tmp_path: Path) -> None:
+    tasks = [Task(tmp_path, failures=0) for _ in range(25)]
+    with pool(tmp_path) as workers:
+        list(workers.run(tasks))
+    assert (blender.starts, blender.restarts) == (1, 2)

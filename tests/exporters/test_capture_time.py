@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,10 +13,12 @@ from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.run import Crew, finish
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import CaptureWorker
 from rna_export.capture.tasks import TrainingShard, ValidationHalf
 from rna_export.capture.time_plan import TimeLimit, planned, shrunk
 from rna_export.capture.worker import Source
 from rna_sdk.errors import CaptureError
+from rna_work import pool
 from tests.exporters.synthetic import BALL_PART
 from tests.render.assets import sphere
 
@@ -36,7 +37,7 @@ class Clock:
 def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
     clock = Clock()
     monkeypatch.setattr(time_plan, "monotonic", clock)
-    monkeypatch.setattr(run_module, "monotonic", clock)
+    monkeypatch.setattr(pool, "monotonic", clock)
     return clock
 
 
@@ -103,6 +104,18 @@ def dataset(tmp_path: Path) -> Dataset:
     return Dataset.create(tmp_path / "ball.rays", manifest, {"asset": sphere(1)})
 
 
+class WithoutBlender(CaptureWorker):
+    """Runs tasks that need no Blender."""
+
+    def __enter__(self) -> WithoutBlender:
+        self._dataset = Dataset(self._job.dataset.here().parent)
+        self._scene = None
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+
 @pytest.mark.parametrize(("a_task", "shards"), [(5.0, 10), (10.0, 4), (20.0, 1), (200.0, 1)])
 def test_a_slow_capture_ends_in_time(
     a_task: float, shards: int, dataset: Dataset, clock: Clock, monkeypatch: pytest.MonkeyPatch
@@ -113,10 +126,9 @@ def test_a_slow_capture_ends_in_time(
 
     for kind in (TrainingShard, ValidationHalf):
         monkeypatch.setattr(kind, "run", run)
-    monkeypatch.setattr(Crew, "worker", lambda *_: nullcontext())
+    monkeypatch.setattr(run_module, "CaptureWorker", WithoutBlender)
     said: list[str] = []
     crew, source = Crew(Path("python"), dataset.folder, 1), Source(Path("ball.py"))
-    monkeypatch.setattr(run_module, "_TASKS_A_PROCESS", 100)
     finish(dataset, source, crew, TimeLimit(1.0, 0.0), said.append)
     again = Dataset(dataset.folder)
     assert again.manifest == dataset.manifest

@@ -10,8 +10,8 @@ import pytest
 import torch
 
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint, load_progress
+from rna_export.training.curves import Curves
 from rna_export.training.run import Run, train
 from rna_sdk.errors import ExportError, TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
@@ -25,7 +25,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
 @pytest.fixture(scope="module")
 def checkpoint(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Path:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run_module, "draw_curves", lambda _: None)
+        patch.setattr(Curves, "draw", lambda _: None)
         return train(Run(dataset, tiny(steps=10), "small", tmp_path_factory.mktemp("run"), seed=3))
 
 
@@ -39,9 +39,9 @@ def test_says_all_that_is_needed_to_repeat_it(checkpoint: Path, dataset: Dataset
 
 def test_the_model_is_the_trained_one(checkpoint: Path) -> None:
     trained = load_checkpoint(checkpoint)
-    saved = torch.load(checkpoint, weights_only=True)["state_dict"]
+    saved = torch.load(checkpoint, weights_only=True)["model"]
     for name, value in trained.model.state_dict().items():
-        assert torch.equal(value, saved[f"model.{name}"])
+        assert torch.equal(value, saved[name])
     assert not trained.model.training
 
 
@@ -57,7 +57,7 @@ class Exploit:
 
 def test_a_checkpoint_runs_no_code(checkpoint: Path, tmp_path: Path) -> None:
     saved = torch.load(checkpoint, weights_only=True)
-    saved["hyper_parameters"]["exploit"] = Exploit(tmp_path / "made")
+    saved["record"]["exploit"] = Exploit(tmp_path / "made")
     torch.save(saved, tmp_path / "bad.ckpt")
     with pytest.raises(ExportError, match=r"bad\.ckpt: not a checkpoint"):
         load_checkpoint(tmp_path / "bad.ckpt")
@@ -83,15 +83,15 @@ def refuses(request: pytest.FixtureRequest) -> Callable[[Path], None]:
 @pytest.mark.parametrize(
     "damage",
     [
-        lambda s: s.pop("hyper_parameters"),
-        lambda s: s["hyper_parameters"].pop("seed"),
-        lambda s: s["hyper_parameters"].update(seed="three"),
-        lambda s: s["hyper_parameters"]["preset"]["model"].update(width=17),
-        lambda s: s["hyper_parameters"]["preset"]["model"].update(inputs=["magic"]),
-        lambda s: s["state_dict"].pop("model.decoder.0.weight"),
-        lambda s: s["state_dict"].update({3: torch.zeros(1)}),
-        lambda s: s.update(state_dict=[1]),
-        lambda s: s["hyper_parameters"]["capture"].update(surprise=1),
+        lambda s: s.pop("record"),
+        lambda s: s["record"].pop("seed"),
+        lambda s: s["record"].update(seed="three"),
+        lambda s: s["record"]["preset"]["model"].update(width=17),
+        lambda s: s["record"]["preset"]["model"].update(inputs=["magic"]),
+        lambda s: s["model"].pop("decoder.0.weight"),
+        lambda s: s["model"].update({3: torch.zeros(1)}),
+        lambda s: s.update(model=[1]),
+        lambda s: s["record"]["capture"].update(surprise=1),
     ],
     ids=[
         *("no record", "no seed", "no number", "another width", "unknown input"),
@@ -134,9 +134,8 @@ def test_another_object_is_refused(tmp_path: Path, refuses: Callable[[Path], Non
 
 def test_a_model_alone_cannot_be_trained_on(checkpoint: Path, tmp_path: Path) -> None:
     saved = torch.load(checkpoint, weights_only=True)
-    del saved["optimizer_states"]
     torch.save(saved, tmp_path / "last.ckpt")
-    with pytest.raises(TrainingError, match="optimizer_states"):
+    with pytest.raises(TrainingError, match="progress"):
         load_progress(tmp_path / "last.ckpt")
 
 

@@ -12,8 +12,8 @@ import pytest
 from rna_export.capture.cut import as_cut, cut_triangles
 from rna_export.capture.dataset import Dataset
 from rna_export.export.cli import main as export
-from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.curves import Curves
 from rna_export.training.model import NeuralAsset
 from rna_export.training.run import Run, train
 from rna_export.training.validation import answer
@@ -110,7 +110,7 @@ def cut(whole: Dataset, tmp_path_factory: pytest.TempPathFactory) -> Cut:
     dataset, out = as_cut(whole, 2), tmp_path_factory.mktemp("run")
     preset = tiny(steps=STEPS).with_model(resolution=RESOLUTION)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run_module, "draw_curves", lambda _: None)
+        patch.setattr(Curves, "draw", lambda _: None)
         best = [train(Run(part, preset, "small", out / part.name)) for part in dataset.parts]
     return Cut(dataset, out, tuple(load_checkpoint(path).model for path in best))
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import torch
 
+from rna_export.training.inputs import assemble, assembled
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import PRESETS, ModelConfig
 from rna_sdk.package import INPUT_BLOCKS, query_width
@@ -69,29 +70,24 @@ def test_equals_the_reference(kind: str, inputs: tuple[str, ...]) -> None:
     assert np.abs(found - expected).max() < 4e-4
 
 
+@pytest.mark.parametrize("kind", PRESETS)
+def test_gradients_are_those_of_the_twin(kind: str) -> None:
+    blocks = tuple(blocks_for(kind))
+    at = {name: torch.from_numpy(rows) for name, rows in random_rows().items()}
+    generator = torch.Generator().manual_seed(1)
+    features = torch.randn(len(at["wo"]), 4, generator=generator)
+    p = torch.rand(len(features), 3, generator=generator)
+    weights = torch.randn(len(features), query_width(blocks, 4), generator=generator)
+    found, expected = (
+        torch.autograd.grad((function(blocks, x, p, at) * weights).sum(), x)[0]
+        for function, x in ((f, features.clone().requires_grad_()) for f in (assemble, assembled))
+    )
+    # The twin's float32 loses 1 - q.h next to a highlight.
+    assert torch.allclose(found, expected, rtol=2e-3, atol=2e-3)
+
+
 def test_opposite_directions_give_finite_gradients() -> None:
     model = make_model(ALL_BLOCKS)
     at = {name: torch.from_numpy(rows) for name, rows in random_rows(20).items()}
-    directions = at["wo"].clone().requires_grad_()
-    model.queries({**at, "wo": directions, "wi": -at["wo"]}).square().sum().backward()
-    assert torch.isfinite(directions.grad).all()
-
-
-def test_transport_inverts_the_log_and_stays_in_range() -> None:
-    model = make_model(("features",))
-    model.ceiling.fill_(7.0)
-    model.unit.fill_(0.1)
-    x = torch.tensor([0.0, 0.001, 1.0, 6.9])
-    assert torch.allclose(model.colours(torch.log1p(x / 0.1)), x, atol=1e-5)
-    assert model.colours(torch.tensor([-3.0, 50.0])).tolist() == pytest.approx([0.0, 7.0])
-
-
-def test_separate_direct_light_is_added_where_it_is_seen() -> None:
-    config = ModelConfig(
-        inputs=("h",), width=8, hidden_layers=1, resolution=8, separates_direct=True
-    )
-    model = NeuralAsset(config, BOUNDS)
-    x = torch.rand(5, 3, 3)
-    transport = model.transport(torch.log1p(x))
-    assert torch.allclose(transport[:, 0], x[:, 0] + x[:, 1], atol=1e-6)
-    assert torch.allclose(transport[:, 1], x[:, 2], atol=1e-6)
+    model.queries({**at, "wi": -at["wo"]}).square().sum().backward()
+    assert torch.isfinite(model.triplane.planes.grad).all()

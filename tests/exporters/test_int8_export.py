@@ -16,8 +16,8 @@ from rna_export.export.cli import main
 from rna_export.export.decoder import check_int8_decoder, export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import Precision, stored_planes
-from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.curves import Curves
 from rna_export.training.presets import PRESETS
 from rna_export.training.run import Run, train
 from rna_sdk.errors import ExportError
@@ -153,7 +153,7 @@ def checkpoint(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("int8")
     dataset = make_dataset(folder / "ball.rays")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run_module, "draw_curves", lambda _: None)
+        patch.setattr(Curves, "draw", lambda _: None)
         return train(Run(dataset, tiny(steps=200), "small", folder / "small"))
 
 

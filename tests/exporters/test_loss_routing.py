@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 import torch
 
 from rna_export.capture.manifest import SAMPLE_FIELDS
-from rna_export.training.lightning_module import NeuralAssetTraining
-from rna_export.training.pace import StepPace
+from rna_export.training.fitting import Fitting
 from rna_export.training.presets import PRESETS
 from tests.exporters.synthetic import tiny
 
@@ -17,60 +14,43 @@ ALL = [(kind, preset) for kind in PRESETS for preset in PRESETS[kind]]
 BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
 
 
-def gradient_of_the_outputs(
-    kind: str, preset: str, visible: float, monkeypatch
-) -> tuple[float, float]:
+def gradient_of_the_outputs(kind: str, preset: str, visible: float) -> tuple[float, float]:
     """Largest gradient at the last layer's rows of the visible outputs and of the shadowed one."""
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS[kind]
-    module = NeuralAssetTraining(
-        tiny(preset, kind, loss="log"), BOUNDS, 1.0, 1.0, StepPace(100), fields, [], Path(), {}
-    )
-    monkeypatch.setattr(module, "log", lambda *_, **__: None)
-    monkeypatch.setattr(NeuralAssetTraining, "global_step", 0)
+    fitting = Fitting(tiny(preset, kind, loss="log"), BOUNDS, 1.0, 1.0, fields)
     rows = torch.rand(64, sum(fields.values()))
     rows[:, -1] = visible
-    module.training_step(rows, 0).backward()
-    gradient = module.model.decoder[-1].weight.grad.abs()
+    fitting.loss(rows, 0.0).backward()
+    gradient = fitting.model.decoder[-1].weight.grad.abs()
     return gradient[:-3].max().item(), gradient[-3:].max().item()
 
 
 @pytest.mark.parametrize(("kind", "preset"), ALL)
-def test_visible_samples_leave_the_shadowed_output_alone(
-    kind: str, preset: str, monkeypatch
-) -> None:
-    lit, shadowed = gradient_of_the_outputs(kind, preset, 1.0, monkeypatch)
+def test_visible_samples_leave_the_shadowed_output_alone(kind: str, preset: str) -> None:
+    lit, shadowed = gradient_of_the_outputs(kind, preset, 1.0)
     assert lit > 0.0 and shadowed == 0.0
 
 
 @pytest.mark.parametrize(("kind", "preset"), ALL)
-def test_shadowed_samples_leave_the_visible_output_alone(
-    kind: str, preset: str, monkeypatch
-) -> None:
-    lit, shadowed = gradient_of_the_outputs(kind, preset, 0.0, monkeypatch)
+def test_shadowed_samples_leave_the_visible_output_alone(kind: str, preset: str) -> None:
+    lit, shadowed = gradient_of_the_outputs(kind, preset, 0.0)
     assert lit == 0.0 and shadowed > 0.0
 
 
 @pytest.mark.parametrize(("loss", "learnt"), [("log", 5.0**0.25 - 1.0), ("unbiased", 1.0)])
-def test_the_loss_that_a_preset_names_decides_what_noise_does(
-    loss: str, learnt: float, monkeypatch
-) -> None:
+def test_the_loss_that_a_preset_names_decides_what_noise_does(loss: str, learnt: float) -> None:
     """Light that is 4 in one sample of four and else 0: its logarithm's mean is far below."""
     torch.manual_seed(0)
     fields = SAMPLE_FIELDS["surface"]
     preset = tiny("small", "surface", loss=loss)
-    module = NeuralAssetTraining(preset, BOUNDS, 10.0, 1.0, StepPace(100), fields, [], Path(), {})
-    monkeypatch.setattr(module, "log", lambda *_, **__: None)
-    monkeypatch.setattr(NeuralAssetTraining, "global_step", 0)
+    fitting = Fitting(preset, BOUNDS, 10.0, 1.0, fields)
     rows = torch.rand(1, sum(fields.values())).repeat(64, 1)
     rows[:, -4:-1] = 4.0 * (torch.arange(64) % 4 == 0)[:, None]
     rows[:, -1] = 1.0
-    optimizer = torch.optim.Adam(module.model.parameters(), lr=1e-2)
     for _ in range(300):
-        optimizer.zero_grad()
-        module.training_step(rows, 0).backward()
-        optimizer.step()
+        fitting.step(rows, 0.5)
     at = {"position": rows[:1, :3], "normal": rows[:1, 3:6], "wo": rows[:1, 6:9]}
-    y = module.model({**at, "wi": rows[:1, 9:12]})
-    mean = module.model.transport(y)[0, 0].mean().item()
+    y = fitting.model({**at, "wi": rows[:1, 9:12]})
+    mean = fitting.model.transport(y)[0, 0].mean().item()
     assert mean == pytest.approx(learnt, rel=0.05)

@@ -13,6 +13,7 @@ from rna_export.metrics import psnr
 from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.cli import main as train
+from rna_export.training.curves import Curves
 from rna_export.training.part_time import shared_minutes
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
@@ -31,7 +32,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
 def tiny_presets(monkeypatch: pytest.MonkeyPatch) -> None:
     presets = {kind: {"small": tiny(kind=kind)} for kind in ("surface", "fiber")}
     monkeypatch.setattr("rna_export.training.cli.PRESETS", presets)
-    monkeypatch.setattr(run_module, "draw_curves", lambda _: None)
+    monkeypatch.setattr(Curves, "draw", lambda _: None)
 
 
 def arguments(dataset: Dataset, out: Path, *more: str) -> list[str]:

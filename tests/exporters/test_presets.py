@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 import torch
 
 from rna_export.capture.manifest import SAMPLE_FIELDS
-from rna_export.training.lightning_module import NeuralAssetTraining
+from rna_export.training import fitting as fitting_module
+from rna_export.training.fitting import Fitting, rate
 from rna_export.training.model import NeuralAsset
-from rna_export.training.pace import StepPace
 from rna_export.training.presets import PRESETS
 
 ALL = [(kind, preset) for kind in PRESETS for preset in PRESETS[kind]]
@@ -72,39 +71,63 @@ def test_our_learning_rate_falls_to_nothing(kind: str) -> None:
     assert rates[-1] < 0.01 * rates[0]
 
 
-def make_training(kind: str, preset: str, steps: int) -> NeuralAssetTraining:
+def learning_rates(kind: str, preset: str, steps: int) -> list[float]:
+    config = PRESETS[kind][preset].training
+    return [config.learning_rate * rate(config, step / steps) for step in range(steps)]
+
+
+@pytest.mark.parametrize(("kind", "preset"), ALL)
+def test_a_step_takes_the_rates_of_the_schedule(kind: str, preset: str) -> None:
+    fitting, rows = make_fitting(kind, preset)
+    config = PRESETS[kind][preset].training
+    before = [p.detach().clone() for p in fitting.model.parameters()]
+    fitting.step(rows, 0.7)
+    # The first step of Adam is as long as the rate, wherever there is a gradient.
+    moved = {
+        name: (after - old).abs().max().item()
+        for (name, after), old in zip(fitting.model.named_parameters(), before, strict=True)
+    }
+    assert moved.pop("triplane.planes") == pytest.approx(
+        config.plane_learning_rate * rate(config, 0.7), rel=0.02
+    )
+    assert max(moved.values()) == pytest.approx(config.learning_rate * rate(config, 0.7), rel=0.02)
+
+
+def make_fitting(kind: str, preset: str) -> tuple[Fitting, torch.Tensor]:
     small = PRESETS[kind][preset].with_model(resolution=16, width=8).with_training(loss="log")
     fields = SAMPLE_FIELDS[kind]
-    pace = StepPace(steps)
-    return NeuralAssetTraining(small, BOUNDS, 1.0, 1.0, pace, fields, [], Path(), {})
-
-
-def learning_rates(kind: str, preset: str, steps: int) -> list[float]:
-    module = make_training(kind, preset, steps)
-    configured = module.configure_optimizers()
-    optimizer, scheduler = configured["optimizer"], configured["lr_scheduler"]["scheduler"]
-    rates = []
-    for _ in range(steps):
-        rates.append(optimizer.param_groups[0]["lr"])
-        optimizer.step()
-        scheduler.step()
-    return rates
+    torch.manual_seed(0)
+    rows = torch.rand(200, sum(fields.values()))
+    return Fitting(small, BOUNDS, 1.0, 1.0, fields), rows
 
 
 @pytest.mark.parametrize(("kind", "preset"), ALL)
 def test_blur_goes_from_4_to_1_over_the_first_fifth(
     kind: str, preset: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    module = make_training(kind, preset, steps=100)
-    monkeypatch.setattr(module, "log", lambda *_, **__: None)
-    used = []
-    forward = module.model.forward
-    monkeypatch.setattr(module.model, "forward", lambda *a: used.append(a[1]) or forward(*a))
-    rows = torch.rand(4, sum(SAMPLE_FIELDS[kind].values()))
-    for step in (0, 5, 10, 19, 20, 50, 99):
-        monkeypatch.setattr(NeuralAssetTraining, "global_step", step)
-        module.training_step(rows, 0)
+    fitting, rows = make_fitting(kind, preset)
+    used, sample_loss = [], fitting_module.sample_loss
+    monkeypatch.setattr(
+        fitting_module, "sample_loss", lambda *a: used.append(a[2]) or sample_loss(*a)
+    )
+    for progress in (0.0, 0.05, 0.1, 0.19, 0.2, 0.5, 0.99):
+        fitting.step(rows, progress)
     assert used == pytest.approx([4.0, 3.25, 2.5, 1.15, 1.0, 1.0, 1.0])
+
+
+@pytest.mark.parametrize("kind", PRESETS)
+@pytest.mark.parametrize(("preset", "ending"), [("small", "unbiased"), ("paper-small", "log")])
+def test_ours_end_with_the_unbiased_loss(
+    kind: str, preset: str, ending: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fitting, rows = make_fitting(kind, preset)
+    used, sample_loss = [], fitting_module.sample_loss
+    monkeypatch.setattr(
+        fitting_module, "sample_loss", lambda *a: used.append(a[3]) or sample_loss(*a)
+    )
+    for progress in (0.0, 0.89, 0.91):
+        fitting.step(rows, progress)
+    assert used == ["log", "log", ending]
 
 
 @pytest.mark.parametrize(("kind", "preset"), ALL)

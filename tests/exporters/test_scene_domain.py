@@ -10,9 +10,9 @@ import pytest
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.run import scene_of
 from rna_export.capture.scene_domain import MARGIN, scene_domain
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import all_tasks
 from rna_export.capture.worker import RenderedRays
 from rna_render.cli import main as render

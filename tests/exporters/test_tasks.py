@@ -11,8 +11,8 @@ from safetensors.numpy import load_file
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.run import scene_of
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.worker import RenderedRays
 from rna_sdk.package import Mesh

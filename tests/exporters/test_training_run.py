@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,10 +12,10 @@ import torch
 from PIL import Image
 
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.cli import main
-from rna_export.training.lightning_module import NeuralAssetTraining
+from rna_export.training.curves import Curves
+from rna_export.training.fitting import Fitting
 from rna_export.training.run import Run, padded_bounds, train
 from rna_export.training.validation import score, shade
 from rna_sdk.errors import TrainingError
@@ -37,7 +36,7 @@ def trained(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> P
 @pytest.fixture(autouse=True)
 def without_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     """Drawing takes most of so short a run; `trained` has its picture."""
-    monkeypatch.setattr(run_module, "draw_curves", lambda _: None)
+    monkeypatch.setattr(Curves, "draw", lambda _: None)
 
 
 def plan(dataset: DatasetPart, out: Path, steps: int = 40, seed: int = 0) -> Run:
@@ -45,7 +44,7 @@ def plan(dataset: DatasetPart, out: Path, steps: int = 40, seed: int = 0) -> Run
 
 
 def weights(checkpoint: Path) -> dict[str, torch.Tensor]:
-    return torch.load(checkpoint, weights_only=True)["state_dict"]
+    return torch.load(checkpoint, weights_only=True)["model"]
 
 
 def curve(folder: Path, name: str) -> dict[int, float]:
@@ -54,25 +53,20 @@ def curve(folder: Path, name: str) -> dict[int, float]:
 
 
 def test_what_a_run_leaves(trained: Path, dataset: DatasetPart) -> None:
-    kept = [path.name for path in trained.glob("step=*.ckpt")]
-    assert len(kept) == 3
-    assert (trained / "last.ckpt").is_file() and (trained / "best.ckpt").is_file()
+    names = {"best.ckpt", "last.ckpt", "metrics.csv", "curves.png", "validation"}
+    assert {path.name for path in trained.iterdir()} == names
     assert (trained / "curves.png").stat().st_size > 5000
     scores = curve(trained, "psnr")
-    assert len(scores) == 10
+    assert list(scores) == list(range(4, 41, 4))
+    assert 40 in curve(trained, "flip")
     size = dataset.manifest.settings.validation_resolution
     for view in dataset.validation_views():
         with Image.open(trained / "validation" / f"view-{view.index:02d}.png") as image:
             assert image.size == (3 * size, size)
 
 
-def test_the_three_best_are_kept_and_the_best_of_them_named(trained: Path) -> None:
-    scores = curve(trained, "psnr")
-    steps = {int(re.search(r"step=(\d+)", p.name)[1]) for p in trained.glob("step=*.ckpt")}
-    best = sorted(scores, key=scores.__getitem__)[-3:]
-    assert steps == {step + 1 for step in best}
-    top = next(trained.glob(f"step={best[-1] + 1}-*.ckpt"))
-    assert top.read_bytes() == (trained / "best.ckpt").read_bytes()
+def test_the_best_checkpoint_holds_the_model_alone(trained: Path) -> None:
+    assert torch.load(trained / "best.ckpt", weights_only=True).keys() == {"model", "record"}
 
 
 def test_the_best_checkpoint_scores_what_the_curve_says(
@@ -98,7 +92,7 @@ def test_a_seed_repeats_to_the_bit(dataset: DatasetPart, trained: Path, tmp_path
         for folder in (trained, tmp_path / "again", tmp_path / "other")
     )
     assert all(torch.equal(first[name], again[name]) for name in first)
-    assert not torch.equal(first["model.decoder.0.weight"], other["model.decoder.0.weight"])
+    assert not torch.equal(first["decoder.0.weight"], other["decoder.0.weight"])
 
 
 @dataclass(frozen=True)
@@ -106,49 +100,38 @@ class Continued:
     """A run that Ctrl-C stopped at step 22, and that the same call then continued."""
 
     folder: Path
-    stopped_by: BaseException
-    best_when_stopped: bool
-    steps_after: list[int]
+    steps_after: int
 
 
 @pytest.fixture(scope="module")
 def continued(dataset: DatasetPart, tmp_path_factory: pytest.TempPathFactory) -> Continued:
     folder = tmp_path_factory.mktemp("continued")
-    step, done = NeuralAssetTraining.training_step, []
+    step, done = Fitting.step, []
 
-    def stopping(self: NeuralAssetTraining, *arguments: object) -> torch.Tensor:
-        if self.global_step == 22:
+    def stopping(self: Fitting, rows: torch.Tensor, progress: float) -> torch.Tensor:
+        if len(done) == 22:
             raise KeyboardInterrupt
-        return step(self, *arguments)
-
-    def recording(self: NeuralAssetTraining, *arguments: object) -> torch.Tensor:
-        done.append(self.global_step)
-        return step(self, *arguments)
+        done.append(progress)
+        return step(self, rows, progress)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(run_module, "draw_curves", lambda _: None)
-        patch.setattr(NeuralAssetTraining, "training_step", stopping)
-        with pytest.raises((KeyboardInterrupt, SystemExit)) as stop:
+        patch.setattr(Curves, "draw", lambda _: None)
+        patch.setattr(Fitting, "step", stopping)
+        with pytest.raises(KeyboardInterrupt):
             train(plan(dataset, folder))
-        best = (folder / "best.ckpt").exists()
-        patch.setattr(NeuralAssetTraining, "training_step", recording)
+        done.clear()
         train(plan(dataset, folder))
-    return Continued(folder, stop.value, best, done)
-
-
-def test_ctrl_c_is_an_interrupt(continued: Continued) -> None:
-    assert isinstance(continued.stopped_by, KeyboardInterrupt)
-    assert not continued.best_when_stopped
+    return Continued(folder, len(done))
 
 
 def test_a_stopped_run_goes_on(continued: Continued) -> None:
-    assert continued.steps_after == list(range(20, 40))  # the last checkpoint was at 20
-    assert torch.load(continued.folder / "last.ckpt", weights_only=True)["global_step"] == 40
-    assert len(list(continued.folder.glob("step=*.ckpt"))) == 3
+    assert continued.steps_after == 20  # the last checkpoint was at 20
+    saved = torch.load(continued.folder / "last.ckpt", weights_only=True)
+    assert saved["progress"]["step"] == 40
 
 
 def test_curves_of_a_run_that_went_on_are_whole(continued: Continued) -> None:
-    assert sorted(curve(continued.folder, "psnr")) == list(range(3, 40, 4))
+    assert sorted(curve(continued.folder, "psnr")) == list(range(4, 41, 4))
 
 
 def test_a_stopped_run_ends_as_if_it_had_not_been(continued: Continued, trained: Path) -> None:
@@ -179,10 +162,10 @@ def test_another_dataset_in_the_same_folder_is_refused(trained: Path, tmp_path: 
         train(plan(other, trained))
 
 
-def test_the_last_step_is_in_the_last_checkpoint(dataset: DatasetPart, tmp_path: Path) -> None:
+def test_a_run_has_exactly_the_steps_asked_for(dataset: DatasetPart, tmp_path: Path) -> None:
     train(plan(dataset, tmp_path, steps=21))
     saved = torch.load(tmp_path / "last.ckpt", weights_only=True)
-    assert saved["global_step"] == saved["hyper_parameters"]["steps"] >= 21
+    assert saved["progress"]["step"] == saved["record"]["steps"] == 21
 
 
 def test_the_ceiling_is_above_all_that_was_seen(trained: Path, dataset: DatasetPart) -> None:

@@ -14,8 +14,10 @@ from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training import pace as pace_module
 from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.lightning_module import NeuralAssetTraining
+from rna_export.training.curves import Curves
+from rna_export.training.fitting import Fitting
 from rna_export.training.pace import TimePace
+from rna_export.training.report import Report
 from rna_export.training.run import Run, train
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
@@ -48,30 +50,31 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
 def ticking(monkeypatch: pytest.MonkeyPatch) -> Clock:
     """Training on a clock of its own: it loads for 2 s, and its steps are slow while it blurs."""
     clock = Clock()
-    step, validation = NeuralAssetTraining.training_step, NeuralAssetTraining.validation_step
+    step, validation = Fitting.step, Report.of
     load = DatasetPart.training_samples
 
     def loading(self: DatasetPart) -> Any:
         clock.now += 2.0
         return load(self)
 
-    def training_step(self: NeuralAssetTraining, *arguments: Any) -> torch.Tensor:
+    def training_step(self: Fitting, rows: torch.Tensor, progress: float) -> torch.Tensor:
         if clock.now > clock.stop_at:
             raise KeyboardInterrupt
-        clock.progress.append(self.progress)
-        clock.rates.append(self.optimizers().param_groups[0]["lr"])
-        clock.now += clock.slow if self.progress < 0.2 else clock.fast
-        return step(self, *arguments)
+        clock.progress.append(progress)
+        loss = step(self, rows, progress)
+        clock.rates.append(self.learning_rate)
+        clock.now += clock.slow if progress < 0.2 else clock.fast
+        return loss
 
-    def validation_step(self: NeuralAssetTraining, *arguments: Any) -> None:
-        clock.validated_at.append(self.progress)
+    def validate(self: Report, *arguments: Any, **named: Any) -> dict[str, float]:
+        clock.validated_at.append(clock.now)
         clock.now += clock.validation
-        validation(self, *arguments)
+        return validation(self, *arguments, **named)
 
     monkeypatch.setattr(DatasetPart, "training_samples", loading)
-    monkeypatch.setattr(NeuralAssetTraining, "training_step", training_step)
-    monkeypatch.setattr(NeuralAssetTraining, "validation_step", validation_step)
-    monkeypatch.setattr(run_module, "draw_curves", lambda _: None)
+    monkeypatch.setattr(Fitting, "step", training_step)
+    monkeypatch.setattr(Report, "of", validate)
+    monkeypatch.setattr(Curves, "draw", lambda _: None)
     for module in (pace_module, run_module):
         monkeypatch.setattr(module, "monotonic", clock)
     return clock
@@ -106,8 +109,9 @@ def run(dataset: DatasetPart, out: Path, minutes: float = MINUTES) -> Run:
 def test_the_time_is_kept(finished: Finished) -> None:
     clock = finished.clock
     assert clock.now - 1000.0 == pytest.approx(60.0 * MINUTES, abs=0.6)
-    assert clock.validated_at == pytest.approx([0.1 * k for k in range(1, 11)], abs=0.03)
-    assert clock.validated_at[-1] == 1.0
+    assert len(clock.validated_at) == 10
+    apart = [b - a for a, b in pairwise(clock.validated_at)]
+    assert apart == pytest.approx([6.0] * 9, abs=2.5)
 
 
 def test_the_schedule_ends_as_it_should(finished: Finished) -> None:
@@ -121,8 +125,8 @@ def test_the_schedule_ends_as_it_should(finished: Finished) -> None:
 def test_a_checkpoint_says_how_many_steps_it_took(finished: Finished) -> None:
     assert load_checkpoint(finished.folder / "last.ckpt").steps == len(finished.clock.progress)
     saved = torch.load(finished.folder / "last.ckpt", weights_only=True)
-    assert saved["global_step"] == len(finished.clock.progress)
-    assert saved["hyper_parameters"]["minutes"] == MINUTES
+    assert saved["progress"]["step"] == len(finished.clock.progress)
+    assert saved["record"]["minutes"] == MINUTES
 
 
 def test_a_stopped_run_takes_the_rest_of_its_time(
@@ -131,13 +135,13 @@ def test_a_stopped_run_takes_the_rest_of_its_time(
     clock.stop_at = 1000.0 + 40.0
     with pytest.raises(KeyboardInterrupt):
         train(run(dataset, tmp_path))
-    saved = torch.load(tmp_path / "last.ckpt", weights_only=True)["pace"]
+    saved = torch.load(tmp_path / "last.ckpt", weights_only=True)["progress"]["pace"]
     begun, clock.stop_at = clock.now, float("inf")
     clock.progress.clear()
     train(run(dataset, tmp_path))
     assert clock.now - begun == pytest.approx(60.0 * MINUTES - saved["spent"], rel=0.03)
     assert clock.progress[0] == saved["progress"]
-    assert len(clock.validated_at) >= 10 and clock.validated_at[-1] == 1.0
+    assert len(clock.validated_at) >= 10
 
 
 def test_a_finished_run_stays_as_it_is(
@@ -160,9 +164,9 @@ def test_after_a_stall_the_rates_still_come_down(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(pace_module, "monotonic", clock)
     pace = TimePace(100.0, 0.0)
     seen = []
-    while pace.progress(0) < 1.0:
+    while pace.progress < 1.0:
         clock.now += 1000.0 if len(seen) == 10 else 0.5
         pace.advance()
-        seen.append(pace.progress(0))
+        seen.append(pace.progress)
     assert max(b - a for a, b in pairwise(seen)) <= 0.02 + 1e-9
     assert len(seen) < 70

@@ -10,8 +10,8 @@ import pytest
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.exported_parts import exported_parts
 from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.run import scene_of
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import EmissionShard, TrainingShard
 from rna_export.capture.worker import BlenderWorker
 from tests.exporters.conftest import OpenWorker
@@ -176,7 +176,7 @@ def test_emission_is_captured_in_watts(open_worker: OpenWorker, tmp_path: Path) 
 
 def captured(worker: BlenderWorker, folder: Path) -> Dataset:
     """One shard of a few lights."""
-    exported = exported_parts(worker, exact=False)
+    exported = exported_parts(worker, CaptureSettings())
     lights = {"lights": 6, "lights_per_shard": 6, "rays": 1024, "samples": 16}
     manifest = CaptureManifest(
         name="test",
@@ -187,7 +187,7 @@ def captured(worker: BlenderWorker, folder: Path) -> Dataset:
         generator="test",
         parts=exported.captured(),
         emitters=tuple(worker.opened["emitters"]),
-        opaque_cutouts=bool(exported.notes),
+        opaque_cutouts=exported.has_opaque_cutouts,
     )
     dataset = Dataset.create(folder, manifest, exported.geometries, exported.textures)
     TrainingShard(0).run(dataset, scene_of(dataset), worker)

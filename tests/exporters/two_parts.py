@@ -8,8 +8,8 @@ import numpy as np
 
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CapturedPart, CaptureManifest
-from rna_export.capture.run import scene_of
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import all_tasks
 from rna_export.capture.worker import RenderedRays
 from rna_sdk.package import Curves, Mesh

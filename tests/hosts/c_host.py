@@ -65,6 +65,8 @@ class CPart(ctypes.Structure):
         ("emits", ctypes.c_bool),
         ("record_count", ctypes.c_int),
         ("records", ctypes.c_void_p),
+        ("normal_map_count", ctypes.c_int),
+        ("normal_maps", ctypes.c_void_p),
     )
 
 
@@ -118,6 +120,13 @@ class CAsset:
         vectors = _address(direction.astype(np.float32)), _address(tau)
         self._rna.rna_transmittance(self._asset, self._part, *place, *vectors)
         return tau
+
+    def normal(self, triangle: int, b1: float, b2: float) -> np.ndarray:
+        """(3,) float32 that a surface is asked with."""
+        normal = np.empty(3, np.float32)
+        place = ctypes.c_uint32(triangle), ctypes.c_double(b1), ctypes.c_double(b2)
+        self._rna.rna_normal(self._asset, self._part, *place, _address(normal))
+        return normal
 
     def _ask(self, function: str, *arrays: np.ndarray | None) -> None:
         rows = ctypes.c_size_t(0 if arrays[0] is None else len(arrays[0]))

@@ -29,6 +29,7 @@ class LambertAsset:
     kind: str = "surface"
     emits: bool = False
     transmittance_records: tuple = ()
+    normal_maps: tuple = ()
 
     @property
     def parts(self):

@@ -82,13 +82,14 @@ def test_directions_follow_the_density(name):
 
 @pytest.mark.parametrize("name", CASES)
 def test_rays_find_what_samples_promise(name):
-    """The same density to the bit and the same radiance, but for rays past the rim by rounding."""
+    """The same density and radiance, but for rays past the rim by rounding."""
     of, x, _, _ = CASES[name]
     drawn = sampled(of, x, 16_384, independent=False)
     radiance, pdf = found(of, x, drawn.wi_world)
     hit = pdf > 0
     assert hit.mean() > 0.995
-    np.testing.assert_array_equal(pdf[hit], drawn.pdf[hit])
+    # A sample knows its direction in float64, a ray in float32.
+    np.testing.assert_allclose(pdf[hit], drawn.pdf[hit], rtol=1e-4)
     np.testing.assert_allclose(radiance[hit], drawn.radiance[hit], rtol=2e-3)
 
 

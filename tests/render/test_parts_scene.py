@@ -23,7 +23,7 @@ def rays(*pairs) -> tuple[np.ndarray, np.ndarray]:
 
 def on_square(x: float, z: float, height: float = 0.0) -> SurfacePoints:
     up = np.float32([[0, 1, 0]])
-    return SurfacePoints(np.float32([[x, height, z]]), up, up, 0 * up)
+    return SurfacePoints(np.float32([[x, height, z]]), up, up, 0 * up, up)
 
 
 def on_strand(x, segment: int = 0) -> FiberPoints:

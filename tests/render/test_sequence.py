@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-import rna_render.sequence
+import rna_render.frame_worker
 from rna_render.animation import frame_scene
 from rna_render.cli import INTERRUPTED, main
 from rna_render.images import read_exr
@@ -125,9 +125,9 @@ def times(folder: Path) -> dict[str, int]:
 
 def test_only_what_is_missing_or_was_made_otherwise_is_rendered(folder, capsys, monkeypatch):
     loads = []
-    load = rna_render.sequence.load_world
+    load = rna_render.frame_worker.load_world
     monkeypatch.setattr(
-        rna_render.sequence, "load_world", lambda *given: loads.append(1) or load(*given)
+        rna_render.frame_worker, "load_world", lambda *given: loads.append(1) or load(*given)
     )
 
     def rendered(**options: object) -> list[int]:
@@ -183,13 +183,19 @@ def test_a_sequence_that_was_stopped_goes_on(folder, capsys, number):
     assert times(folder) == kept
 
 
-def test_a_stop_is_noticed_where_a_frame_has_one_sample(folder, capsys, monkeypatch):
+def test_ctrl_c_ends_a_sequence_at_the_frame_under_way(folder, capsys, monkeypatch):
     written = []
-    monkeypatch.setattr("rna_render.terminal.Interrupt.requested", lambda self: bool(written))
-    monkeypatch.setattr("rna_render.output.Output.write", lambda *given: written.append(given))
+
+    def write(*given: object) -> None:
+        written.append(given)
+        if len(written) == 2:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr("rna_render.output.Output.write", write)
+    (folder / "scene.yaml").write_text(SCENE.replace("frames: 4", "frames: 100"))
     assert run(folder, "--samples", 1) == INTERRUPTED
-    assert len(written) == 1
-    assert "stopped before the end of frame 1; " in capsys.readouterr().err
+    assert 2 <= len(written) < 100
+    assert "were not written; the same command goes on" in capsys.readouterr().err
 
 
 BAD_INPUT = [
@@ -210,7 +216,7 @@ def test_bad_input_is_one_line_and_exits_with_1(folder, capsys, text, frames, me
 
 
 def test_a_frame_that_cannot_be_written_is_one_line_and_takes_no_time(folder, capsys, monkeypatch):
-    monkeypatch.setattr(rna_render.sequence, "load_world", None)
+    monkeypatch.setattr(rna_render.frame_worker, "load_world", None)
     (folder / "f.0002.png").mkdir()
     assert run(folder, frames="2", png=True) == 1
     error = capsys.readouterr().err

@@ -31,7 +31,7 @@ def points_on(mesh: Mesh, n: int, seed: int = 0) -> SurfacePoints:
 
 def flat(x: np.ndarray, ng: np.ndarray) -> SurfacePoints:
     """Points of triangles whose shading normals are their own."""
-    return SurfacePoints(x, ng, ng, np.zeros_like(x))
+    return SurfacePoints(x, ng, ng, np.zeros_like(x), ng)
 
 
 def visible(mesh: Mesh, points: SurfacePoints, wi, tfar=np.inf) -> np.ndarray:

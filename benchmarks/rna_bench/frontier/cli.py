@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from rna_work.places import Place, add_cluster_option, place
+
 NAME = "frontier"
 SENTENCE = "Train and measure a grid of models on one dataset, and chart cost against accuracy."
 EXAMPLE = "rna-bench frontier toy.rays/ --short --source toy.py --out bench/toy"
@@ -56,13 +58,19 @@ def add_options(p: argparse.ArgumentParser) -> None:
         type=int,
         help="trainings side by side (int, default: one a core, one for a GPU)",
     )
+    add_cluster_option(p)
 
 
 def run(args: argparse.Namespace) -> None:
     """Train, measure and chart; what is finished is not done again."""
+    with place(args.cluster) as where:
+        _run(args, where)
+
+
+def _run(args: argparse.Namespace, where: Place) -> None:
     from rna_bench.frontier.study import Study
 
-    study = Study.of(args)
+    study = Study.of(args, where)
     parts = [args.only] if args.only else _PARTS
     if "train" in parts:
         study.train()

@@ -14,8 +14,8 @@ from pydantic import BaseModel, ConfigDict, Field
 from rna_export.capture import blender_env
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.run import scene_of
 from rna_export.capture.sample_files import read_part
+from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import ValidationHalf
 from rna_export.capture.validation_view import ValidationView
 from rna_export.capture.worker import BlenderWorker, Source

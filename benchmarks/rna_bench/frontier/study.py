@@ -32,6 +32,7 @@ from rna_export.trials.trial import Trial
 from rna_export.trials.unwrap import check_unwrapping
 from rna_sdk.errors import TrainingError
 from rna_sdk.package import Package
+from rna_work.places import Place
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -49,12 +50,15 @@ class Study:
     crew: Crew
 
     @classmethod
-    def of(cls, args: argparse.Namespace) -> Study:
-        """As the options say. Raises `TrainingError` for names that are not in the grid."""
+    def of(cls, args: argparse.Namespace, where: Place) -> Study:
+        """As the options say, to be trained there.
+
+        Raises `TrainingError` for names that are not in the grid.
+        """
         dataset = Dataset(args.dataset).only
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.kind, args.steps or usual)
-        crew = Crew.usual(args.device, args.workers)
+        crew = Crew.usual(args.device, args.workers, where)
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew)
 
     def folder(self, trial: Trial) -> Path:

@@ -8,6 +8,7 @@ from typing import Any
 
 from rna_export.machine import default_workers
 from rna_sdk.errors import CaptureError
+from rna_work.places import add_cluster_option, place
 
 NAME = "stability"
 SENTENCE = "Measure each way that relightable neural assets are known to fail, with a pass mark."
@@ -69,6 +70,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
         default=default_workers(),
         help="Blender processes (int, default: one a core, here %(default)s)",
     )
+    add_cluster_option(p)
     p.add_argument(
         "--short", action="store_true", help="an eighth of everything: a try (default: off)"
     )
@@ -87,16 +89,16 @@ def run(args: argparse.Namespace) -> None:
     """Measure."""
     from rna_bench.stability.page import read_results, write_page
     from rna_bench.stability.suite import CASES, run_cases
-    from rna_export.memory import keep_freed_memory
 
     if args.redraw is not None:
         write_page(args.out, *read_results(args.redraw))
     else:
-        keep_freed_memory()
         workshop = _workshop(args)
         settings = {"steps": workshop.steps, "short": args.short, "tier": args.tier or "default"}
         cases = [case for case in CASES if args.cases is None or case.name in args.cases]
-        results = run_cases(cases, workshop, args.out / "cases", settings, args.again, print)
+        with place(args.cluster) as where:
+            folder = args.out / "cases"
+            results = run_cases(cases, workshop, folder, settings, args.again, print, where)
         write_page(args.out, workshop.name, settings, results)
     print(f"wrote {args.out / 'index.html'}, {args.out / 'summary.md'}, {args.out / 'sheet.png'}")
 
@@ -106,6 +108,9 @@ def _workshop(args: argparse.Namespace) -> Any:
     from rna_export.capture.dataset import Dataset
     from rna_export.capture.worker import Source
 
+    for name in ("dataset", "package", "source", "out", "work") if args.cluster else ():
+        if (path := getattr(args, name)) is not None:
+            setattr(args, name, path.absolute())  # for workers on other machines
     for path in (args.package, args.source):
         if path is not None and not path.is_file():
             raise CaptureError(f"{path}: no such file")

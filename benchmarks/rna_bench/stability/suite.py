@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +27,11 @@ from rna_bench.stability.cases import (
 )
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.sample_files import write_atomically
+from rna_export.memory import keep_freed_memory
 from rna_sdk.errors import TrainingError
+from rna_work.places import Place, this_machine
+from rna_work.pool import Pool
+from rna_work.shared import check_shared
 
 CASES: tuple[Case, ...] = tuple(
     module.CASE
@@ -66,6 +71,11 @@ class Result:
         """One word for the table."""
         return "skipped" if self.verdict is None else ("pass" if self.verdict.passed else "fail")
 
+    @property
+    def told(self) -> str:
+        """A line for the user."""
+        return f"{self.case.name}: {self.status}, {self.skipped or self.verdict.found}"
+
 
 def run_cases(
     cases: Sequence[Case],
@@ -74,25 +84,87 @@ def run_cases(
     settings: dict[str, Any],
     again: bool,
     say: Callable[[str], None],
+    where: Place | None = None,
 ) -> list[Result]:
     """A result a case; rows that `folder` has already are not measured again, unless `again`.
 
-    Raises TrainingError where those were measured with other settings.
+    where: what the cases run on, None for this machine. Raises TrainingError where rows were
+    measured with other settings.
     """
     folder.mkdir(parents=True, exist_ok=True)
+    reasons = [why_not(case, workshop) for case in cases]
+    wanted = [
+        case
+        for case, reason in zip(cases, reasons, strict=True)
+        if reason is None and (again or not _path(folder, case).is_file())
+    ]
+    if wanted:
+        _measure(wanted, workshop, folder, settings, say, where or this_machine())
     results = []
-    for case in cases:
-        path = folder / f"{case.name}.json"
-        reason = why_not(case, workshop)
-        if reason is None and (again or not path.is_file()):
-            say(f"{case.name}: {case.varies}")
-            saved = {"settings": settings, "rows": case.measure(workshop)}
-            write_atomically(path, json.dumps(saved).encode())
-        rows = [] if reason else _rows(path, settings)
+    for case, reason in zip(cases, reasons, strict=True):
+        rows = [] if reason else _rows(_path(folder, case), settings)
         results.append(Result(case, rows, reason))
-        found = reason or results[-1].verdict.found
-        say(f"{case.name}: {results[-1].status}, {found}")
+        if case not in wanted:
+            say(results[-1].told)
     return results
+
+
+def _path(folder: Path, case: Case) -> Path:
+    return folder / f"{case.name}.json"
+
+
+def _measure(
+    cases: list[Case],
+    workshop: Workshop,
+    folder: Path,
+    settings: dict[str, Any],
+    say: Callable[[str], None],
+    where: Place,
+) -> None:
+    """Measure cases and write their rows. Raises the first failure, after the others are done."""
+    check_shared(where, folder)
+    backend, cores = where.whole_machines(None, local="caller")
+    make = partial(_CaseWorker, workshop.with_workers(cores) if where.far else workshop)
+    failures = []
+    with Pool(backend, make, tell=say) as pool:
+        for outcome in pool.run(_told(cases, say)):
+            if outcome.failure is not None:
+                say(f"{outcome.item.name}: {outcome.failure}")
+                failures.append(outcome.failure)
+                continue
+            rows = outcome.value()
+            saved = {"settings": settings, "rows": rows}
+            write_atomically(_path(folder, outcome.item), json.dumps(saved).encode())
+            say(Result(outcome.item, rows).told)
+    if failures:
+        raise failures[0]
+
+
+def _told(cases: list[Case], say: Callable[[str], None]) -> Iterator[Case]:
+    for case in cases:
+        say(f"{case.name}: {case.varies}")
+        yield case
+
+
+@dataclass
+class _CaseWorker:
+    """Measures cases: see `rna_work.worker.Worker`."""
+
+    workshop: Workshop
+    name: str
+
+    def __enter__(self) -> _CaseWorker:
+        keep_freed_memory()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def run(self, case: Case) -> list[Row]:
+        return case.measure(self.workshop)
+
+    def kill(self) -> None:
+        """The worker is a process, or whoever waits for it is interrupted."""
 
 
 def why_not(case: Case, workshop: Workshop) -> str | None:

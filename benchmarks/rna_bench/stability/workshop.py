@@ -6,11 +6,12 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import numpy as np
 from safetensors.numpy import load_file
@@ -28,6 +29,7 @@ from rna_export.training.run import Run, train
 from rna_export.trials.packages import write_packages
 from rna_sdk.errors import CaptureError
 from rna_sdk.runtime import Asset, load
+from rna_work.locks import locked
 
 ASSETS = Path(__file__).parent / "assets"
 
@@ -67,6 +69,15 @@ class Workshop:
         self.steps = max(10, steps // _SHORT) if short else steps
         self._folder, self._workers = folder, workers
 
+    def with_workers(self, workers: int) -> Workshop:
+        """The same with so many Blender processes, for another machine; nothing is loaded yet."""
+        steps = self.steps * _SHORT if self.short else self.steps
+        return Workshop(self._folder, self.subject, steps, workers, self.short)
+
+    def _made_once(self, name: str) -> AbstractContextManager[None]:
+        """Held while something is made, which cases on other machines may want as well."""
+        return locked(self._folder / "locks" / name.replace("/", "-"))
+
     def some(self, number: int) -> int:
         """The number itself, or less of it in the short form."""
         return max(1, number // _SHORT) if self.short else number
@@ -103,7 +114,8 @@ class Workshop:
         command += ["--workers", self._workers]
         for key, value in settings.items():
             command += [f"--{key.replace('_', '-')}", value]
-        ended = subprocess.run([*map(str, command), "--", *arguments])
+        with self._made_once(name):
+            ended = subprocess.run([*map(str, command), "--", *arguments])
         if ended.returncode:
             raise CaptureError(f"the capture of {name} failed, status {ended.returncode}")
         return Dataset(out)
@@ -113,8 +125,6 @@ class Workshop:
         out = self._folder / "runs" / dataset.folder.stem / name
         if not (out / "best.ckpt").is_file():
             train(Run(dataset, preset, "small", out, seed, validations=2))
-            for checkpoint in out.glob("step=*.ckpt"):
-                checkpoint.unlink()
         return load_checkpoint(out / "last.ckpt")
 
     def preset(self, kind: str, **model: Any) -> Preset:
@@ -136,8 +146,9 @@ class Workshop:
         if self.subject.package is not None:
             return self.subject.package
         out = self._folder / f"{self.dataset.manifest.name}.rna"
-        if not out.is_file():
-            build_package([self.base], self.dataset.dataset, out, None, "unknown", print)
+        with self._made_once(out.name):
+            if not out.is_file():
+                build_package([self.base], self.dataset.dataset, out, None, "unknown", print)
         return out
 
     def packages_of_base(self) -> dict[str, Path]:
@@ -158,16 +169,17 @@ class Workshop:
     def kept(self, name: str, make: Callable[[], dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
         """Arrays that `make` gives, or gave in an earlier run."""
         path = self._folder / "references" / f"{name}.safetensors"
-        if not path.is_file():
-            arrays = make()
-            path.parent.mkdir(parents=True, exist_ok=True)
-            write_arrays(path, arrays)
+        with self._made_once(path.name):
+            if not path.is_file():
+                arrays = make()
+                path.parent.mkdir(parents=True, exist_ok=True)
+                write_arrays(path, arrays)
         return load_file(path)
 
     @contextmanager
     def cycles(self, source: Source) -> Iterator[BlenderWorker]:
         """Cycles with the source open."""
-        scratch = self._folder / "scratch"
+        scratch = self._folder / f"scratch-{uuid4().hex[:8]}"
         try:
             with BlenderWorker(blender_env.find_python(), source, scratch, self._workers) as worker:
                 yield worker

@@ -4,6 +4,7 @@
  *     conform evaluate PACKAGE TIER PART QUERIES RESULTS
  *     conform emission PACKAGE TIER PART QUERIES RESULTS
  *     conform visibility PACKAGE HITS RESULTS
+ *     conform normals PACKAGE HITS RESULTS
  *     conform validate PACKAGE
  *
  * Files are little-endian, without headers; spec/conformance/README.md describes them. */
@@ -157,6 +158,32 @@ static int visibility(const RnaAsset *asset, const char *hits, const char *out) 
     return problem ? fails(problem, hits) : 0;
 }
 
+/* The normals that hit records are asked with (section 4.5). */
+static int normals(const RnaAsset *asset, const char *hits, const char *out) {
+    size_t size;
+    unsigned char *records = read_file(hits, &size);
+    const size_t n = records ? size / HIT_BYTES : 0;
+    float *found = malloc((n + 1) * 3 * sizeof *found);
+    const char *problem = !records || size % HIT_BYTES ? "not records of 32 bytes" : NULL;
+    if (!problem && !found) problem = "out of memory";
+    for (size_t i = 0; !problem && i < n; i++) {
+        uint32_t triangle, number;
+        float b[2];
+        memcpy(&triangle, records + HIT_BYTES * i, sizeof triangle);
+        memcpy(b, records + HIT_BYTES * i + 4, sizeof b);
+        memcpy(&number, records + HIT_BYTES * i + 28, sizeof number);
+        const RnaPart *part = number < RNA_MAX_PARTS ? rna_part(asset, (int)number) : NULL;
+        if (!part || !part->mesh || triangle >= part->mesh->triangle_count)
+            problem = "a triangle that is not there";
+        else
+            rna_normal(asset, (int)number, triangle, b[0], b[1], found + 3 * i);
+    }
+    if (!problem && !write_file(out, found, n * 3 * sizeof *found)) problem = "the results cannot be written";
+    free(records);
+    free(found);
+    return problem ? fails(problem, hits) : 0;
+}
+
 static int validate(const char *path) {
     RnaReport report;
     rna_close(rna_open(path, &report));
@@ -166,20 +193,22 @@ static int validate(const char *path) {
 
 int main(int argc, char **argv) {
     const char *level = argc > 1 ? argv[1] : "";
-    if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nvisibility\nvalidate") < 0;
+    if (argc == 2 && strcmp(level, "levels") == 0) return puts("evaluate\nvisibility\nnormals\nvalidate") < 0;
     if (argc == 3 && strcmp(level, "validate") == 0) return validate(argv[2]);
     const bool evaluates = strcmp(level, "evaluate") == 0, emits = strcmp(level, "emission") == 0;
     const bool looks = argc == 5 && strcmp(level, "visibility") == 0;
-    if (!looks && !(argc == 7 && (evaluates || emits))) {
+    const bool maps = argc == 5 && strcmp(level, "normals") == 0;
+    if (!looks && !maps && !(argc == 7 && (evaluates || emits))) {
         fputs("usage: conform levels | evaluate PACKAGE TIER PART QUERIES RESULTS |\n"
               "       emission PACKAGE TIER PART QUERIES RESULTS |\n"
-              "       visibility PACKAGE HITS RESULTS | validate PACKAGE\n", stderr);
+              "       visibility PACKAGE HITS RESULTS | normals PACKAGE HITS RESULTS | validate PACKAGE\n", stderr);
         return 2;
     }
     RnaAsset *asset = open_or_tell(argv[2]);
     if (!asset) return 2;
     Question question = {asset, .emission = emits, .columns = emits ? 10 : 13, .results = emits ? 3 : 6};
-    int status = looks ? visibility(asset, argv[3], argv[4])
+    int status = looks  ? visibility(asset, argv[3], argv[4])
+                 : maps ? normals(asset, argv[3], argv[4])
                        : answer(question, argv[3], argv[4], argv[5], argv[6]);
     rna_close(asset);
     return status;

@@ -78,7 +78,7 @@ static void evaluate_part(const RnaAsset *asset, int tier, int part, Tally *tall
 static void trace_part(const RnaAsset *asset, const Tracer *tracer, int part, unsigned long long seed) {
     for (unsigned i = 0; i < RAYS; i++) {
         double wi[3] = {i % 3 - 1.0, i % 2 - 0.4, i / 7.0}, position[3] = {0.1, i / 9.0, -0.2}, v[3];
-        float tau[3], direction[3] = {odd_number(i), odd_number(i + 100), odd_number(i + 200)};
+        float tau[3], normal[3], direction[3] = {odd_number(i), odd_number(i + 100), odd_number(i + 200)};
         uint32_t primitive = (uint32_t)(seed + i) % trace_primitive_count(tracer, part);
         TraceHit hit, behind;
         if (rna_part(asset, part)->mesh)
@@ -86,6 +86,7 @@ static void trace_part(const RnaAsset *asset, const Tracer *tracer, int part, un
         else
             trace_visible_on_fiber(tracer, part, primitive, position, wi, v);
         rna_transmittance(asset, part, primitive, odd_number(i + 300), 0.2, direction, tau);
+        rna_normal(asset, part, primitive, odd_number(i + 300), 0.2, normal);
         for (int k = 0; k < 3; k++)
             if (!(v[k] >= 0 && v[k] <= 1 && tau[k] >= 0 && tau[k] <= 1)) stop("not from 0 to 1", seed);
         if (trace_closest(tracer, position, wi, NULL, &hit) &&

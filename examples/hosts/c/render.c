@@ -125,7 +125,10 @@ static void describe_hit(const Renderer *renderer, const TraceHit *hit, const do
     const double *sun = renderer->view->sun;
     *h = 0;
     if (mesh) {
+        float normal[3];
         trace_surface_point(mesh, hit->primitive, hit->b1, hit->b2, x, axis);
+        rna_normal(renderer->asset, hit->part, hit->primitive, hit->b1, hit->b2, normal);
+        for (int k = 0; k < 3; k++) axis[k] = normal[k];
         trace_visible_on_mesh(renderer->tracer, hit->part, hit->primitive, hit->b1, hit->b2, sun, v);
         return;
     }

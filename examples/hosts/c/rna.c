@@ -146,6 +146,21 @@ void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, doubl
             look_up(&of->records[i], of->mesh, triangle, b1, b2, direction, tau);
 }
 
+void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, float normal[3]) {
+    const RnaPart *of = rna_part(asset, part);
+    const double b[3] = {1 - b1 - b2, b1, b2};
+    double n[3] = {0};
+    if (of && of->mesh && triangle < of->mesh->triangle_count) {
+        const uint32_t *corner = &of->mesh->triangles[3 * (size_t)triangle];
+        plain_normal(of->mesh, corner, b, n);
+        for (int i = 0; i < of->normal_map_count; i++)
+            if (triangle >= of->normal_maps[i].first &&
+                triangle - of->normal_maps[i].first < of->normal_maps[i].count)
+                bend_normal(&of->normal_maps[i], of->mesh, corner, b, n);
+    }
+    for (int k = 0; k < 3; k++) normal[k] = (float)n[k];
+}
+
 const char *rna_status_text(RnaStatus status) {
     switch (status) {
     case RNA_OK: return "done";

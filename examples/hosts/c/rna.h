@@ -83,6 +83,13 @@ typedef struct RnaTransmittance {
     double ior[2];                    /* Fresnel reflection, front and back; 0 where there is none */
 } RnaTransmittance;
 
+/* Relief of a range of triangles (section 4.5); rna_normal looks it up. */
+typedef struct RnaNormalMap {
+    uint32_t first, count;  /* triangles */
+    uint32_t width, height; /* of the texture */
+    const uint8_t *texels;  /* [height][width][2], 127 + 127 times x and y; row 0 at v = 0 */
+} RnaNormalMap;
+
 /* A geometry with planes and decoders of its own. */
 typedef struct RnaPart {
     const char *name;
@@ -93,6 +100,8 @@ typedef struct RnaPart {
     bool emits;              /* whether rna_emission gives more than 0 */
     int record_count;        /* of transmittance; 0: every hit is opaque */
     const RnaTransmittance *records; /* in the order of their triangles */
+    int normal_map_count;            /* 0: the normals are those of the mesh */
+    const RnaNormalMap *normal_maps; /* in the order of their triangles */
 } RnaPart;
 
 typedef struct RnaAsset RnaAsset;
@@ -117,7 +126,7 @@ const RnaTier *rna_tier(const RnaAsset *asset, int tier);    /* NULL where there
 /* Transport at n points of a part: radiance towards wo under irradiance 1 from wi, linear RGB
  * (section 7.1).
  *
- * positions, axes, wo, wi: n x 3.  axes: normals of a surface, tangents of fibers.  h: n offsets
+ * positions, axes, wo, wi: n x 3.  axes: normals of a surface (rna_normal), tangents of fibers.  h: n offsets
  * across the fiber; not read for surfaces.  visible, shadowed: n x 3, written: for the case that the
  * asset itself, with all its parts, does not, or does, block the ray from the position along wi.
  *
@@ -138,6 +147,11 @@ RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, cons
  * opaque one, and for a part or triangle that is not there; where it is 1, there is no hit. */
 void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2,
                        const float direction[3], float tau[3]);
+
+/* The normal that a surface is asked with at a hit, unit, not turned to the viewer: that of the corners,
+ * interpolated, with the relief of the part's normal maps (sections 4.1 and 4.5).  The visibility ray and
+ * rna_transmittance go by the one without.  0 for a part or triangle that is not there. */
+void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, float normal[3]);
 
 /* A sentence for a status. */
 const char *rna_status_text(RnaStatus status);

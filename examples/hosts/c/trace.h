@@ -26,7 +26,8 @@ uint32_t trace_primitive_count(const Tracer *tracer, int part);
 bool trace_closest(const Tracer *tracer, const double origin[3], const double direction[3],
                    const TraceHit *after, TraceHit *hit);
 
-/* The normal n of a surface hit, unit, not turned to the viewer; position: written (section 4.1). */
+/* The normal n of a surface hit, unit, not turned to the viewer; position: written (section 4.1).
+ * Queries take the normal of rna_normal, which has the relief of normal maps. */
 void trace_surface_point(const RnaMesh *mesh, uint32_t triangle, double b1, double b2,
                          double position[3], double n[3]);
 

@@ -4,8 +4,10 @@ Requests come as one JSON object a line on standard input; each is answered by o
 standard output that begins with `RNA `. Whatever else Blender prints there is not for us.
 """
 
+import ctypes
 import json
 import os
+import signal
 import sys
 import traceback
 from pathlib import Path
@@ -14,14 +16,19 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import curves_export
 import mesh_export
+import normal_maps
 import ray_render
+import read_files
 import scene_parts
 import scene_render
 import source_scene
 import transparency
 
+_PR_SET_PDEATHSIG = 1  # prctl(2)
+
 
 def open_scene(request):
+    read_files.watch()
     source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
     notes = source_scene.keep_only_the_asset()
     parts = scene_parts.find_parts(request["parts"])
@@ -33,6 +40,7 @@ def open_scene(request):
         "notes": notes,
         "blender": source_scene.blender_version(),
         "emitters": emitters,
+        "files": read_files.files_of(request["source"]),
     }
 
 
@@ -40,6 +48,7 @@ HANDLERS = {
     "open": open_scene,
     "exportCurves": lambda request: curves_export.export_curves(request["out"], request["owner"]),
     "exportMesh": lambda request: mesh_export.export_mesh(request["out"], request["owner"]),
+    "exportNormalMaps": lambda r: normal_maps.export_normal_maps(r["out"], r["side"]),
     "exportTransparency": lambda request: transparency.export_transparency(request["out"]),
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,
@@ -52,7 +61,14 @@ def reply(message):
     sys.stdout.flush()
 
 
+def end_with_parent():
+    """Linux: a Blender that hangs reads no end of input; it is to end with the one that asked."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
 def main():
+    end_with_parent()
     for line in sys.stdin:
         request = json.loads(line)
         try:

@@ -11,8 +11,9 @@ from rna_export.capture.fiber_shape import FiberShape
 from rna_export.capture.settings import SHARPEST
 from rna_export.capture.surface_shape import SurfaceShape
 from rna_render.asset_parts import mesh_transmittance
+from rna_render.normal_maps import NormalMaps
 from rna_render.parts_scene import PartHits, PartPoints, PartsScene
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, NormalMap
 from rna_sdk.package.transmittance import Transmittance
 
 _MOST_LAYERS = 64  # that a ray passes
@@ -53,7 +54,7 @@ class AssetScene:
     """Ray queries against all parts of an asset.
 
     sharpest: roughness of the smoothest material whose highlights views are to find.
-    transmittances: what each part lets through; none at all if left out.
+    transmittances: what each part lets through; none at all if left out. normal_maps: likewise.
 
     Attributes:
         transmits: whether rays pass through any part.
@@ -66,6 +67,7 @@ class AssetScene:
         geometries: Sequence[Mesh | Curves],
         sharpest: float = SHARPEST,
         transmittances: Sequence[Sequence[Transmittance]] = (),
+        normal_maps: Sequence[Sequence[NormalMap]] = (),
     ):
         self.shapes = tuple(
             FiberShape(g) if isinstance(g, Curves) else SurfaceShape(g, sharpest)
@@ -77,7 +79,13 @@ class AssetScene:
                 geometries, transmittances or [()] * len(geometries), strict=True
             )
         ]
-        self._scene = PartsScene(geometries, tables)
+        maps = [
+            NormalMaps(geometry, of_part) if of_part else None
+            for geometry, of_part in zip(
+                geometries, normal_maps or [()] * len(geometries), strict=True
+            )
+        ]
+        self._scene = PartsScene(geometries, tables, maps)
         self.transmits = self._scene.transmits
         corners = np.concatenate([shape.points for shape in self.shapes])
         low, high = corners.min(axis=0), corners.max(axis=0)

@@ -12,6 +12,7 @@ import venv
 from pathlib import Path
 
 from rna_sdk.errors import CaptureError
+from rna_work.locks import locked
 
 BPY_VERSION = "5.0.1"  # the first whose fibers have the shape THICK_LINEAR
 VARIABLE = "RNA_BLENDER_PYTHON"
@@ -33,6 +34,18 @@ def find_python() -> Path:
             f"'rna-capture --setup-blender', or set {VARIABLE} to a Python 3.11 that can import bpy"
         )
     return python
+
+
+def find_or_set_up() -> Path:
+    """The interpreter; its environment is made where it is missing, by one process at a time.
+
+    Raises CaptureError if it cannot be made, or if the variable names none.
+    """
+    if os.environ.get(VARIABLE) or _is_whole(default_folder()):
+        return find_python()
+    folder = default_folder()
+    with locked(folder.with_name(folder.name + ".lock")):
+        return find_python() if _is_whole(folder) else set_up()
 
 
 def _is_whole(folder: Path) -> bool:

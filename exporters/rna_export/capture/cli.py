@@ -7,6 +7,7 @@ import hashlib
 import math
 import shutil
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +21,8 @@ from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
+from rna_work.places import add_cluster_option, place
+from rna_work.store import Store
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset import Dataset
@@ -40,6 +43,7 @@ _OPTIONS = (  # fields of CaptureSettings
     "domain",
     "parts",
     "sharpest",
+    "normal_texels",
     "clamp_direct",
     "clamp_indirect",
     "validation_views",
@@ -89,7 +93,17 @@ def parser() -> argparse.ArgumentParser:
         "validation images smaller where they would take more than a quarter (float, default: no "
         "limit)",
     )
-    for name in _OPTIONS:
+    add_settings(p, _OPTIONS)
+    add_workers(p)
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def add_settings(p: argparse.ArgumentParser, names: Sequence[str]) -> None:
+    """Options for these fields of `CaptureSettings`, and for those of the geometry."""
+    for name in names:
         info = CaptureSettings.model_fields[name]
         p.add_argument(
             "--" + name.replace("_", "-"),
@@ -111,16 +125,23 @@ def parser() -> argparse.ArgumentParser:
         const=True,
         help=f"{CaptureSettings.model_fields['exact_geometry'].description} (default: off)",
     )
+
+
+def add_workers(p: argparse.ArgumentParser) -> None:
+    """The options for who captures."""
     p.add_argument(
         "--workers",
         type=int,
-        default=default_workers(),
-        help="Blender processes, one thread each (int, default: one a core, here %(default)s)",
+        help="Blender processes, one thread each (int, default: one a core, here "
+        f"{default_workers()})",
     )
+    add_cluster_option(p)
     p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+        "--store",
+        metavar="URL",
+        help="where the nodes of a cluster put rays, if they share no folder with this machine, "
+        "such as s3://bucket/captures (address, default: they share it)",
     )
-    return p
 
 
 def _usual(name: str) -> str:
@@ -142,28 +163,29 @@ def main(argv: list[str] | None = None) -> int:
         options.error("a source and --out are needed (or --setup-blender)")
     if args.minutes is not None and args.lights is not None:
         options.error("--minutes sets the number of lights: give one of the two")
-    if args.for_scene is not None and args.domain is not None:
-        options.error("--for finds the domain: give it or --domain")
-    _check_numbers(args, options)
-    return run_command(lambda: _run(args, arguments), args.debug, _GO_ON, "capture")
-
-
-def _asked(args: argparse.Namespace) -> dict[str, Any]:
-    """The settings given on the command line."""
-    return {
-        name: value
-        for name in (*_OPTIONS, "front", "up", "exact_geometry")
-        if (value := getattr(args, name)) is not None
-    }
-
-
-def _check_numbers(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:
     for name in ("minutes", "workers"):
         value = getattr(args, name)
         if value is not None and not 0 < value < math.inf:
             options.error(f"argument --{name}: expected a number above 0, found {value:g}")
+    check_settings(args, options)
+    return run_command(lambda: _run(args, arguments), args.debug, _GO_ON, "capture")
+
+
+def asked_settings(args: argparse.Namespace) -> dict[str, Any]:
+    """The settings given on the command line."""
+    return {
+        name: value
+        for name in (*_OPTIONS, "front", "up", "exact_geometry")
+        if (value := getattr(args, name, None)) is not None
+    }
+
+
+def check_settings(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:
+    """End with a line on the first setting that cannot be."""
+    if args.for_scene is not None and args.domain is not None:
+        options.error("--for finds the domain: give it or --domain")
     try:
-        CaptureSettings(**_asked(args))
+        CaptureSettings(**asked_settings(args))
     except ValidationError as error:
         first = error.errors()[0]
         name = str(first["loc"][0]).replace("_", "-")
@@ -174,32 +196,34 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     if args.setup_blender:
         print(f"Blender {blender_env.BPY_VERSION} is ready: {blender_env.set_up()}")
         return
-    _check_source(args.source)
+    check_source(args.source)
     from rna_export.capture.run import Crew, begin, finish
     from rna_export.capture.time_plan import TimeLimit
     from rna_export.capture.worker import Source
     from rna_render.scene_file import read_scene
 
     keep_freed_memory()
-    asked = _asked(args)
+    asked = asked_settings(args)
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     limit = None if args.minutes is None else TimeLimit(args.minutes)
     python = blender_env.find_python()
     scratch = args.out / "scratch"  # ray images; those of a killed capture go here
     shutil.rmtree(scratch, ignore_errors=True)
-    crew = Crew(python, scratch, args.workers)
     begun = (args.out / "manifest.json").is_file()
     try:
-        if begun:
-            dataset = _continue(args.out, args.source, arguments, asked)
-            _check_scene(dataset, for_scene)
-            settings = dataset.manifest.settings
-        else:
-            settings = CaptureSettings(**asked)
-        source = Source.captured(args.source, arguments, settings)
-        if not begun:
-            dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
-        finish(dataset, source, crew, limit)
+        with place(args.cluster) as where:
+            store = None if args.store is None else Store(args.store)
+            crew = Crew(python, scratch, args.workers, where, store)
+            if begun:
+                dataset = _continue(args.out, args.source, arguments, asked)
+                _check_scene(dataset, for_scene)
+                settings = dataset.manifest.settings
+            else:
+                settings = CaptureSettings(**asked)
+            source = Source.captured(args.source, arguments, settings)
+            if not begun:
+                dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
+            finish(dataset, source, crew, limit)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
     print(
@@ -207,7 +231,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     )
 
 
-def _check_source(source: Path) -> None:
+def check_source(source: Path) -> None:
+    """Raises `CaptureError` for a file that is not there or is of no kind that is taken."""
     if not source.is_file():
         raise CaptureError(f"{source}: no such file")
     if source.suffix.lower() not in SUFFIXES:
@@ -235,8 +260,8 @@ def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) 
 
 def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
     """Refuse to go on for a scene that asks for other directions."""
-    from rna_export.capture.run import scene_of
     from rna_export.capture.scene_domain import scene_domain
+    from rna_export.capture.shift import scene_of
 
     manifest = dataset.manifest
     if for_scene is None:

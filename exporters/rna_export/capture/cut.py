@@ -46,10 +46,11 @@ class CutDataset(Dataset):
     def _pieces(self, part: DatasetPart) -> list[DatasetPart]:
         if part.kind != "surface":
             return [DatasetPart(self, part.captured)]
-        if part.captured.transmittance:
+        if part.captured.transmittance or part.captured.normal_maps:
             raise CaptureError(
-                f"{self.folder}: part {part.name} has materials that let light through; expected "
-                "an opaque one to cut into pieces"
+                f"{self.folder}: part {part.name} has materials that let light through or have "
+                "normal maps; expected neither of a part that is cut into pieces "
+                "(rna-capture --normal-texels 0 maps no normals)"
             )
         mesh = part.geometry()
         if len(mesh.triangles) < self.cut:

@@ -4,14 +4,17 @@ toy.rays/
   manifest.json               parts, settings, source, what is planned
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
   transmittance/0.safetensors texture of a material that lets light through, as in a package
-  train/00000.safetensors     samples of some lights, arrays NAME/FIELD
+  normals/0.safetensors       normal map of a material, as in a package
+  train/00000.safetensors     samples of some lights, arrays NAME/FIELD; with NAME/weight where
+                              a guide chose them, as by rna-make
+  guides/02.safetensors       where rna-make found the model to err, before its second round
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
 
@@ -25,7 +28,18 @@ from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
-from rna_sdk.package.transmittance import texture_to_bytes
+from rna_sdk.package.normal_maps import NORMALS
+from rna_sdk.package.transmittance import TRANSMITTANCE
+
+_FOLDERS = (
+    "geometry",
+    "transmittance",
+    "normals",
+    "train",
+    "guides",
+    "emission",
+    "validation",
+)
 
 
 class Dataset:
@@ -60,10 +74,11 @@ class Dataset:
         geometries: of each part. textures: of all transmittance, by the names that records have.
         """
         folder = Path(folder)
-        for inner in ("geometry", "transmittance", "train", "emission", "validation"):
+        for inner in _FOLDERS:
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for name, texture in (textures or {}).items():
-            write_atomically(folder / name, texture_to_bytes(texture, name))
+            form = NORMALS if name.startswith("normals/") else TRANSMITTANCE
+            write_atomically(folder / name, form.to_bytes(texture, name))
         for name, geometry in geometries.items():
             write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
         manifest.write(folder / "manifest.json")
@@ -102,11 +117,18 @@ class Dataset:
             shards += 1
         return min(shards * settings.lights_per_shard, settings.lights)
 
-    def leave_out_lights_from(self, light: int) -> None:
-        """Shorten the plan to the lights before this one."""
-        settings = self.manifest.settings.model_copy(update={"lights": light})
+    def plan_lights(self, lights: int) -> None:
+        """Make the plan one of so many lights, the first ones as they were."""
+        settings = self.manifest.settings.model_copy(update={"lights": lights})
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")
+
+    def record_processors(self, keys: Iterable[str]) -> None:
+        """Note in the manifest which processors rendered, by `rna_sdk.cpu.processor_key`."""
+        processors = tuple(sorted({*self.manifest.processors, *keys}))
+        if processors != self.manifest.processors:
+            self.manifest = self.manifest.model_copy(update={"processors": processors})
+            self.manifest.write(self.folder / "manifest.json")
 
     def geometry_path(self, part: str) -> Path:
         return _geometry_path(self.folder, part)
@@ -116,6 +138,9 @@ class Dataset:
 
     def validation_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
+
+    def guide_path(self, number: int) -> Path:
+        return self.folder / "guides" / f"{number:02d}.safetensors"
 
     def emission_path(self, shard: int) -> Path:
         return self.folder / "emission" / f"{shard:05d}.safetensors"

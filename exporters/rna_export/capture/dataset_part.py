@@ -16,7 +16,8 @@ from rna_export.capture.stored_geometry import geometry_from_arrays
 from rna_export.capture.validation_view import EmissionView, ValidationView
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Mesh
-from rna_sdk.package.manifest import TransmittanceRecord
+from rna_sdk.package.manifest import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
 
 if TYPE_CHECKING:
@@ -67,14 +68,30 @@ class DatasetPart:
             for record in self.captured.transmittance
         )
 
+    def normal_maps(self) -> tuple[NormalMap, ...]:
+        """The relief of its triangles; none of a part without."""
+        return tuple(
+            NormalMap(*record.triangles, self._map(record)) for record in self.captured.normal_maps
+        )
+
     def textures(self) -> dict[str, np.ndarray]:
-        """Those of `transmittance`, by the names that the records have for them."""
-        return {record.texture: self._texture(record) for record in self.captured.transmittance}
+        """Those of both, by the names that the records have for them."""
+        found = {record.texture: self._texture(record) for record in self.captured.transmittance}
+        maps = {record.texture: self._map(record) for record in self.captured.normal_maps}
+        return {**found, **maps}
 
     def _texture(self, record: TransmittanceRecord) -> np.ndarray:
-        path = self.folder / record.texture
+        return self._read_texture(record.texture, lambda data: texture_from_bytes(data, record))
+
+    def _map(self, record: NormalMapRecord) -> np.ndarray:
+        return self._read_texture(
+            record.texture, lambda data: NORMALS.from_bytes(data, record.texture)
+        )
+
+    def _read_texture(self, name: str, parse: Callable[[memoryview], np.ndarray]) -> np.ndarray:
+        path = self.folder / name
         try:
-            return texture_from_bytes(memoryview(path.read_bytes()), record)
+            return parse(memoryview(path.read_bytes()))
         except (OSError, PackageError) as error:
             raise CaptureError(DAMAGED.format(path, error)) from error
 
@@ -86,7 +103,18 @@ class DatasetPart:
         paths = self.dataset.finished_shards()
         if shards is not None:
             paths = paths[:: -(-len(paths) // shards)]
-        samples = joined([self._read(path, self.fields) for path in paths])
+        return self.samples_of(paths)
+
+    def samples_of(self, paths: Iterable[Path]) -> dict[str, np.ndarray]:
+        """The part's rows of these shards joined, one array a field.
+
+        `weight` is a field where any of them was chosen by a guide: 1 in those that were not.
+        """
+        pieces = [self._read(path, self.fields, ("weight",)) for path in paths]
+        if any("weight" in piece for piece in pieces):
+            for piece in pieces:
+                piece.setdefault("weight", np.ones(len(piece["visible"]), np.float32))
+        samples = joined(pieces)
         if not len(samples["visible"]):
             raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
         return samples
@@ -104,9 +132,11 @@ class DatasetPart:
             for index in range(self.manifest.emission_images)
         ]
 
-    def _read(self, path: Path, fields: Iterable[str]) -> dict[str, np.ndarray]:
+    def _read(
+        self, path: Path, fields: Iterable[str], optional: Iterable[str] = ()
+    ) -> dict[str, np.ndarray]:
         """Rows of a file; a visibility with colours as (n, 3) float32 from 0 to 1."""
-        rows = read_part(path, self.name, fields)
+        rows = read_part(path, self.name, fields, optional)
         if "visible" in rows and rows["visible"].ndim == 2:
             rows["visible"] = rows["visible"].astype(np.float32) / np.float32(255.0)
         return rows

@@ -7,10 +7,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from rna_export.capture.manifest import CapturedPart
+from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.weld import weld, with_last
 from rna_export.capture.worker import BlenderWorker, ScenePart, SeeThrough
 from rna_sdk.package import Curves, Mesh, quantise
-from rna_sdk.package.manifest import TransmittanceRecord
+from rna_sdk.package.manifest import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.normal_maps import NormalMap
 from rna_sdk.package.transmittance import Transmittance
 
 
@@ -19,13 +21,16 @@ class ExportedParts:
     """The parts of an opened source, by name, in order.
 
     geometries: the mesh or strands of each. records: what lets light through, of each surface.
-    textures: those of the records, by name. notes: of transparency that could not be told.
+    maps: its normal maps. textures: those of both, by name. notes: what of the materials could not
+    be told. has_opaque_cutouts: whether some of it lets light through.
     """
 
     parts: tuple[ScenePart, ...]
     geometries: dict[str, Mesh | Curves] = field(default_factory=dict)
     records: dict[str, list[TransmittanceRecord]] = field(default_factory=dict)
+    maps: dict[str, list[NormalMapRecord]] = field(default_factory=dict)
     textures: dict[str, np.ndarray] = field(default_factory=dict)
+    has_opaque_cutouts: bool = False
     notes: list[str] = field(default_factory=list)
 
     def captured(self) -> tuple[CapturedPart, ...]:
@@ -39,6 +44,7 @@ class ExportedParts:
             kind=part.kind,
             bounds=(tuple(low.tolist()), tuple(high.tolist())),
             transmittance=tuple(self.records.get(part.name, ())),
+            normal_maps=tuple(self.maps.get(part.name, ())),
         )
 
     def transmittances(self) -> list[tuple[Transmittance, ...]]:
@@ -51,17 +57,31 @@ class ExportedParts:
             for part in self.parts
         ]
 
+    def normal_maps(self) -> list[tuple[NormalMap, ...]]:
+        """Of each part, with the textures."""
+        return [
+            tuple(
+                NormalMap(*r.triangles, self.textures[r.texture])
+                for r in self.maps.get(part.name, ())
+            )
+            for part in self.parts
+        ]
 
-def exported_parts(worker: BlenderWorker, exact: bool) -> ExportedParts:
-    """All parts of the source that the worker has opened; unless `exact`, quantised."""
+
+def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> ExportedParts:
+    """All parts of the source that the worker has opened."""
     see_through, notes = worker.export_transparency()
-    exported = ExportedParts(worker.parts, notes=notes)
+    relief: dict[str, np.ndarray] = {}
+    exported = ExportedParts(worker.parts, has_opaque_cutouts=bool(notes), notes=notes)
+    if settings.normal_texels:
+        relief, more = worker.export_normal_maps(settings.normal_texels)
+        exported.notes += more
     for part in worker.parts:
         if part.kind == "fiber":
             exported.geometries[part.name] = worker.export_curves(part.owner)
         else:
-            _add_surface(exported, worker, part, see_through)
-    if not exact:
+            _add_surface(exported, worker, part, see_through, relief)
+    if not settings.exact_geometry:
         exported.geometries = {name: quantise(g) for name, g in exported.geometries.items()}
     return exported
 
@@ -71,19 +91,33 @@ def _add_surface(
     worker: BlenderWorker,
     part: ScenePart,
     see_through: dict[str, SeeThrough],
+    relief: dict[str, np.ndarray],
 ) -> None:
-    corners = with_last(worker.export_corners(part.owner), list(see_through))
+    last = list(dict.fromkeys([*relief, *see_through]))
+    corners = with_last(worker.export_corners(part.owner), last)
     exported.geometries[part.name] = weld(corners)
-    for number, (name, found) in enumerate(see_through.items()):
+    for name in last:
         rows = np.flatnonzero(corners["material"] == name)
         if not len(rows):
             continue
-        texture = f"transmittance/{number}.safetensors"
-        exported.textures[texture] = found.texture
-        record = TransmittanceRecord(
-            triangles=(int(rows[0]), len(rows)),
-            texture=texture,
-            cutoff=found.cutoff,
-            ior=found.ior,
-        )
-        exported.records.setdefault(part.name, []).append(record)
+        triangles = int(rows[0]), len(rows)
+        if found := see_through.get(name):
+            texture = f"transmittance/{list(see_through).index(name)}.safetensors"
+            exported.textures[texture] = found.texture
+            record = TransmittanceRecord(
+                triangles=triangles, texture=texture, cutoff=found.cutoff, ior=found.ior
+            )
+            exported.records.setdefault(part.name, []).append(record)
+        if name in relief and corners["has_uv"]:
+            number = _first_equal(relief, name)
+            texture = f"normals/{number}.safetensors"
+            exported.textures[texture] = relief[name]
+            mapped = NormalMapRecord(triangles=triangles, texture=texture)
+            exported.maps.setdefault(part.name, []).append(mapped)
+
+
+def _first_equal(textures: dict[str, np.ndarray], name: str) -> int:
+    """Place of the first texture that is equal to this one: they are stored once."""
+    return next(
+        k for k, texture in enumerate(textures.values()) if np.array_equal(texture, textures[name])
+    )

@@ -11,7 +11,7 @@ from pydantic import Field, ValidationError, model_validator
 from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.settings import CaptureSettings, DatasetModel
 from rna_sdk.package import Domain
-from rna_sdk.package.manifest import Name, TransmittanceRecord
+from rna_sdk.package.manifest import Name, NormalMapRecord, TransmittanceRecord
 
 SAMPLE_FIELDS: dict[str, dict[str, int]] = {
     "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
@@ -51,6 +51,7 @@ class CapturedPart(DatasetModel):
     kind: Literal["surface", "fiber"]
     bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
     transmittance: tuple[TransmittanceRecord, ...] = ()  # textures are files of the dataset
+    normal_maps: tuple[NormalMapRecord, ...] = ()  # likewise
 
 
 class CaptureManifest(DatasetModel):
@@ -67,6 +68,7 @@ class CaptureManifest(DatasetModel):
     opaque_cutouts: bool  # light through some materials counts as theirs: alpha may be below 1
     emitters: tuple[str, ...] = ()  # materials that emit light
     notes: tuple[str, ...] = ()
+    processors: tuple[str, ...] = ()  # that rendered: where one is another, bits may differ
     scene_domain: Domain | None = None  # of --for; in the place of settings.domain
 
     @model_validator(mode="before")

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-import queue
-import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -16,37 +15,69 @@ import numpy as np
 from tqdm import tqdm
 
 import rna_sdk
+from rna_export.capture import blender_env
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.directions import light_direction
 from rna_export.capture.exported_parts import exported_parts
+from rna_export.capture.gathered import Gathered
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import CaptureJob, CaptureWorker, opened
 from rna_export.capture.tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_render.scene_file import SceneFile
-from rna_sdk.errors import CaptureError
+from rna_sdk.cpu import processor_key
 from rna_sdk.package import Curves, Domain, Mesh
 from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
+from rna_work.backend import Backend
+from rna_work.patience import Patience
+from rna_work.places import Needs, Place, this_machine
+from rna_work.pool import Pool
+from rna_work.progress import Progress
+from rna_work.sources import Carried
+from rna_work.store import Store
 
 _COUNTED = 4096
-_TASKS_A_PROCESS = 12  # then a fresh Blender: its memory grows over many renders
+_RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
+_ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
 @dataclass(frozen=True)
 class Crew:
-    """How workers are started: one thread each, since a small render scales badly."""
+    """Who captures.
+
+    python, scratch: of Blender on this machine. workers: how many, each with one thread, since a
+    small render scales badly; None for all that there is room for. store: where workers put what is
+    finished; None if they all see the dataset's folder.
+    """
 
     python: Path
     scratch: Path
-    workers: int
+    workers: int | None
+    place: Place = field(default_factory=this_machine)
+    store: Store | None = None
 
-    def worker(self, source: Source, name: str) -> BlenderWorker:
-        return BlenderWorker(self.python, source, self.scratch, threads=1, name=name)
+    def probe(self, source: Source) -> BlenderWorker:
+        """A Blender of this machine that is not one of the workers."""
+        return BlenderWorker(self.python, source, self.scratch, threads=1, name="probe")
+
+    def carried(self, source: Source) -> Carried:
+        """The source for workers; what it reads beside itself is found by opening it here."""
+        if not self.place.far:
+            return self.place.carry(source.path)
+        with self.probe(source) as worker:
+            files = worker.opened["files"]
+        travel, fixed = ([Path(path) for path in files[kind]] for kind in ("travel", "fixed"))
+        return self.place.carry(source.path, travel, fixed)
+
+    def backend(self) -> Backend:
+        """The place's room for workers."""
+        return self.place.workers(Needs("threads", resource=_RESOURCE), self.workers)
 
 
 def begin(
@@ -65,15 +96,16 @@ def begin(
     `for_scene` limits views and lights to its own.
     """
     start = monotonic()
-    with crew.worker(source, "probe") as worker:
+    with crew.probe(source) as worker:
         opening = monotonic() - start
         settings = CaptureSettings.usual(worker.kind, **asked)
-        exported = exported_parts(worker, settings.exact_geometry)
+        exported = exported_parts(worker, settings)
         geometries = exported.geometries
-        scene = AssetScene(tuple(geometries.values()), settings.sharpest, exported.transmittances())
+        materials = exported.transmittances(), exported.normal_maps()
+        scene = AssetScene(tuple(geometries.values()), settings.sharpest, *materials)
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
-        rate = _paths_a_second(scene, settings, domain, worker) * crew.workers
+        rate = _paths_a_second(scene, settings, domain, worker) * crew.backend().width()
         opened = worker.opened
     if limit is not None:
         usual, settings = settings, planned(settings, limit, opening, rate, asked)
@@ -88,9 +120,10 @@ def begin(
         settings=settings,
         blender=opened["blender"],
         generator=f"rna-capture {rna_sdk.__version__}",
-        opaque_cutouts=bool(exported.notes),
+        opaque_cutouts=exported.has_opaque_cutouts,
         emitters=tuple(opened["emitters"]),
         notes=(*opened["notes"], *exported.notes),
+        processors=(processor_key(),),
         scene_domain=limited,
     )
     for note in manifest.notes:
@@ -100,117 +133,84 @@ def begin(
     return dataset
 
 
-def scene_of(dataset: Dataset) -> AssetScene:
-    """All parts of a dataset, ready to be asked with rays."""
-    geometries = [part.geometry() for part in dataset.parts]
-    transmittances = [part.transmittance() for part in dataset.parts]
-    return AssetScene(geometries, dataset.manifest.settings.sharpest, transmittances)
-
-
 def finish(
     dataset: Dataset,
     source: Source,
     crew: Crew,
     limit: TimeLimit | None = None,
     say: Callable[[str], None] = print,
+    tasks: Sequence[Task] | None = None,
+    bars: Callable[..., tqdm] = tqdm,
 ) -> None:
     """Render every task whose file is missing. Ctrl-C loses only the tasks under way.
 
-    When the time of `limit` is up, the lights that are left are taken out of the plan.
+    When the time of `limit` is up, the lights that are left are taken out of the plan. tasks: of
+    the plan; None: all of it. bars: makes the progress bar. Raises CaptureError where a task fails
+    twice, WorkError where a cluster cannot do the work.
     """
     for unfinished in dataset.folder.glob("*/*.part"):
         unfinished.unlink()
-    missing = [task for task in all_tasks(dataset) if not task.path(dataset).is_file()]
+    asked = all_tasks(dataset) if tasks is None else tasks
+    missing = [task for task in asked if not task.path(dataset).is_file()]
     if not missing:
         return
-    total = sum(task.paths_to_trace(dataset) for task in missing)
-    scene = scene_of(dataset)
-    with tqdm(total=total, unit="path", unit_scale=True, desc="capture", smoothing=0.05) as bar:
-        shift = _Shift(dataset, scene, source, crew, bar, limit)
-        for task in missing:
-            shift.todo.put(task)
-        shift.work()
-    if shift.failures:
-        raise shift.failures[0]
+    gathered = Gathered.of(dataset, crew.place, crew.store)
+    missing = gathered.fetch(missing)
+    crew.place.on_every_node(blender_env.find_or_set_up, _RESOURCE)
+    scratch = None if crew.place.far else crew.scratch
+    job = CaptureJob(gathered.carried(), gathered.store, source, crew.carried(source), scratch)
+    cost = partial(_cost, dataset)
+    total = sum(map(cost, missing))
+    with (
+        Progress(total, "path", "capture", bars=bars) as progress,
+        Pool(
+            crew.backend(),
+            partial(CaptureWorker, job),
+            _ATTEMPTS,
+            patience=Patience(cost),
+            tell=progress.tell,
+        ) as pool,
+    ):
+        clock = _TaskClock(dataset, limit)
+        for outcome in progress.of(pool, pool.run(clock.in_time(missing)), cost):
+            dataset.record_processors([outcome.value()])
+            gathered.finished(outcome.item)
+            clock.took = outcome.seconds
+    opened.cache_clear()
     lights, there = dataset.manifest.settings.lights, dataset.lights_finished()
-    if there < lights:
-        dataset.leave_out_lights_from(there)
+    if limit is not None and there < lights:
+        dataset.plan_lights(there)
         say(f"the time is up: {there:,} of {lights:,} lights, which make a whole dataset")
 
 
-@dataclass
-class _Shift:
-    """Threads that render tasks, each with a Blender process of its own.
+def _cost(dataset: Dataset, task: Task) -> float:
+    return float(task.paths_to_trace(dataset))
 
-    stop: when set, no task is begun. failures: what ended the shift before its time.
+
+@dataclass
+class _TaskClock:
+    """Hands out tasks while there is time for them.
+
+    took: seconds, of the last task that was finished.
     """
 
     dataset: Dataset
-    scene: AssetScene
-    source: Source
-    crew: Crew
-    bar: tqdm
-    limit: TimeLimit | None = None
-    todo: queue.SimpleQueue[Task] = field(default_factory=queue.SimpleQueue)
-    stop: threading.Event = field(default_factory=threading.Event)
-    failures: list[Exception] = field(default_factory=list)
-    workers: list[BlenderWorker] = field(default_factory=list)
+    limit: TimeLimit | None
+    took: float = 0.0
 
-    def work(self) -> None:
-        """Until nothing is left to do, or to the first failure; Ctrl-C ends the processes."""
-        names = map(str, range(self.crew.workers))
-        threads = [threading.Thread(target=self._work, args=(name,)) for name in names]
-        for thread in threads:
-            thread.start()
-        try:
-            while any(thread.is_alive() for thread in threads):
-                time.sleep(0.2)
-        finally:
-            self.stop.set()
-            while any(thread.is_alive() for thread in threads):
-                for worker in self.workers:
-                    worker.kill()  # again and again: one may be starting
-                time.sleep(0.05)
+    def in_time(self, tasks: list[Task]) -> Iterator[Task]:
+        """The tasks, up to the first for which it is too late."""
+        for task in tasks:
+            if self._is_too_late(task):
+                return
+            yield task
 
-    def _work(self, name: str) -> None:
-        try:
-            worker = self.crew.worker(self.source, name)
-            self.workers.append(worker)
-            with worker:
-                done, took = 0, 0.0
-                while not self.stop.is_set():
-                    try:
-                        task = self.todo.get_nowait()
-                    except queue.Empty:
-                        return
-                    if self._is_too_late(task, took):
-                        return
-                    begun = monotonic()
-                    if done and done % _TASKS_A_PROCESS == 0:
-                        worker.restart()
-                    self._run(task, worker)
-                    took = monotonic() - begun
-                    done += 1
-        except Exception as error:  # reported by the main thread
-            self.failures.append(error)
-            self.stop.set()
-
-    def _is_too_late(self, task: Task, took: float) -> bool:
+    def _is_too_late(self, task: Task) -> bool:
         """Whether there is no time for half of the task, if it takes as long as the last one."""
         if self.limit is None or not isinstance(task, TrainingShard):
             return False
         first = task.index * self.dataset.manifest.settings.lights_per_shard
-        return first >= LEAST_LIGHTS and self.limit.left() < took / 2.0
-
-    def _run(self, task: Task, worker: BlenderWorker) -> None:
-        try:
-            task.run(self.dataset, self.scene, worker)
-        except CaptureError:  # Blender may die of its own; a second failure is ours
-            if self.stop.is_set():
-                return
-            worker.restart()
-            task.run(self.dataset, self.scene, worker)
-        self.bar.update(task.paths_to_trace(self.dataset))
+        return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
 
 
 def _paths_a_second(

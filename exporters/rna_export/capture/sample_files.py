@@ -5,9 +5,9 @@ Arrays are named PART/FIELD; those of one part have a row for each sample of tha
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from uuid import uuid4
 
 import numpy as np
 from safetensors import SafetensorError, safe_open
@@ -25,15 +25,21 @@ def write_parts(path: Path, parts: Mapping[str, Mapping[str, np.ndarray]]) -> No
     write_arrays(path, arrays)
 
 
-def read_part(path: Path, part: str, fields: Iterable[str]) -> dict[str, np.ndarray]:
-    """The named fields of one part's samples. Raises CaptureError if the file is damaged."""
+def read_part(
+    path: Path, part: str, fields: Iterable[str], optional: Iterable[str] = ()
+) -> dict[str, np.ndarray]:
+    """The named fields of one part's samples, and the optional ones that are there.
+
+    Raises CaptureError if the file is damaged.
+    """
     try:
         with safe_open(path, "np") as file:
             there = set(file.keys())
             missing = [f"{part}/{field}" for field in fields if f"{part}/{field}" not in there]
             if missing:
                 raise damaged(path, f"no {', '.join(missing)}")
-            arrays = {field: file.get_tensor(f"{part}/{field}") for field in fields}
+            found = [*fields, *(name for name in optional if f"{part}/{name}" in there)]
+            arrays = {field: file.get_tensor(f"{part}/{field}") for field in found}
     except (OSError, SafetensorError) as error:
         raise damaged(path, error) from error
     if len({len(rows) for rows in arrays.values()}) > 1:
@@ -57,7 +63,11 @@ def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
 
 
 def write_atomically(path: Path, data: bytes) -> None:
-    """Write under a temporary name, then rename."""
-    temporary = path.with_name(path.name + f".{os.getpid()}.part")
-    temporary.write_bytes(data)
-    temporary.replace(path)
+    """Write under a temporary name, which no process of another machine has either, then rename."""
+    temporary = path.with_name(f"{path.name}.{uuid4().hex[:12]}.part")
+    try:
+        temporary.write_bytes(data)
+        temporary.replace(path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise

@@ -33,6 +33,9 @@ class CaptureSettings(DatasetModel):
     exact_geometry: bool = Field(
         False, description="keep geometry in float32, not in steps that halve a package's size"
     )
+    normal_texels: int = Field(
+        512, ge=0, description="along a side of a normal map, at most; 0: normal maps are learnt"
+    )
     sharpest: float = Field(
         SHARPEST, gt=0, le=0.8, description="roughness of the smoothest material of a surface"
     )

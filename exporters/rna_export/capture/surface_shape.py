@@ -38,7 +38,7 @@ class SurfaceShape:
 
     def sample_fields(self, points: SurfacePoints, _: np.ndarray) -> dict[str, np.ndarray]:
         """What a sample records of points, but for its directions."""
-        return {"position": points.x, "normal": points.n}
+        return {"position": points.x, "normal": points.mapped}
 
     def sample_points(self, n: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         """n points uniform by area and their geometric normals, (n, 3) float32 each."""
@@ -54,9 +54,9 @@ class SurfaceShape:
         self, points: SurfacePoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
         """Mirrors of wi about half vectors of GGX, alpha from that of the sharpest lobe to 0.8."""
-        lit = np.flatnonzero(points.n @ wi > 0.02)
+        lit = np.flatnonzero(points.mapped @ wi > 0.02)
         width = self._narrowest * (_WIDEST / self._narrowest) ** rng.random(len(lit))
         u = rng.random(len(lit))
         cosine = np.sqrt((1.0 - u) / (1.0 + (width**2 - 1.0) * u))
-        h = around(points.n[lit], cosine, 2.0 * np.pi * rng.random(len(lit)))
+        h = around(points.mapped[lit], cosine, 2.0 * np.pi * rng.random(len(lit)))
         return lit, reflect(np.broadcast_to(wi, h.shape), h)

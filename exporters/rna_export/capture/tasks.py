@@ -13,6 +13,7 @@ from rna_export.capture.asset_scene import AssetScene, PartRows, ShadePoints
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import directions_in, light_direction
+from rna_export.capture.guide import Guide
 from rna_export.capture.manifest import emission_fields
 from rna_export.capture.sample_files import joined, write_parts
 from rna_export.capture.settings import CaptureSettings
@@ -34,9 +35,14 @@ Samples = dict[str, dict[str, np.ndarray]]
 
 @dataclass(frozen=True)
 class TrainingShard:
-    """Samples of `lights_per_shard` light directions."""
+    """Samples of `lights_per_shard` light directions.
+
+    guide: number of that which chooses the view rays, whose samples then have weights; None: all
+    count alike.
+    """
 
     index: int
+    guide: int | None = None
 
     def path(self, dataset: Dataset) -> Path:
         return dataset.train_path(self.index)
@@ -61,9 +67,15 @@ class TrainingShard:
         domain = dataset.manifest.domain
         wi = light_direction(light, settings.seed, domain.wi)
         rng = np.random.default_rng([settings.seed, 1, light])
-        rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
+        if self.guide is None:
+            rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
+            extra = {}
+        else:
+            guide = Guide.load(dataset.guide_path(self.guide), [p.captured for p in dataset.parts])
+            rays, weight = guide.rays(scene, wi, settings.rays, domain.wo, rng)
+            extra = {"weight": weight}
         seed = int(rng.integers(2**31))
-        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng)
+        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng, extra)
 
 
 @dataclass(frozen=True)

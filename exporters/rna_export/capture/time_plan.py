@@ -18,14 +18,15 @@ _LEAST_SHARD = 8  # lights; a shard that is under way when the time is up is ren
 
 @dataclass(frozen=True)
 class TimeLimit:
-    """Minutes from now on, for all of a capture."""
+    """Minutes from now on, of which a share is for a capture."""
 
     minutes: float
     begun: float = field(default_factory=monotonic)
+    share: float = 1.0
 
     def left(self) -> float:
         """Seconds."""
-        return 60.0 * self.minutes - (monotonic() - self.begun)
+        return 60.0 * self.minutes * self.share - (monotonic() - self.begun)
 
 
 def planned(

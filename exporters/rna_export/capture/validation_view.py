@@ -10,7 +10,7 @@ import numpy as np
 
 from rna_sdk.runtime import Asset
 
-_NO_QUERY = ("radiance", "direct", "visible", "pixel")
+_NO_QUERY = ("radiance", "direct", "visible", "pixel", "weight")
 
 
 class CapturedImage(Protocol):
@@ -45,6 +45,11 @@ class ValidationView:
     def reference(self) -> np.ndarray:
         """See `CapturedImage`."""
         return self.samples["radiance"]
+
+    @property
+    def visible(self) -> np.ndarray:
+        """How much of the light the asset lets through, (n,) or (n, 3)."""
+        return self.samples["visible"]
 
     @property
     def queries(self) -> dict[str, np.ndarray]:
@@ -91,6 +96,13 @@ class WholeView:
     def reference(self) -> np.ndarray:
         """See `CapturedImage`."""
         return np.concatenate([part.reference for part in self.parts])
+
+    @property
+    def visible(self) -> np.ndarray:
+        """Share of the light that the asset lets through, (n,), the mean of its channels."""
+        return np.concatenate(
+            [part.visible.reshape(len(part.pixel), -1).mean(axis=1) for part in self.parts]
+        )
 
     @cached_property
     def halves(self) -> np.ndarray:

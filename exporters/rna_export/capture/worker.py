@@ -18,6 +18,7 @@ from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSet
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
 
+_LINES = 5  # of Blender's output, in an error
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
 
 
@@ -156,8 +157,13 @@ class BlenderWorker:
             pass
         raise CaptureError(
             f"{self._source.path}: the Blender worker ended without an answer to "
-            f"{request['op']!r}; its output is in {self._log.name}"
+            f"{request['op']!r}; its last words: {self._last_words()}"
         )
+
+    def _last_words(self) -> str:
+        self._log.flush()
+        lines = Path(self._log.name).read_text(errors="replace").split("\n")
+        return " / ".join([line.strip() for line in lines if line.strip()][-_LINES:]) or "none"
 
     @property
     def kind(self) -> str:
@@ -190,6 +196,15 @@ class BlenderWorker:
             for k, record in enumerate(answer["materials"])
         }
         return found, answer["notes"]
+
+    def export_normal_maps(self, side: int) -> tuple[dict[str, np.ndarray], list[str]]:
+        """Normal maps by material, (h, w, 2) uint8 as in a package, and notes for the user.
+
+        side: texels along a side, at most.
+        """
+        textures, answer = self._exported("exportNormalMaps", side=side)
+        names = answer["materials"]
+        return {name: textures[str(k)] for k, name in enumerate(names)}, answer["notes"]
 
     def _exported(self, op: str, **request: Any) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
         path = self._folder / f"exported-{self._name}.npz"

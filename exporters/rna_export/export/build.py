@@ -11,6 +11,7 @@ import torch
 
 import rna_sdk
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.manifest import CapturedPart
 from rna_export.export.measure import check_loss, measured
 from rna_export.export.precision import MAX_LOSS, Precision
 from rna_export.export.tiers import package_tiers
@@ -80,10 +81,16 @@ def _parts(model: TrainedTier, dataset: Dataset) -> tuple[Part, ...]:
                 kind=part.kind,
                 bounds=Bounds(min=tuple(low.tolist()), max=tuple(high.tolist())),
                 geometry=f"geometry/{part.name}{Path(usual).suffix}" if several else usual,
-                **({"transmittance": records} if (records := part.captured.transmittance) else {}),
+                **_textured(part.captured),
             )
         )
     return tuple(parts)
+
+
+def _textured(part: CapturedPart) -> dict[str, Any]:
+    """What of a part's materials the package has, by members of `Part`."""
+    members = {"transmittance": part.transmittance, "normal_maps": part.normal_maps}
+    return {name: records for name, records in members.items() if records}
 
 
 def _measure(

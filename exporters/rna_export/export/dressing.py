@@ -48,7 +48,10 @@ def _proxies(
 ) -> list[tuple[Geometry, int]]:
     """The part's proxies with their heights; those that save nothing are left out."""
     record = package.manifest.parts[part]
-    if not heights or record.kind != "surface" or record.transmittance:
+    if not heights or record.kind != "surface":
+        return []
+    if record.transmittance or record.normal_maps:
+        say(f"{record.name}: its textures belong to its triangles, no proxy")
         return []
     mesh, found = package.mesh(part), []
     for pixels in heights:

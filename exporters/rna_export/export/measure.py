@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from rna_export.brightness import brightness
 from rna_export.capture.validation_view import WholeView, all_queries
 from rna_export.export.small_images import flip_at_heights
 from rna_export.export.trained_tiers import TrainedTier
@@ -33,11 +34,17 @@ def measured(
         [part.shaded_by(own) for part, own in zip(view.parts, asset.parts, strict=True)]
         for view in views
     ]
-    validation = _validation([np.concatenate(rows) for rows in of_parts], views)
+    radiance = [np.concatenate(rows) for rows in of_parts]
+    validation = _validation(radiance, views)
+    light = brightness(
+        zip(radiance, (v.reference for v in views), (v.visible for v in views), strict=True)
+    )
     cost = _cost(asset, trained, views)
     say(
         f"{tier.name}: PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f} "
         f"({validation.definition})\n"
+        + f"{tier.name}: {light}\n"
+        + "".join(f"warning: {tier.name}: {fault}\n" for fault in light.faults)
         + "".join(_part_lines(tier.name, asset, of_parts, views))
         + f"{tier.name}: {cost.ns_per_query:.0f} ns a query on {cost.threads} threads"
     )

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
+from rna_work.places import Place, add_cluster_option, place
 
 if TYPE_CHECKING:
     from rna_export.fit.goal import Goal
@@ -66,6 +67,7 @@ def parser() -> argparse.ArgumentParser:
         type=int,
         help="trainings side by side (int, default: one a core, one for a GPU)",
     )
+    add_cluster_option(p)
     p.add_argument(
         "--source", help="name, author and address of the original model (text, default: none)"
     )
@@ -82,7 +84,7 @@ def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     args = parser().parse_args(argv)
     go_on = "run the same command again to continue"
-    return run_command(lambda: _run(args), args.debug, go_on, "train")
+    return run_command(lambda: _in_place(args), args.debug, go_on, "train")
 
 
 def goal_of(args: argparse.Namespace) -> Goal:
@@ -96,7 +98,12 @@ def goal_of(args: argparse.Namespace) -> Goal:
     return Goal("budget", 1e3 * args.budget_us)
 
 
-def _run(args: argparse.Namespace) -> None:
+def _in_place(args: argparse.Namespace) -> None:
+    with place(args.cluster) as where:
+        _run(args, where)
+
+
+def _run(args: argparse.Namespace, where: Place) -> None:
     from rna_export.capture.dataset import Dataset
     from rna_export.export.build import build_package
     from rna_export.fit.page import write_page
@@ -109,7 +116,7 @@ def _run(args: argparse.Namespace) -> None:
     if args.steps < 16:
         raise TrainingError(f"--steps: found {args.steps}, expected at least 16")
     dataset = Dataset(args.dataset).only
-    crew = Crew.usual(args.device, args.workers)
+    crew = Crew.usual(args.device, args.workers, where)
     grid = args.grid or ("full" if crew.device == "cuda" else "short")
     models = {"full": full_grid, "short": short_grid}[grid](dataset.kind, args.steps)
     ours = [trial for trial in models if trial.family == "ours"]

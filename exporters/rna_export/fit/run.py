@@ -71,7 +71,7 @@ def fit(
                     if candidate.trial.name == record.trial.name:
                         candidate.scores[rung] = record.points[candidate.precision].scores
 
-        chosen = search(candidates, goal, steps, train, crew.workers)
+        chosen = search(candidates, goal, steps, train, crew.backend().width())
     checkpoint = work / str(steps) / chosen.trial.name / "best.ckpt"
     seconds = sum(record.seconds for record in records.values())
     return Fit(goal, steps, costs, candidates, chosen, seconds, checkpoint)

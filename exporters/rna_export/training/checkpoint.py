@@ -1,4 +1,4 @@
-"""Reads a checkpoint back into a model, without unpickling anything."""
+"""A trained model as a file; read without unpickling anything."""
 
 from __future__ import annotations
 
@@ -51,8 +51,7 @@ def load_progress(path: Path) -> dict[str, Any]:
     try:
         saved: dict[str, Any] = torch.load(path, map_location="cpu", weights_only=True)
         _trained(saved)
-        if missing := _PROGRESS - saved.keys():
-            raise KeyError(", ".join(sorted(missing)))
+        saved["progress"]["step"], saved["progress"]["fitting"], saved["progress"]["pace"]
     except Exception as error:  # as above
         raise TrainingError(
             f"{path}: no checkpoint that rna-train can continue: {_summary(error)}; delete it to "
@@ -61,14 +60,22 @@ def load_progress(path: Path) -> dict[str, Any]:
     return saved
 
 
-_PROGRESS = {"global_step", "loops", "optimizer_states", "lr_schedulers"}
-"""What Lightning continues from, besides the model."""
+def save_checkpoint(
+    path: Path, model: NeuralAsset, record: dict[str, Any], progress: dict[str, Any] | None = None
+) -> None:
+    """Write a model with what made it, under a temporary name first.
+
+    progress: what a stopped run goes on from.
+    """
+    unfinished = path.with_name(path.name + ".part")
+    weights = {"model": model.state_dict(), "record": record}
+    torch.save(weights if progress is None else {**weights, "progress": progress}, unfinished)
+    unfinished.replace(path)
 
 
 def _trained(saved: dict[str, Any]) -> Trained:
-    record = saved["hyper_parameters"]
+    record, weights = saved["record"], saved["model"]
     preset = Preset.model_validate(record["preset"])
-    weights = {k.removeprefix("model."): v for k, v in saved["state_dict"].items()}
     bounds = torch.stack([weights["triplane.low"], weights["triplane.high"]])
     model = NeuralAsset(preset.model, bounds)
     model.load_state_dict(weights)
@@ -77,7 +84,7 @@ def _trained(saved: dict[str, Any]) -> Trained:
         record["preset_name"],
         record["part"],
         int(record["cut"]),
-        int(record["steps"]),
+        int(record["steps"]) + int(record["steps_before"]),
         int(record["seed"]),
     )
     return Trained(model.eval(), preset, *made, capture, Path(record["dataset"]))

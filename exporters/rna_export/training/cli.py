@@ -78,8 +78,7 @@ def parser() -> argparse.ArgumentParser:
     length.add_argument(
         "--steps",
         type=int,
-        help="length, of each part, rounded up to a multiple of 10 (int, default: the preset's, "
-        f"{usual})",
+        help=f"length, of each part (int, default: the preset's, {usual})",
     )
     p.add_argument(
         "--seed",
@@ -116,20 +115,15 @@ def main(argv: list[str] | None = None) -> int:
 
 def _run(args: argparse.Namespace) -> None:
     begun = monotonic()  # the imports take seconds
-    import torch
-
     from rna_export.capture.cut import as_cut
     from rna_export.capture.dataset import Dataset
     from rna_export.memory import keep_freed_memory
+    from rna_export.training.device import chosen_device
     from rna_export.training.part_time import shared_minutes
     from rna_export.training.run import Run, train
 
     keep_freed_memory()
-    if args.device == "cuda" and not torch.cuda.is_available():
-        raise TrainingError("--device cuda: torch finds no CUDA device here")
-    device = args.device
-    if device == "auto":
-        device = "cuda" if torch.cuda.is_available() else "cpu"
+    device = chosen_device(args.device)
     dataset = as_cut(Dataset(args.dataset), args.cut)
     parts = dataset.parts if args.part is None else (dataset.part(args.part),)
     minutes = shared_minutes(args.minutes, parts)

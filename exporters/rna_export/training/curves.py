@@ -1,32 +1,62 @@
-"""Training curves: `metrics.csv` as Lightning writes it, and a picture of it."""
+"""The curves of a training: `metrics.csv`, a row a validation, and a picture of it."""
 
 from __future__ import annotations
 
 import csv
+import io
 from pathlib import Path
 
+from rna_export.capture.sample_files import write_atomically
+from rna_sdk.errors import TrainingError
 
-def draw_curves(folder: Path) -> None:
-    """Write `<folder>/curves.png` from `<folder>/metrics.csv`, if that exists yet."""
-    import matplotlib
+_COLUMNS = ("step", "loss", "psnr", "flip", "emission_psnr")
+"""step: steps done. loss: the mean since the row before. The others: see `Report`."""
 
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
 
-    path = folder / "metrics.csv"
+class Curves:
+    """Rows of `<folder>/metrics.csv`, from before step `done` on."""
+
+    def __init__(self, folder: Path, done: int = 0):
+        self._folder = folder
+        self.rows = [row for row in _read(folder / "metrics.csv") if row["step"] <= done]
+
+    @property
+    def best_psnr(self) -> float:
+        """Of all rows; minus infinity of none."""
+        return max((row["psnr"] for row in self.rows), default=float("-inf"))
+
+    def add(self, row: dict[str, float]) -> None:
+        """Write the file with one more row."""
+        self.rows.append(row)
+        text = io.StringIO()
+        writer = csv.DictWriter(text, _COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(self.rows)
+        write_atomically(self._folder / "metrics.csv", text.getvalue().encode())
+
+    def draw(self) -> None:
+        """Write `<folder>/curves.png`."""
+        import matplotlib
+
+        matplotlib.use("Agg")
+        import matplotlib.pyplot as plt
+
+        figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.5), layout="constrained")
+        steps = [row["step"] for row in self.rows]
+        left.semilogy(steps, [row["loss"] for row in self.rows], marker=".")
+        left.set(xlabel="step", ylabel="training loss")
+        right.plot(steps, [row["psnr"] for row in self.rows], marker="o")
+        right.set(xlabel="step", ylabel="validation PSNR (dB, irradiance pi, [0, 1])")
+        figure.savefig(self._folder / "curves.png", dpi=100)
+        plt.close(figure)
+
+
+def _read(path: Path) -> list[dict[str, float]]:
     if not path.is_file():
-        return
-    with path.open(newline="") as file:
-        rows = list(csv.DictReader(file))
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 3.5), layout="constrained")
-    left.semilogy(*_column(rows, "loss"))
-    left.set(xlabel="step", ylabel="training loss")
-    right.plot(*_column(rows, "psnr"), marker="o")
-    right.set(xlabel="step", ylabel="validation PSNR (dB, irradiance pi, [0, 1])")
-    figure.savefig(folder / "curves.png", dpi=100)
-    plt.close(figure)
-
-
-def _column(rows: list[dict[str, str]], name: str) -> tuple[list[int], list[float]]:
-    pairs = [(int(r["step"]), float(r[name])) for r in rows if r.get(name)]
-    return [step for step, _ in pairs], [value for _, value in pairs]
+        return []
+    try:
+        with path.open(newline="") as file:
+            rows = [{k: float(v) for k, v in row.items() if v} for row in csv.DictReader(file)]
+        return [{**row, "step": int(row["step"]), "psnr": row["psnr"]} for row in rows]
+    except (KeyError, TypeError, ValueError) as error:
+        raise TrainingError(f"{path}: not the curves of rna-train: {error!r}") from error

@@ -8,6 +8,7 @@ import torch
 from torch import Tensor, nn
 
 from rna_export.training.inputs import Points, assemble
+from rna_export.training.layers import through
 from rna_export.training.triplane import Triplane
 from rna_sdk.package import query_width
 
@@ -39,6 +40,10 @@ class EmissionDecoder(nn.Module):
         position = at["position"]
         p = ((position - triplane.low) / (triplane.high - triplane.low)).clamp(0.0, 1.0)
         return assemble(self.inputs, triplane(position, blur), p, at)
+
+    def forward(self, triplane: Triplane, at: Points, blur: float = 1.0) -> Tensor:
+        """y, (k, 3)."""
+        return through(self.decoder, self.queries(triplane, at, blur))
 
     def radiance(self, y: Tensor) -> Tensor:
         """L_e from y, (k, 3): between 0 and the ceiling."""

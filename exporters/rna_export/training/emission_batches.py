@@ -34,5 +34,5 @@ class EmissionBatches:
     def loss(self, emission: EmissionDecoder, triplane: Triplane, blur: float) -> Tensor:
         """Of the next batch; relative, so that noise does not bias it."""
         at = columns(next(self.rows), self.table.fields)
-        y = emission.decoder(emission.queries(triplane, at, blur))
+        y = emission(triplane, at, blur)
         return unbiased_l2(y, at["radiance"], emission.unit)

@@ -1,4 +1,4 @@
-"""Decoder input blocks in PyTorch: twins of those in `rna_sdk.runtime`; spec 6.3."""
+"""Decoder input blocks: on the CPU the runtime's compiled ones, else in PyTorch; spec 6.3."""
 
 from __future__ import annotations
 
@@ -8,8 +8,11 @@ from typing import NamedTuple
 import torch
 from torch import Tensor
 
+from rna_export.training.input_kernels import Inputs
 from rna_sdk.runtime.fiber_blocks import ETA
 from rna_sdk.runtime.surface_blocks import BEND
+
+_OF_FIBERS = {"tangent", "h", "fiber_angles", "fiber_lobes"}
 
 Points = dict[str, Tensor]
 """Queries by name: position, wo, wi and normal or tangent, (k, 3) each; for fibers also h, (k,)."""
@@ -17,6 +20,17 @@ Points = dict[str, Tensor]
 
 def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -> Tensor:
     """The decoder's input (k, K). `features`: (k, C). `p`: position in the bounds, 0 to 1."""
+    if features.device.type != "cpu":
+        return assembled(blocks, features, p, at)
+    if _OF_FIBERS.isdisjoint(blocks):
+        axis, h = at["normal"], None
+    else:
+        axis, h = at["tangent"], at["h"]
+    return Inputs.apply(blocks, features, p, axis, h, at["wo"], at.get("wi"))
+
+
+def assembled(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -> Tensor:
+    """`assemble` in plain PyTorch: for GPUs, and the kernels' twin."""
     frame = cache(lambda: fiber_frame(at["tangent"], at["wo"], at["wi"]))
     columns = {
         "features": lambda: features,

@@ -15,22 +15,23 @@ _LEAST_VISIBLE = 0.05
 def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") -> Tensor:
     """The loss of a batch of samples, of the outputs alone that match their visibility.
 
-    loss: "log" or "unbiased", of radiance that is not told apart into direct and scattered light.
-
-    Direct light has no noise, scattered light next to nothing but noise: each gets its own loss,
-    where the model has an output for each.
+    loss: "log" or "unbiased"; of a model with an output for direct light, of that light alone:
+    scattered light is next to nothing but noise, and its loss is always the unbiased one. Samples
+    that have a `weight` count by it.
     """
     config, y = model.config, model(at, blur)
+    weight = at["weight"][:, None] if "weight" in at else 1.0
     if not config.separates_direct:
-        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit)
+        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit, weight)
     v, of_light = at["visible"], at["direct"]
     if v.dim() == 1:
         v = v[:, None]
     else:  # weakened by what it came through
         of_light = of_light / v.clamp(min=_LEAST_VISIBLE)
-    direct = log_l2(y[:, 0], of_light, model.unit, v if config.visibility_hint else 1.0)
+    of_direct = weight * v if config.visibility_hint else weight
+    direct = _LOSSES[loss](y[:, 0], of_light, model.unit, of_direct)
     scattered = _of_visibility(y[:, 1:], at, config)
-    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
+    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit, weight)
 
 
 def _of_visibility(y: Tensor, at: Points, config: ModelConfig) -> Tensor:
@@ -54,7 +55,9 @@ def log_l2(
     return (weight * (y - torch.log1p(target / unit)).square()).mean()
 
 
-def unbiased_l2(y: Tensor, target: Tensor, unit: Tensor | float = 1.0) -> Tensor:
+def unbiased_l2(
+    y: Tensor, target: Tensor, unit: Tensor | float = 1.0, weight: Tensor | float = 1.0
+) -> Tensor:
     """Squared error of x over (x + unit)^2, x as predicted: near the truth it is `log_l2`.
 
     Its minimum is the mean of noisy targets, since the denominator is held fixed: Lehtinen et
@@ -62,8 +65,8 @@ def unbiased_l2(y: Tensor, target: Tensor, unit: Tensor | float = 1.0) -> Tensor
     Path Tracing", 2021, section 4.1.
     """
     x_over_unit = torch.expm1(y)
-    weight = 1.0 / (x_over_unit.detach().clamp(min=0.0) + 1.0)
-    return (weight * (x_over_unit - target / unit)).square().mean()
+    scale = 1.0 / (x_over_unit.detach().clamp(min=0.0) + 1.0)
+    return (weight * (scale * (x_over_unit - target / unit)).square()).mean()
 
 
 _LOSSES = {"log": log_l2, "unbiased": unbiased_l2}

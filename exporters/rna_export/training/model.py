@@ -7,6 +7,7 @@ from torch import Tensor, nn
 
 from rna_export.training.emission import EmissionDecoder
 from rna_export.training.inputs import Points, assemble
+from rna_export.training.layers import through
 from rna_export.training.presets import ModelConfig
 from rna_export.training.triplane import Triplane
 from rna_export.training.uv_texture import UvTexture
@@ -58,7 +59,7 @@ class NeuralAsset(nn.Module):
 
     def forward(self, at: Points, blur: float = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
-        return self.decoder(self.queries(at, blur)).unflatten(1, (-1, 3))
+        return through(self.decoder, self.queries(at, blur)).unflatten(1, (-1, 3))
 
     def queries(self, at: Points, blur: float = 1.0) -> Tensor:
         """What the decoder is asked, (k, K)."""

@@ -3,20 +3,31 @@
 from __future__ import annotations
 
 from time import monotonic
-from typing import Any
 
 _MOST_A_STEP = 0.02
 
 
 class StepPace:
-    """A run of so many steps."""
+    """A run of so many steps, of which `done` are done."""
 
-    def __init__(self, steps: int):
-        self.steps = steps
+    def __init__(self, steps: int, done: int = 0):
+        self._steps, self._done = steps, done
 
-    def progress(self, step: int) -> float:
-        """Before the step of this number."""
-        return min(step / self.steps, 1.0)
+    @property
+    def progress(self) -> float:
+        """Now."""
+        return min(self._done / self._steps, 1.0)
+
+    def advance(self) -> None:
+        """A step is done."""
+        self._done += 1
+
+    def validated(self) -> None:
+        """A validation is done, with all that it wrote."""
+
+    def state(self) -> dict[str, float]:
+        """For a checkpoint; the number of its steps says the rest."""
+        return {}
 
 
 class TimePace:
@@ -27,19 +38,18 @@ class TimePace:
     but by 2% a step at most: after a stall, as of a suspended machine, the rates still come down
     in steps.
 
-    state: of a run that goes on.
+    begun: as `monotonic` has it. state: of a run that goes on.
     """
 
     def __init__(self, seconds: float, begun: float, state: dict[str, float] | None = None):
-        """begun: as `monotonic` has it."""
         self._seconds, self._last = seconds, begun
         self._spent, self._progress, self._validation = 0.0, 0.0, 0.0
-        if state is not None:
+        if state:
             self._spent, self._progress = state["spent"], state["progress"]
             self._validation = state["validation"]
-        self._validation_began: float | None = None
 
-    def progress(self, _step: int) -> float:
+    @property
+    def progress(self) -> float:
         """Now."""
         return self._progress
 
@@ -54,15 +64,9 @@ class TimePace:
         if self._progress > 1.0 - 1e-9:
             self._progress = 1.0
 
-    def validation_begins(self) -> None:
-        """What follows, to the next step, is as long as the validation at the end will be."""
-        self._validation_began = monotonic()
-
-    def step_begins(self) -> None:
-        """A validation, if there was one, is over, with all that it wrote."""
-        if self._validation_began is not None:
-            self._validation = monotonic() - self._validation_began
-            self._validation_began = None
+    def validated(self) -> None:
+        """A validation is done: the one at the end may take as long as the longest so far."""
+        self._validation = max(self._validation, monotonic() - self._last)
 
     def state(self) -> dict[str, float]:
         """For a checkpoint."""
@@ -76,8 +80,3 @@ Pace = StepPace | TimePace
 def length(minutes: float | None, steps: int) -> str:
     """What a run was asked to take."""
     return f"{steps} steps" if minutes is None else f"{minutes:g} minutes"
-
-
-def resumed(minutes: float, begun: float, saved: dict[str, Any] | None) -> TimePace:
-    """The pace of a run of so many minutes, continued from its checkpoint if there is one."""
-    return TimePace(60.0 * minutes, begun, saved["pace"] if saved else None)

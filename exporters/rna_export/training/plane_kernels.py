@@ -1,10 +1,12 @@
-"""Compiled CPU kernels of the triplane: gather, its transpose, and the separable blur.
+"""Compiled CPU kernels of the triplane: gather from blurred planes, its transpose, and Adam.
 
-Every output element is summed by one thread in a fixed order, so results repeat to the bit
-whatever the number of threads. `triplane.py` holds the PyTorch twins.
+Every element is written by one thread and summed in the order of the samples, so results repeat
+to the bit whatever the number of threads. `triplane.py` holds the PyTorch twins.
 """
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 from numba import prange
@@ -12,10 +14,12 @@ from numba import prange
 from rna_sdk.compiled import compiled
 
 _FASTMATH = ("contract", "reassoc")
+_BANDS = 4  # of a plane's rows, each a task: no two tasks write the same texel
+_RUN = 4096  # elements of a task of `adam`
 
 
 @compiled(fastmath=_FASTMATH)
-def _footprint(coordinate, resolution):
+def _first_texel(coordinate, resolution):
     """First texel of two and the weight of the second, for a coordinate in [0, 1]."""
     texel = min(
         max(coordinate * resolution - np.float32(0.5), np.float32(0.0)), np.float32(resolution - 1)
@@ -25,67 +29,78 @@ def _footprint(coordinate, resolution):
 
 
 @compiled(parallel=True, fastmath=_FASTMATH)
-def gather(planes, p, features):
-    """features (n, C) = sum over planes (3, R, R, C) of bilinear lookups at p (n, 3) in [0, 1]."""
-    resolution, channels = planes.shape[1], planes.shape[3]
+def footprints(p, kernel, normalisation, first, weights):
+    """What a bilinear lookup in blurred planes weighs the texels with, along each axis.
+
+    p: (n, 3) in [0, 1]. kernel: (2 r + 1,) float32 of the blur; [1] is none. normalisation: (R,)
+    float32, 1 / what of the kernel lies inside the plane. Written: first (n, 3) int32, and
+    weights (n, 3, m) float32 of texels first .. first + m - 1, with m = min(2 r + 2, R).
+    """
+    radius, m, resolution = len(kernel) // 2, weights.shape[2], len(normalisation)
     for i in prange(len(p)):
+        for axis in range(3):
+            texel, u = _first_texel(p[i, axis], resolution)
+            start = min(max(texel - radius, 0), resolution - m)
+            first[i, axis] = start
+            weights[i, axis] = 0.0
+            for side in range(2):
+                centre = texel + side
+                w = (u if side else np.float32(1.0) - u) * normalisation[centre]
+                for d in range(len(kernel)):
+                    t = centre + d - radius
+                    if 0 <= t < resolution:
+                        weights[i, axis, t - start] += w * kernel[d]
+
+
+@compiled(parallel=True, fastmath=_FASTMATH)
+def gather(planes, first, weights, features):
+    """features (n, C) = sum over planes (3, R, R, C) of the texels of each footprint, weighed."""
+    m, channels = weights.shape[2], planes.shape[3]
+    for i in prange(len(first)):
         features[i] = 0.0
         for k in range(3):
-            column, u = _footprint(p[i, k], resolution)
-            row, v = _footprint(p[i, (k + 1) % 3], resolution)
-            for c in range(channels):
-                top = planes[k, row, column, c] * (1 - u) + planes[k, row, column + 1, c] * u
-                low = (
-                    planes[k, row + 1, column, c] * (1 - u) + planes[k, row + 1, column + 1, c] * u
-                )
-                features[i, c] += top * (1 - v) + low * v
+            across, down = k, (k + 1) % 3
+            for b in range(m):
+                row = first[i, down] + b
+                for a in range(m):
+                    w = weights[i, down, b] * weights[i, across, a]
+                    column = first[i, across] + a
+                    for c in range(channels):
+                        features[i, c] += w * planes[k, row, column, c]
 
 
 @compiled(parallel=True, fastmath=_FASTMATH)
-def scatter(gradient, p, planes):
+def scatter(gradient, first, weights, planes):
     """The transpose of `gather`: adds gradient (n, C) into planes (3, R, R, C)."""
-    resolution, channels = planes.shape[1], planes.shape[3]
-    half = (resolution + 1) // 2
-    for task in prange(6):  # a thread owns one half of one plane's rows
-        k, first_row = task // 2, (task % 2) * half
-        for i in range(len(p)):
-            row, v = _footprint(p[i, (k + 1) % 3], resolution)
-            for dr in range(2):
-                r = row + dr
-                if r < first_row or r >= first_row + half:
-                    continue
-                column, u = _footprint(p[i, k], resolution)
-                weight = v if dr else 1 - v
-                for c in range(channels):
-                    g = gradient[i, c] * weight
-                    planes[k, r, column, c] += g * (1 - u)
-                    planes[k, r, column + 1, c] += g * u
+    m, resolution, channels = weights.shape[2], planes.shape[1], planes.shape[3]
+    band = (resolution + _BANDS - 1) // _BANDS
+    for task in prange(3 * _BANDS):
+        k, low = task // _BANDS, (task % _BANDS) * band
+        across, down = k, (k + 1) % 3
+        for i in range(len(first)):
+            top = first[i, down]
+            for b in range(max(0, low - top), min(m, low + band - top)):
+                for a in range(m):
+                    w = weights[i, down, b] * weights[i, across, a]
+                    column = first[i, across] + a
+                    for c in range(channels):
+                        planes[k, top + b, column, c] += w * gradient[i, c]
 
 
 @compiled(parallel=True, fastmath=_FASTMATH)
-def blur_columns(planes, kernel, out):
-    """out[k, r, c] = sum over d of kernel[d] planes[k, r, c + d - radius]; zero outside."""
-    size, channels, radius = planes[0, 0].size, planes.shape[3], len(kernel) // 2
-    lines, results = planes.reshape(-1, size), out.reshape(-1, size)
-    for line in prange(len(lines)):
-        results[line] = 0.0
-        for d in range(len(kernel)):
-            # One run over the whole line for each d: faster than over each texel's channels.
-            shift = (d - radius) * channels
-            first, end = max(0, -shift), min(size, size - shift)
-            source, result = lines[line, first + shift : end + shift], results[line, first:end]
-            for i in range(len(result)):
-                result[i] += kernel[d] * source[i]
+def adam(values, gradient, mean, square, rate, betas, epsilon):
+    """A step of Adam; all arrays (n,) float32. The gradient is cleared for the next step.
 
-
-@compiled(parallel=True, fastmath=_FASTMATH)
-def blur_rows(planes, kernel, out):
-    """As `blur_columns`, along the rows."""
-    resolution, radius = planes.shape[1], len(kernel) // 2
-    for line in prange(planes.shape[0] * planes.shape[1]):
-        k, r = line // planes.shape[1], line % planes.shape[1]
-        out[k, r] = 0.0
-        for d in range(max(0, radius - r), min(len(kernel), resolution + radius - r)):
-            for c in range(planes.shape[2]):
-                for f in range(planes.shape[3]):
-                    out[k, r, c, f] += kernel[d] * planes[k, r + d - radius, c, f]
+    mean, square: moving averages of the gradient and its square, by `betas`. rate, epsilon: with
+    Adam's corrections for the steps so far: Kingma and Ba, 2015, end of section 2.
+    """
+    kept_mean, kept_square = betas
+    for task in prange((len(values) + _RUN - 1) // _RUN):
+        start = task * _RUN
+        x, g = values[start : start + _RUN], gradient[start : start + _RUN]
+        m, v = mean[start : start + _RUN], square[start : start + _RUN]
+        for i in range(len(x)):
+            m_i = kept_mean * m[i] + (np.float32(1.0) - kept_mean) * g[i]
+            v_i = kept_square * v[i] + (np.float32(1.0) - kept_square) * g[i] * g[i]
+            m[i], v[i], g[i] = m_i, v_i, np.float32(0.0)
+            x[i] -= rate * m_i / (np.float32(math.sqrt(v_i)) + epsilon)

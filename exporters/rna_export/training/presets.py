@@ -71,9 +71,14 @@ class TrainingConfig(BaseModel):
     )
     loss: Loss = Field(
         "log",
-        description="of radiance whose direct light is not told apart. log: of log(x / unit + 1). "
-        "unbiased: relative, so that noise in the targets does not darken it. auto: unbiased where "
-        "noise would darken the other by more than 2%",
+        description="log: of log(x / unit + 1). unbiased: relative, so that neither noise in the "
+        "targets nor what the model cannot tell apart darkens it. auto: unbiased where noise would "
+        "darken the other by more than 2%",
+    )
+    unbiased_share: float = Field(
+        0.0,
+        description="part of the run, at its end, with the unbiased loss: sharp highlights are "
+        "learnt by the log loss, the brightness is put right at the end",
     )
     blur: float = Field(
         description="footprint in texels that planes are blurred with at first; decays to 1, "
@@ -151,6 +156,7 @@ def _ours(
             schedule="cosine",
             unit="usual",
             loss="log" if kind == "fiber" else "auto",
+            unbiased_share=0.1,
             blur=4.0,
         ),
     )

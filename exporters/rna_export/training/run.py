@@ -2,34 +2,31 @@
 
 from __future__ import annotations
 
-import csv
-import shutil
-import warnings
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
 from typing import Any
 
-import lightning
 import torch
-from lightning.pytorch.callbacks import Callback, ModelCheckpoint, TQDMProgressBar
-from lightning.pytorch.callbacks.progress.tqdm_progress import Tqdm
-from lightning.pytorch.loggers import CSVLogger
-from torch.utils.data import DataLoader
+from tqdm import tqdm
 
+from rna_export.brightness import Brightness
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.validation_view import EmissionView
-from rna_export.training.checkpoint import load_progress
-from rna_export.training.curves import draw_curves
+from rna_export.training.checkpoint import load_progress, save_checkpoint
+from rna_export.training.curves import Curves
 from rna_export.training.emission import INPUTS
 from rna_export.training.emission_batches import EmissionBatches
-from rna_export.training.lightning_module import NeuralAssetTraining
+from rna_export.training.fitting import Fitting
 from rna_export.training.noise import with_fitting_loss
-from rna_export.training.pace import Pace, StepPace, TimePace, length, resumed
+from rna_export.training.pace import Pace, StepPace, TimePace, length
 from rna_export.training.presets import Preset
+from rna_export.training.report import Report
 from rna_export.training.samples import SampleTable
-from rna_export.training.timekeeper import NEVER, Timekeeper
 from rna_sdk.errors import TrainingError
+
+_SO_FAR = "best-so-far.ckpt"  # until the run is finished
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -45,74 +42,111 @@ class Run:
     begun: float | None = None  # when the minutes began, of `time.monotonic`; None: with `train`
     device: str = "cpu"
     validations: int = 10  # over the run; the best checkpoint is one of as many
+    start: Path | None = None  # `last.ckpt` of a run of the same model that this one goes on from
+    steps_before: int = 0  # that led to `start`; `train` finds them
 
 
-def train(run: Run, table: SampleTable | None = None) -> Path:
+def train(
+    run: Run,
+    table: SampleTable | None = None,
+    say: Callable[[str], None] = print,
+    bars: Callable[..., tqdm] = tqdm,
+) -> Path:
     """Train to the end; returns the best checkpoint, `best.ckpt`.
 
-    `<out>/last.ckpt` of an earlier, stopped call is continued. table: the dataset's samples on the
-    run's device, for callers that train on them several times. Raises `TrainingError` when the
-    checkpoint belongs to another run.
+    `<out>/last.ckpt` of an earlier, stopped call is continued. table: the samples to train on, on
+    the run's device; None: all of the dataset's. bars: makes the progress bar. Raises
+    `TrainingError` when the checkpoint belongs to another run.
     """
     begun = monotonic() if run.begun is None else run.begun
-    bounds = padded_bounds(run.dataset)
     if table is None:
         table = SampleTable(run.dataset.training_samples(), device=run.device)
     # Nothing brighter than the training data: a network asked beyond it may answer anything.
     ceiling = 1.5 * table.largest_radiance
-    unit = table.usual_radiance if run.preset.training.unit == "usual" else 1.0
-    run = replace(run, preset=with_fitting_loss(run.preset, run.dataset, unit))
+    earlier = load_progress(run.start) if run.start is not None else None
+    unit = _unit(run, table, earlier)
+    before = _steps(earlier) if earlier else 0
+    preset = with_fitting_loss(run.preset, run.dataset, unit)
+    run = replace(run, preset=preset, steps_before=before)
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
-    last = run.out / "last.ckpt"
-    saved = _continued(last, run)
-    done = int(saved["global_step"]) if saved else 0
+    run.out.mkdir(parents=True, exist_ok=True)
+    saved = _continued(run.out / "last.ckpt", run)
+    done = saved["step"] if saved else 0
     table = table.shuffled(run.preset.training.batch, run.seed, done)
-    pace = _pace(run, begun, saved)
-    print(_plan(run, len(table), pace))
+    say(_plan(run, len(table)))
     torch.manual_seed(run.seed)
-    module = NeuralAssetTraining(
-        run.preset,
-        bounds,
-        ceiling,
-        unit,
-        pace,
-        table.fields,
-        run.dataset.validation_views(),
-        run.out,
-        _record(run, pace),
-        *_of_emission(run, done),
-    )
-    checkpoints = ModelCheckpoint(
-        run.out, "{step}-{psnr:.2f}", monitor="psnr", mode="max", save_top_k=3, save_last=True
-    )
-    trainer = _trainer(run, pace, done, checkpoints, _earlier_curves(run.out, done))
-    loader = DataLoader(table, batch_size=None)
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", module="lightning|torch")
-        try:
-            trainer.fit(
-                module,
-                loader,
-                DataLoader([0]),
-                ckpt_path=last if saved else None,
-                weights_only=True,
-            )
-        except SystemExit:  # how Lightning ends a fit that Ctrl-C stopped
-            raise KeyboardInterrupt from None
-    unfinished, best = run.out / "best.ckpt.part", run.out / "best.ckpt"
-    shutil.copyfile(checkpoints.best_model_path, unfinished)
-    return unfinished.replace(best)
+    bounds, emission = padded_bounds(run.dataset), _emission(run, done)
+    fitting = Fitting(run.preset, bounds, ceiling, unit, table.fields, emission, run.device)
+    if saved or earlier:
+        fitting.load(saved["fitting"] if saved else earlier["progress"]["fitting"])
+    best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
+    pace = _pace(run, begun, saved)
+    with bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar:
+        found = _fit(run, fitting, table, pace, done, bar)
+    if found is not None:
+        say(str(found))
+    return so_far.replace(best) if so_far.is_file() else best
 
 
-def _of_emission(run: Run, done: int) -> tuple[EmissionBatches | None, list[EmissionView]]:
-    """What a model of emission is trained on and compared with."""
+def _fit(
+    run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int, bar: tqdm
+) -> Brightness | None:
+    """All steps after the first `done`, with validations at equal parts of the run.
+
+    Returns the brightness that the last of them found.
+    """
+    curves, report = Curves(run.out, done), Report(run.dataset, run.out)
+    batches, losses = iter(table), []
+    while pace.progress < 1.0:
+        validated = _validations(run, pace)
+        losses.append(fitting.step(next(batches), pace.progress))
+        pace.advance()
+        done += 1
+        if run.minutes is not None:
+            bar.total = round(done / pace.progress)
+        bar.update()
+        if _validations(run, pace) == validated:
+            continue
+        row = report.of(fitting.model, is_last=pace.progress >= 1.0)
+        is_best = row["psnr"] >= curves.best_psnr
+        curves.add({"step": done, "loss": float(torch.stack(losses).mean()), **row})
+        losses.clear()
+        if "flip" in row:
+            curves.draw()
+        record = _record(run, done)
+        if is_best:
+            save_checkpoint(run.out / _SO_FAR, fitting.model, record)
+        pace.validated()
+        progress = {"step": done, "fitting": fitting.state(), "pace": pace.state()}
+        save_checkpoint(run.out / "last.ckpt", fitting.model, record, progress)
+        bar.set_postfix(psnr=f"{row['psnr']:.2f} dB")
+    return report.brightness
+
+
+def _unit(run: Run, table: SampleTable, earlier: dict[str, Any] | None) -> float:
+    """Radiance that the loss calls 1; of a run that goes on from another, the same as there."""
+    if earlier is not None:
+        return float(earlier["progress"]["fitting"]["model"]["unit"])
+    return table.usual_radiance if run.preset.training.unit == "usual" else 1.0
+
+
+def _steps(earlier: dict[str, Any]) -> int:
+    """That led to a checkpoint."""
+    return int(earlier["progress"]["step"]) + int(earlier["record"]["steps_before"])
+
+
+def _validations(run: Run, pace: Pace) -> int:
+    """That are due by now."""
+    return int(pace.progress * run.validations + _ROUNDING)
+
+
+def _emission(run: Run, done: int) -> EmissionBatches | None:
+    """Batches of what the asset emits, if its model has a decoder of it."""
     if not run.preset.model.emission_inputs:
-        return None, []
-    batch = run.preset.training.batch
-    batches = EmissionBatches.of(run.dataset, batch, run.seed, run.device, done)
-    return batches, run.dataset.emission_views()
+        return None
+    return EmissionBatches.of(run.dataset, run.preset.training.batch, run.seed, run.device, done)
 
 
 def padded_bounds(dataset: DatasetPart) -> torch.Tensor:
@@ -123,80 +157,21 @@ def padded_bounds(dataset: DatasetPart) -> torch.Tensor:
     return torch.stack([centre - half, centre + half])
 
 
-class _Bar(TQDMProgressBar):
-    """One bar for the run, as long as it will be; the short validations show none."""
-
-    def __init__(self, pace: Pace):
-        super().__init__(refresh_rate=20)
-        self._pace = pace
-
-    def on_train_batch_end(
-        self, trainer: lightning.Trainer, module: Any, outputs: Any, batch: Any, index: int
-    ) -> None:
-        progress = self._pace.progress(trainer.global_step)
-        if isinstance(self._pace, TimePace) and progress > 0.0:
-            self.train_progress_bar.total = round((index + 1) / progress)
-        super().on_train_batch_end(trainer, module, outputs, batch, index)
-
-    def init_validation_tqdm(self) -> Any:
-        return Tqdm(disable=True)
-
-
-def _trainer(
-    run: Run,
-    pace: Pace,
-    done: int,
-    checkpoints: ModelCheckpoint,
-    earlier: list[dict[str, float]],
-) -> lightning.Trainer:
-    logger = CSVLogger(run.out, name="", version="", flush_logs_every_n_steps=500)
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "Experiment logs directory")
-        logger.experiment.metrics = earlier  # it begins by deleting the file of the stopped run
-
-    class Curves(Callback):
-        def on_validation_end(self, trainer: lightning.Trainer, _: Any) -> None:
-            if not trainer.sanity_checking:
-                trainer.logger.save()
-                draw_curves(run.out)
-
-    callbacks = [checkpoints, _Bar(pace), Curves()]
-    if isinstance(pace, TimePace):
-        callbacks.insert(0, Timekeeper(pace, run.validations))
-        steps = done if pace.progress(done) >= 1.0 else -1
-        interval = NEVER
-    else:
-        steps, interval = pace.steps, max(1, pace.steps // run.validations)
-    return lightning.Trainer(
-        accelerator=run.device if run.device == "cpu" else "gpu",
-        devices=1,
-        max_epochs=-1,
-        max_steps=steps,
-        val_check_interval=interval,
-        check_val_every_n_epoch=None,
-        num_sanity_val_steps=0,
-        callbacks=callbacks,
-        logger=logger,
-        log_every_n_steps=20,
-        enable_model_summary=False,
-    )
-
-
 def _pace(run: Run, begun: float, saved: dict[str, Any] | None) -> Pace:
     """Of the run, or of what is left of it."""
     if run.minutes is not None:
-        return resumed(run.minutes, begun, saved)
-    if saved is not None:
-        return StepPace(int(saved["hyper_parameters"]["steps"]))
-    return StepPace(run.validations * -(-run.preset.training.steps // run.validations))
+        return TimePace(60.0 * run.minutes, begun, saved["pace"] if saved else None)
+    return StepPace(run.preset.training.steps, saved["step"] if saved else 0)
 
 
-def _record(run: Run, pace: Pace) -> dict[str, Any]:
+def _record(run: Run, done: int) -> dict[str, Any]:
     """What a checkpoint says of its run: enough to repeat it."""
     return {
+        "preset": run.preset.model_dump(mode="json"),
         "preset_name": run.preset_name,
         "seed": run.seed,
-        "steps": pace.steps if isinstance(pace, StepPace) else None,
+        "steps": run.preset.training.steps if run.minutes is None else done,
+        "steps_before": run.steps_before,
         "minutes": run.minutes,
         "part": run.dataset.name,
         "cut": run.dataset.dataset.cut,
@@ -206,13 +181,12 @@ def _record(run: Run, pace: Pace) -> dict[str, Any]:
 
 
 def _continued(last: Path, run: Run) -> dict[str, Any] | None:
-    """The checkpoint to go on from, if there is one; `TrainingError` when it is of another run."""
+    """The progress to go on from, if there is one; `TrainingError` when it is of another run."""
     if not last.is_file():
         return None
     saved = load_progress(last)
-    begun, preset = saved["hyper_parameters"], run.preset.model_dump(mode="json")
-    begun_preset = Preset.model_validate(begun["preset"]).model_dump(mode="json")
-    capture = run.dataset.manifest.model_dump(mode="json", by_alias=True)
+    begun, asked = saved["record"], _record(run, saved["progress"]["step"])
+    begun_preset = Preset.model_validate(begun["preset"])
     for what, before, now in (
         ("preset", begun["preset_name"], run.preset_name),
         ("seed", begun["seed"], run.seed),
@@ -220,34 +194,22 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
         ("cut", begun["cut"], run.dataset.dataset.cut),
         (
             "length",
-            length(begun.get("minutes"), begun["preset"]["training"]["steps"]),
+            length(begun["minutes"], begun["steps"]),
             length(run.minutes, run.preset.training.steps),
         ),
-        ("model or training", begun_preset, preset),
-        ("dataset", begun["capture"], capture),
+        ("model or training", begun_preset.model_dump(mode="json"), asked["preset"]),
+        ("dataset", begun["capture"], asked["capture"]),
     ):
         if before != now:
             told = f" {before}, found {now}" if isinstance(now, str | int) else ""
             raise TrainingError(
                 f"{last} belongs to a run with another {what}{told}: choose another --out"
             )
-    return saved
+    progress: dict[str, Any] = saved["progress"]
+    return progress
 
 
-def _earlier_curves(folder: Path, done: int) -> list[dict[str, float]]:
-    """Rows of `metrics.csv` from before the checkpoint; later ones come again."""
-    path = folder / "metrics.csv"
-    if not path.is_file():
-        return []
-    try:
-        with path.open(newline="") as file:
-            rows = [{k: float(v) for k, v in row.items() if v} for row in csv.DictReader(file)]
-        return [{**row, "step": int(row["step"])} for row in rows if row["step"] < done]
-    except (KeyError, TypeError, ValueError) as error:
-        raise TrainingError(f"{path}: not the curves of rna-train: {error!r}") from error
-
-
-def _plan(run: Run, samples: int, pace: Pace) -> str:
+def _plan(run: Run, samples: int) -> str:
     model, training = run.preset.model, run.preset.training
     loss = (
         "losses of direct and scattered light"
@@ -257,12 +219,13 @@ def _plan(run: Run, samples: int, pace: Pace) -> str:
     return (
         f"{run.preset_name}: {model.hidden_layers} x {model.width}, planes 3 x "
         f"{model.resolution}^2 x {model.channels}, inputs {', '.join(model.inputs)}\n"
-        f"{samples / 1e6:.2f} M samples, {_length(run, samples, pace)}, {loss}"
+        f"{samples / 1e6:.2f} M samples, {_length(run, samples)}, {loss}"
     )
 
 
-def _length(run: Run, samples: int, pace: Pace) -> str:
-    batch = run.preset.training.batch
-    if isinstance(pace, TimePace):
-        return f"{run.minutes:g} minutes of steps of {batch:,}"
-    return f"{pace.steps:,} steps of {batch:,} = {pace.steps * batch / samples:.1f} epochs"
+def _length(run: Run, samples: int) -> str:
+    training = run.preset.training
+    if run.minutes is not None:
+        return f"{run.minutes:g} minutes of steps of {training.batch:,}"
+    epochs = training.steps * training.batch / samples
+    return f"{training.steps:,} steps of {training.batch:,} = {epochs:.1f} epochs"

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+from typing import Any
+
 import numpy as np
 import torch
 import torch.nn.functional as F
@@ -33,11 +36,9 @@ class Triplane(nn.Module):
         Positions get no gradient.
         """
         p = (position - self.low) / (self.high - self.low)
-        planes = self.planes
-        on_cpu = planes.device.type == "cpu"
-        if blur > 1.0:
-            planes = _Blur.apply(planes, blur) if on_cpu else blurred(planes, blur)
-        return _Gather.apply(planes, p) if on_cpu else gathered(planes, p)
+        if self.planes.device.type == "cpu":
+            return _Gather.apply(self.planes, p, blur)
+        return gathered(blurred(self.planes, blur) if blur > 1.0 else self.planes, p)
 
 
 def gathered(planes: Tensor, p: Tensor) -> Tensor:
@@ -66,63 +67,49 @@ def blurred(planes: Tensor, footprint: float) -> Tensor:
 
     Normalised where the kernel leaves the plane. In plain PyTorch, as `gathered`.
     """
-    matrix = torch.from_numpy(_blur_matrix(planes.shape[1], footprint)).to(planes.device)
+    resolution = planes.shape[1]
+    kernel, normalisation = _blur(resolution, footprint)
+    radius = len(kernel) // 2
+    matrix = sum(np.eye(resolution, k=d - radius) * kernel[d] for d in range(len(kernel)))
+    matrix = torch.from_numpy((matrix * normalisation[:, None]).astype(np.float32))
+    matrix = matrix.to(planes.device)
     return torch.einsum("ab,kbcf,dc->kadf", matrix, planes, matrix)
 
 
-def _blur_kernel(footprint: float) -> np.ndarray:
+@lru_cache(maxsize=1)
+def _blur(resolution: int, footprint: float) -> tuple[np.ndarray, np.ndarray]:
+    """The kernel of the blur, and along an axis 1 / what of it lies inside the plane; float32."""
+    if footprint <= 1.0:
+        return np.ones(1, np.float32), np.ones(resolution, np.float32)
     sigma = (footprint - 1.0) / 2.0
     radius = max(1, round(2.5 * sigma))
     kernel = np.exp(-0.5 * (np.arange(-radius, radius + 1) / max(sigma, 1e-3)) ** 2)
-    return (kernel / kernel.sum()).astype(np.float32)
-
-
-def _blur_matrix(resolution: int, footprint: float) -> np.ndarray:
-    """(R, R) float32: the blur along one axis."""
-    kernel = _blur_kernel(footprint)
-    radius = len(kernel) // 2
-    matrix = sum(np.eye(resolution, k=d - radius) * kernel[d] for d in range(len(kernel)))
-    return (matrix / matrix.sum(axis=1, keepdims=True)).astype(np.float32)
+    kernel = (kernel / kernel.sum()).astype(np.float32)
+    inside = np.convolve(np.ones(resolution), kernel)[radius : radius + resolution]
+    return kernel, (1.0 / inside).astype(np.float32)
 
 
 class _Gather(torch.autograd.Function):
+    """`gathered(blurred(planes, blur), p)`, without a blurred copy: it weighs more texels.
+
+    The gradient is added to `planes.grad` in place, where there is one.
+    """
+
     @staticmethod
-    def forward(ctx, planes: Tensor, p: Tensor) -> Tensor:
-        p = p.contiguous()
-        features = torch.empty(len(p), planes.shape[3])
-        plane_kernels.gather(planes.detach().numpy(), p.numpy(), features.numpy())
-        ctx.p, ctx.shape = p, planes.shape
+    def forward(ctx: Any, planes: Tensor, p: Tensor, blur: float) -> Tensor:
+        resolution, channels = planes.shape[1], planes.shape[3]
+        kernel, normalisation = _blur(resolution, blur)
+        first = np.empty((len(p), 3), np.int32)
+        weights = np.empty((len(p), 3, min(len(kernel) + 1, resolution)), np.float32)
+        plane_kernels.footprints(p.contiguous().numpy(), kernel, normalisation, first, weights)
+        features = torch.empty(len(p), channels)
+        plane_kernels.gather(planes.detach().numpy(), first, weights, features.numpy())
+        ctx.planes, ctx.first, ctx.weights = planes, first, weights
         return features
 
     @staticmethod
-    def backward(ctx, gradient: Tensor) -> tuple[Tensor, None]:
-        planes = torch.zeros(ctx.shape)
-        plane_kernels.scatter(gradient.contiguous().numpy(), ctx.p.numpy(), planes.numpy())
-        return planes, None
-
-
-class _Blur(torch.autograd.Function):
-    """D K p, with K the zero-padded convolution and D its normalisation; transposed, K D g."""
-
-    @staticmethod
-    def forward(ctx, planes: Tensor, footprint: float) -> Tensor:
-        kernel = _blur_kernel(footprint)
-        ctx.kernel = kernel
-        # What of the kernel lies inside the plane, at each place along an axis.
-        ones = np.ones(planes.shape[1])
-        inside = np.convolve(ones, kernel)[len(kernel) // 2 :][: len(ones)]
-        normalise = (1.0 / np.outer(inside, inside)).astype(np.float32)
-        ctx.normalise = torch.from_numpy(normalise)[..., None]
-        return _convolved(planes.detach(), kernel) * ctx.normalise
-
-    @staticmethod
-    def backward(ctx, gradient: Tensor) -> tuple[Tensor, None]:
-        return _convolved(gradient * ctx.normalise, ctx.kernel), None
-
-
-def _convolved(planes: Tensor, kernel: np.ndarray) -> Tensor:
-    source = planes.contiguous()
-    along_columns, result = torch.empty_like(source), torch.empty_like(source)
-    plane_kernels.blur_columns(source.numpy(), kernel, along_columns.numpy())
-    plane_kernels.blur_rows(along_columns.numpy(), kernel, result.numpy())
-    return result
+    def backward(ctx: Any, gradient: Tensor) -> tuple[Tensor | None, None, None]:
+        into = ctx.planes.grad
+        added = torch.zeros_like(ctx.planes) if into is None else into
+        plane_kernels.scatter(gradient.contiguous().numpy(), ctx.first, ctx.weights, added.numpy())
+        return (added if into is None else None), None, None

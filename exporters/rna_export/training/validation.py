@@ -46,8 +46,7 @@ def shade_emission(model: NeuralAsset, view: EmissionView) -> np.ndarray:
     """Emitted radiance (n, 3) of a view's rows."""
     emission, device = model.emission, model.ceiling.device
     at = {k: torch.from_numpy(np.ascontiguousarray(v)).to(device) for k, v in view.queries.items()}
-    y = emission.decoder(emission.queries(model.triplane, at))
-    return emission.radiance(y).cpu().numpy()
+    return emission.radiance(emission(model.triplane, at)).cpu().numpy()
 
 
 @torch.no_grad()
@@ -69,8 +68,8 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
     """Scores of shaded rows against the captured ones."""
     pairs = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)]
     return Scores(
-        psnr=float(np.mean([psnr(r, t) for r, t, _ in pairs])),
-        flip=float(np.mean([flip(v.image(r), v.image(t))[0] for r, t, v in pairs])),
+        psnr=mean_psnr(radiance, views),
+        flip=mean_flip(radiance, views),
         relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
         # The mean of both halves has half the variance of either, their difference twice it.
         psnr_of_references=float(np.mean([psnr(*v.halves) + 6.02 for v in views])),
@@ -79,6 +78,18 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
         ),
         images=len(views),
     )
+
+
+def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
+    """Of shaded rows against the captured ones: the score that costs the least."""
+    pairs = zip(radiance, views, strict=True)
+    return float(np.mean([psnr(shaded, view.reference) for shaded, view in pairs]))
+
+
+def mean_flip(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
+    """Of shaded rows against the captured ones."""
+    pairs = zip(radiance, views, strict=True)
+    return float(np.mean([flip(v.image(r), v.image(v.reference))[0] for r, v in pairs]))
 
 
 def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:

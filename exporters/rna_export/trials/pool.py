@@ -1,95 +1,98 @@
-"""Runs trials side by side, in processes that keep the dataset's samples between them."""
+"""Runs trials side by side, in workers that keep the dataset's samples between them."""
 
 from __future__ import annotations
 
-import logging
-import multiprocessing
 import os
 import traceback
 from collections.abc import Iterator
-from concurrent.futures import Future, ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.samples import SampleTable
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
-from rna_sdk.console import INTERRUPTED
 from rna_sdk.errors import TrainingError
+from rna_work.backend import Backend
+from rna_work.places import Needs, Place, this_machine
+from rna_work.pool import Pool
+from rna_work.shared import check_shared
+
+Job = tuple[Trial, Path]
+"""A trial and its folder."""
 
 
 @dataclass(frozen=True)
 class Crew:
-    """Who trains."""
+    """Who trains.
 
-    workers: int  # processes
-    threads: int  # of each
+    workers: how many side by side; None for all that there is room for. threads: of each.
+    """
+
+    workers: int | None
+    threads: int
     device: str
+    place: Place = field(default_factory=this_machine)
 
     @classmethod
-    def usual(cls, device: str, workers: int | None = None) -> Crew:
-        """A process for each core of a CPU, or one for a GPU; cores are shared out evenly.
+    def usual(cls, device: str, workers: int | None = None, place: Place | None = None) -> Crew:
+        """A worker for each core of a CPU, or one for a GPU; a machine's cores are shared evenly.
 
         device: `auto` is the GPU if there is one. Raises `TrainingError` for `cuda` without one.
         """
-        import torch
-
-        there = torch.cuda.is_available()
-        if device == "cuda" and not there:
-            raise TrainingError("--device cuda: torch finds no CUDA device here")
-        device = "cuda" if there and device != "cpu" else "cpu"
+        place = place or this_machine()
+        gpus = place.gpus()
+        if device == "cuda" and not gpus:
+            raise TrainingError("--device cuda: there is no CUDA device")
+        device = "cuda" if gpus and device != "cpu" else "cpu"
+        if place.far:
+            return cls(workers, 1, device, place)
         cores = len(os.sched_getaffinity(0))
         count = workers or (1 if device == "cuda" else cores)
-        return cls(count, max(1, cores // count), device)
+        return cls(count, max(1, cores // count), device, place)
+
+    def backend(self) -> Backend:
+        """The place's room for workers."""
+        gpus = 1.0 if self.device == "cuda" else 0.0
+        return self.place.workers(Needs("processes", self.threads, gpus), self.workers)
 
 
 class TrialPool:
-    """Runs trials in processes of a crew; a context.
+    """Runs trials with the workers of a crew; a context.
 
-    A process loads the dataset once, before its first trial. What a trial prints is in `log.txt`
+    A worker loads the dataset once, before its first trial. What a trial prints is in `log.txt`
     of its folder.
     """
 
     def __init__(self, dataset: Path, crew: Crew):
-        self._pool = ProcessPoolExecutor(
-            crew.workers,
-            mp_context=multiprocessing.get_context("spawn"),
-            initializer=_begin,
-            initargs=(dataset, crew),
-        )
+        check_shared(crew.place, dataset)
+        make = partial(TrialWorker, dataset.resolve(), crew.threads, crew.device)
+        self._place = crew.place
+        self._pool: Pool[Job, Record] = Pool(crew.backend(), make)
 
     def __enter__(self) -> TrialPool:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self._pool.shutdown(wait=True, cancel_futures=True)
+    def __exit__(self, *exception: object) -> None:
+        self._pool.__exit__(*exception)
 
-    def run(self, trials: list[tuple[Trial, Path]]) -> Iterator[Record]:
+    def run(self, trials: list[Job]) -> Iterator[Record]:
         """Records of trials, each with its folder, as they are finished.
 
         One that fails does not keep the others from running: `TrainingError` names all of them
         at the end.
         """
-        running: dict[Future[Record], tuple[Trial, Path]] = {
-            self._pool.submit(_run, trial, folder): (trial, folder) for trial, folder in trials
-        }
+        if trials:
+            check_shared(self._place, trials[0][1].parent)
         failures = []
-        for future in as_completed(running):
-            trial, folder = running[future]
-            try:
-                record = future.result()
-            except BrokenProcessPool:
-                raise TrainingError(
-                    f"{trial.name}: its process ended at once; is there enough memory?"
-                ) from None
-            except Exception as error:
-                failures.append(f"{trial.name}: {error} (see {folder / 'log.txt'})")
+        for outcome in self._pool.run([(trial, folder.resolve()) for trial, folder in trials]):
+            trial, folder = outcome.item
+            if outcome.failure is None:
+                yield outcome.value()
             else:
-                yield record
+                failures.append(f"{trial.name}: {outcome.failure} (see {folder / 'log.txt'})")
         if failures:
             raise TrainingError("\n".join(failures))
 
@@ -105,43 +108,41 @@ def largest_first(trials: list[Trial]) -> list[Trial]:
     return sorted(trials, key=numbers, reverse=True)
 
 
-class _Process:
-    """What a process of a pool keeps."""
+class TrialWorker:
+    """Trains trials of a dataset, one after the other: see `rna_work.worker.Worker`."""
 
-    dataset: DatasetPart
-    device: str
-    table: SampleTable | None = None
+    def __init__(self, dataset: Path, threads: int, device: str, name: str) -> None:
+        self._folder, self._threads, self._device = dataset, threads, device
+        self._table: SampleTable | None = None
 
+    def __enter__(self) -> TrialWorker:
+        import torch
 
-def _begin(dataset: Path, crew: Crew) -> None:
-    import lightning  # its own log handler comes with it
-    import torch
+        from rna_export.memory import keep_freed_memory
+        from rna_sdk.kernel_threads import limit_kernel_threads
 
-    from rna_export.memory import keep_freed_memory
-    from rna_sdk.kernel_threads import limit_kernel_threads
+        keep_freed_memory()
+        torch.set_num_threads(self._threads)
+        limit_kernel_threads(self._threads)
+        self._dataset = Dataset(self._folder).only
+        return self
 
-    keep_freed_memory()
-    logging.getLogger(lightning.pytorch.__name__).setLevel(logging.WARNING)
-    torch.set_num_threads(crew.threads)
-    limit_kernel_threads(crew.threads)
-    _Process.dataset, _Process.device = Dataset(dataset).only, crew.device
+    def __exit__(self, *_: object) -> None:
+        pass
 
+    def run(self, job: Job) -> Record:
+        """The trial's record; what was finished in its folder is not done again."""
+        from rna_export.trials.run import run_trial
 
-def _run(trial: Trial, folder: Path) -> Record:
-    from rna_export.trials.run import run_trial
-
-    parent = multiprocessing.parent_process()
-    if parent is None or not parent.is_alive():
-        os._exit(1)  # it was killed: whoever runs the command again trains in the same folders
-    folder.mkdir(parents=True, exist_ok=True)
-    try:
+        trial, folder = job
+        folder.mkdir(parents=True, exist_ok=True)
         with _log(folder / "log.txt"):
-            if _Process.table is None:
-                samples = _Process.dataset.training_samples()
-                _Process.table = SampleTable(samples, device=_Process.device)
-            return run_trial(trial, _Process.dataset, folder, _Process.device, _Process.table)
-    except KeyboardInterrupt:
-        os._exit(INTERRUPTED)  # a pool's process would go on with the next trial
+            if self._table is None:
+                self._table = SampleTable(self._dataset.training_samples(), device=self._device)
+            return run_trial(trial, self._dataset, folder, self._device, self._table)
+
+    def kill(self) -> None:
+        """The worker is a process, and is ended with it."""
 
 
 @contextmanager

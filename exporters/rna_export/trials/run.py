@@ -104,7 +104,7 @@ def steps_done(folder: Path) -> int:
     path = folder / "last.ckpt"
     if not path.is_file():
         return 0
-    return int(load_progress(path)["global_step"])
+    return int(load_progress(path)["progress"]["step"])
 
 
 def _measure_packages(

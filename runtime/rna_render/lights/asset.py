@@ -6,14 +6,20 @@ from itertools import pairwise
 
 import numpy as np
 
-from rna_render.asset_parts import Asset, FiberPart, SurfacePart, part_transmittance
+from rna_render.asset_parts import (
+    Asset,
+    FiberPart,
+    SurfacePart,
+    part_normal_maps,
+    part_transmittance,
+)
 from rna_render.fiber import FiberPoints
-from rna_render.lights.base import LightSamples, ShapeLight
+from rna_render.lights.base import ShapeLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
 from rna_render.rays import vectors
-from rna_render.surface import geometric_normals, interpolate_normals, interpolate_positions
+from rna_render.surface import SurfacePoints, geometric_normals, interpolate_normals
 from rna_render.tracing import ClosestHits
 from rna_render.transmittance import Transmittance
 from rna_sdk.runtime import offset_across
@@ -90,17 +96,16 @@ class AssetLight(ShapeLight):
         self._emission, self._factor = emission, np.float32(factor)
         transform = Transform(world_from_object)
         self._scale, self._place = np.float32(transform.scale), transform.matrix[:3, 3]
-        self._rotation = (transform.matrix[:3, :3] / transform.scale).astype(np.float32)
+        rotation = transform.matrix[:3, :3] / transform.scale
+        self._rotation = rotation.astype(np.float32)
+        self.row = emission.placed_row(rotation, self._place, transform.scale)
 
     def power(self, scene_radius: float) -> float:
         size = scene_radius / float(self._scale)
         return float(self._factor * self._scale**2) * self._emission.power(size)
 
-    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
-        samples = self._emission.sample(self._in_object(x_world), u)
-        wi_world = samples.wi_world @ self._rotation.T
-        radiance, distance = self._factor * samples.radiance, self._scale * samples.distance
-        return LightSamples(wi_world, distance, radiance, samples.pdf)
+    def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
+        return self._factor * self._emission.sent(place, d_world @ self._rotation)
 
     def met(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
@@ -120,15 +125,15 @@ class _MeshEmitter:
     def __init__(self, part: SurfacePart) -> None:
         self.part = part
         self._transmittance: Transmittance | None = part_transmittance(part)
+        self._normal_maps = part_normal_maps(part)
 
     def emission(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray
     ) -> np.ndarray:
         """Radiance of the opaque share towards wo: (n, 3) float32."""
         mesh = self.part.mesh
-        at = mesh.triangles, triangle, u, v
-        x = interpolate_positions(mesh.positions, *at)
-        return self.part.emission(x, interpolate_normals(mesh.normals, *at), wo)
+        points = SurfacePoints.of(mesh, triangle, u, v, self._normal_maps)
+        return self.part.emission(points.x, points.mapped, wo)
 
     def opacity(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, wo: np.ndarray

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_render.rays import vectors
 from rna_render.tracing import ClosestHits, GeometryScene
 
 
@@ -31,13 +32,27 @@ class LightSamples:
     pdf: np.ndarray
 
 
+@dataclass(frozen=True, slots=True)
+class LightRow:
+    """A light as compiled code has it.
+
+    kind: one of `kinds`. numbers: float64, as its kind has them. words: uint64, likewise;
+    addresses among them are valid as long as the light.
+    """
+
+    kind: int
+    numbers: np.ndarray
+    words: np.ndarray
+
+
 class Light(ABC):
     """A light of the scene. Its directions are a pure function of the point and of u.
 
-    group: of the scene file; "" for none.
+    group: of the scene file; "" for none. row: what compiled code reads of it.
     """
 
     group: str
+    row: LightRow
 
     @property
     @abstractmethod
@@ -59,9 +74,27 @@ class Light(ABC):
         Only for choosing among lights.
         """
 
-    @abstractmethod
     def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
         """Directions for the points x, (n, 3) float32; u: (n, 2) float64 in [0, 1)."""
+        from rna_render.lights.table import sample_batch
+
+        x_world = vectors("x_world", x_world)
+        n = len(x_world)
+        wi_world, radiance = np.empty((n, 3), np.float32), np.empty((n, 3), np.float32)
+        distance, pdf, place = np.empty(n, np.float32), np.empty(n, np.float32), np.empty((n, 3))
+        out = wi_world, distance, radiance, pdf, place
+        sample_batch(self.row.kind, self.row.numbers, self.row.words, x_world, u, *out)
+        if (sent := self.sent(place, wi_world)) is not None:
+            radiance = sent
+        return LightSamples(wi_world, distance, radiance, pdf)
+
+    def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray | None:
+        """Radiance of a light that compiled code cannot ask for it: (n, 3) float32.
+
+        place: (n, 3) float64, triangle and barycentrics u, v of its points, as in ClosestHits.
+        d_world: (n, 3) float32, unit, of rays that what is sent stops. None for all other lights.
+        """
+        return None
 
 
 class InfiniteLight(Light):
@@ -69,12 +102,16 @@ class InfiniteLight(Light):
 
     visible_to_camera: bool
 
-    @abstractmethod
     def escaped(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Radiance that comes against the rays' unit directions, (n, 3) float32, and pdf of them.
 
         Returns (n, 3) float32, and (n,) float32: the density with which `sample` finds d.
         """
+        from rna_render.lights.table import escaped_batch
+
+        radiance, pdf = np.empty((len(d_world), 3), np.float32), np.empty(len(d_world), np.float32)
+        escaped_batch(self.row.kind, self.row.numbers, self.row.words, d_world, radiance, pdf)
+        return radiance, pdf
 
 
 class ShapeLight(Light):

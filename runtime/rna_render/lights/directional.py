@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
-from rna_render.lights.base import InfiniteLight, Light, LightSamples
+from rna_render.lights.base import InfiniteLight, Light
 from rna_render.lights.directions import cone_direction, luminance, unit
+from rna_render.lights.kinds import DIRECTIONAL, OWN, SUN, light_row
 from rna_render.lights.models import DirectionalModel
 from rna_sdk.compiled import compiled
 
@@ -27,20 +27,11 @@ class DirectionalLight(Light):
 
     def __init__(self, model: DirectionalModel) -> None:
         self.group = model.group
-        self._wi_world = unit(model.direction).astype(np.float32)
         self._irradiance = np.asarray(model.irradiance, np.float32)
+        self.row = light_row(DIRECTIONAL, self._irradiance, unit(model.direction))
 
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * luminance(self._irradiance))
-
-    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
-        n = len(x_world)
-        return LightSamples(
-            wi_world=np.tile(self._wi_world, (n, 1)),
-            distance=np.full(n, np.inf, np.float32),
-            radiance=np.tile(self._irradiance, (n, 1)),
-            pdf=np.ones(n, np.float32),
-        )
 
 
 class SunLight(InfiniteLight):
@@ -56,36 +47,36 @@ class SunLight(InfiniteLight):
     def __init__(self, model: DirectionalModel) -> None:
         self.group = model.group
         angle = np.radians(model.angular_diameter_deg) / 2.0
-        self._axis = unit(model.direction)
-        self._one_minus_cosine = 2.0 * np.sin(angle / 2.0) ** 2
-        self._pdf = 1.0 / (2.0 * np.pi * self._one_minus_cosine)
+        one_minus_cosine = 2.0 * np.sin(angle / 2.0) ** 2
         self._irradiance = np.asarray(model.irradiance, np.float64)
-        self._radiance = (self._irradiance / (np.pi * np.sin(angle) ** 2)).astype(np.float32)
+        radiance = self._irradiance / (np.pi * np.sin(angle) ** 2)
+        self.row = light_row(SUN, radiance, [*unit(model.direction), one_minus_cosine])
 
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * luminance(self._irradiance))
 
-    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
-        n = len(x_world)
-        wi_world = np.empty((n, 3), np.float32)
-        _sample_cone(self._axis, self._one_minus_cosine, u, wi_world)
-        return LightSamples(
-            wi_world=wi_world,
-            distance=np.full(n, np.inf, np.float32),
-            radiance=np.tile(self._radiance, (n, 1)),
-            pdf=np.full(n, self._pdf, np.float32),
-        )
 
-    def escaped(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        # |d - axis|^2 = 2 (1 - cos), without the rounding of a cosine near 1.
-        chord = np.sum((d_world.astype(np.float64) - self._axis) ** 2, axis=1)
-        inside = chord <= 2.0 * self._one_minus_cosine
-        pdf = np.where(inside, np.float32(self._pdf), np.float32(0.0))
-        return np.where(inside[:, None], self._radiance, np.float32(0.0)), pdf
+@compiled(fastmath=())
+def sample_directional(numbers):
+    """Direction and irradiance."""
+    wi = numbers[OWN], numbers[OWN + 1], numbers[OWN + 2]
+    return wi, (numbers[0], numbers[1], numbers[2])
 
 
-@compiled(parallel=True, fastmath=())
-def _sample_cone(axis, one_minus_cosine, u, wi_world):
-    for i in prange(len(wi_world)):
-        wi = cone_direction(axis[0], axis[1], axis[2], one_minus_cosine, u[i, 0], u[i, 1])
-        wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = wi
+@compiled(fastmath=())
+def sample_sun(numbers, u1, u2):
+    """Direction, radiance and density."""
+    one_minus_cosine = numbers[OWN + 3]
+    axis = numbers[OWN], numbers[OWN + 1], numbers[OWN + 2]
+    wi = cone_direction(axis[0], axis[1], axis[2], one_minus_cosine, u1, u2)
+    return wi, (numbers[0], numbers[1], numbers[2]), 1.0 / (2.0 * np.pi * one_minus_cosine)
+
+
+@compiled(fastmath=())
+def look_up_sun(numbers, d):
+    """Radiance from d, and the density of `sample_sun`."""
+    # |d - axis|^2 = 2 (1 - cos), without the rounding of a cosine near 1.
+    x, y, z = d[0] - numbers[OWN], d[1] - numbers[OWN + 1], d[2] - numbers[OWN + 2]
+    if x * x + y * y + z * z > 2.0 * numbers[OWN + 3]:
+        return (0.0, 0.0, 0.0), 0.0
+    return (numbers[0], numbers[1], numbers[2]), 1.0 / (2.0 * np.pi * numbers[OWN + 3])

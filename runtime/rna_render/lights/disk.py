@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_render.embree import DiscScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
+from rna_render.lights.kinds import DISK, OWN
 from rna_render.lights.models import DiskModel
 from rna_sdk.compiled import compiled
 
@@ -16,18 +16,17 @@ class DiskLight(AreaLight):
     """Sampled uniformly over its area. In its own space it faces +z, about the origin."""
 
     def __init__(self, model: DiskModel) -> None:
-        super().__init__(model, np.pi * model.radius**2)
-        self._radius = model.radius
         self.world_from_object = facing_frame(model.position, model.look_at)
+        numbers = np.append(self.world_from_object[:3].ravel(), model.radius)
+        super().__init__(model, np.pi * model.radius**2, DISK, numbers)
         centre, normal = np.zeros((1, 3), np.float32), np.float32([[0, 0, 1]])
         self.scene = DiscScene(centre, normal, np.float32([model.radius]))
 
-    def _sample(self, x_world, u, wi_world, distance, pdf) -> None:
-        out = wi_world, distance, pdf
-        _sample_disk(self.world_from_object, self._radius, self.area, x_world, u, *out)
 
-    def _pdf(self, x_world, d_world, pdf) -> None:
-        _disk_pdf(self.world_from_object, self.area, x_world, d_world, pdf)
+@compiled(fastmath=())
+def _shape(numbers):
+    """Frame and radius."""
+    return numbers[OWN : OWN + 12].reshape(3, 4), numbers[OWN + 12]
 
 
 @compiled(fastmath=())
@@ -46,23 +45,22 @@ def concentric(u1, u2):
     return radius * np.cos(phi), radius * np.sin(phi)
 
 
-@compiled(parallel=True, fastmath=())
-def _sample_disk(frame, radius, area, x_world, u, wi_world, distance, pdf):
-    normal, middle = frame[:3, 2], frame[:3, 3]
-    for i in prange(len(x_world)):
-        a, b = concentric(u[i, 0], u[i, 1])
-        dx = middle[0] + radius * (a * frame[0, 0] + b * frame[0, 1]) - x_world[i, 0]
-        dy = middle[1] + radius * (a * frame[1, 0] + b * frame[1, 1]) - x_world[i, 1]
-        dz = middle[2] + radius * (a * frame[2, 0] + b * frame[2, 1]) - x_world[i, 2]
-        r = np.sqrt(dx * dx + dy * dy + dz * dz)
-        scale = 1.0 / r if r > 0.0 else 0.0
-        wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = dx * scale, dy * scale, dz * scale
-        distance[i] = r
-        pdf[i] = flat_pdf(middle, normal, False, 1.0 / area, x_world[i], wi_world[i])
+@compiled(fastmath=())
+def sample_disk(numbers, x, u1, u2):
+    """Direction, distance and density."""
+    frame, radius = _shape(numbers)
+    a, b = concentric(u1, u2)
+    dx = frame[0, 3] + radius * (a * frame[0, 0] + b * frame[0, 1]) - x[0]
+    dy = frame[1, 3] + radius * (a * frame[1, 0] + b * frame[1, 1]) - x[1]
+    dz = frame[2, 3] + radius * (a * frame[2, 0] + b * frame[2, 1]) - x[2]
+    r = np.sqrt(dx * dx + dy * dy + dz * dz)
+    scale = 1.0 / r if r > 0.0 else 0.0
+    wi = dx * scale, dy * scale, dz * scale
+    return wi, r, disk_density(numbers, x, wi)
 
 
-@compiled(parallel=True, fastmath=())
-def _disk_pdf(frame, area, x_world, d_world, pdf):
-    normal, middle = frame[:3, 2], frame[:3, 3]
-    for i in prange(len(x_world)):
-        pdf[i] = flat_pdf(middle, normal, False, 1.0 / area, x_world[i], d_world[i])
+@compiled(fastmath=())
+def disk_density(numbers, x, d):
+    """Density of directions that meet the disk, 0 where they meet its dark side."""
+    frame, radius = _shape(numbers)
+    return flat_pdf(frame[:3, 3], frame[:3, 2], False, 1.0 / (np.pi * radius * radius), x, d)

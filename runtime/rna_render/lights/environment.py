@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
-from rna_render.lights.base import InfiniteLight, LightSamples
+from rna_render.lights.base import InfiniteLight
 from rna_render.lights.directions import cone_direction, luminance
-from rna_render.lights.equirectangular import EquirectangularImage
+from rna_render.lights.equirectangular import EquirectangularImage, look_up_image, sample_image
+from rna_render.lights.kinds import IMAGE, OWN, UNIFORM, light_row
 from rna_render.lights.models import EnvironmentModel
 from rna_sdk.compiled import compiled
 
-_SPHERE_PDF = np.float32(1.0 / (4.0 * np.pi))
+_SPHERE_PDF = 1.0 / (4.0 * np.pi)
 
 
 class EnvironmentLight(InfiniteLight):
@@ -23,19 +23,10 @@ class EnvironmentLight(InfiniteLight):
         self.group = model.group
         self.visible_to_camera = model.visible_to_camera
         self._radiance = np.asarray(model.radiance, np.float32)
+        self.row = light_row(UNIFORM, self._radiance)
 
     def power(self, scene_radius: float) -> float:
         return float(4.0 * np.pi**2 * scene_radius**2 * luminance(self._radiance))
-
-    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
-        wi_world = np.empty((len(x_world), 3), np.float32)
-        _sample_sphere(u, wi_world)
-        distance = np.full(len(x_world), np.inf, np.float32)
-        return LightSamples(wi_world, distance, *self.escaped(wi_world))
-
-    def escaped(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        n = len(d_world)
-        return np.tile(self._radiance, (n, 1)), np.full(n, _SPHERE_PDF)
 
 
 class EnvironmentImageLight(InfiniteLight):
@@ -53,22 +44,30 @@ class EnvironmentImageLight(InfiniteLight):
         self.visible_to_camera = model.visible_to_camera
         self._image = image.turned(np.radians(model.rotation_deg))
         self._scale = np.asarray(model.radiance, np.float32)
+        self.row = light_row(IMAGE, self._scale, self._image.numbers, self._image.words)
 
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * self._image.total * luminance(self._scale))
 
-    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
-        wi_world, radiance, pdf = self._image.sample(u)
-        distance = np.full(len(u), np.inf, np.float32)
-        return LightSamples(wi_world, distance, radiance * self._scale, pdf)
 
-    def escaped(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        radiance, pdf = self._image.lookup(d_world)
-        return radiance * self._scale, pdf
+@compiled(fastmath=())
+def sample_uniform(numbers, u1, u2):
+    wi = cone_direction(0.0, 0.0, 1.0, 2.0, u1, u2)
+    return wi, (numbers[0], numbers[1], numbers[2]), _SPHERE_PDF
 
 
-@compiled(parallel=True, fastmath=())
-def _sample_sphere(u, wi_world):
-    for i in prange(len(wi_world)):
-        wi = cone_direction(0.0, 0.0, 1.0, 2.0, u[i, 0], u[i, 1])
-        wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = wi
+@compiled(fastmath=())
+def look_up_uniform(numbers):
+    return (numbers[0], numbers[1], numbers[2]), _SPHERE_PDF
+
+
+@compiled(fastmath=())
+def sample_image_light(numbers, words, u1, u2):
+    x, y, z, r, g, b, pdf = sample_image(numbers[OWN:], words, u1, u2)
+    return (x, y, z), (numbers[0] * r, numbers[1] * g, numbers[2] * b), pdf
+
+
+@compiled(fastmath=())
+def look_up_image_light(numbers, words, d):
+    r, g, b, pdf = look_up_image(numbers[OWN:], words, d[0], d[1], d[2])
+    return (numbers[0] * r, numbers[1] * g, numbers[2] * b), pdf

@@ -18,15 +18,18 @@ from __future__ import annotations
 from copy import copy
 
 import numpy as np
-from numba import prange
+from numba import carray, prange
 
+from rna_render.angles import sine_and_cosine, turns_of
 from rna_render.lights.directions import LUMINANCE
 from rna_render.lights.intervals import fill_guide, guide_entry, interval_near, place_within
+from rna_render.memory import pointer_f32, pointer_f64, pointer_i32
 from rna_sdk.compiled import compiled
 
-# Samples in one unit of parallel work, which goes through them once for each table: while one
-# sample waits for memory, the next ones already ask for theirs.
-CHUNK = 256
+# What `sample_image` and `look_up_image` read. Addresses of arrays, and the image's size; and
+# numbers: the turn about +y, and the sum of all cells' weights.
+TEXELS, HEIGHTS, ROWS, ROW_GUIDE, COLUMNS, COLUMN_GUIDE, HEIGHT, WIDTH = range(8)
+TURN_COSINE, TURN_SINE, TOTAL = range(3)
 
 
 class EquirectangularImage:
@@ -36,29 +39,37 @@ class EquirectangularImage:
     the image is turned about +y, counter-clockwise seen from above. It keeps texels as they are,
     and 12 bytes a texel for the choice of directions.
 
-    total: integral of the luminance over the sphere, W / m^2, with the mean of each cell.
+    Attributes:
+        total: integral of the luminance over the sphere, W / m^2, with the mean of each cell.
+        words: (8,) uint64, numbers: (3,) float64, as above; valid as long as the image.
     """
 
     def __init__(self, texels: np.ndarray, angle: float = 0.0) -> None:
         h, w, _ = texels.shape
         self._texels = np.ascontiguousarray(texels, np.float32)
-        self._turn = np.array([np.cos(angle), np.sin(angle)])
         edges = np.clip((np.arange(h + 2) - 0.5) / h, 0.0, 1.0)
         # Solid angle of a row's cells over 2 pi / w.
         self._heights = np.cos(np.pi * edges[:-1]) - np.cos(np.pi * edges[1:])
-        self._columns = np.empty((h + 1, w + 1))
-        _accumulate(self._texels, self._heights, self._columns)
-        self._rows = np.concatenate([[0.0], np.cumsum(self._columns[:, -1])])
-        self._column_guide = np.empty((h + 1, w), np.int32)
-        fill_guide(self._columns, self._column_guide)
-        self._row_guide = np.empty((1, h + 1), np.int32)
-        fill_guide(self._rows[None], self._row_guide)
-        self.total = float(self._rows[-1]) * 2.0 * np.pi / w
+        columns, column_guide = np.empty((h + 1, w + 1)), np.empty((h + 1, w), np.int32)
+        _accumulate(self._texels, self._heights, columns)
+        fill_guide(columns, column_guide)
+        rows, row_guide = np.concatenate([[0.0], np.cumsum(columns[:, -1])]), np.empty(h + 1, "i4")
+        fill_guide(rows[None], row_guide[None])
+        self._held = self._texels, self._heights, rows, row_guide, columns, column_guide
+        addresses = [array.ctypes.data for array in self._held]
+        self.words = np.array([*addresses, h, w], np.uint64)
+        self.numbers = np.array([1.0, 0.0, rows[-1]])
+        self.total = float(rows[-1]) * 2.0 * np.pi / w
+        self._turn(angle)
+
+    def _turn(self, angle: float) -> None:
+        self.numbers = self.numbers.copy()
+        self.numbers[TURN_COSINE], self.numbers[TURN_SINE] = np.cos(angle), np.sin(angle)
 
     def turned(self, angle: float) -> EquirectangularImage:
         """The same image, sharing its memory, at another angle."""
         result = copy(self)
-        result._turn = np.array([np.cos(angle), np.sin(angle)])
+        result._turn(angle)
         return result
 
     def sample(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -67,8 +78,7 @@ class EquirectangularImage:
         u: (n, 2) in [0, 1). In a black image the pdf is 0.
         """
         out = _empty_vectors(len(u)), _empty_vectors(len(u)), np.empty(len(u), np.float32)
-        rows, columns = (self._rows, self._row_guide[0]), (self._columns, self._column_guide)
-        _sample_image(self._texels, self._turn, self._heights, *rows, *columns, u, *out)
+        _sample_batch(self.numbers, self.words, u, *out)
         return out
 
     def lookup(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -77,7 +87,7 @@ class EquirectangularImage:
         d_world: (n, 3) float32. Returns (n, 3) and (n,), float32.
         """
         out = _empty_vectors(len(d_world)), np.empty(len(d_world), np.float32)
-        _lookup_image(self._texels, self._turn, self._heights, self._rows[-1], d_world, *out)
+        _look_up_batch(self.numbers, self.words, d_world, *out)
         return out
 
 
@@ -86,46 +96,52 @@ def _empty_vectors(n: int) -> np.ndarray:
 
 
 @compiled(fastmath=())
-def _luminance(texel):
-    return LUMINANCE[0] * texel[0] + LUMINANCE[1] * texel[1] + LUMINANCE[2] * texel[2]
+def _luminance(r, g, b):
+    return LUMINANCE[0] * r + LUMINANCE[1] * g + LUMINANCE[2] * b
 
 
 @compiled(fastmath=())
-def _corners(row, column, h, w):
-    """Rows and columns of the four texels about a cell."""
-    return max(row - 1, 0), min(row, h - 1), column, column + 1 if column < w - 1 else 0
+def _cell(texels, row, column):
+    """The four texels about a cell."""
+    h, w, _ = texels.shape
+    upper, lower = max(row - 1, 0), min(row, h - 1)
+    right = column + 1 if column < w - 1 else 0
+    return (
+        _texel(texels, upper, column),
+        _texel(texels, upper, right),
+        _texel(texels, lower, column),
+        _texel(texels, lower, right),
+    )
+
+
+@compiled(fastmath=())
+def _texel(texels, row, column):
+    r, g, b = texels[row, column, 0], texels[row, column, 1], texels[row, column, 2]
+    return np.float64(r), np.float64(g), np.float64(b)
+
+
+@compiled(fastmath=())
+def _luminances(cell):
+    a, b, c, d = cell
+    return (
+        _luminance(a[0], a[1], a[2]),
+        _luminance(b[0], b[1], b[2]),
+        _luminance(c[0], c[1], c[2]),
+        _luminance(d[0], d[1], d[2]),
+    )
 
 
 @compiled(parallel=True, fastmath=())
 def _accumulate(texels, heights, columns):
-    """Running sums, along each row, of the cells' mean luminance times the row's height."""
+    """Running sums, along each row, of the cells' weights: luminance times the row's height."""
     h, w, _ = texels.shape
     for k in prange(h + 1):
         row, total = np.int64(k), 0.0  # k is unsigned: k - 1 would be a float
         columns[row, 0] = 0.0
         for column in range(w):
-            r0, r1, c0, c1 = _corners(row, column, h, w)
-            sum4 = _luminance(texels[r0, c0]) + _luminance(texels[r0, c1])
-            sum4 += _luminance(texels[r1, c0]) + _luminance(texels[r1, c1])
-            total += sum4 / 4.0 * heights[row]
+            a, b, c, d = _luminances(_cell(texels, row, column))
+            total += (a + b + c + d) / 4.0 * heights[row]
             columns[row, column + 1] = total
-
-
-@compiled(fastmath=())
-def _choose_cells(rows, row_guide, columns, column_guide, u, row, column, places):
-    """Row and column of a cell for each u, and a place in the unit square that it leaves."""
-    count, w = len(row_guide), column_guide.shape[1]
-    for i in range(len(u)):
-        value = u[i, 1] * rows[count]
-        row[i] = interval_near(rows, row_guide[guide_entry(u[i, 1], count)], value)
-        places[i, 1] = place_within(rows, row[i], value)
-    for i in range(len(u)):
-        column[i] = column_guide[row[i], guide_entry(u[i, 0], w)]
-    for i in range(len(u)):
-        cumulative = columns[row[i]]
-        value = u[i, 0] * cumulative[w]
-        column[i] = interval_near(cumulative, column[i], value)
-        places[i, 0] = place_within(cumulative, column[i], value)
 
 
 @compiled(fastmath=())
@@ -136,20 +152,10 @@ def _sample_linear(a, b, u):
 
 
 @compiled(fastmath=())
-def _gather(texels, row, column, corners):
-    """Write the four texels about a cell, (4, 3)."""
-    r0, r1, c0, c1 = _corners(row, column, texels.shape[0], texels.shape[1])
-    for channel in range(3):
-        corners[0, channel], corners[1, channel] = texels[r0, c0, channel], texels[r0, c1, channel]
-        corners[2, channel], corners[3, channel] = texels[r1, c0, channel], texels[r1, c1, channel]
-
-
-@compiled(fastmath=())
-def _sample_cell(corners, heights, row, u1, u2):
+def _sample_cell(luminances, heights, row, u1, u2):
     """A place in a cell, x and y in [0, 1]."""
     h = len(heights) - 1
-    l00, l01 = _luminance(corners[0]), _luminance(corners[1])
-    l10, l11 = _luminance(corners[2]), _luminance(corners[3])
+    l00, l01, l10, l11 = luminances
     if row == 0:
         y = _cap_angle(u2 * heights[0]) / np.pi * h + 0.5
     elif row == h:
@@ -165,70 +171,104 @@ def _cap_angle(one_minus_cosine):
 
 
 @compiled(fastmath=())
-def _look_up(corners, heights, w, total, row, x, y, sine, radiance):
-    """Write the radiance at a place in a cell; returns the density of its direction.
+def _radiance_in_cell(cell, x, y):
+    """Bilinear between the corners."""
+    a, b, c, d = cell
+    wa, wb, wc, wd = (1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y
+    return (
+        wa * a[0] + wb * b[0] + wc * c[0] + wd * d[0],
+        wa * a[1] + wb * b[1] + wc * c[1] + wd * d[1],
+        wa * a[2] + wb * b[2] + wc * c[2] + wd * d[2],
+    )
+
+
+@compiled(fastmath=())
+def _density(numbers, h, w, height, row, sine, here):
+    """Density of the direction to a place in a cell, by the luminance there.
 
     sine: of its angle to +y. The density is the probability of the cell, times luminance by mean
     luminance there, by the cell's part of the sphere: uniform in cos(theta), or
     2 pi^2 sin(theta) ds dt.
     """
-    h = len(heights) - 1
-    luminance = 0.0
-    for channel in range(3):
-        top = corners[0, channel] * (1.0 - x) + corners[1, channel] * x
-        bottom = corners[2, channel] * (1.0 - x) + corners[3, channel] * x
-        value = top * (1.0 - y) + bottom * y
-        radiance[channel] = value
-        luminance += LUMINANCE[channel] * value
-    pdf = luminance * w / (2.0 * np.pi * total) if total > 0.0 else 0.0
-    return pdf * heights[row] * h / (np.pi * sine) if 0 < row < h else pdf
+    if not numbers[TOTAL] > 0.0:
+        return 0.0
+    pdf = here * w / (2.0 * np.pi * numbers[TOTAL])
+    return pdf * height * h / (np.pi * sine) if 0 < row < h else pdf
+
+
+@compiled(fastmath=())
+def _image(words):
+    h, w = np.int64(words[HEIGHT]), np.int64(words[WIDTH])
+    texels = carray(pointer_f32(words[TEXELS]), (h, w, 3))
+    return texels, carray(pointer_f64(words[HEIGHTS]), (h + 1,))
+
+
+@compiled(fastmath=())
+def _choose_cell(words, u1, u2):
+    """Row and column of a cell, and a place in the unit square that is left."""
+    h, w = np.int64(words[HEIGHT]), np.int64(words[WIDTH])
+    rows = carray(pointer_f64(words[ROWS]), (h + 2,))
+    row_guide = carray(pointer_i32(words[ROW_GUIDE]), (h + 1,))
+    value = u2 * rows[h + 1]
+    row = interval_near(rows, row_guide[guide_entry(u2, h + 1)], value)
+    y = place_within(rows, row, value)
+    columns = carray(pointer_f64(words[COLUMNS]), (h + 1, w + 1))[row]
+    column_guide = carray(pointer_i32(words[COLUMN_GUIDE]), (h + 1, w))
+    value = u1 * columns[w]
+    column = interval_near(columns, column_guide[row, guide_entry(u1, w)], value)
+    return row, column, place_within(columns, column, value), y
+
+
+@compiled(fastmath=())
+def sample_image(numbers, words, u1, u2):
+    """A direction, the radiance from there, and its density: x, y, z, red, green, blue, pdf."""
+    texels, heights = _image(words)
+    h, w, _ = texels.shape
+    row, column, u1, u2 = _choose_cell(words, u1, u2)
+    cell = _cell(texels, row, column)
+    luminances = _luminances(cell)
+    x, y = _sample_cell(luminances, heights, row, u1, u2)
+    sine, cosine = sine_and_cosine((row - 0.5 + y) / (2.0 * h))
+    sin_phi, cos_phi = sine_and_cosine((column + 0.5 + x) / w - 0.5)
+    away, along = sine * sin_phi, -sine * cos_phi
+    r, g, b = _radiance_in_cell(cell, x, y)
+    pdf = _density(numbers, h, w, heights[row], row, sine, _luminance(r, g, b))
+    turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
+    dx, dz = turn_cos * away + turn_sin * along, turn_cos * along - turn_sin * away
+    return dx, cosine, dz, r, g, b, pdf
+
+
+@compiled(fastmath=())
+def look_up_image(numbers, words, dx, dy, dz):
+    """Radiance from a direction, and the density with which `sample_image` finds it."""
+    texels, heights = _image(words)
+    h, w, _ = texels.shape
+    turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
+    x, z = turn_cos * dx - turn_sin * dz, turn_sin * dx + turn_cos * dz
+    sine = np.sqrt(x * x + z * z)
+    s = (0.5 + turns_of(x, -z)) * w - 0.5
+    t = turns_of(sine, dy) * 2.0 * h + 0.5
+    # A direction that is not a number finds some cell, and radiance that is not a number.
+    row = min(max(int(np.floor(t)), 0), h)
+    column = int(np.floor(s))
+    column = column if 0 <= column < w else w - 1
+    cell = _cell(texels, row, column)
+    red, green, blue = _radiance_in_cell(cell, s - np.floor(s), t - row)
+    here = _luminance(red, green, blue)
+    return red, green, blue, _density(numbers, h, w, heights[row], row, sine, here)
 
 
 @compiled(parallel=True, fastmath=())
-def _sample_image(
-    texels, turn, heights, rows, row_guide, columns, column_guide, u, d_world, radiance, pdf
-):
-    h, w, _ = texels.shape
-    n = len(u)
-    for chunk in prange((n + CHUNK - 1) // CHUNK):
-        first = chunk * CHUNK
-        count = min(CHUNK, n - first)
-        row, column = np.empty(count, np.int64), np.empty(count, np.int64)
-        places, corners = np.empty((count, 2)), np.empty((count, 4, 3), np.float32)
-        tables = rows, row_guide, columns, column_guide
-        _choose_cells(*tables, u[first : first + count], row, column, places)
-        for k in range(count):
-            _gather(texels, row[k], column[k], corners[k])
-        for k in range(count):
-            i = first + k
-            x, y = _sample_cell(corners[k], heights, row[k], places[k, 0], places[k, 1])
-            phi = 2.0 * np.pi * ((column[k] + 0.5 + x) / w - 0.5)
-            theta = np.pi * (row[k] - 0.5 + y) / h
-            sine = np.sin(theta)
-            away, along = sine * np.sin(phi), -sine * np.cos(phi)
-            d_world[i, 0] = turn[0] * away + turn[1] * along
-            d_world[i, 1] = np.cos(theta)
-            d_world[i, 2] = turn[0] * along - turn[1] * away
-            place = row[k], x, y, sine
-            pdf[i] = _look_up(corners[k], heights, w, rows[h + 1], *place, radiance[i])
+def _sample_batch(numbers, words, u, d_world, radiance, pdf):
+    for i in prange(len(u)):
+        x, y, z, r, g, b, pdf[i] = sample_image(numbers, words, u[i, 0], u[i, 1])
+        d_world[i, 0], d_world[i, 1], d_world[i, 2] = x, y, z
+        radiance[i, 0], radiance[i, 1], radiance[i, 2] = r, g, b
 
 
 @compiled(parallel=True, fastmath=())
-def _lookup_image(texels, turn, heights, total, d_world, radiance, pdf):
-    h, w, _ = texels.shape
-    n = len(pdf)
-    for chunk in prange((n + CHUNK - 1) // CHUNK):
-        corners = np.empty((4, 3), np.float32)
-        for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
-            dx, dy, dz = d_world[i, 0], d_world[i, 1], d_world[i, 2]
-            x, z = turn[0] * dx - turn[1] * dz, turn[1] * dx + turn[0] * dz
-            sine = np.sqrt(x * x + z * z)
-            s = (0.5 + np.arctan2(x, -z) / (2.0 * np.pi)) * w - 0.5
-            t = np.arctan2(sine, np.float64(dy)) / np.pi * h + 0.5
-            # A direction that is not a number finds some cell, and radiance that is not a number.
-            row = min(max(int(np.floor(t)), 0), h)
-            column = int(np.floor(s))
-            column = column if 0 <= column < w else w - 1
-            _gather(texels, row, column, corners)
-            place = row, s - np.floor(s), t - row, sine
-            pdf[i] = _look_up(corners, heights, w, total, *place, radiance[i])
+def _look_up_batch(numbers, words, d_world, radiance, pdf):
+    for i in prange(len(pdf)):
+        d = np.float64(d_world[i, 0]), np.float64(d_world[i, 1]), np.float64(d_world[i, 2])
+        r, g, b, pdf[i] = look_up_image(numbers, words, d[0], d[1], d[2])
+        radiance[i, 0], radiance[i, 1], radiance[i, 2] = r, g, b

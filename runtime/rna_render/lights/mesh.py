@@ -6,11 +6,13 @@ from abc import abstractmethod
 from collections.abc import Callable
 
 import numpy as np
-from numba import prange
+from numba import carray, prange
 
-from rna_render.lights.base import LightSamples, ShapeLight
+from rna_render.lights.base import LightRow, ShapeLight
 from rna_render.lights.directions import flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
+from rna_render.lights.kinds import OWN, TRIANGLES, light_row
+from rna_render.memory import pointer_f64
 from rna_render.rays import vectors
 from rna_render.tracing import ClosestHits
 from rna_sdk.compiled import compiled
@@ -57,22 +59,22 @@ class TriangleLight(ShapeLight):
         self._cumulative = np.concatenate([[0.0], np.cumsum(weights)]) / total
         # Density of points per m^2: probability of the triangle by its area.
         self._per_area = luminance / total
+        self.row = self.placed_row(np.eye(3), np.zeros(3), 1.0)
 
     def power(self, scene_radius: float) -> float:
         return self._power
 
-    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
-        x_world = vectors("x_world", x_world)
-        n = len(x_world)
-        wi_world, triangle = np.zeros((n, 3), np.float32), np.zeros(n, np.int32)
-        distance, b1, b2, pdf = (np.zeros(n, np.float32) for _ in range(4))
-        if self._power > 0.0:
-            mesh = self._corners, self._normals, self._cumulative, self._per_area
-            _sample_mesh(*mesh, x_world, u, wi_world, distance, triangle, b1, b2, pdf)
-        row = np.flatnonzero(pdf > 0.0)
-        radiance = np.zeros((n, 3), np.float32)
-        radiance[row] = self._sent(triangle[row], b1[row], b2[row], wi_world.take(row, axis=0))
-        return LightSamples(wi_world, distance, radiance, pdf)
+    def placed_row(self, rotation: np.ndarray, place: np.ndarray, scale: float) -> LightRow:
+        """The row of the same triangles elsewhere: scaled, then rotated, then moved."""
+        arrays = self._corners, self._normals, self._cumulative, self._per_area
+        addresses = [array.ctypes.data for array in arrays]
+        count = len(self._corners) if self._power > 0.0 else 0
+        numbers = np.concatenate([np.ravel(rotation), place, [scale]])
+        return light_row(TRIANGLES, np.ones(3), numbers, [*addresses, count])
+
+    def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
+        u, v = place[:, 1].astype(np.float32), place[:, 2].astype(np.float32)
+        return self._sent(place[:, 0].astype(np.int32), u, v, d_world)
 
     @abstractmethod
     def _sent(
@@ -137,27 +139,44 @@ def _triangle_pdf(corners, normals, per_area, triangle, x, d):
     return flat_pdf(corners[triangle, 0], normals[triangle], True, per_area[triangle], x, d)
 
 
-@compiled(parallel=True, fastmath=())
-def _sample_mesh(
-    corners, normals, cumulative, per_area, x_world, u, wi_world, distance, triangle, b1, b2, pdf
-):
-    for i in prange(len(x_world)):
-        value = u[i, 0] * cumulative[-1]
-        chosen = find_interval(cumulative, value)
-        place = place_within(cumulative, chosen, value)
-        # Uniform over a triangle: Shirley, Wang and Zimmerman, Monte Carlo Techniques for Direct
-        # Lighting Calculations (TOG 15(1), 1996), section 3.2.
-        root = np.sqrt(place)
-        first, second = root * (1.0 - u[i, 1]), root * u[i, 1]
-        p0, p1, p2 = corners[chosen, 0], corners[chosen, 1], corners[chosen, 2]
-        dx = p0[0] + first * (p1[0] - p0[0]) + second * (p2[0] - p0[0]) - x_world[i, 0]
-        dy = p0[1] + first * (p1[1] - p0[1]) + second * (p2[1] - p0[1]) - x_world[i, 1]
-        dz = p0[2] + first * (p1[2] - p0[2]) + second * (p2[2] - p0[2]) - x_world[i, 2]
-        r = np.sqrt(dx * dx + dy * dy + dz * dz)
-        scale = 1.0 / r if r > 0.0 else 0.0
-        wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = dx * scale, dy * scale, dz * scale
-        distance[i], triangle[i], b1[i], b2[i] = r, chosen, first, second
-        pdf[i] = _triangle_pdf(corners, normals, per_area, chosen, x_world[i], wi_world[i])
+@compiled(fastmath=())
+def sample_triangles(numbers, words, x, u1, u2):
+    """Direction, distance, density, and triangle with barycentrics as three float64."""
+    count = np.int64(words[4])
+    if count == 0:
+        return (0.0, 0.0, 0.0), 0.0, 0.0, (0.0, 0.0, 0.0)
+    corners = carray(pointer_f64(words[0]), (count, 3, 3))
+    normals = carray(pointer_f64(words[1]), (count, 3))
+    cumulative = carray(pointer_f64(words[2]), (count + 1,))
+    per_area = carray(pointer_f64(words[3]), (count,))
+    rotation = numbers[OWN : OWN + 9].reshape(3, 3)
+    place, scale = numbers[OWN + 9 : OWN + 12], numbers[OWN + 12]
+    moved = (x[0] - place[0]) / scale, (x[1] - place[1]) / scale, (x[2] - place[2]) / scale
+    x = _turned(rotation.T, moved)
+    value = u1 * cumulative[-1]
+    chosen = find_interval(cumulative, value)
+    # Uniform over a triangle: Shirley, Wang and Zimmerman, Monte Carlo Techniques for Direct
+    # Lighting Calculations (TOG 15(1), 1996), section 3.2.
+    root = np.sqrt(place_within(cumulative, chosen, value))
+    first, second = root * (1.0 - u2), root * u2
+    p0, p1, p2 = corners[chosen, 0], corners[chosen, 1], corners[chosen, 2]
+    dx = p0[0] + first * (p1[0] - p0[0]) + second * (p2[0] - p0[0]) - x[0]
+    dy = p0[1] + first * (p1[1] - p0[1]) + second * (p2[1] - p0[1]) - x[1]
+    dz = p0[2] + first * (p1[2] - p0[2]) + second * (p2[2] - p0[2]) - x[2]
+    r = np.sqrt(dx * dx + dy * dy + dz * dz)
+    inverse = 1.0 / r if r > 0.0 else 0.0
+    wi = dx * inverse, dy * inverse, dz * inverse
+    pdf = _triangle_pdf(corners, normals, per_area, chosen, x, wi)
+    return _turned(rotation, wi), r * scale, pdf, (np.float64(chosen), first, second)
+
+
+@compiled(fastmath=())
+def _turned(m, v):
+    return (
+        m[0, 0] * v[0] + m[0, 1] * v[1] + m[0, 2] * v[2],
+        m[1, 0] * v[0] + m[1, 1] * v[1] + m[1, 2] * v[2],
+        m[2, 0] * v[0] + m[2, 1] * v[1] + m[2, 2] * v[2],
+    )
 
 
 @compiled(parallel=True, fastmath=())

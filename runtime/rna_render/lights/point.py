@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
-from rna_render.lights.base import Light, LightSamples
+from rna_render.lights.base import Light
 from rna_render.lights.directions import luminance, unit
+from rna_render.lights.kinds import OWN, POINT, light_row
 from rna_render.lights.models import PointModel, SpotModel
-from rna_render.rays import vectors
 from rna_sdk.compiled import compiled
 
 
@@ -31,24 +30,15 @@ class _PointLike(Light):
         cos_outer: float,
     ) -> None:
         self.group = model.group
-        self._position = np.asarray(model.position, np.float64)
         self._intensity = np.asarray(model.intensity, np.float64)
-        self._axis, self._cos_inner, self._cos_outer = axis, cos_inner, cos_outer
+        self._cos_inner, self._cos_outer = cos_inner, cos_outer
+        cone = *model.position, *axis, cos_inner, cos_outer
+        self.row = light_row(POINT, self._intensity, cone)
 
     def power(self, scene_radius: float) -> float:
         # The integral of smoothstep(t) is half that of 1.
         cap = 1.0 - self._cos_inner + (self._cos_inner - self._cos_outer) / 2.0
         return float(2.0 * np.pi * cap * luminance(self._intensity))
-
-    def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
-        x_world = vectors("x_world", x_world)
-        n = len(x_world)
-        wi_world, irradiance = np.empty((n, 3), np.float32), np.empty((n, 3), np.float32)
-        distance, pdf = np.empty(n, np.float32), np.empty(n, np.float32)
-        cone = self._axis, self._cos_inner, self._cos_outer
-        out = wi_world, distance, irradiance, pdf
-        _towards(self._position, self._intensity, *cone, x_world, *out)
-        return LightSamples(*out)
 
 
 class PointLight(_PointLike):
@@ -82,22 +72,15 @@ def _falloff(cosine, cos_inner, cos_outer):
     return t * t * (3.0 - 2.0 * t)
 
 
-@compiled(parallel=True, fastmath=())
-def _towards(
-    position, intensity, axis, cos_inner, cos_outer, x_world, wi_world, distance, irradiance, pdf
-):
-    for i in prange(len(x_world)):
-        dx = position[0] - x_world[i, 0]
-        dy = position[1] - x_world[i, 1]
-        dz = position[2] - x_world[i, 2]
-        r = np.sqrt(dx * dx + dy * dy + dz * dz)
-        # A light that stands on the surface lights nothing: its direction does not exist.
-        scale = 1.0 / r if r > 0.0 else 0.0
-        dx, dy, dz = dx * scale, dy * scale, dz * scale
-        cosine = -(dx * axis[0] + dy * axis[1] + dz * axis[2])
-        factor = _falloff(cosine, cos_inner, cos_outer) * scale * scale
-        distance[i] = r
-        wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = dx, dy, dz
-        pdf[i] = 1.0 if factor > 0.0 else 0.0
-        for channel in range(3):
-            irradiance[i, channel] = intensity[channel] * factor
+@compiled(fastmath=())
+def sample_point_light(numbers, x):
+    """Direction, distance, irradiance, and 1 for a density, or 0 without its cone."""
+    dx, dy, dz = numbers[OWN] - x[0], numbers[OWN + 1] - x[1], numbers[OWN + 2] - x[2]
+    r = np.sqrt(dx * dx + dy * dy + dz * dz)
+    # A light that stands on the surface lights nothing: its direction does not exist.
+    scale = 1.0 / r if r > 0.0 else 0.0
+    dx, dy, dz = dx * scale, dy * scale, dz * scale
+    cosine = -(dx * numbers[OWN + 3] + dy * numbers[OWN + 4] + dz * numbers[OWN + 5])
+    factor = _falloff(cosine, numbers[OWN + 6], numbers[OWN + 7]) * scale * scale
+    irradiance = factor * numbers[0], factor * numbers[1], factor * numbers[2]
+    return (dx, dy, dz), r, irradiance, 1.0 if factor > 0.0 else 0.0

@@ -6,11 +6,11 @@ Ureña, Fajardo and King, An Area-Preserving Parametrization for Spherical Recta
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_render.embree import TriangleScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
+from rna_render.lights.kinds import OWN, RECTANGLE
 from rna_render.lights.models import RectangleModel
 from rna_sdk.compiled import compiled
 
@@ -24,18 +24,19 @@ class RectangleLight(AreaLight):
 
     def __init__(self, model: RectangleModel) -> None:
         width, height = model.size
-        super().__init__(model, width * height)
         self.world_from_object = facing_frame(model.position, model.look_at, model.up)
-        self._half = np.array([width / 2.0, height / 2.0])
+        half = np.array([width / 2.0, height / 2.0])
+        numbers = np.concatenate([self.world_from_object[:3].ravel(), half])
+        super().__init__(model, width * height, RECTANGLE, numbers)
         corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
-        positions = (corners * [*self._half, 0.0]).astype(np.float32)
+        positions = (corners * [*half, 0.0]).astype(np.float32)
         self.scene = TriangleScene([(positions, np.uint32([[0, 1, 2], [0, 2, 3]]))])
 
-    def _sample(self, x_world, u, wi_world, distance, pdf) -> None:
-        _sample_rectangle(self.world_from_object, self._half, x_world, u, wi_world, distance, pdf)
 
-    def _pdf(self, x_world, d_world, pdf) -> None:
-        _rectangle_pdf(self.world_from_object, self._half, x_world, d_world, pdf)
+@compiled(fastmath=())
+def _shape(numbers):
+    """Frame and half sides."""
+    return numbers[OWN : OWN + 12].reshape(3, 4), numbers[OWN + 12 : OWN + 14]
 
 
 @compiled(fastmath=())
@@ -67,7 +68,9 @@ def _solid_angle(x0, x1, y0, y1, height):
 
 
 @compiled(fastmath=())
-def _pdf(frame, half, x, d):
+def rectangle_density(numbers, x, d):
+    """Density of directions that meet the rectangle, 0 where they meet its dark side."""
+    frame, half = _shape(numbers)
     per_area = 1.0 / (4.0 * half[0] * half[1])
     uniform = flat_pdf(frame[:3, 3], frame[:3, 2], False, per_area, x, d)
     if uniform == 0.0:  # from behind, too
@@ -98,23 +101,19 @@ def _point(x0, x1, y0, y1, height, u1, u2):
     return x, min(max(y, y0), y1)
 
 
-@compiled(parallel=True, fastmath=())
-def _sample_rectangle(frame, half, x_world, u, wi_world, distance, pdf):
-    for i in prange(len(x_world)):
-        x0, x1, y0, y1, height = _seen_from(frame, half, x_world[i])
-        a, b = 0.0, 0.0
-        if height > 0.0:
-            a, b = _point(x0, x1, y0, y1, height, u[i, 0], u[i, 1])
-        r = np.sqrt(a * a + b * b + height * height)
-        scale = 1.0 / r if r > 0.0 else 0.0
-        distance[i] = r
-        for axis in range(3):
-            offset = a * frame[axis, 0] + b * frame[axis, 1] - height * frame[axis, 2]
-            wi_world[i, axis] = offset * scale
-        pdf[i] = _pdf(frame, half, x_world[i], wi_world[i])
-
-
-@compiled(parallel=True, fastmath=())
-def _rectangle_pdf(frame, half, x_world, d_world, pdf):
-    for i in prange(len(x_world)):
-        pdf[i] = _pdf(frame, half, x_world[i], d_world[i])
+@compiled(fastmath=())
+def sample_rectangle(numbers, x, u1, u2):
+    """Direction, distance and density."""
+    frame, half = _shape(numbers)
+    x0, x1, y0, y1, height = _seen_from(frame, half, x)
+    a, b = 0.0, 0.0
+    if height > 0.0:
+        a, b = _point(x0, x1, y0, y1, height, u1, u2)
+    r = np.sqrt(a * a + b * b + height * height)
+    scale = 1.0 / r if r > 0.0 else 0.0
+    wi = (
+        scale * (a * frame[0, 0] + b * frame[0, 1] - height * frame[0, 2]),
+        scale * (a * frame[1, 0] + b * frame[1, 1] - height * frame[1, 2]),
+        scale * (a * frame[2, 0] + b * frame[2, 1] - height * frame[2, 2]),
+    )
+    return wi, r, rectangle_density(numbers, x, wi)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_render.embree import SphereScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import cone_direction
+from rna_render.lights.kinds import OWN, SPHERE
 from rna_render.lights.models import SphereModel
 from rna_sdk.compiled import compiled
 
@@ -16,18 +16,11 @@ class SphereLight(AreaLight):
     """Sampled uniformly over the cone of directions that it fills; dark from within."""
 
     def __init__(self, model: SphereModel) -> None:
-        super().__init__(model, 4.0 * np.pi * model.radius**2)
-        self._radius = model.radius
-        self._centre = np.asarray(model.position, np.float64)
+        area = 4.0 * np.pi * model.radius**2
+        super().__init__(model, area, SPHERE, np.array([*model.position, model.radius]))
         self.world_from_object = np.eye(4)
         self.world_from_object[:3, 3] = model.position
         self.scene = SphereScene(np.zeros((1, 3), np.float32), np.float32([model.radius]))
-
-    def _sample(self, x_world, u, wi_world, distance, pdf) -> None:
-        _sample_sphere(self._centre, self._radius, x_world, u, wi_world, distance, pdf)
-
-    def _pdf(self, x_world, d_world, pdf) -> None:
-        _sphere_pdf(self._centre, self._radius, x_world, pdf)
 
 
 @compiled(fastmath=())
@@ -60,22 +53,18 @@ def _sphere_distance(cx, cy, cz, radius, wi):
     return along - np.sqrt(max(0.0, radius * radius - (px * px + py * py + pz * pz)))
 
 
-@compiled(parallel=True, fastmath=())
-def _sample_sphere(centre, radius, x_world, u, wi_world, distance, pdf):
-    for i in prange(len(x_world)):
-        cx, cy, cz, length, one_minus_cosine = _cone(centre, radius, x_world[i])
-        pdf[i] = _cone_pdf(one_minus_cosine)
-        if length > 0.0:
-            axis = cx / length, cy / length, cz / length
-            wi = cone_direction(axis[0], axis[1], axis[2], one_minus_cosine, u[i, 0], u[i, 1])
-            wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = wi
-            distance[i] = _sphere_distance(cx, cy, cz, radius, wi_world[i])
-        else:
-            wi_world[i, 0], wi_world[i, 1], wi_world[i, 2] = 0.0, 0.0, 1.0
-            distance[i] = 0.0
+@compiled(fastmath=())
+def sample_sphere(numbers, x, u1, u2):
+    """Direction, distance and density."""
+    radius = numbers[OWN + 3]
+    cx, cy, cz, length, one_minus_cosine = _cone(numbers[OWN : OWN + 3], radius, x)
+    if not length > 0.0:
+        return (0.0, 0.0, 1.0), 0.0, 0.0
+    wi = cone_direction(cx / length, cy / length, cz / length, one_minus_cosine, u1, u2)
+    return wi, _sphere_distance(cx, cy, cz, radius, wi), _cone_pdf(one_minus_cosine)
 
 
-@compiled(parallel=True, fastmath=())
-def _sphere_pdf(centre, radius, x_world, pdf):
-    for i in prange(len(x_world)):
-        pdf[i] = _cone_pdf(_cone(centre, radius, x_world[i])[4])
+@compiled(fastmath=())
+def sphere_density(numbers, x):
+    """Density of directions that meet the sphere."""
+    return _cone_pdf(_cone(numbers[OWN : OWN + 3], numbers[OWN + 3], x)[4])

@@ -35,6 +35,7 @@ from __future__ import annotations
 import numpy as np
 from numba import prange
 
+from rna_render.angles import sine_and_cosine
 from rna_render.materials.ggx import (
     MIN_ALPHA,
     albedo_terms,
@@ -45,7 +46,14 @@ from rna_render.materials.ggx import (
     schlick,
     visibility,
 )
-from rna_render.materials.vectors import dot, frame, half_cosines, turned_normal, unit, vector_at
+from rna_render.vectors import (
+    dot,
+    half_cosines,
+    tangents_of,
+    turned_normal,
+    unit,
+    vector_at,
+)
 from rna_sdk.compiled import compiled
 
 # Reflectance of the clear coat seen straight on: KHR_materials_clearcoat, of index 1.5.
@@ -58,31 +66,37 @@ _WEIGHTS = 0.5 * _WEIGHTS * 4.0 * _NODES**3
 
 
 @compiled(fastmath=())
-def _point(parameters, p):
-    """The parameters of a point: base, alpha, metallic, F0, weights of coat and diffuse part,
-    weight and alpha of the clear coat."""
-    base_color, alpha, metallic, coat_f0, weights, clear, clear_alpha = parameters[:7]
-    q, r = min(p, len(weights) - 1), min(p, len(clear) - 1)
-    f0 = np.float64(coat_f0[p])
-    return (
-        vector_at(base_color, p),
-        max(np.float64(alpha[p]), MIN_ALPHA),
-        np.float64(metallic[p]),
-        f0,
-        np.float64(weights[q, 0]) if f0 > 0.0 else 0.0,
-        np.float64(weights[q, 1]),
-        np.float64(clear[r]),
-        max(np.float64(clear_alpha[r]), MIN_ALPHA),
-    )
+def bsdf_point(base, alpha, metallic, coat_f0, coat, diffuse, clear, clear_alpha):
+    """What the functions below take for a point of a material: base colour, three float64; alpha,
+    metallic, F0; weights of coat and diffuse part; weight and alpha of the clear coat."""
+    coat = coat if coat_f0 > 0.0 else 0.0
+    alpha, clear_alpha = max(alpha, MIN_ALPHA), max(clear_alpha, MIN_ALPHA)
+    return base, alpha, metallic, coat_f0, coat, diffuse, clear, clear_alpha
 
 
 @compiled(fastmath=())
-def _clear_normal(parameters, p, m, g, o):
-    """The clear coat's normal, as `turned_normal`; m where there is no coat."""
-    clear, n = parameters[5], parameters[7]
-    if clear[min(p, len(clear) - 1)] == 0.0:
-        return m
-    return turned_normal(vector_at(n, p), g, o)
+def bsdf_frame(point, n, clear_n, g, o):
+    """The normals that a point scatters about: of its surface, and of its clear coat."""
+    m = turned_normal(n, g, o)
+    return m, (turned_normal(clear_n, g, o) if point[6] > 0.0 else m)
+
+
+@compiled(fastmath=())
+def _row(parameters, p, n, g, o):
+    """The point of a row of Scattering's parameters, and its frame."""
+    base_color, alpha, metallic, coat_f0, weights, clear, clear_alpha, clear_n = parameters[:8]
+    q, r = min(p, len(weights) - 1), min(p, len(clear) - 1)
+    point = bsdf_point(
+        vector_at(base_color, p),
+        np.float64(alpha[p]),
+        np.float64(metallic[p]),
+        np.float64(coat_f0[p]),
+        np.float64(weights[q, 0]),
+        np.float64(weights[q, 1]),
+        np.float64(clear[r]),
+        np.float64(clear_alpha[r]),
+    )
+    return point, bsdf_frame(point, n, vector_at(clear_n, r), g, o)
 
 
 @compiled(fastmath=())
@@ -136,41 +150,85 @@ def _lobe(alpha, m, o, i):
     return surface, schlick(oh)
 
 
+@compiled(fastmath=())
+def bsdf_value(point, frame, g, o, i, table, mean):
+    """f(o, i) |n.i|: red, green, blue. o, i: unit. frame: of `bsdf_frame`. table, mean: of
+    `ggx.albedo_table`."""
+    m, c = frame
+    cos_o, cos_i = dot(m, o), max(dot(m, i), 0.0)
+    if dot(g, o) * dot(g, i) <= 0.0 or (cos_i == 0.0 and point[6] == 0.0):
+        return 0.0, 0.0, 0.0
+    base, alpha, metal, f0, coat_weight, diffuse, clear, clear_alpha = point
+    passed, surface, s, coat, below, top = 1.0, 0.0, 0.0, 0.0, diffuse, 0.0
+    if clear > 0.0:
+        clear_o, clear_i = dot(c, o), max(dot(c, i), 0.0)
+        if clear_i > 0.0:
+            lobe, weight = _lobe(clear_alpha, c, o, i)
+            top = clear * lobe * (CLEAR_F0 + (1.0 - CLEAR_F0) * weight) * clear_i
+        way_out = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_o)
+        way_in = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_i)
+        passed = min(way_out, way_in)
+        below *= way_out * way_in
+    if metal > 0.0 or coat_weight > 0.0 or clear > 0.0:  # else it is Lambert's
+        surface, s = _lobe(alpha, m, o, i)
+        coat = coat_weight * (f0 + (1.0 - f0) * s)
+        below *= 1.0 - _albedo(coat_weight, f0, alpha, table, cos_o)
+        below *= 1.0 - _albedo(coat_weight, f0, alpha, table, cos_i)
+        below /= max(_mean_passed(point, table, mean), 1e-9)
+    mirror = passed * surface
+    diffuse_part = (1.0 - metal) / np.pi * below
+    rest = (1.0 - metal) * coat
+    r = mirror * (metal * (base[0] + (1.0 - base[0]) * s) + rest) + base[0] * diffuse_part
+    g_ = mirror * (metal * (base[1] + (1.0 - base[1]) * s) + rest) + base[1] * diffuse_part
+    b = mirror * (metal * (base[2] + (1.0 - base[2]) * s) + rest) + base[2] * diffuse_part
+    return r * cos_i + top, g_ * cos_i + top, b * cos_i + top
+
+
+@compiled(fastmath=())
+def bsdf_sample(point, frame, o, u1, u2, u3, table):
+    """A direction, as often as `bsdf_density` says. u3: chooses the lobe."""
+    m, c = frame
+    clear, specular = _shares(point, table, dot(m, o), dot(c, o))
+    axis = c if u3 < clear else m
+    s, t = tangents_of(axis)
+    if u3 < clear + specular:
+        alpha = point[7] if u3 < clear else point[1]
+        ix, iy, iz = sample_reflection(alpha, dot(s, o), dot(t, o), dot(axis, o), u1, u2)
+    else:
+        iz, radius = np.sqrt(1.0 - u1), np.sqrt(u1)
+        sine, cosine = sine_and_cosine(u2)
+        ix, iy = radius * cosine, radius * sine
+    return (
+        ix * s[0] + iy * t[0] + iz * axis[0],
+        ix * s[1] + iy * t[1] + iz * axis[1],
+        ix * s[2] + iy * t[2] + iz * axis[2],
+    )
+
+
+@compiled(fastmath=())
+def bsdf_density(point, frame, o, i, table):
+    """Density of `bsdf_sample` in i, per steradian."""
+    m, c = frame
+    clear, specular = _shares(point, table, dot(m, o), dot(c, o))
+    density = (1.0 - clear - specular) * max(0.0, dot(m, i)) / np.pi
+    if specular > 0.0:
+        nh, _ = half_cosines(m, o, i)
+        density += specular * reflected_density(point[1], dot(m, o), nh) if nh > 0.0 else 0.0
+    if clear > 0.0:
+        nh, _ = half_cosines(c, o, i)
+        density += clear * reflected_density(point[7], dot(c, o), nh) if nh > 0.0 else 0.0
+    return density
+
+
 @compiled(parallel=True, fastmath=())
 def evaluate(parameters, row, n, ng, wo, wi, result):
     table, mean = parameters[8], parameters[9]
     for k in prange(len(wi)):
         p = row[k]
         g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
-        m = turned_normal(vector_at(n, p), g, o)
-        point = _point(parameters, p)
-        cos_o, cos_i = dot(m, o), max(dot(m, i), 0.0)
-        if dot(g, o) * dot(g, i) <= 0.0 or (cos_i == 0.0 and point[6] == 0.0):
-            result[k, 0], result[k, 1], result[k, 2] = 0.0, 0.0, 0.0
-            continue
-        base, alpha, metal, f0, coat_weight, diffuse, clear, clear_alpha = point
-        passed, surface, s, coat, below, top = 1.0, 0.0, 0.0, 0.0, diffuse, 0.0
-        if clear > 0.0:
-            c = _clear_normal(parameters, p, m, g, o)
-            clear_o, clear_i = dot(c, o), max(dot(c, i), 0.0)
-            if clear_i > 0.0:
-                lobe, weight = _lobe(clear_alpha, c, o, i)
-                top = clear * lobe * (CLEAR_F0 + (1.0 - CLEAR_F0) * weight) * clear_i
-            way_out = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_o)
-            way_in = 1.0 - _albedo(clear, CLEAR_F0, clear_alpha, table, clear_i)
-            passed = min(way_out, way_in)
-            below *= way_out * way_in
-        if metal > 0.0 or coat_weight > 0.0 or clear > 0.0:  # else it is Lambert's
-            surface, s = _lobe(alpha, m, o, i)
-            coat = coat_weight * (f0 + (1.0 - f0) * s)
-            below *= 1.0 - _albedo(coat_weight, f0, alpha, table, cos_o)
-            below *= 1.0 - _albedo(coat_weight, f0, alpha, table, cos_i)
-            below /= max(_mean_passed(point, table, mean), 1e-9)
-        for channel in range(3):
-            colour = base[channel]
-            mirror = metal * (colour + (1.0 - colour) * s) + (1.0 - metal) * coat
-            f = passed * mirror * surface + (1.0 - metal) * colour / np.pi * below
-            result[k, channel] = f * cos_i + top
+        point, frame = _row(parameters, p, vector_at(n, p), g, o)
+        value = bsdf_value(point, frame, g, o, i, table, mean)
+        result[k, 0], result[k, 1], result[k, 2] = value
 
 
 @compiled(parallel=True, fastmath=())
@@ -179,22 +237,9 @@ def sample(parameters, row, n, ng, wo, u, wi):
     for k in prange(len(wi)):
         p = row[k]
         g, o = vector_at(ng, p), unit(vector_at(wo, p))
-        m = turned_normal(vector_at(n, p), g, o)
-        c = _clear_normal(parameters, p, m, g, o)
-        point = _point(parameters, p)
-        clear, specular = _shares(point, table, dot(m, o), dot(c, o))
-        axis = c if u[k, 2] < clear else m
-        s, t = frame(axis)
-        if u[k, 2] < clear + specular:
-            alpha = point[7] if u[k, 2] < clear else point[1]
-            local = dot(s, o), dot(t, o), dot(axis, o)
-            ix, iy, iz = sample_reflection(alpha, *local, u[k, 0], u[k, 1])
-        else:
-            iz = np.sqrt(1.0 - u[k, 0])
-            radius, phi = np.sqrt(u[k, 0]), 2.0 * np.pi * u[k, 1]
-            ix, iy = radius * np.cos(phi), radius * np.sin(phi)
-        for a in range(3):
-            wi[k, a] = ix * s[a] + iy * t[a] + iz * axis[a]
+        point, frame = _row(parameters, p, vector_at(n, p), g, o)
+        i = bsdf_sample(point, frame, o, u[k, 0], u[k, 1], u[k, 2], table)
+        wi[k, 0], wi[k, 1], wi[k, 2] = i
 
 
 @compiled(parallel=True, fastmath=())
@@ -203,15 +248,5 @@ def pdf(parameters, row, n, ng, wo, wi, result):
     for k in prange(len(wi)):
         p = row[k]
         g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
-        m = turned_normal(vector_at(n, p), g, o)
-        c = _clear_normal(parameters, p, m, g, o)
-        point = _point(parameters, p)
-        clear, specular = _shares(point, table, dot(m, o), dot(c, o))
-        density = (1.0 - clear - specular) * max(0.0, dot(m, i)) / np.pi
-        nh, _ = half_cosines(m, o, i)
-        if specular > 0.0 and nh > 0.0:
-            density += specular * reflected_density(point[1], dot(m, o), nh)
-        nh, _ = half_cosines(c, o, i)
-        if clear > 0.0 and nh > 0.0:
-            density += clear * reflected_density(point[7], dot(c, o), nh)
-        result[k] = density
+        point, frame = _row(parameters, p, vector_at(n, p), g, o)
+        result[k] = bsdf_density(point, frame, o, i, table)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numba import prange
 
-from rna_render.materials.vectors import dot, unit, vector_at
+from rna_render.vectors import cross, dot, unit, vector_at
 from rna_sdk.compiled import compiled
 
 # A mirror direction keeps this cosine to the geometric normal, or 0.9 of wo's if that is less, as
@@ -53,11 +53,6 @@ def _plus(a, s, b):
 
 
 @compiled(fastmath=())
-def _cross(a, b):
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-@compiled(fastmath=())
 def _given(tangents, corners, u, v):
     """The interpolated tangent and its sign; a sign of 0 where a corner has none."""
     if len(tangents) == 0:
@@ -71,7 +66,7 @@ def _given(tangents, corners, u, v):
 
 
 @compiled(fastmath=())
-def _derived(positions, uvs, corners, n):
+def derived_tangent(positions, uvs, corners, n):
     """The direction of u on the triangle, and the sign that makes the bitangent go against v."""
     e1 = _minus(vector_at(positions, corners[1]), vector_at(positions, corners[0]))
     e2 = _minus(vector_at(positions, corners[2]), vector_at(positions, corners[0]))
@@ -85,7 +80,7 @@ def _derived(positions, uvs, corners, n):
     if area < 0.0:
         along_u = -along_u[0], -along_u[1], -along_u[2]
         along_v = -along_v[0], -along_v[1], -along_v[2]
-    sign = -1.0 if dot(_cross(n, along_u), along_v) > 0.0 else 1.0
+    sign = -1.0 if dot(cross(n, along_u), along_v) > 0.0 else 1.0
     return along_u, (sign if area != 0.0 else 0.0)
 
 
@@ -100,26 +95,38 @@ def _kept_above(m, g, o):
     return unit(_plus(o, 1.0, unit(_plus(mirror, missing, g))))
 
 
+@compiled(fastmath=())
+def bumped_normal(texel, scale, positions, uvs, tangents, corners, u, v, m, g, o):
+    """The normal m with relief: three float64.
+
+    texel: red, green, blue. tangents: (0, 4) where there are none. corners: of the triangle. g, o:
+    geometric normal, and unit direction to the viewer.
+    """
+    t, sign = _given(tangents, corners, u, v)
+    if sign == 0.0:
+        t, sign = derived_tangent(positions, uvs, corners, m)
+    t = unit(_plus(t, -dot(t, m), m))
+    x, y = scale * (2.0 * texel[0] - 1.0), scale * (2.0 * texel[1] - 1.0)
+    z = 2.0 * texel[2] - 1.0
+    if sign == 0.0 or dot(t, t) == 0.0:
+        return m
+    bent = unit(_plus(_plus((z * m[0], z * m[1], z * m[2]), x, t), y * sign, cross(m, t)))
+    # All on the side of the surface that wo is on, and back.
+    side = -1.0 if dot(g, o) < 0.0 else 1.0
+    own = side if dot(m, g) >= 0.0 else -side
+    g = (side * g[0], side * g[1], side * g[2])
+    bent = _kept_above((own * bent[0], own * bent[1], own * bent[2]), g, o)
+    return own * bent[0], own * bent[1], own * bent[2]
+
+
 @compiled(parallel=True, fastmath=())
 def _bump(texture, scale, positions, uvs, tangents, triangles, triangle, u, v, n, ng, wo, result):
     for i in prange(len(n)):
-        corners = triangles[triangle[i]]
+        mesh = positions, uvs, tangents, triangles[triangle[i]]
         m, g, o = vector_at(n, i), vector_at(ng, i), unit(vector_at(wo, i))
-        t, sign = _given(tangents, corners, np.float64(u[i]), np.float64(v[i]))
-        if sign == 0.0:
-            t, sign = _derived(positions, uvs, corners, m)
-        t = unit(_plus(t, -dot(t, m), m))
-        x, y = scale * (2.0 * texture[i, 0] - 1.0), scale * (2.0 * texture[i, 1] - 1.0)
-        z = 2.0 * texture[i, 2] - 1.0
-        bent = (z * m[0], z * m[1], z * m[2])
-        if sign != 0.0 and dot(t, t) > 0.0:
-            bent = unit(_plus(_plus(bent, x, t), y * sign, _cross(m, t)))
-            # All on the side of the surface that wo is on, and back.
-            side = -1.0 if dot(g, o) < 0.0 else 1.0
-            own = side if dot(m, g) >= 0.0 else -side
-            g = (side * g[0], side * g[1], side * g[2])
-            bent = _kept_above((own * bent[0], own * bent[1], own * bent[2]), g, o)
-            bent = (own * bent[0], own * bent[1], own * bent[2])
-        else:
-            bent = m
+        at = np.float64(u[i]), np.float64(v[i])
+        texel = vector_at(texture, i)
+        bent = bumped_normal(
+            texel, scale, mesh[0], mesh[1], mesh[2], mesh[3], at[0], at[1], m, g, o
+        )
         result[i, 0], result[i, 1], result[i, 2] = bent

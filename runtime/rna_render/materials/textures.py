@@ -97,17 +97,31 @@ def _opened(source: Path | bytes, name: object) -> Iterator[ImageFile]:
         raise SceneError(f"cannot read the image: {reason}", file=name) from error
 
 
+@compiled(fastmath=())
+def texture_value(texels, decode, wrap_u, wrap_v, transform, a, b):
+    """Linear colour at the mesh's coordinates (a, b): red, green, blue."""
+    height, width = texels.shape[0], texels.shape[1]
+    u = transform[0, 0] * a + transform[0, 1] * b + transform[0, 2]
+    v = transform[1, 0] * a + transform[1, 1] * b + transform[1, 2]
+    left, right, s = texels_around(u, width, wrap_u)
+    top, bottom, t = texels_around(v, height, wrap_v)
+    return (
+        _mixed(texels, decode, left, right, top, bottom, s, t, 0),
+        _mixed(texels, decode, left, right, top, bottom, s, t, 1),
+        _mixed(texels, decode, left, right, top, bottom, s, t, 2),
+    )
+
+
+@compiled(fastmath=())
+def _mixed(texels, decode, left, right, top, bottom, s, t, c):
+    upper = (1.0 - s) * decode[texels[top, left, c]] + s * decode[texels[top, right, c]]
+    lower = (1.0 - s) * decode[texels[bottom, left, c]] + s * decode[texels[bottom, right, c]]
+    return (1.0 - t) * upper + t * lower
+
+
 @compiled(parallel=True, fastmath=())
 def _lookup(texels, decode, wrap_u, wrap_v, transform, uv, result):
-    height, width = texels.shape[0], texels.shape[1]
     for i in prange(len(uv)):
         a, b = np.float64(uv[i, 0]), np.float64(uv[i, 1])
-        u = transform[0, 0] * a + transform[0, 1] * b + transform[0, 2]
-        v = transform[1, 0] * a + transform[1, 1] * b + transform[1, 2]
-        left, right, s = texels_around(u, width, wrap_u)
-        top, bottom, t = texels_around(v, height, wrap_v)
-        for c in range(3):
-            upper = (1.0 - s) * decode[texels[top, left, c]] + s * decode[texels[top, right, c]]
-            lower = (1.0 - s) * decode[texels[bottom, left, c]]
-            lower += s * decode[texels[bottom, right, c]]
-            result[i, c] = (1.0 - t) * upper + t * lower
+        value = texture_value(texels, decode, wrap_u, wrap_v, transform, a, b)
+        result[i, 0], result[i, 1], result[i, 2] = value

@@ -10,6 +10,7 @@ import numpy as np
 from rna_sdk.package import (
     Bounds,
     Int8Planes,
+    NormalMapRecord,
     Part,
     Provenance,
     Tier,
@@ -79,7 +80,12 @@ def write_asset(plan: Plan, folder: Path) -> dict[Asked, Answers]:
     path = folder / f"{plan.name}.rna"
     data = {name: [part.data[k] for part in made] for k, name in enumerate(names)}
     textures = {
-        _texture(name): record.texture for part in plan.parts for name, record in part.records
+        name: record.texture
+        for part in plan.parts
+        for name, record in (
+            *((_texture(name), record) for name, record in part.records),
+            *((_map(name), record) for name, record in part.maps),
+        )
     }
     write_package(path, manifest, [part.geometry for part in plan.parts], data, textures)
     if plan.name == "surface-odd":
@@ -89,6 +95,10 @@ def write_asset(plan: Plan, folder: Path) -> dict[Asked, Answers]:
 
 def _texture(name: str) -> str:
     return f"transmittance/{name}.safetensors"
+
+
+def _map(name: str) -> str:
+    return f"normals/{name}.safetensors"
 
 
 class _Made:
@@ -142,6 +152,10 @@ def _part(part: PartPlan, alone: bool) -> Part:
                 ior=record.ior,
             )
             for name, record in part.records
+        ),
+        normal_maps=tuple(
+            NormalMapRecord(triangles=(record.first, record.count), texture=_map(name))
+            for name, record in part.maps
         ),
         **geometry,
     )

@@ -11,16 +11,18 @@ from typing import Any
 
 import numpy as np
 
+from rna_sdk.package import Mesh
 from tests.conformance.kit.assets import Answers, Asked, write_asset
 from tests.conformance.kit.broken import broken_packages
 from tests.conformance.kit.hits import make_hits
+from tests.conformance.kit.normals import make_normal_hits
 from tests.conformance.kit.plans import PLANS, Plan
 
 INDEX = "kit.json"
 BY_HAND = {"README.md"}
 INT8_SHARE = 0.02  # of the rows of an int8 decoder may differ by a step
 VISIBILITY_TOLERANCE = 1e-3
-ROUNDED = ("expected/", "blocks/", "queries/", "visibility/")
+ROUNDED = ("expected/", "blocks/", "queries/", "visibility/", "normals/")
 
 Files = dict[str, bytes]
 
@@ -28,9 +30,9 @@ Files = dict[str, bytes]
 def kit_files() -> Files:
     """Path below the kit -> content."""
     files: Files = {}
-    index: dict[str, Any] = {"version": 2, "int8Share": INT8_SHARE}
+    index: dict[str, Any] = {"version": 3, "int8Share": INT8_SHARE}
     index |= {"visibilityTolerance": VISIBILITY_TOLERANCE}
-    index |= {"evaluate": [], "visibility": [], "validate": []}
+    index |= {"evaluate": [], "visibility": [], "normals": [], "validate": []}
     with tempfile.TemporaryDirectory() as folder:
         for plan in PLANS:
             answers = write_asset(plan, Path(folder))
@@ -39,6 +41,7 @@ def kit_files() -> Files:
             for asked, answer in answers.items():
                 index["evaluate"].append(_evaluate_case(files, plan, package, asked, answer))
             index["visibility"].append(_visibility_case(files, plan, package))
+            index["normals"] += _normals_cases(files, plan, package)
             index["validate"].append(_validate_case(package, True, plan.warning))
         for name, broken in broken_packages(Path(folder)).items():
             path = f"broken/{name}.rna"
@@ -94,6 +97,24 @@ def _visibility_case(files: Files, plan: Plan, package: str) -> dict[str, Any]:
         "rows": len(seen),
         "classes": _classes(classes),
     }
+
+
+def _normals_cases(files: Files, plan: Plan, package: str) -> list[dict[str, Any]]:
+    """One of each part with normal maps."""
+    cases = []
+    for number, part in enumerate(plan.parts):
+        if not part.maps or not isinstance(part.geometry, Mesh):
+            continue
+        maps = [record for _, record in part.maps]
+        made = make_normal_hits(len(plan.name), number, part.geometry, maps)
+        name = f"{plan.name}.{number}"
+        paths = {"hits": f"hits/{name}.normals.bin", "expected": f"normals/{name}.f64"}
+        files[paths["hits"]] = made.records
+        both = np.concatenate([made.expected, made.tolerance], axis=1)
+        files[paths["expected"]] = both.astype("<f8").tobytes()
+        case = {"package": package, "part": number, "what": plan.what, **paths}
+        cases.append(case | {"rows": len(both), "classes": _classes(made.classes)})
+    return cases
 
 
 def _validate_case(
@@ -163,9 +184,7 @@ def _present(folder: Path) -> set[str]:
 def _alike(name: str, found: bytes, expected: bytes) -> bool:
     if name == INDEX:
         return _same_index(json.loads(found), json.loads(expected))
-    if len(found) != len(expected) or not name.startswith(
-        ("expected/", "blocks/", "queries/", "visibility/")
-    ):
+    if len(found) != len(expected) or not name.startswith(ROUNDED):
         return False
     dtype, close = ("<f8", 1e-6) if name.endswith("f64") else ("<f4", 1e-6)
     pair = (np.frombuffer(data, dtype) for data in (found, expected))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_sdk.package import Curves, Mesh, Transmittance, quantise
+from rna_sdk.package import Curves, Mesh, NormalMap, Transmittance, quantise
 from tests.conformance.kit import shapes
 from tests.conformance.kit.visibility import Body
 
@@ -53,7 +53,7 @@ class TierPlan:
 
 @dataclass(frozen=True)
 class PartPlan:
-    """A part; records: with the names of their textures."""
+    """A part; records, maps: with the names of their textures."""
 
     name: str
     geometry: Mesh | Curves
@@ -61,6 +61,7 @@ class PartPlan:
     high: tuple[float, float, float]
     tiers: tuple[TierPlan, ...]
     records: tuple[tuple[str, Transmittance], ...] = ()
+    maps: tuple[tuple[str, NormalMap], ...] = ()
 
     @property
     def is_fiber(self) -> bool:
@@ -224,6 +225,16 @@ PLANS = (
             PartPlan(
                 *("floor", shapes.floor(), *ONE),
                 (TierPlan("small", SURFACE, 5, 3),),
+            ),
+        ),
+    ),
+    Plan(
+        *("surface-relief", "normal maps: mirrored, repeated, on triangles without texture area"),
+        (
+            PartPlan(
+                *("asset", shapes.relief(), *ONE),
+                (TierPlan("small", SURFACE, 6, 4, widths=(12,)),),
+                maps=shapes.relief_maps(),
             ),
         ),
     ),

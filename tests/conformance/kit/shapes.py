@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from rna_sdk.package import Curves, Mesh, Transmittance
+from rna_sdk.package import Curves, Mesh, NormalMap, Transmittance
 from tests.conformance.kit.blocks import unit
 
 
@@ -148,6 +148,35 @@ def pane_records() -> tuple[tuple[str, Transmittance], ...]:
         ("tint", Transmittance(2, 2, tint, None, None)),
         ("clear", Transmittance(4, 2, clear, None, (1.5, 1.5))),
         ("grey", Transmittance(6, 1, grey, None, (1.33, 1 / 1.33))),
+    )
+
+
+def relief() -> Mesh:
+    """A bowl of single triangles, seen through the texture from below: u is mirrored where x < 0.
+    Three triangles have no area in it, and of two more the normals lie along u."""
+    whole = bowl()
+    corners = whole.triangles.reshape(-1)
+    positions, normals = whole.positions[corners], whole.normals[corners].copy()
+    middle = positions.reshape(-1, 3, 3)[:, :, 0].mean(axis=1)
+    side = np.repeat(np.where(middle < 0, -1.0, 1.0), 3)
+    uvs = np.stack([1.7 * side * positions[:, 0] - 0.3, 1.1 - 1.3 * positions[:, 2]], axis=1)
+    uvs[: 3 * 3] = uvs[::3][:3].repeat(3, axis=0)
+    normals[3 * 90 : 3 * 92] = (1, 0, 0)
+    positions[3 * 90 : 3 * 92, 1] = 0.5
+    triangles = np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)
+    return Mesh(positions, normals, uvs.astype(np.float32), triangles)
+
+
+def relief_maps() -> tuple[tuple[str, NormalMap], ...]:
+    """Coarse, rough to the ends of its integers, one texel, and none on the rest."""
+    rng = np.random.default_rng(6)
+    fine = rng.integers(90, 165, (9, 7, 2)).astype(np.uint8)
+    rough = rng.choice(np.uint8([0, 127, 255]), (3, 4, 2))
+    dent = np.uint8([[[60, 150]]])
+    return (
+        ("fine", NormalMap(0, 50, fine)),
+        ("rough", NormalMap(50, 25, rough)),
+        ("dent", NormalMap(80, 15, dent)),
     )
 
 

@@ -8,6 +8,7 @@ from tests.package.corpus import (
     curve_cases,
     extension_cases,
     manifest_cases,
+    normal_map_cases,
     part_cases,
     quantised_cases,
 )
@@ -19,6 +20,7 @@ MODULES = (
     content_cases,
     curve_cases,
     part_cases,
+    normal_map_cases,
     quantised_cases,
     extension_cases,
 )

@@ -12,11 +12,12 @@ from typing import Any, Literal
 from rna_sdk.package.container import MANIFEST_NAME
 from tests.package.builders import make_tiny_fiber_package, make_tiny_package, pack, read_entries
 from tests.package.lantern import make_lantern
+from tests.package.relief import make_relief
 
 Entries = dict[str, bytes]
 Breaker = Callable[[Entries], bytes]
-Base = Literal["surface", "fiber", "parts"]
-"""Good packages: of one part in short, or of two parts with all that is new in 1.1."""
+Base = Literal["surface", "fiber", "parts", "relief"]
+"""Good packages: of one part in short, of two parts with light and holes, or with normal maps."""
 
 MESH = "geometry/mesh.glb"
 CURVES = "geometry/curves.safetensors"
@@ -53,6 +54,7 @@ def good_entries(folder: Path) -> dict[Base, Entries]:
         "surface": read_entries(make_tiny_package(folder / "tiny.rna")),
         "fiber": read_entries(make_tiny_fiber_package(folder / "tuft.rna")),
         "parts": read_entries(make_lantern(folder / "lantern.rna")),
+        "relief": read_entries(make_relief(folder / "relief.rna")),
     }
 
 

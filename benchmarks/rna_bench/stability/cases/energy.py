@@ -11,7 +11,7 @@ from rna_bench.stability.workshop import Workshop
 from rna_export.capture.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import sphere
-from rna_export.capture.run import scene_of
+from rna_export.capture.shift import scene_of
 from rna_export.capture.view_rays import sample_view_rays
 
 MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above

@@ -14,8 +14,8 @@ from rna_bench.stability.workshop import ASSETS, Workshop
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import frame, light_direction
-from rna_export.capture.run import scene_of
 from rna_export.capture.settings import SHARPEST
+from rna_export.capture.shift import scene_of
 from rna_export.capture.validation_view import queries_of
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source

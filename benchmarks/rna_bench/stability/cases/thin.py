@@ -12,7 +12,7 @@ from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
 from rna_bench.stability.errors import joined_views
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.run import scene_of
+from rna_export.capture.shift import scene_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Curves
 

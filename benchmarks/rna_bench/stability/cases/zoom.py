@@ -23,6 +23,7 @@ from rna_sdk.runtime import Asset
 FLIP = 0.1  # the mark
 
 FOOTPRINTS = (10.0, 3.0, 1.0, 0.3, 0.1)  # of a pixel, in texels
+_TEXELS = 256  # along a side of the planes of `small` and `hq`
 PIXELS, _SAMPLES, _CYCLES_SAMPLES = 96, 16, 48
 
 
@@ -45,8 +46,13 @@ def measure(workshop: Workshop) -> list[Row]:
 
 
 def texel(asset: Asset) -> float:
-    """The longest side of a texel, metres."""
-    return float((asset.bounds[1] - asset.bounds[0]).max()) / asset.tier_part.resolution
+    """The longest side of a texel of the usual planes around the whole asset, metres.
+
+    Whatever planes it has: an asset that is cut into pieces is seen as near as one that is not.
+    """
+    low = np.min([part.bounds[0] for part in asset.parts], axis=0)
+    high = np.max([part.bounds[1] for part in asset.parts], axis=0)
+    return float((high - low).max()) / _TEXELS
 
 
 def zoomed(eye: np.ndarray, target: np.ndarray, pixel: float) -> CameraModel:

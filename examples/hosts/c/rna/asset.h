@@ -11,6 +11,7 @@ typedef struct Part {
     RnaMesh mesh;
     RnaCurves curves;
     RnaTransmittance records[MAX_RECORDS];
+    RnaNormalMap maps[MAX_RECORDS];
     Span geometry;     /* the entry; empty where it could not be read */
     void *restored;    /* what is allocated for quantised geometry, or NULL */
     bool is_quantised;

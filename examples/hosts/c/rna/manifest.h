@@ -74,7 +74,7 @@ typedef struct Reference {
     char where[64];
 } Reference;
 
-enum { MAX_REFERENCES = RNA_MAX_PARTS * (1 + MAX_RECORDS) + 3 * MAX_TIERS * RNA_MAX_PARTS };
+enum { MAX_REFERENCES = RNA_MAX_PARTS * (1 + 2 * MAX_RECORDS) + 3 * MAX_TIERS * RNA_MAX_PARTS };
 
 typedef struct References {
     int count;
@@ -88,15 +88,21 @@ static void add_reference(References *list, const Json *object, const char *plac
     reference->path = member(object, name)->string;
 }
 
-static void collect_of_part(const Json *part, const char *place, References *list) {
-    const Json *records = member(part, "transmittance");
+/* The textures of the part's member `name`, a list of records. */
+static void collect_textures(const Json *part, const char *place, const char *name, References *list) {
+    const Json *records = member(part, name);
     int i = 0;
-    add_reference(list, part, place, "geometry");
     for (const Json *record = records ? records->first : NULL; record; record = record->next) {
         char where[48];
-        snprintf(where, sizeof where, "%.16s/transmittance/%d", place, i++);
+        snprintf(where, sizeof where, "%.16s/%s/%d", place, name, i++);
         add_reference(list, record, where, "texture");
     }
+}
+
+static void collect_of_part(const Json *part, const char *place, References *list) {
+    add_reference(list, part, place, "geometry");
+    collect_textures(part, place, "transmittance", list);
+    collect_textures(part, place, "normalMaps", list);
 }
 
 static void collect_of_tier_part(const Json *part, const char *place, References *list) {

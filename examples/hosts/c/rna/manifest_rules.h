@@ -112,10 +112,13 @@ static void parts_are_unique(Schema *schema, const Json *parts) {
 }
 
 static void is_a_surface(Schema *schema, const Json *part) {
-    if (is_string(member(part, "kind"), "surface") || !member(part, "transmittance")) return;
-    size_t before = push_text(schema, "transmittance");
-    break_rule(schema, schema->value, "of a surface alone", "transmittance of fibers");
-    pop_place(schema, before);
+    static const char *const RECORDS[] = {"transmittance", "normalMaps"};
+    for (int i = 0; i < 2 && !is_string(member(part, "kind"), "surface"); i++) {
+        if (!member(part, RECORDS[i])) continue;
+        size_t before = push_text(schema, RECORDS[i]);
+        break_rule(schema, schema->value, "of a surface alone", "%s of fibers", RECORDS[i]);
+        pop_place(schema, before);
+    }
 }
 
 static const Rule CORNER = {"", NUMBER, 0, -1e18, 1e18};
@@ -182,6 +185,11 @@ static const Rule TRANSMITTANCE[] = {
     {"ior", LIST, 0, 2, 2, &INDEX_OF_REFRACTION},
     {0}};
 static const Rule A_TRANSMITTANCE = {"", OBJECT, .of = TRANSMITTANCE};
+static const Rule NORMAL_MAP[] = {
+    {"triangles", LIST, REQUIRED, 2, 2, &TRIANGLE, .also = counts_triangles},
+    {"texture", PATH, REQUIRED},
+    {0}};
+static const Rule A_NORMAL_MAP = {"", OBJECT, .of = NORMAL_MAP};
 #define PART_MEMBERS                                                                            \
     {"kind", CHOICE, REQUIRED, .choices = "surface fiber"},                                     \
         {"bounds", OBJECT, REQUIRED, .of = BOUNDS, .also = bounds_have_an_extent},              \
@@ -189,6 +197,7 @@ static const Rule A_TRANSMITTANCE = {"", OBJECT, .of = TRANSMITTANCE};
 static const Rule PART[] = {PART_MEMBERS,
                             {"name", NAME, REQUIRED},
                             {"transmittance", LIST, 0, 1, MAX_RECORDS, &A_TRANSMITTANCE},
+                            {"normalMaps", LIST, 0, 1, MAX_RECORDS, &A_NORMAL_MAP},
                             {0}};
 static const Rule A_PART = {"", OBJECT, .of = PART, .also = is_a_surface};
 static const Rule RECORD[] = {{"size", INTEGER, REQUIRED, MEASURE}, {"sha256", SHA256, REQUIRED}, {0}};

@@ -7,6 +7,7 @@
 #include "decoder_load.h"
 #include "manifest.h"
 #include "mesh.h"
+#include "normal_maps.h"
 #include "transmittance.h"
 
 /* The entry that a reference names; NULL where it is not as declared. */
@@ -72,12 +73,33 @@ static void read_transmittance(Container *zip, const Json *json, Part *part, Rna
         *record = record_of(item);
         const Entry *entry = intact_entry(zip, item, "texture");
         bool good = entry && read_texture(entry_data(zip, entry), record, entry->name, report);
-        if (!part->public.mesh ||
-            !check_range(record, i ? record - 1 : NULL, &part->mesh, part->public.name, report))
+        uint64_t start = i ? (uint64_t)record[-1].first + record[-1].count : 0;
+        if (!part->public.mesh || !check_range((Range){record->first, record->count}, start, &part->mesh,
+                                               "TRANSMITTANCE_RANGE", part->public.name, report))
             return;
         if (good) check_coordinates(record, &part->mesh, part->public.name, report);
     }
     if (list) part->public.records = part->records;
+}
+
+static void read_normal_maps(Container *zip, const Json *json, Part *part, RnaReport *report) {
+    const Json *list = member(json, "normalMaps");
+    uint64_t start = 0;
+    if (list && part->public.mesh && !part->mesh.uvs)
+        refuse(report, "NORMAL_MAP_UV", part->public.name, "a mesh with TEXCOORD_0", "none");
+    for (const Json *item = list ? list->first : NULL; item; item = item->next) {
+        RnaNormalMap *map = &part->maps[part->public.normal_map_count++];
+        const Range range = range_of(item);
+        const Entry *entry = intact_entry(zip, item, "texture");
+        map->first = range.first;
+        map->count = range.count;
+        if (entry) read_map(entry_data(zip, entry), map, entry->name, report);
+        if (!part->public.mesh ||
+            !check_range(range, start, &part->mesh, "NORMAL_MAP_RANGE", part->public.name, report))
+            return;
+        start = (uint64_t)range.first + range.count;
+    }
+    if (list) part->public.normal_maps = part->maps;
 }
 
 static void read_part(Container *zip, const Json *root, const Json *json, RnaAsset *asset, RnaReport *report) {
@@ -95,6 +117,7 @@ static void read_part(Container *zip, const Json *root, const Json *json, RnaAss
     if (entry) read_geometry(entry, entry_data(zip, entry), asset, part, report);
     if (part->is_quantised) check_age(root, "quantised geometry", public->name, report);
     read_transmittance(zip, json, part, report);
+    read_normal_maps(zip, json, part, report);
 }
 
 /* ---------------------------------------------------------------------- Tiers */

@@ -2,19 +2,16 @@
 #ifndef RNA_TRANSMITTANCE_H
 #define RNA_TRANSMITTANCE_H
 
-#include "manifest_rules.h"
-#include "tensors.h"
+#include "textures.h"
 
 static bool read_texture(Span file, RnaTransmittance *record, const char *entry, RnaReport *report) {
-    static const TensorCodes CODES = {"TRANSMITTANCE_TEXTURE", "TRANSMITTANCE_TEXTURE",
-                                      "TRANSMITTANCE_TEXTURE", "TRANSMITTANCE_TEXTURE",
-                                      "TRANSMITTANCE_TEXTURE", "TRANSMITTANCE_TEXTURE"};
-    Tensor tensor = {"transmittance", "U8", 3, {1, 1, 1}, {MAX_TEXTURE, MAX_TEXTURE, 3}};
-    if (!read_tensors(file, &tensor, 1, entry, &CODES, report)) return false;
-    record->height = (uint32_t)tensor.shape[0];
-    record->width = (uint32_t)tensor.shape[1];
-    record->channels = (uint32_t)tensor.shape[2];
-    record->texels = tensor.data;
+    Texture texture;
+    if (!read_texels(file, "transmittance", 1, 3, "TRANSMITTANCE_TEXTURE", entry, &texture, report))
+        return false;
+    record->height = texture.height;
+    record->width = texture.width;
+    record->channels = texture.channels;
+    record->texels = texture.texels;
     if (record->channels == 2 || (record->channels == 3 && record->cutoff > 0))
         return refuse(report, "TRANSMITTANCE_TEXTURE", entry, "1 or 3 channels, 1 with a cutoff", "%u",
                       (unsigned)record->channels);
@@ -23,25 +20,12 @@ static bool read_texture(Span file, RnaTransmittance *record, const char *entry,
 
 /* What the manifest says of a record. */
 static RnaTransmittance record_of(const Json *json) {
-    const Json *triangles = member(json, "triangles")->first, *cutoff = member(json, "cutoff");
-    const Json *ior = member(json, "ior");
-    RnaTransmittance record = {0};
-    /* Beyond 32 bits there is no triangle, and check_range refuses what ends there. */
-    record.first = (uint32_t)fmin(triangles->number, UINT32_MAX);
-    record.count = (uint32_t)fmin(triangles->next->number, UINT32_MAX);
+    const Json *cutoff = member(json, "cutoff"), *ior = member(json, "ior");
+    const Range range = range_of(json);
+    RnaTransmittance record = {.first = range.first, .count = range.count};
     if (cutoff) record.cutoff = cutoff->number;
     if (ior) record.ior[0] = ior->first->number, record.ior[1] = ior->first->next->number;
     return record;
-}
-
-/* The range lies behind that of the record before, and in the mesh. */
-static bool check_range(const RnaTransmittance *record, const RnaTransmittance *before,
-                        const RnaMesh *mesh, const char *where, RnaReport *report) {
-    uint64_t start = before ? (uint64_t)before->first + before->count : 0;
-    uint64_t end = (uint64_t)record->first + record->count;
-    return (record->first >= start && end <= mesh->triangle_count) ||
-           refuse(report, "TRANSMITTANCE_RANGE", where, "ranges that ascend, inside the mesh",
-                  "%u triangles from %u", (unsigned)record->count, (unsigned)record->first);
 }
 
 /* Whether the mesh has the coordinates that the texture is looked up with. */
@@ -57,24 +41,6 @@ static double fresnel(double e, double c) {
     if (!(square > 0)) return 1;
     double g = sqrt(square), a = (g - c) / (g + c), b = (c * (g + c) - 1) / (c * (g - c) + 1);
     return a * a * (1 + b * b) / 2;
-}
-
-static double wrapped(double i, double size) { return i - size * floor(i / size); }
-
-/* Values of the texture at (u, v), which repeats. */
-static void sample_texture(const RnaTransmittance *record, double u, double v, double tau[3]) {
-    double s = u * record->width - 0.5, t = v * record->height - 0.5, i = floor(s), j = floor(t);
-    for (size_t channel = 0; channel < 3; channel++) tau[channel] = 0;
-    for (int corner = 0; corner < 4; corner++) {
-        double column = wrapped(i + (corner & 1), record->width);
-        double row = wrapped(j + (corner >> 1), record->height);
-        double weight = (corner & 1 ? s - i : 1 - (s - i)) * (corner >> 1 ? t - j : 1 - (t - j));
-        if (!(column < record->width && row < record->height)) return; /* beyond what float64 resolves */
-        const uint8_t *texel =
-            record->texels + ((size_t)row * record->width + (size_t)column) * record->channels;
-        for (size_t channel = 0; channel < 3; channel++)
-            tau[channel] += weight * texel[channel % record->channels] / 255;
-    }
 }
 
 /* 1 - F for a ray of unit direction d: by its angle to the shading normal, from the side of the triangle
@@ -103,10 +69,10 @@ static void look_up(const RnaTransmittance *record, const RnaMesh *mesh, uint32_
                     double b2, const float direction[3], float tau[3]) {
     const uint32_t *corner = &mesh->triangles[3 * (size_t)triangle];
     const double b[3] = {1 - b1 - b2, b1, b2};
-    double uv[2] = {0}, d[3] = {direction[0], direction[1], direction[2]}, values[3], share = 1;
-    for (int i = 0; i < 3 && mesh->uvs; i++)
-        for (size_t k = 0; k < 2; k++) uv[k] += b[i] * mesh->uvs[2 * (size_t)corner[i] + k];
-    sample_texture(record, uv[0], uv[1], values);
+    const Texture texture = {record->width, record->height, record->channels, record->texels};
+    double uv[2], d[3] = {direction[0], direction[1], direction[2]}, values[3], share = 1;
+    coordinates_at(mesh, corner, b, uv);
+    sample_texture(&texture, uv, values);
     if (record->cutoff > 0)
         for (int k = 0; k < 3; k++) values[k] = values[k] > record->cutoff;
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);

@@ -22,6 +22,11 @@ def dot(a, b):
 
 
 @compiled(fastmath=())
+def cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@compiled(fastmath=())
 def unit(a):
     length = np.sqrt(dot(a, a))
     scale = 1.0 / length if length > 0.0 else 0.0
@@ -54,7 +59,7 @@ def half_cosines(m, o, i):
 
 
 @compiled(fastmath=())
-def frame(n):
+def tangents_of(n):
     """Two unit vectors across n: Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1),
     2017)."""
     x, y, z = n

@@ -1,0 +1,106 @@
+"""Rate of a capture and of frames on a Ray cluster of this machine, over that of its own pools.
+
+    python benchmarks/cluster_rate.py examples/quickstart/toy.py examples/quickstart/scene.yaml
+
+Both in one run, in turns, as often as asked, from when every worker has finished something: no
+start of Ray, Blender or a compiler counts.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import statistics
+import tempfile
+import time
+from collections.abc import Iterable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from rna_export.capture import blender_env
+from rna_export.capture.gathered import Gathered
+from rna_export.capture.run import Crew, begin
+from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import CaptureJob, CaptureWorker
+from rna_export.capture.tasks import TrainingShard
+from rna_export.capture.worker import Source
+from rna_render.frame_worker import Frame, FrameJob, FrameWorker
+from rna_render.output import Output
+from rna_render.scene_file import read_scene
+from rna_render.scene_model import Scene
+from rna_render.scene_sources import carried_scene
+from rna_work.places import Place, place
+from rna_work.pool import Pool
+
+
+def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
+    """An item, from when every worker has finished one."""
+    at_work: set[str] = set()
+    ends: list[float] = []
+    with pool:
+        for outcome in pool.run(items):
+            outcome.value()
+            at_work.add(outcome.worker)
+            if len(at_work) == workers:
+                ends.append(time.perf_counter())
+    return (ends[-1] - ends[0]) / (len(ends) - 1)
+
+
+def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:
+    """A shard of a capture."""
+    crew = Crew(blender_env.find_python(), folder / "scratch", workers, where)
+    asked = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
+    dataset = begin(source, asked, folder / "a.rays", crew, None, lambda line: None)
+    carried = Gathered.of(dataset, where, None).carried()
+    scratch = None if where.far else crew.scratch
+    job = CaptureJob(carried, None, source, crew.carried(source), scratch)
+    tasks = [TrainingShard(k) for k in range(dataset.manifest.shards)]
+    return seconds(Pool(crew.backend(), partial(CaptureWorker, job)), tasks, workers)
+
+
+def frame_seconds(where: Place, scene: Path, folder: Path) -> float:
+    """A frame, by one worker with all cores."""
+    turning = {"animation": {"frames": 16, "turntable": {}}, "samples": 4, "resolution": [320, 180]}
+    scene_file = read_scene(scene)
+    data = scene_file.scene.model_dump(exclude={"animation", "samples", "resolution"}) | turning
+    scene_file = scene_file.with_changes(**dict(Scene.model_validate(data)))
+    backend, threads = where.whole_machines(None)
+    numbers, output = range(16), Output(folder / "%d.exr")
+    files = carried_scene(scene_file, where)
+    job = FrameJob(scene_file, files, numbers, output, threads, time.perf_counter())
+    frames = [Frame(number, str(number)) for number in numbers]
+    return seconds(Pool(backend, partial(FrameWorker, job)), frames, 1)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("source", type=Path)
+    parser.add_argument("scene", type=Path)
+    parser.add_argument("--rounds", type=int, default=3)
+    options = parser.parse_args()
+    os.environ["RAY_worker_niceness"] = "0"  # as that of the pools that it is compared with
+    workers = len(os.sched_getaffinity(0))
+    source = Source.captured(options.source, (), CaptureSettings())
+    found: dict[str, list[float]] = {}
+    with place(None) as here, place("local") as there:
+        for _ in range(options.rounds):
+            for name, where in (("here", here), ("ray", there)):
+                folder = Path(tempfile.mkdtemp())
+                shard = capture_seconds(where, source, folder, workers)
+                frame = frame_seconds(where, options.scene, folder)
+                found.setdefault(f"capture, {name}", []).append(shard)
+                found.setdefault(f"frames, {name}", []).append(frame)
+                shutil.rmtree(folder)
+    median = {name: statistics.median(values) for name, values in found.items()}
+    for kind in ("capture", "frames"):
+        median[f"{kind}, rate on Ray over rate here"] = (
+            median[f"{kind}, here"] / median[f"{kind}, ray"]
+        )
+    print(json.dumps({"seconds": found, "median": median}, indent=1))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,50 @@
+"""Which files a source reads beside itself: needed where it is opened on another machine."""
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+
+_opened = set()  # by Python
+
+
+def watch():
+    """Remember from now on what Python opens."""
+    sys.addaudithook(_hear)
+
+
+def _hear(event, arguments):
+    if event == "open" and isinstance(arguments[0], str):
+        _opened.add(arguments[0])
+
+
+def files_of(source):
+    """Paths: `travel` is named by its place to the source, `fixed` by an absolute path."""
+    folder = os.path.dirname(os.path.abspath(source))
+    kinds = {}
+    for path in [*_opened, *(getattr(m, "__file__", None) or "" for m in [*sys.modules.values()])]:
+        kinds[os.path.abspath(path)] = "travel" if _is_below(path, folder) else "fixed"
+    for path in bpy.utils.blend_paths(absolute=False, packed=False, local=False):
+        # What an importer names in Blender by an absolute path lies where the source says.
+        imported = not source.endswith(".blend") and _is_below(path, folder)
+        kind = "travel" if path.startswith("//") or imported else "fixed"
+        kinds[os.path.abspath(bpy.path.abspath(path))] = kind
+    kinds.pop(os.path.abspath(source), None)
+    found = {"travel": [], "fixed": []}
+    for path, kind in sorted(kinds.items()):
+        if os.path.isfile(path) and not any(_is_below(path, other) for other in _not_the_users()):
+            found[kind].append(path)
+    return {name: [p for p in paths if "__pycache__" not in p] for name, paths in found.items()}
+
+
+def _is_below(path, folder):
+    return os.path.abspath(path).startswith(folder.rstrip("/") + "/")
+
+
+def _not_the_users():
+    """Folders of Python, Blender, ours and the system."""
+    own = {sys.prefix, sys.base_prefix, bpy.utils.resource_path("LOCAL")}
+    own |= {bpy.utils.resource_path("USER"), bpy.app.tempdir, str(Path(__file__).parent)}
+    system = ("/proc", "/sys", "/dev", "/usr", "/etc", "/lib", "/var")
+    return {os.path.abspath(folder) for folder in (*own, *system) if folder}

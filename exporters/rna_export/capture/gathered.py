@@ -1,0 +1,72 @@
+"""The finished files of a dataset, on their way from workers to its folder."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.shift import stored_name
+from rna_export.capture.tasks import Task
+from rna_work.places import Place
+from rna_work.shared import check_shared
+from rna_work.sources import Carried, InPlace
+from rna_work.store import Store
+
+_MADE = ("train", "emission", "validation", "scratch")
+"""Folders of a dataset that captures fill, and need not read."""
+
+
+@dataclass(frozen=True)
+class Gathered:
+    """Files that workers write into the dataset's folder, or into a store that is gathered here.
+
+    store: the part of it that is this dataset's; None if workers see the folder.
+    """
+
+    dataset: Dataset
+    place: Place
+    store: Store | None
+
+    @classmethod
+    def of(cls, dataset: Dataset, place: Place, store: Store | None) -> Gathered:
+        """Raises WorkError where a machine cannot write what is finished."""
+        if store is None:
+            check_shared(place, dataset.folder)
+            return cls(dataset, place, None)
+        place.on_every_node(store.check)
+        return cls(dataset, place, store.below(_name(dataset)))
+
+    def carried(self) -> Carried:
+        """The manifest for workers, with what they read if they do not see the folder."""
+        folder = self.dataset.folder.resolve()
+        if self.store is None:
+            return InPlace(folder / "manifest.json")
+        others = [
+            path
+            for path in folder.rglob("*")
+            if path.is_file() and path.relative_to(folder).parts[0] not in _MADE
+        ]
+        return self.place.carry(folder / "manifest.json", others)
+
+    def fetch(self, missing: list[Task]) -> list[Task]:
+        """Get what the store has already; returns the tasks of which it has nothing."""
+        there = set() if self.store is None else self.store.names()
+        left = [task for task in missing if stored_name(task, self.dataset) not in there]
+        for task in missing:
+            if task not in left:
+                self.finished(task)
+        return left
+
+    def finished(self, task: Task) -> None:
+        """A worker has finished a task."""
+        path = task.path(self.dataset)
+        if self.store is not None and not path.is_file():
+            self.store.get(stored_name(task, self.dataset), path)
+
+
+def _name(dataset: Dataset) -> str:
+    """The same for the same capture alone."""
+    manifest = dataset.manifest
+    identity = manifest.model_dump_json(include={"source_sha256", "arguments", "settings", "parts"})
+    return f"{manifest.name}-{hashlib.sha256(identity.encode()).hexdigest()[:12]}"

@@ -1,0 +1,243 @@
+"""`rna-make`: a package from a model, as good as asked for."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import math
+import shutil
+import sys
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from rna_export.capture import source_help
+from rna_export.capture.cli import (
+    add_settings,
+    add_workers,
+    asked_settings,
+    check_settings,
+    check_source,
+)
+from rna_export.capture.orientation import joined_axes
+from rna_export.training.presets import PRESETS
+from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_work.places import place
+from rna_work.store import Store
+
+if TYPE_CHECKING:
+    from rna_export.fit.goal import Goal
+    from rna_export.make.run import Made
+    from rna_sdk.package import Manifest
+
+_GO_ON = "run the same command again to continue"
+_SETTINGS = (
+    "samples",
+    "rays",
+    "lights",
+    "domain",
+    "parts",
+    "sharpest",
+    "validation_views",
+    "validation_resolution",
+    "validation_samples",
+)
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-make`."""
+    p = command_parser(
+        "rna-make",
+        "Capture, train and export a model in one command, until it is as good as asked.",
+        "rna-make helmet.gltf --out helmet.rna --min-psnr 36",
+        epilog="Without a limit it goes on until the error stops falling. The same command "
+        "continues\none that was stopped. Arguments after -- go to the source, as with "
+        "rna-capture.",
+    )
+    p.add_argument("model", type=Path, help="what rna-capture takes (path)")
+    p.add_argument(
+        "--out", type=Path, metavar="RNA", help="the package to write (path, needed: no default)"
+    )
+    goal = p.add_mutually_exclusive_group()
+    goal.add_argument(
+        "--max-error",
+        type=float,
+        metavar="FLIP",
+        help="mean FLIP of the validation images that is good enough (float, default: none)",
+    )
+    goal.add_argument(
+        "--min-psnr",
+        type=float,
+        metavar="DB",
+        help="PSNR of those images that is good enough (float, default: none)",
+    )
+    p.add_argument(
+        "--minutes",
+        type=float,
+        help="time of the whole command, unless the goal is met before (float, default: no limit)",
+    )
+    p.add_argument(
+        "--presets",
+        nargs="+",
+        choices=PRESETS["surface"],
+        default=["small"],
+        help="a tier of the package for each, the first is its usual one; the goal is that of the "
+        "dearest (default: small)",
+    )
+    p.add_argument(
+        "--for",
+        dest="for_scene",
+        type=Path,
+        metavar="SCENE",
+        help="scene file; only its views and lights are captured (path, default: --domain)",
+    )
+    p.add_argument(
+        "--steps",
+        type=int,
+        help="of the last phase; those before it are shorter (int, default: the preset's)",
+    )
+    add_settings(p, _SETTINGS)
+    p.add_argument("--seed", type=int, default=0, help="of the random numbers (int, default: 0)")
+    p.add_argument(
+        "--device",
+        choices=("auto", "cpu", "cuda"),
+        default="auto",
+        help="for trainings (default: %(default)s, the GPU if there is one)",
+    )
+    add_workers(p)
+    p.add_argument(
+        "--work",
+        type=Path,
+        metavar="FOLDER",
+        help="for rays and trainings, removed at the end (path, default: OUT with .make)",
+    )
+    p.add_argument(
+        "--keep", action="store_true", help="leave the work folder as it is (default: off)"
+    )
+    p.add_argument(
+        "--source",
+        help="name, author and address of the original model (text, default: the file's name and "
+        "SHA-256)",
+    )
+    p.add_argument(
+        "--license", default="NOASSERTION", help="SPDX expression (text, default: %(default)s)"
+    )
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    begun = monotonic()
+    own, arguments = split_script_arguments(argv)
+    options = parser()
+    args = options.parse_args(joined_axes(own))
+    if source_help.is_asked(arguments):
+        return run_command(lambda: source_help.show(args.model), args.debug, _GO_ON, "capture")
+    if args.out is None:
+        options.error("the following arguments are required: --out")
+    if args.minutes is not None and (args.lights is not None or args.steps is not None):
+        options.error("--minutes sets --lights and --steps: give it or them")
+    for name in ("minutes", "workers", "max_error", "min_psnr", "steps"):
+        value = getattr(args, name)
+        if value is not None and not 0 < value < math.inf:
+            options.error(
+                f"argument --{name.replace('_', '-')}: expected a number above 0, found {value:g}"
+            )
+    if not 0 <= args.seed < 2**32:
+        options.error(f"argument --seed: expected 0 to 2^32 - 1, found {args.seed}")
+    if len(set(args.presets)) < len(args.presets):
+        options.error(f"argument --presets: expected each once, found {' '.join(args.presets)}")
+    check_settings(args, options)
+    return run_command(lambda: _run(args, arguments, begun), args.debug, _GO_ON, "train")
+
+
+def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> None:
+    check_source(args.model)
+    from rna_export.capture.blender_env import find_python
+    from rna_export.capture.run import Crew
+    from rna_export.capture.settings import CaptureSettings
+    from rna_export.capture.worker import Source
+    from rna_export.make.order import Order
+    from rna_export.make.run import Make, export
+    from rna_export.make.state import Asked
+    from rna_export.memory import keep_freed_memory
+    from rna_export.training.device import chosen_device
+    from rna_render.scene_file import read_scene
+
+    keep_freed_memory()
+    work = args.work or args.out.with_suffix(".make")
+    scratch = work / "scratch"  # ray images; those of a killed make go here
+    shutil.rmtree(scratch, ignore_errors=True)
+    settings = {**asked_settings(args), "seed": args.seed}
+    goal = _goal(args)
+    asked = Asked(
+        source=args.model.name,
+        source_sha256=hashlib.sha256(args.model.read_bytes()).hexdigest(),
+        arguments=arguments,
+        settings=settings,
+        scene=None if args.for_scene is None else args.for_scene.read_text(),
+        presets=tuple(args.presets),
+        goal="none" if goal is None else str(goal),
+        minutes=args.minutes,
+        steps=args.steps,
+        seed=args.seed,
+    )
+    source = Source.captured(args.model, arguments, CaptureSettings(**settings))
+    for_scene = None if args.for_scene is None else read_scene(args.for_scene)
+    device, python = chosen_device(args.device), find_python()
+    try:
+        store = None if args.store is None else Store(args.store)
+        with place(args.cluster) as where:
+            order = Order(
+                source=source,
+                settings=settings,
+                for_scene=for_scene,
+                work=work,
+                presets=tuple(args.presets),
+                goal=goal,
+                minutes=args.minutes,
+                steps=args.steps,
+                seed=args.seed,
+                device=device,
+                crew=Crew(python, scratch, args.workers, where, store),
+            )
+            made = Make(order, asked, begun, print).run()
+        manifest = export(made, args.out, args.source, args.license)
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+    if not args.keep:
+        shutil.rmtree(work)
+    print(_outcome(made, manifest, goal))
+    size = args.out.stat().st_size / 1e6
+    print(f"wrote {args.out}, {size:.2f} MB{f', {work}' if args.keep else ''}")
+    print(f"next: rna-compare {args.out} {args.model} --out {args.out.stem}-compare")
+
+
+def _goal(args: argparse.Namespace) -> Goal | None:
+    from rna_export.fit.goal import Goal
+
+    if args.max_error is not None:
+        return Goal("max_error", args.max_error)
+    return None if args.min_psnr is None else Goal("min_psnr", args.min_psnr)
+
+
+def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
+    """The error of each tier, and whether the goal is met, in the package itself."""
+    lines, lead = [], None
+    for tier in manifest.tiers:
+        found = tier.validation
+        lines.append(f"{tier.name}: PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}")
+        lead = found if tier.name == made.lead else lead
+    end = "the error stopped falling" if made.why == "stopped falling" else made.why
+    if goal is not None and goal.met_by(lead):
+        end = f"goal met: {goal}"
+    elif goal is not None:
+        end = f"goal not met, {end}: {goal}"
+    return "\n".join([*lines, f"{end}; {made.rounds} rounds of rays"])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

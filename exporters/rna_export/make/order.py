@@ -1,0 +1,29 @@
+"""What a make was asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rna_export.capture.run import Crew
+from rna_export.capture.worker import Source
+from rna_export.fit.goal import Goal
+from rna_render.scene_file import SceneFile
+
+
+@dataclass(frozen=True)
+class Order:
+    """One make, as asked for."""
+
+    source: Source
+    settings: dict[str, Any]  # of the capture, that are not to be the usual ones
+    for_scene: SceneFile | None
+    work: Path
+    presets: tuple[str, ...]
+    goal: Goal | None
+    minutes: float | None
+    steps: int | None  # of the last phase; None: the preset's
+    seed: int
+    device: str
+    crew: Crew

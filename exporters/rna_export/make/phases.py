@@ -1,0 +1,111 @@
+"""Trainings of a preset, one after the other, each from where the one before ended."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from time import monotonic
+
+import numpy as np
+
+from rna_export.capture.dataset import Dataset
+from rna_export.make.plan import Length
+from rna_export.make.progress import Stage
+from rna_export.make.state import Score
+from rna_export.training.checkpoint import Trained, load_checkpoint
+from rna_export.training.part_time import shared_minutes
+from rna_export.training.presets import PRESETS, Preset
+from rna_export.training.run import Run, train
+from rna_export.training.samples import SampleTable
+from rna_export.training.validation import mean_flip, mean_psnr, shade
+
+_RESTART = 0.5  # of the preset's rates, where a training goes on from an earlier one
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A training of one preset, of all parts.
+
+    folder: for checkpoints, one folder in it for each of several parts. start: of the phase that it
+    goes on from.
+    """
+
+    dataset: Dataset
+    preset: str
+    length: Length
+    folder: Path
+    start: Path | None
+    seed: int
+    device: str
+
+    def run(self, shards: Sequence[Path], stage: Stage) -> None:
+        """Train each part on the samples of these shards; parts that are finished are skipped."""
+        parts = self.dataset.parts
+        minutes = shared_minutes(self.length.minutes, parts)
+        for k, part in enumerate(parts):
+            begun, out = monotonic(), _of_part(self.folder, self.dataset, part.name)
+            if (out / "best.ckpt").is_file():
+                continue
+            run = Run(
+                part,
+                self._preset(part.kind),
+                self.preset,
+                out,
+                self.seed,
+                minutes[part.name],
+                begun,
+                self.device,
+                start=self._start(part.name),
+            )
+            table = SampleTable(part.samples_of(shards), device=self.device)
+            train(run, table, _quiet, stage.part(k / len(parts), 1 / len(parts)))
+
+    def _start(self, part: str) -> Path | None:
+        if self.start is None:
+            return None
+        return _of_part(self.start, self.dataset, part) / "last.ckpt"
+
+    def _preset(self, kind: str) -> Preset:
+        """The preset of this length; planes are blurred, and rates full, in a first phase alone."""
+        preset = PRESETS[kind][self.preset]
+        training = preset.training
+        if self.length.steps is not None:
+            preset = preset.with_training(steps=self.length.steps)
+        if self.start is None:
+            return preset
+        return preset.with_training(
+            blur=1.0,
+            learning_rate=_RESTART * training.learning_rate,
+            plane_learning_rate=_RESTART * training.plane_learning_rate,
+        )
+
+
+def phase_folder(work: Path, preset: str, number: int | None) -> Path:
+    """Of a preset's phase: that of a round, from 0 on, or its last one."""
+    name = "last" if number is None else f"round-{number + 1:02d}"
+    return work / "runs" / preset / name
+
+
+def trained_in(folder: Path, dataset: Dataset) -> list[Trained]:
+    """The best model of each part in a phase's folder."""
+    folders = [_of_part(folder, dataset, part.name) for part in dataset.parts]
+    return [load_checkpoint(path / "best.ckpt") for path in folders]
+
+
+def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
+    """Of the models of all parts, over the whole validation images."""
+    views = dataset.whole_views()
+    radiance = [
+        np.concatenate([shade(one.model, p) for one, p in zip(trained, view.parts, strict=True)])
+        for view in views
+    ]
+    return Score(psnr=mean_psnr(radiance, views), flip=mean_flip(radiance, views))
+
+
+def _of_part(folder: Path, dataset: Dataset, part: str) -> Path:
+    return folder if len(dataset.parts) == 1 else folder / part
+
+
+def _quiet(_: str) -> None:
+    pass

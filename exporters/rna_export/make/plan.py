@@ -1,0 +1,120 @@
+"""How much each round captures and trains: by a goal alone, or within a time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pydantic import BaseModel, ConfigDict
+
+_FIRST = 1 / 8  # of the usual lights, and of the preset's steps, in the first round
+_STEPS_GROW = 1.5  # a round's, over those of the round before
+_MORE = 0.5  # lights of a round over all before it, and at most over the usual ones
+
+_TIMED_ROUNDS = 4
+_SHORT_SECONDS, _SHORT_ROUNDS = 240.0, 2  # each start of Blender costs seconds
+CAPTURE = 0.5
+"""Share of the time for capture, all rounds together."""
+_BETWEEN = 0.15  # share for trainings between captures
+_LAST = 1.0 - CAPTURE - _BETWEEN
+_SLACK = 1.3  # lights planned over those expected: the clock ends a capture, not the plan
+_EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the lesser of both
+
+
+class Length(BaseModel):
+    """Of a training: one of the two."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    steps: int | None = None
+    minutes: float | None = None
+
+
+@dataclass(frozen=True)
+class OpenPlan:
+    """Rounds that grow until the stop rule ends them.
+
+    lights: that a capture usually has. shard: lights that are captured together. steps: of the
+    preset.
+    """
+
+    lights: int
+    shard: int
+    steps: int
+    rounds = None
+
+    def lights_of(self, round_: int, before: int) -> int:
+        """Lights after a round, with `before` of the rounds before it."""
+        more = _FIRST * self.lights if round_ == 0 else _MORE * min(before, self.lights)
+        return in_shards(before + more, before, self.shard)
+
+    def capture_seconds(self, round_: int, left: float) -> float | None:
+        """That a round's capture may take: no limit."""
+
+    def phase(self, round_: int, left: float) -> Length:
+        """A round's training."""
+        return Length(steps=round(min(1.0, _FIRST * _STEPS_GROW**round_) * self.steps))
+
+    def last_phase(self, left: float, models: int) -> Length:
+        """The full one of a model at the end."""
+        return Length(steps=self.steps)
+
+
+@dataclass(frozen=True)
+class TimedPlan:
+    """Rounds that fill a time: each stage gets its share of what is left.
+
+    seconds: in all. lights: that fit into the share of it that is for capture. tiers: to export.
+    """
+
+    lights: int
+    shard: int
+    seconds: float
+    tiers: int = 1
+
+    @property
+    def rounds(self) -> int:
+        """Captures; after the last of them comes the last phase."""
+        return _SHORT_ROUNDS if self.seconds < _SHORT_SECONDS else _TIMED_ROUNDS
+
+    def lights_of(self, round_: int, before: int) -> int:
+        """More than there may be time for."""
+        return in_shards(before + _SLACK * self.lights / self.rounds, before, self.shard)
+
+    def capture_seconds(self, round_: int, left: float) -> float:
+        """That a round's capture may take."""
+        own = CAPTURE / self.rounds
+        return self._usable(left) * own / self._ahead(round_)
+
+    def phase(self, round_: int, left: float) -> Length | None:
+        """A round's training; None after the last capture."""
+        if round_ == self.rounds - 1:
+            return None
+        own = _BETWEEN / (self.rounds - 1)
+        share = own / (self._ahead(round_) - CAPTURE / self.rounds)
+        return _minutes(self._usable(left) * share)
+
+    def last_phase(self, left: float, models: int) -> Length:
+        """Of a model, with `models` to train, this one among them."""
+        return _minutes(self._usable(left) / models)
+
+    def _usable(self, left: float) -> float:
+        export = self.tiers * min(_EXPORT_SECONDS, _EXPORT_SHARE * self.seconds)
+        return max(left - export, 1.0)
+
+    def _ahead(self, round_: int) -> float:
+        """Shares of the stages from a round's capture on."""
+        between = _BETWEEN * (self.rounds - 1 - round_) / (self.rounds - 1)
+        return CAPTURE * (self.rounds - round_) / self.rounds + between + _LAST
+
+
+Plan = OpenPlan | TimedPlan
+
+
+def in_shards(wanted: float, before: int, shard: int) -> int:
+    """Lights in whole shards: about as many as wanted, at least one shard more than before."""
+    return max(round(wanted / shard) * shard, before + shard)
+
+
+def _minutes(seconds: float) -> Length:
+    # Rounded: a run that goes on is one of the very same length.
+    return Length(minutes=round(max(seconds, 0.6) / 60.0, 3))

@@ -1,0 +1,218 @@
+"""Runs a make: captures and trains by turns until the stop rule ends it, then exports."""
+
+from __future__ import annotations
+
+import math
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from time import monotonic
+
+from rna_export.capture.dataset import Dataset
+from rna_export.export.build import build_package
+from rna_export.export.dressing import dress
+from rna_export.fit.goal import Goal
+from rna_export.make.order import Order
+from rna_export.make.phases import Phase, phase_folder, score, trained_in
+from rna_export.make.plan import OpenPlan, Plan, TimedPlan
+from rna_export.make.progress import Progress
+from rna_export.make.rays import Rays, open_rays, rays_folder
+from rna_export.make.state import Asked, Last, Round, Score, State, load_state
+from rna_export.make.stop import Verdict, verdict
+from rna_export.training.presets import PRESETS
+from rna_sdk.package import Manifest
+
+_RAYS, _PHASE, _LAST = 1.0, 1.0, 3.0  # weights of stages in the progress bar
+
+
+@dataclass(frozen=True)
+class Made:
+    """What a make came to."""
+
+    dataset: Dataset
+    why: Verdict
+    rounds: int
+    checkpoints: tuple[Path, ...]  # folders of the presets, as they were asked for
+    lead: str  # the preset that the goal is for
+
+
+class Make:
+    """One make in its work folder; a stopped one goes on.
+
+    begun: when its time began, of `time.monotonic`. Raises `TrainingError` where the work folder is
+    of another make.
+    """
+
+    def __init__(self, order: Order, asked: Asked, begun: float, say: Callable[[str], None]):
+        self._order, self._begun = order, begun
+        self._by_cost = sorted(order.presets, key=_decoder_size, reverse=True)
+        self._lead = self._by_cost[0]
+        self._state = load_state(order.work, asked) or self._first_state(asked)
+        if self._state.rounds:
+            say(f"continuing {order.work}, round {len(self._state.rounds)}")
+        self._spent_before = self._state.seconds
+        dataset = Dataset(rays_folder(order))
+        for note in dataset.manifest.notes:
+            say(f"note: {note}")
+        self._rays = Rays(order, dataset, self._state.rounds, self._lead)
+        self._goal = order.goal or Goal("min_psnr", math.inf)
+        self._plan = self._chosen_plan(dataset)
+
+    def run(self) -> Made:
+        """Capture and train to the end."""
+        self._progress = Progress(self._known_weight())
+        try:
+            stage = self._progress.stage("validation images", _RAYS)
+            self._rays.capture_images(stage)
+            stage.done()
+            while (why := self._verdict()) is None:
+                self._round()
+            self._progress.say(f"{why} after round {len(self._state.rounds)}")
+            for preset in self._by_cost:
+                if preset != self._lead or why != "goal met":
+                    self._last_phase(preset)
+        finally:
+            self._progress.close()
+            self._save()
+        folders = tuple(self._best_folder(preset) for preset in self._order.presets)
+        return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
+
+    def _first_state(self, asked: Asked) -> State:
+        order = self._order
+        shutil.rmtree(rays_folder(order), ignore_errors=True)  # of a start that was not finished
+        order.work.mkdir(parents=True, exist_ok=True)
+        dataset = open_rays(order, self._begun)
+        state = State(asked=asked, lights=dataset.manifest.settings.lights)
+        state.seconds = monotonic() - self._begun
+        state.save(order.work)
+        self._begun = monotonic()
+        return state
+
+    def _chosen_plan(self, dataset: Dataset) -> Plan:
+        order, lights = self._order, self._state.lights
+        shard = dataset.manifest.settings.lights_per_shard
+        if order.minutes is not None:
+            return TimedPlan(lights, shard, 60.0 * order.minutes, len(order.presets))
+        kinds = {part.kind for part in dataset.parts}
+        usual = max(PRESETS[kind][self._lead].training.steps for kind in kinds)
+        return OpenPlan(lights, shard, order.steps or usual)
+
+    def _round(self) -> None:
+        """The round that is not finished, or a new one."""
+        rounds = self._state.rounds
+        if not rounds or rounds[-1].score is not None:
+            before = rounds[-1].lights if rounds else 0
+            lights = self._plan.lights_of(len(rounds), before)
+            rounds.append(Round(first_shard=before // self._rays.shard, lights=lights))
+            if self._plan.rounds is None and len(rounds) > 1:
+                self._progress.more(_RAYS + _PHASE)
+            self._save()
+        number, round_ = len(rounds) - 1, rounds[-1]
+        stage = self._progress.stage(f"round {number + 1}: rays", _RAYS)
+        if not round_.is_captured:
+            self._rays.capture(number, self._plan.capture_seconds(number, self._left()), stage)
+            self._save()
+        stage.done()
+        round_.phase = round_.phase or self._plan.phase(number, self._left())
+        if round_.phase is not None:
+            self._save()
+            self._short_phase(number, round_)
+
+    def _short_phase(self, number: int, round_: Round) -> None:
+        """The training of the leading preset in a round, from where it was in the one before."""
+        assert round_.phase is not None
+        work, lead = self._order.work, self._lead
+        stage = self._progress.stage(f"round {number + 1}: {lead}", _PHASE)
+        start = phase_folder(work, lead, number - 1) if number else None
+        folder = phase_folder(work, lead, number)
+        dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
+        phase = Phase(dataset, lead, round_.phase, folder, start, seed, device)
+        phase.run(self._rays.to_train_on(number), stage)
+        stage.done()
+        round_.score = score(trained_in(folder, dataset), dataset)
+        self._save()
+        told = f"{round_.lights:,} lights, {lead} has {_told(round_.score)}"
+        self._progress.say(f"round {number + 1}: {told}")
+
+    def _last_phase(self, preset: str) -> None:
+        """The full one, on all rays; of the leading preset from where its rounds led."""
+        stage = self._progress.stage(f"last phase: {preset}", _LAST)
+        last = self._state.last.get(preset)
+        if last is None:
+            ahead = len(self._by_cost) - self._by_cost.index(preset)
+            last = Last(phase=self._plan.last_phase(self._left(), ahead))
+            self._state.last[preset] = last
+            self._save()
+        if last.score is None:
+            phases = [k for k, r in enumerate(self._state.rounds) if r.score is not None]
+            leads = preset == self._lead and bool(phases)
+            start = phase_folder(self._order.work, preset, phases[-1]) if leads else None
+            folder = phase_folder(self._order.work, preset, None)
+            dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
+            phase = Phase(dataset, preset, last.phase, folder, start, seed, device)
+            phase.run(dataset.finished_shards(), stage)
+            last.score = score(trained_in(folder, dataset), dataset)
+            self._save()
+            self._progress.say(f"last phase: {preset} has {_told(last.score)}")
+        stage.done()
+
+    def _verdict(self) -> Verdict | None:
+        rounds = self._state.rounds
+        errors = [self._goal.error_db(r.score) for r in rounds if r.score is not None]
+        found = verdict(errors, self._goal.limit_db)
+        if self._plan.rounds is None or found == "goal met":
+            return found
+        captured = sum(r.is_captured for r in rounds)
+        return "time is up" if captured == self._plan.rounds else None
+
+    def _best_folder(self, preset: str) -> Path:
+        """Of the phase with the least error."""
+        found: dict[int | None, Score | None] = {}
+        if preset == self._lead:
+            found |= {k: r.score for k, r in enumerate(self._state.rounds)}
+        if preset in self._state.last:
+            found[None] = self._state.last[preset].score
+        errors = {k: self._goal.error_db(s) for k, s in found.items() if s is not None}
+        return phase_folder(self._order.work, preset, min(errors, key=errors.__getitem__))
+
+    def _left(self) -> float:
+        """Seconds; infinite without --minutes."""
+        minutes = self._order.minutes
+        return math.inf if minutes is None else 60.0 * minutes - self._spent()
+
+    def _spent(self) -> float:
+        return self._spent_before + monotonic() - self._begun
+
+    def _save(self) -> None:
+        self._state.seconds = self._spent()
+        self._state.save(self._order.work)
+
+    def _known_weight(self) -> float:
+        """Of all stages that are known to come."""
+        rounds = self._plan.rounds or max(len(self._state.rounds), 1)
+        phases = rounds if self._plan.rounds is None else rounds - 1
+        return _RAYS * (1 + rounds) + _PHASE * phases + _LAST * len(self._by_cost)
+
+
+def export(made: Made, out: Path, credit: str | None, license_: str) -> Manifest:
+    """Write the package of what was made."""
+    trained = [one for folder in made.checkpoints for one in trained_in(folder, made.dataset)]
+    manifest = build_package(
+        trained, made.dataset, out, credit, license_, _quiet, max_loss=math.inf
+    )
+    dress(out, made.dataset, None, (), False, _quiet)
+    return manifest
+
+
+def _decoder_size(preset: str) -> int:
+    model = PRESETS["surface"][preset].model
+    return model.hidden_layers * model.width**2
+
+
+def _told(found: Score) -> str:
+    return f"PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}"
+
+
+def _quiet(_: str) -> None:
+    pass

@@ -1,0 +1,101 @@
+"""`make.json`: what a make was asked for and how far it is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rna_export.capture.manifest import what_is_wrong
+from rna_export.capture.sample_files import write_atomically
+from rna_export.make.plan import Length
+from rna_sdk.errors import TrainingError
+
+_NAME = "make.json"
+
+
+class Asked(BaseModel):
+    """What must be the same for a make to go on."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    source: str
+    source_sha256: str
+    arguments: tuple[str, ...]
+    settings: dict[str, int | float | str | bool]
+    scene: str | None
+    presets: tuple[str, ...]
+    goal: str
+    minutes: float | None
+    steps: int | None
+    seed: int
+
+
+class Score(BaseModel):
+    """Of the validation images, all parts together."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    psnr: float
+    flip: float
+
+
+class Round(BaseModel):
+    """A capture, and the training of the leading preset on all rays so far."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    first_shard: int  # of those that it adds
+    lights: int  # after it
+    is_captured: bool = False
+    phase: Length | None = None
+    score: Score | None = None
+
+
+class Last(BaseModel):
+    """The last phase of a preset."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    phase: Length
+    score: Score | None = None
+
+
+class State(BaseModel):
+    """How far a make is. `save` writes it into the work folder."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    asked: Asked
+    lights: int  # that the capture was planned with
+    seconds: float = 0.0  # spent so far
+    rounds: list[Round] = []
+    last: dict[str, Last] = {}
+
+    def save(self, work: Path) -> None:
+        """The file appears whole or not at all."""
+        write_atomically(work / _NAME, (self.model_dump_json(indent=1) + "\n").encode())
+
+
+def load_state(work: Path, asked: Asked) -> State | None:
+    """The state in a work folder; None if no make has begun there.
+
+    Raises `TrainingError` when it is damaged or of a make that was asked for something else.
+    """
+    path = work / _NAME
+    if not path.is_file():
+        return None
+    try:
+        state = State.model_validate_json(path.read_bytes())
+    except ValidationError as error:
+        raise TrainingError(
+            f"{path}: {what_is_wrong(error)}; delete {work} to begin anew"
+        ) from error
+    for name in Asked.model_fields:
+        begun, now = getattr(state.asked, name), getattr(asked, name)
+        if begun != now:
+            raise TrainingError(
+                f"{work} was begun with {name} {begun}, found {now}: delete it to begin anew, or "
+                "choose another --work"
+            )
+    return state

@@ -1,0 +1,16 @@
+"""Where a training runs."""
+
+from __future__ import annotations
+
+import torch
+
+from rna_sdk.errors import TrainingError
+
+
+def chosen_device(asked: str) -> str:
+    """`cpu` or `cuda` for these or `auto`. Raises `TrainingError` for a GPU that is not there."""
+    if asked == "cuda" and not torch.cuda.is_available():
+        raise TrainingError("--device cuda: torch finds no CUDA device here")
+    if asked == "auto":
+        return "cuda" if torch.cuda.is_available() else "cpu"
+    return asked

@@ -1,0 +1,111 @@
+"""A model and its optimizers: what a step of training does."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import torch
+from torch import Tensor
+
+from rna_export.training.emission_batches import EmissionBatches
+from rna_export.training.losses import sample_loss
+from rna_export.training.model import NeuralAsset
+from rna_export.training.plane_adam import PlaneAdam
+from rna_export.training.presets import Preset, TrainingConfig
+from rna_export.training.samples import columns
+from rna_export.training.triplane import Triplane
+
+
+class Fitting:
+    """Fits a `NeuralAsset`; the loss sees only the output that matches the visibility.
+
+    bounds: (2, 3) of the planes. ceiling, unit: see `NeuralAsset`. fields: of the batches' rows,
+    see `SampleTable`. emission: batches of what the asset emits, if it does.
+    """
+
+    def __init__(
+        self,
+        preset: Preset,
+        bounds: Tensor,
+        ceiling: float,
+        unit: float,
+        fields: dict[str, int],
+        emission: EmissionBatches | None = None,
+        device: str = "cpu",
+    ):
+        self._config, self._fields, self._emission = preset.training, fields, emission
+        self.model = NeuralAsset(preset.model, bounds)
+        self.model.ceiling.fill_(ceiling)
+        self.model.unit.fill_(unit)
+        if emission is not None:
+            self.model.emission.ceiling.fill_(1.5 * emission.table.largest_radiance)
+            self.model.emission.unit.fill_(emission.table.usual_radiance)
+        self.model.to(device)
+        self._optimizers = _optimizers(self.model, preset.training)
+        self._first_rates = [o.param_groups[0]["lr"] for o in self._optimizers]
+
+    def step(self, rows: Tensor, progress: float) -> Tensor:
+        """One step on a batch of rows (n, columns); returns the loss, still on the device.
+
+        progress: how much of the run is done, 0 to 1.
+        """
+        for optimizer, first in zip(self._optimizers, self._first_rates, strict=True):
+            optimizer.param_groups[0]["lr"] = first * rate(self._config, progress)
+        loss = self.loss(rows, progress)
+        loss.backward()
+        for optimizer in self._optimizers:
+            optimizer.step()
+            optimizer.zero_grad()
+        return loss.detach()
+
+    @property
+    def learning_rate(self) -> float:
+        """Of the decoder, in the last step."""
+        return float(self._optimizers[0].param_groups[0]["lr"])
+
+    def loss(self, rows: Tensor, progress: float) -> Tensor:
+        """Of a batch, and of the next one of emission."""
+        # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
+        blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * progress)
+        at = columns(rows, self._fields)
+        is_ending = progress >= 1.0 - self._config.unbiased_share
+        loss = sample_loss(self.model, at, blur, "unbiased" if is_ending else self._config.loss)
+        if self._emission is None:
+            return loss
+        return loss + self._emission.loss(self.model.emission, self.model.triplane, blur)
+
+    def state(self) -> dict[str, Any]:
+        """For a checkpoint: of model and optimizers."""
+        return {
+            "model": self.model.state_dict(),
+            "optimizers": [optimizer.state_dict() for optimizer in self._optimizers],
+        }
+
+    def load(self, state: dict[str, Any]) -> None:
+        """Go on from a `state`; what an answer may be at most is the higher of both."""
+        ceiling = self.model.ceiling.clone()
+        self.model.load_state_dict(state["model"])
+        self.model.ceiling.copy_(torch.maximum(self.model.ceiling, ceiling))
+        for optimizer, saved in zip(self._optimizers, state["optimizers"], strict=True):
+            optimizer.load_state_dict(saved)
+
+
+def rate(config: TrainingConfig, progress: float) -> float:
+    """Learning rate over that of the start."""
+    if config.schedule == "halving":
+        return 0.5 ** min(int(5.0 * progress), 4)
+    return 0.5 * (1.0 + math.cos(math.pi * progress)) + 1e-3
+
+
+def _optimizers(model: NeuralAsset, config: TrainingConfig) -> list[torch.optim.Optimizer]:
+    """Of the decoders and of the features."""
+    decoders = [*model.decoder.parameters()]
+    if model.emission is not None:
+        decoders += model.emission.parameters()
+    of_decoders = torch.optim.Adam(decoders, lr=config.learning_rate, fused=True)
+    (features,) = model.triplane.parameters()
+    if isinstance(model.triplane, Triplane) and features.device.type == "cpu":
+        return [of_decoders, PlaneAdam(features, lr=config.plane_learning_rate)]
+    of_features = torch.optim.Adam([features], lr=config.plane_learning_rate, fused=True)
+    return [of_decoders, of_features]

@@ -1,0 +1,123 @@
+"""How each kind of light is sampled, met and looked up, for compiled code: by its row.
+
+A sample is (wi, distance, radiance, pdf, place): three float64, in the world; a float64; red, green
+and blue; a float64, 0 where nothing arrives; and for triangles, whose radiance is asked of
+`Light.sent`, triangle and barycentrics of the point, where the radiance is 1.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import prange
+
+from rna_render.lights.directional import look_up_sun, sample_directional, sample_sun
+from rna_render.lights.disk import disk_density, sample_disk
+from rna_render.lights.environment import (
+    look_up_image_light,
+    look_up_uniform,
+    sample_image_light,
+    sample_uniform,
+)
+from rna_render.lights.kinds import (
+    DIRECTIONAL,
+    DISK,
+    IMAGE,
+    POINT,
+    RECTANGLE,
+    SPHERE,
+    SUN,
+    TRIANGLES,
+    UNIFORM,
+)
+from rna_render.lights.mesh import sample_triangles
+from rna_render.lights.point import sample_point_light
+from rna_render.lights.rectangle import rectangle_density, sample_rectangle
+from rna_render.lights.sphere import sample_sphere, sphere_density
+from rna_render.vectors import vector_at
+from rna_sdk.compiled import compiled
+
+
+@compiled(fastmath=())
+def sample_light(kind, numbers, words, x, u1, u2):
+    """A sample of a light at x, three float64."""
+    no_place = (0.0, 0.0, 0.0)
+    if kind == IMAGE:
+        wi, radiance, pdf = sample_image_light(numbers, words, u1, u2)
+        return wi, np.inf, radiance, pdf, no_place
+    if kind == UNIFORM:
+        wi, radiance, pdf = sample_uniform(numbers, u1, u2)
+        return wi, np.inf, radiance, pdf, no_place
+    if kind == SUN:
+        wi, radiance, pdf = sample_sun(numbers, u1, u2)
+        return wi, np.inf, radiance, pdf, no_place
+    if kind == DIRECTIONAL:
+        wi, radiance = sample_directional(numbers)
+        return wi, np.inf, radiance, 1.0, no_place
+    if kind == POINT:
+        wi, distance, radiance, pdf = sample_point_light(numbers, x)
+        return wi, distance, radiance, pdf, no_place
+    if kind == TRIANGLES:
+        wi, distance, pdf, place = sample_triangles(numbers, words, x, u1, u2)
+        return wi, distance, (1.0, 1.0, 1.0), pdf, place
+    if kind == RECTANGLE:
+        wi, distance, pdf = sample_rectangle(numbers, x, u1, u2)
+    elif kind == DISK:
+        wi, distance, pdf = sample_disk(numbers, x, u1, u2)
+    else:
+        wi, distance, pdf = sample_sphere(numbers, x, u1, u2)
+    return wi, distance, _where_seen(numbers, pdf), pdf, no_place
+
+
+@compiled(fastmath=())
+def escaped_light(kind, numbers, words, d):
+    """Radiance, and density of `sample_light`, of a ray along d that leaves the scene."""
+    if kind == IMAGE:
+        return look_up_image_light(numbers, words, d)
+    if kind == UNIFORM:
+        return look_up_uniform(numbers)
+    if kind == SUN:
+        return look_up_sun(numbers, d)
+    return (0.0, 0.0, 0.0), 0.0
+
+
+@compiled(fastmath=())
+def met_light(kind, numbers, x, d):
+    """The same of a ray from x along d that meets a light of one shape and one radiance."""
+    pdf = 0.0
+    if kind == RECTANGLE:
+        pdf = rectangle_density(numbers, x, d)
+    elif kind == DISK:
+        pdf = disk_density(numbers, x, d)
+    elif kind == SPHERE:
+        pdf = sphere_density(numbers, x)
+    return _where_seen(numbers, pdf), pdf
+
+
+@compiled(fastmath=())
+def _where_seen(numbers, pdf):
+    return (numbers[0], numbers[1], numbers[2]) if pdf > 0.0 else (0.0, 0.0, 0.0)
+
+
+@compiled(parallel=True, fastmath=())
+def sample_batch(kind, numbers, words, x_world, u, wi_world, distance, radiance, pdf, place):
+    for i in prange(len(x_world)):
+        sample = sample_light(kind, numbers, words, vector_at(x_world, i), u[i, 0], u[i, 1])
+        distance[i], pdf[i] = sample[1], sample[3]
+        for axis in range(3):
+            wi_world[i, axis], radiance[i, axis] = sample[0][axis], sample[2][axis]
+            place[i, axis] = sample[4][axis]
+
+
+@compiled(parallel=True, fastmath=())
+def escaped_batch(kind, numbers, words, d_world, radiance, pdf):
+    for i in prange(len(d_world)):
+        found, pdf[i] = escaped_light(kind, numbers, words, vector_at(d_world, i))
+        radiance[i, 0], radiance[i, 1], radiance[i, 2] = found
+
+
+@compiled(parallel=True, fastmath=())
+def met_batch(kind, numbers, x_world, d_world, radiance, pdf):
+    for i in prange(len(d_world)):
+        at = vector_at(x_world, i), vector_at(d_world, i)
+        found, pdf[i] = met_light(kind, numbers, at[0], at[1])
+        radiance[i, 0], radiance[i, 1], radiance[i, 2] = found

@@ -1,0 +1,74 @@
+"""The files that a scene is made of, so that they can be brought to other machines."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+from pydantic import BaseModel
+
+from rna_render.scene_file import SceneFile
+from rna_work.places import Place
+from rna_work.sources import Carried
+
+
+def carried_scene(scene_file: SceneFile, where: Place) -> Carried:
+    """The scene file for workers, with all that it names. Raises SceneError if a file is missing.
+
+    Paths in the scene that are absolute stay as they are: such files have to be on all machines.
+    """
+    if not where.far:
+        return where.carry(scene_file.path)
+    relative, absolute = [], []
+    for path in set(named_paths(scene_file.scene)):
+        file = scene_file.resolve(path)
+        if not file.is_file():
+            raise scene_file.error((), f"no such file: {file}")
+        files = [scene_file.path.parent / path, *read_with(scene_file.path.parent / path)]
+        (absolute if path.is_absolute() else relative).extend(files)
+    return where.carry(scene_file.path, relative, absolute)
+
+
+def named_paths(value: object) -> Iterator[Path]:
+    """All paths anywhere in a part of a scene."""
+    if isinstance(value, Path):
+        yield value
+    elif isinstance(value, BaseModel):
+        for _, part in value:
+            yield from named_paths(part)
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from named_paths(part)
+
+
+def read_with(path: Path) -> list[Path]:
+    """Files that a mesh file reads beside itself, those that are there."""
+    read = {".gltf": _of_gltf, ".obj": _of_obj}.get(path.suffix.lower())
+    names = read(path) if read is not None else []
+    return [file for name in names if (file := path.parent / name).is_file()]
+
+
+def _of_gltf(path: Path) -> list[str]:
+    try:
+        data: dict[str, Any] = json.loads(path.read_bytes())
+    except ValueError:
+        return []  # the worker that reads it says what is wrong
+    entries = [*data.get("buffers", []), *data.get("images", [])]
+    uris = [entry.get("uri", "data:") for entry in entries]
+    return [unquote(uri) for uri in uris if not uri.startswith("data:")]
+
+
+def _of_obj(path: Path) -> list[str]:
+    libraries = re.findall(r"^\s*mtllib\s+(.+?)\s*$", path.read_text(errors="replace"), re.M)
+    maps = []
+    for name in libraries:
+        file = path.parent / name
+        if file.is_file():
+            lines = re.findall(r"^\s*map_\w+\s+(.+?)\s*$", file.read_text(errors="replace"), re.M)
+            maps += [str(Path(name).parent / line.split()[-1]) for line in lines]
+            maps += [str(Path(name).parent / line) for line in lines]
+    return [*libraries, *maps]

@@ -1,0 +1,147 @@
+"""A Ray cluster as a place for work. Nothing else of the project imports Ray."""
+
+from __future__ import annotations
+
+import os
+import socket
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeVar
+
+from rna_sdk.errors import RnaError, WorkError
+from rna_work.places import Needs
+from rna_work.processes import portable
+from rna_work.ray_slots import RayWorkers
+from rna_work.sources import Carried
+from rna_work.travelling import Travelling, check_elsewhere, content_hash
+
+Answer = TypeVar("Answer")
+
+_NODE_SECONDS = 1800.0  # for what each node does before work begins, such as installing Blender
+
+
+@contextmanager
+def connected(address: str) -> Iterator[RayCluster]:
+    """The cluster of an address, as `--cluster` takes it.
+
+    Raises WorkError where Ray is not installed, or where no cluster answers.
+    """
+    ray = imported_ray()
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # read by the nodes that are started here
+    options: dict[str, Any] = {"log_to_driver": False, "logging_level": "ERROR"}
+    if address == "local":
+        options |= {"include_dashboard": False}
+    else:
+        options |= {"address": address}
+        _check_port(address)
+    begun_here = not ray.is_initialized()
+    if begun_here:
+        try:
+            ray.init(**options)
+        except (ImportError, ConnectionError, RuntimeError, ValueError, OSError) as error:
+            line = next(iter(str(error).splitlines()), type(error).__name__)
+            raise WorkError(f"--cluster {address}: no cluster answers: {line}") from error
+    try:
+        yield RayCluster()
+    finally:
+        if begun_here:
+            ray.shutdown()
+
+
+def _check_port(address: str) -> None:
+    """Raises WorkError where nobody listens; Ray itself would try for minutes."""
+    host, colon, port = address.rpartition("://")[2].rpartition(":")
+    if not colon or not port.isdigit():
+        return  # such as `auto`
+    try:
+        socket.create_connection((host, int(port)), timeout=10.0).close()
+    except OSError as error:
+        raise WorkError(f"--cluster {address}: no cluster answers: {error}") from error
+
+
+def imported_ray() -> Any:
+    """The module. Raises WorkError where it is not installed."""
+    try:
+        import ray
+    except ModuleNotFoundError as error:
+        raise WorkError("--cluster needs Ray: pip install 'rna-sdk[cluster]'") from error
+    return ray
+
+
+@dataclass(frozen=True)
+class RayCluster:
+    """The cluster that this process is connected to."""
+
+    far = True
+
+    def workers(self, needs: Needs, count: int | None) -> RayWorkers:
+        return RayWorkers(needs, count)
+
+    def gpus(self) -> float:
+        return float(sum(node["Resources"].get("GPU", 0) for node in alive_nodes()))
+
+    def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
+        hashes = {file.absolute(): content_hash(file) for file in fixed}
+        if hashes:
+            self.on_every_node(partial(check_elsewhere, path, hashes))
+        return Travelling.of(path, others)
+
+    def whole_machines(self, threads: int | None, local: str = "") -> tuple[RayWorkers, int]:
+        least = min((int(node["Resources"]["CPU"]) for node in alive_nodes()), default=1)
+        count = min(threads or least, least)
+        return RayWorkers(Needs("threads", max(count, 1)), None), max(count, 1)
+
+    def on_every_node(
+        self, do: Callable[[], Answer], resource: str | None = None
+    ) -> dict[str, Answer]:
+        import ray
+        from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
+
+        remote = ray.remote(num_cpus=0, max_retries=0)(_answer_of_node)
+        asked = {}
+        for node in nodes_with(resource):
+            there = NodeAffinitySchedulingStrategy(node["NodeID"], soft=False)
+            asked[node_name(node)] = remote.options(scheduling_strategy=there).remote(do)
+        answers = {}
+        for name, reference in asked.items():
+            try:
+                answer, failure = ray.get(reference, timeout=_NODE_SECONDS)
+            except ray.exceptions.RayError as error:
+                raise WorkError(f"node {name} does not answer: {first_line(error)}") from error
+            if failure is not None:
+                raise WorkError(f"node {name}: {failure}") from failure
+            answers[name] = answer
+        return answers
+
+
+def _answer_of_node(do: Callable[[], Any]) -> tuple[Any, Exception | None]:
+    try:
+        return do(), None
+    except RnaError as error:
+        return None, portable(error)
+
+
+def alive_nodes() -> list[dict[str, Any]]:
+    """Nodes that can work, as Ray lists them."""
+    import ray
+
+    return [node for node in ray.nodes() if node["Alive"] and node["Resources"].get("CPU", 0) > 0]
+
+
+def nodes_with(resource: str | None) -> list[dict[str, Any]]:
+    """Those that have a resource, if any has it; else all that can work."""
+    nodes = alive_nodes()
+    return [node for node in nodes if resource in node["Resources"]] or nodes
+
+
+def node_name(node: dict[str, Any]) -> str:
+    """Host, and the beginning of the node's number: several nodes may be on one host."""
+    return f"{node['NodeManagerHostname']}-{node['NodeID'][:4]}"
+
+
+def first_line(error: BaseException) -> str:
+    """Of its message."""
+    return next(iter(str(error).strip().splitlines()), type(error).__name__)

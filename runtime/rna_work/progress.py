@@ -1,0 +1,62 @@
+"""One bar for all workers: rate and time left of the whole, who works where, what went wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from tqdm import tqdm
+
+from rna_work.pool import Pool
+from rna_work.worker import Outcome
+
+
+class Progress:
+    """A bar of items, by their cost; a context.
+
+    bars: makes it, with the arguments of `tqdm`.
+    """
+
+    def __init__(
+        self,
+        total: float,
+        unit: str,
+        what: str,
+        done: float = 0.0,
+        bars: Callable[..., Any] = tqdm,
+    ) -> None:
+        scaled = {"unit_scale": True, "smoothing": 0.05}
+        self._bar = bars(total=total, initial=done, unit=unit, desc=what, **scaled)
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._bar.close()
+
+    def tell(self, line: str) -> None:
+        """Print a line above the bar."""
+        self._bar.write(line)
+
+    def of(
+        self,
+        pool: Pool[Any, Any],
+        outcomes: Iterator[Outcome[Any, Any]],
+        cost: Callable[[Any], float] = lambda item: 1.0,
+    ) -> Iterator[Outcome[Any, Any]]:
+        """The outcomes, while the bar follows them."""
+        for outcome in outcomes:
+            nodes = pool.nodes()
+            if len(nodes) > 1:
+                self._bar.set_postfix_str(who(nodes), refresh=False)
+            if outcome.failure is None:
+                self._bar.update(cost(outcome.item))
+            yield outcome
+
+
+def who(nodes: dict[str, int]) -> str:
+    """How many workers there are, and where the most are."""
+    named = sorted(nodes.items(), key=lambda pair: -pair[1])
+    shown = ", ".join(f"{node}: {count}" for node, count in named[:3])
+    more = f", and {len(named) - 3} more nodes" if len(named) > 3 else ""
+    return f"{sum(nodes.values())} workers ({shown}{more})"

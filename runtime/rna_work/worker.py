@@ -1,0 +1,61 @@
+"""What a worker is, and what comes of the items that it is given."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Generic, Protocol, TypeVar
+
+from rna_sdk.errors import WorkError
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+
+class Worker(Protocol):
+    """Runs items, one after the other; a context that is entered where the work is done."""
+
+    def __enter__(self) -> Any: ...
+
+    def __exit__(self, *exception: object) -> None: ...
+
+    def run(self, item: Any) -> Any:
+        """The result of one item. What it raises is the item's failure."""
+
+    def kill(self) -> None:
+        """Called from another thread, perhaps more than once: end what the worker is doing."""
+
+
+class MakeWorker(Protocol):
+    """Makes a worker of a name. Picklable, where workers are not threads."""
+
+    def __call__(self, name: str) -> Worker: ...
+
+
+class WorkerLost(WorkError):
+    """The process or the machine of a worker has ended; its item may be run by another one."""
+
+
+class TimedOut(WorkError):
+    """An item took many times as long as its fellows, and its worker was ended."""
+
+
+@dataclass(frozen=True)
+class Outcome(Generic[Item, Result]):
+    """What came of an item.
+
+    result: None if it failed. failure: of the last attempt. worker, node: who ran it, and where.
+    seconds: of the last attempt.
+    """
+
+    item: Item
+    result: Result | None
+    failure: Exception | None
+    worker: str
+    node: str
+    seconds: float
+
+    def value(self) -> Result:
+        """The result. Raises the failure."""
+        if self.failure is not None:
+            raise self.failure
+        return self.result  # type: ignore[return-value]

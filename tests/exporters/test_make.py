@@ -1,0 +1,247 @@
+"""A make by turns, without Blender: rays of a known ball take the place of Cycles'."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.guide import Guide
+from rna_export.capture.run import Crew
+from rna_export.capture.sample_files import write_parts
+from rna_export.capture.tasks import Task, TrainingShard
+from rna_export.capture.time_plan import TimeLimit
+from rna_export.capture.worker import Source
+from rna_export.fit.goal import Goal
+from rna_export.make import phases as phases_module
+from rna_export.make import rays as rays_module
+from rna_export.make import run as run_module
+from rna_export.make import stop as stop_module
+from rna_export.make.order import Order
+from rna_export.make.run import Made, Make
+from rna_export.make.state import Asked
+from rna_export.training import report as report_module
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.curves import Curves
+from rna_export.training.presets import PRESETS
+from rna_sdk.errors import TrainingError
+from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny
+from tests.render.assets import unit_vectors
+
+SHARD = 4  # lights
+
+
+class Stopped(BaseException):
+    """As Ctrl-C, wherever the test wants it."""
+
+
+@dataclass
+class Cycles:
+    """What renders: writes shards of the ball, and knows what it was asked.
+
+    stop_after: raises `Stopped` in the place of the shard with this number in all.
+    """
+
+    stop_after: float = math.inf
+    shards: int = 0
+    guided: dict[int, int | None] = field(default_factory=dict)
+
+    def begin(self, source: Source, asked: dict[str, Any], out: Path, *_: Any) -> Dataset:
+        dataset = make_dataset(out, shards=1).dataset
+        dataset.train_path(0).unlink()
+        settings = dataset.manifest.settings
+        settings = settings.model_copy(update={"lights": 64, "lights_per_shard": SHARD})
+        dataset.manifest = dataset.manifest.model_copy(update={"settings": settings})
+        dataset.plan_lights(64)
+        return dataset
+
+    def finish(
+        self,
+        dataset: Dataset,
+        source: Source,
+        crew: Crew,
+        limit: TimeLimit | None = None,
+        say: object = None,
+        tasks: Sequence[Task] = (),
+        bars: object = None,
+    ) -> None:
+        for task in tasks:
+            if task.path(dataset).is_file() or not isinstance(task, TrainingShard):
+                continue
+            if self.shards >= self.stop_after:
+                raise Stopped
+            self.shards += 1
+            self.guided[task.index] = task.guide
+            rng = np.random.default_rng([9, task.index])
+            wi = np.repeat(unit_vectors(rng, SHARD), RAYS, axis=0)
+            rows = samples_of_light(rng, wi)
+            if task.guide is not None:
+                rows["weight"] = np.full(len(wi), 1.0, np.float32)
+            write_parts(task.path(dataset), {"asset": rows})
+
+
+@pytest.fixture
+def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple[Made, Cycles]]:
+    """Runs a make of tiny models in `<tmp_path>/work`."""
+    for name, width in (("tiny", 16), ("small", 24)):
+        preset = tiny(name, steps=80).with_model(width=width)
+        monkeypatch.setitem(PRESETS["surface"], name, preset)
+    monkeypatch.setattr(stop_module, "LEAST_GAIN_DB", 6.0)  # three rounds or four
+    monkeypatch.setattr(Curves, "draw", lambda _: None)
+    monkeypatch.setattr(report_module, "write_images", lambda *_: None)
+
+    def run(
+        presets: tuple[str, ...] = ("small",),
+        goal: Goal | None = None,
+        minutes: float | None = None,
+        stop_after: float = math.inf,
+    ) -> tuple[Made, Cycles]:
+        cycles = Cycles(stop_after)
+        monkeypatch.setattr(rays_module, "begin", cycles.begin)
+        monkeypatch.setattr(rays_module, "finish", cycles.finish)
+        work = tmp_path / "work"
+        asked = Asked(
+            source="ball.py",
+            source_sha256="0",
+            arguments=(),
+            settings={},
+            scene=None,
+            presets=presets,
+            goal=str(goal),
+            minutes=minutes,
+            steps=None,
+            seed=0,
+        )
+        crew = Crew(Path("python"), tmp_path / "scratch", 1)
+        source = Source(tmp_path / "ball.py")
+        order = Order(source, {}, None, work, presets, goal, minutes, None, 0, "cpu", crew)
+        return Make(order, asked, run_module.monotonic(), lambda _: None).run(), cycles
+
+    return run
+
+
+def test_without_a_goal_it_ends_when_the_error_stops_falling(make: Any, tmp_path: Path) -> None:
+    made, _ = make(presets=("tiny", "small"))
+    assert made.why == "stopped falling" and made.rounds >= 3
+    assert made.lead == "small" and len(made.checkpoints) == 2
+    tiny_folder, small_folder = made.checkpoints
+    assert tiny_folder == tmp_path / "work" / "runs" / "tiny" / "last"
+    assert load_checkpoint(tiny_folder / "best.ckpt").steps == 80
+    assert small_folder.parent == tmp_path / "work" / "runs" / "small"
+    lights = [int(p.stem) for p in (tmp_path / "work" / "rays" / "train").iterdir()]
+    assert len(lights) * SHARD == made.dataset.manifest.settings.lights
+
+
+def test_rays_after_the_first_round_have_a_guide_and_weights(make: Any) -> None:
+    made, cycles = make()
+    first = [k for k, guide in cycles.guided.items() if guide is None]
+    assert first == [0, 1] and len(cycles.guided) > 4
+    weights = made.dataset.only.training_samples()["weight"]
+    assert len(weights) == len(cycles.guided) * SHARD * RAYS
+
+
+def test_a_goal_that_is_met_ends_the_rounds_and_spares_the_last_phase(make: Any) -> None:
+    made, _ = make(goal=Goal("min_psnr", 5.0))
+    assert (made.why, made.rounds) == ("goal met", 1)
+    assert made.checkpoints[0].name == "round-01"
+
+
+def test_the_last_phase_goes_on_from_the_rounds(make: Any) -> None:
+    made, _ = make()
+    last = made.dataset.folder.parent / "runs" / "small" / "last"
+    rounds = [load_checkpoint(f / "best.ckpt").steps for f in sorted(last.parent.glob("round-*"))]
+    assert load_checkpoint(last / "best.ckpt").steps > max(rounds) >= 10
+
+
+def test_minutes_end_it(make: Any) -> None:
+    made, _ = make(minutes=0.1)
+    assert made.why == "time is up" and made.rounds == 2
+    assert made.checkpoints[0].name in ("round-01", "last")
+
+
+@pytest.mark.parametrize(
+    "stage", ["rays 0", "rays 1", "rays 3", "guide", "train 1", "train 2", "last"]
+)
+def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
+    stage: str, make: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    whole, _ = make()
+    expected = load_checkpoint(whole.checkpoints[0] / "best.ckpt").model.state_dict()
+    (tmp_path / "work").rename(tmp_path / "whole")
+
+    with monkeypatch.context() as patch, pytest.raises(Stopped):
+        stop_in(stage, patch)
+        make(stop_after=int(stage.split()[1]) if stage.startswith("rays") else math.inf)
+    made, _ = make()
+    found = load_checkpoint(made.checkpoints[0] / "best.ckpt").model.state_dict()
+    assert made.rounds == whole.rounds and made.why == whole.why
+    assert made.checkpoints[0].name == whole.checkpoints[0].name
+    for name, weights in expected.items():
+        np.testing.assert_array_equal(found[name], weights, name)
+
+
+def stop_in(stage: str, patch: pytest.MonkeyPatch) -> None:
+    """Raise `Stopped` in the guide of a round, in its training, or in the last one."""
+    if stage == "guide":
+        patch.setattr(Guide, "save", stopping)
+    elif stage == "last":
+        patch.setattr(run_module.Make, "_last_phase", stopping)
+    elif stage.startswith("train"):
+        train, count = phases_module.train, iter(range(int(stage.split()[1]) - 1))
+
+        def counted(run: Any, *more: Any) -> Path:
+            if next(count, None) is None:
+                half_way(run, *more)
+            return train(run, *more)
+
+        def half_way(run: Any, table: Any, say: Any, _: Any) -> None:
+            def bars(**options: Any) -> Any:
+                return Bar(options["total"] // 2)
+
+            train(run, table, say, bars)
+
+        patch.setattr(phases_module, "train", counted)
+
+
+class Bar:
+    """Raises `Stopped` after so many steps."""
+
+    def __init__(self, left: int):
+        self._left = left
+
+    def __enter__(self) -> Bar:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def update(self, n: int = 1) -> None:
+        self._left -= n
+        if self._left < 0:
+            raise Stopped
+
+    def set_postfix(self, **_: str) -> None:
+        pass
+
+
+def stopping(*_: Any, **__: Any) -> None:
+    raise Stopped
+
+
+def test_another_order_in_the_same_folder_is_refused(make: Any) -> None:
+    make(goal=Goal("min_psnr", 5.0))
+    with pytest.raises(TrainingError, match="was begun with goal"):
+        make(goal=Goal("min_psnr", 6.0))
+
+
+def test_a_damaged_state_is_one_line(make: Any, tmp_path: Path) -> None:
+    make(goal=Goal("min_psnr", 5.0))
+    (tmp_path / "work" / "make.json").write_text("{")
+    with pytest.raises(TrainingError, match=r"make\.json"):
+        make(goal=Goal("min_psnr", 5.0))

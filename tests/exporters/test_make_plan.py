@@ -1,0 +1,81 @@
+"""When a make stops, and how it shares lights, steps and minutes among its rounds."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import pytest
+
+from rna_export.make.plan import CAPTURE, Length, OpenPlan, TimedPlan
+from rna_export.make.stop import LEAST_GAIN_DB, MARGIN_DB, verdict
+
+NONE = -math.inf
+
+
+@pytest.mark.parametrize(
+    ("psnr", "goal", "found"),
+    [
+        ([], 36.0, None),
+        ([30.0], 36.0, None),
+        ([30.0, 35.0], 36.0, None),
+        ([30.0, 36.0 + 2 * MARGIN_DB], 36.0, "goal met"),
+        ([30.0, 36.0 + MARGIN_DB / 2], 36.0, None),  # a package loses a little
+        ([30.0, 37.0, 35.0], 36.0, "goal met"),  # the best round is exported
+        ([30.0, 30.1, 30.2], 36.0, "stopped falling"),
+        ([30.0, 30.1, 30.1 + LEAST_GAIN_DB], 36.0, None),
+        ([30.0, 33.0, 33.1, 33.2], None, "stopped falling"),
+        ([30.0, 33.0, 33.1], None, None),
+        ([33.0, 31.0, 31.0], None, "stopped falling"),
+        ([30.0, 50.0], None, None),
+    ],
+)
+def test_stop_rule(psnr: list[float], goal: float | None, found: str | None) -> None:
+    assert verdict([-x for x in psnr], NONE if goal is None else -goal) == found
+
+
+def test_rounds_grow_and_end_in_full_length() -> None:
+    plan, lights, after = OpenPlan(2000, 16, 40_000), [], 0
+    for k in range(8):
+        after = plan.lights_of(k, after)
+        lights.append(after)
+        assert plan.capture_seconds(k, math.inf) is None
+    assert lights[0] == 256 and all(n % 16 == 0 for n in lights)
+    assert all(1.3 < b / a < 1.7 for a, b in pairwise(lights))
+    assert all(b - a <= 1008 for a, b in pairwise(lights))  # half of the usual ones at most
+    steps = [plan.phase(k, math.inf).steps for k in range(8)]
+    assert steps[0] == 5000 and steps == sorted(steps) and max(steps) == 40_000
+    assert plan.last_phase(math.inf, 2) == Length(steps=40_000)
+
+
+def test_a_round_adds_a_shard_at_least() -> None:
+    assert OpenPlan(8, 16, 100).lights_of(0, 0) == 16
+    assert OpenPlan(8, 16, 100).lights_of(1, 16) == 32
+
+
+@pytest.mark.parametrize(("minutes", "rounds"), [(2.0, 2), (30.0, 4)])
+@pytest.mark.parametrize("tiers", [1, 2])
+def test_stages_fill_the_time_and_leave_some_for_the_export(
+    minutes: float, rounds: int, tiers: int
+) -> None:
+    plan = TimedPlan(1000, 16, 60.0 * minutes, tiers)
+    assert plan.rounds == rounds
+    left, captured = 60.0 * minutes, 0.0
+    for k in range(rounds):
+        capture = plan.capture_seconds(k, left)
+        captured += capture
+        left -= capture
+        phase = plan.phase(k, left)
+        assert (phase is None) == (k == rounds - 1)
+        left -= 60.0 * phase.minutes if phase else 0.0
+    for k in range(tiers):
+        left -= 60.0 * plan.last_phase(left, tiers - k).minutes
+    export = tiers * min(30.0, 0.05 * 60.0 * minutes)
+    assert left == pytest.approx(export, abs=0.5)
+    assert captured == pytest.approx(CAPTURE * (60.0 * minutes - export), rel=0.01)
+
+
+def test_late_stages_share_what_is_left() -> None:
+    plan = TimedPlan(1000, 16, 600.0)
+    assert plan.capture_seconds(3, 100.0) < plan.capture_seconds(3, 400.0) < 400.0
+    assert plan.last_phase(-5.0, 1).minutes > 0.0

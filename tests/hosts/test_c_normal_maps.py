@@ -1,0 +1,54 @@
+"""Normal maps in the C host: the normal of a hit, what its renderer asks with, and bad packages."""
+
+from __future__ import annotations
+
+from contextlib import closing
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_sdk.package import Package
+from rna_sdk.runtime import mapped_normals
+from tests.hosts.c_host import CAsset, build, compiler
+from tests.hosts.test_c_host import run
+from tests.package.corpus import normal_map_cases
+from tests.package.corpus.registry import CASES, good_entries
+from tests.package.relief import make_relief
+
+pytestmark = pytest.mark.skipif(compiler() is None, reason="needs cc and make")
+
+OWN = [case for case in CASES if case.breaker.__module__ == normal_map_cases.__name__]
+BENT = 1  # 0 and 3 have no area in the texture, 2 has no record
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    return build(tmp_path_factory.mktemp("c-host"), "conform", "librna.so", arch="")
+
+
+def test_normals_have_the_relief(programs: list[Path], tmp_path: Path) -> None:
+    relief = make_relief(tmp_path / "relief.rna")
+    with Package.open(relief) as package:
+        mesh, records = package.mesh(), package.normal_maps()
+        triangle = np.arange(80) % 4
+        b1, b2 = np.random.default_rng(3).dirichlet((1, 1, 1), 80)[:, 1:].T
+        expected = mapped_normals(mesh, records, triangle, b1, b2)
+        plain = mapped_normals(mesh, [], triangle, b1, b2)
+    with closing(CAsset(programs[1], relief, "small")) as asset:
+        rows = zip(triangle.tolist(), b1, b2, strict=True)
+        found = np.array([asset.normal(*row) for row in rows])
+        assert not asset.normal(99, 0.2, 0.3).any()
+        assert asset.record.normal_map_count == 2
+    np.testing.assert_allclose(found, expected, atol=2e-6)
+    bent = np.abs(expected - plain).max(axis=1) > 0.05
+    assert bent[triangle == BENT].mean() > 0.9 and not bent[triangle != BENT].any()
+
+
+def test_bad_normal_maps_are_refused(programs: list[Path], tmp_path: Path) -> None:
+    good = good_entries(tmp_path)
+    for case in OWN:
+        path = tmp_path / f"{case.name}.rna"
+        path.write_bytes(case.breaker(good[case.base]))
+        result = run(programs[0], "validate", path)
+        assert (result.returncode, result.stdout.split()) == (1, [case.code]), case.name

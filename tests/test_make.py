@@ -1,0 +1,105 @@
+"""`rna-make` with real Cycles: from a script to a package, stopped at every stage on the way."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+import rna_sdk.runtime
+from rna_export.capture.dataset import Dataset
+from rna_sdk.package import Package
+from tests.exporters.scenes import write_scene
+
+pytestmark = pytest.mark.blender
+
+SCENE = """
+import sys
+rough = float(sys.argv[1])
+add(*BALL, principled(Base_Color=(0.7, 0.2, 0.1, 1), Roughness=rough), smooth=True)
+"""
+LAMP = """
+add(*BALL, principled(Emission_Color=(1, 0.5, 0.2, 1), Emission_Strength=3.0), smooth=True)
+pane = principled(Roughness=0.4, Alpha=0.5, Base_Color=(0.2, 0.5, 0.8, 1))
+add(*square(1.4, z=1.3), pane)
+"""
+SMALL = (
+    "--lights 256 --rays 256 --samples 2 --validation-views 2 --validation-resolution 32 "
+    "--validation-samples 16 --steps 120 --presets tiny small --keep"
+).split()
+
+
+def command(source: Path, out: Path, *options: object) -> list[str]:
+    own = ["-m", "rna_export.make.cli", source, "--out", out, *options]
+    return [sys.executable, *map(str, own)]
+
+
+def run(source: Path, out: Path, *options: object) -> str:
+    done = subprocess.run(command(source, out, *options), capture_output=True, text=True)
+    assert done.returncode == 0, f"{done.stdout}\n{done.stderr}"
+    return done.stdout
+
+
+STAGES = (  # a file of the work folder that appears in each
+    "rays/manifest.json",
+    "rays/validation/*.safetensors",
+    "rays/train/00000.safetensors",
+    "runs/small/round-01/last.ckpt",
+    "rays/guides/02.safetensors",
+    "runs/small/round-02/last.ckpt",
+    "runs/small/last/last.ckpt",
+    "runs/tiny/last/best.ckpt",
+)
+
+
+def test_a_make_killed_at_every_stage_ends_with_a_package(tmp_path: Path) -> None:
+    source = write_scene(tmp_path, "ball", SCENE)
+    out, work = tmp_path / "ball.rna", tmp_path / "ball.make"
+    for number, stage in enumerate(STAGES):
+        with (tmp_path / f"{number}.log").open("w") as log:
+            process = subprocess.Popen(
+                command(source, out, *SMALL, "--", 0.4),
+                stdout=log,
+                stderr=log,
+                start_new_session=True,
+            )
+        while not list(work.glob(stage)) and process.poll() is None:
+            time.sleep(0.02)
+        assert process.poll() is None, f"{stage}: {(tmp_path / f'{number}.log').read_text()}"
+        os.killpg(process.pid, signal.SIGKILL if number % 2 else signal.SIGINT)
+        assert process.wait(timeout=60) in (-signal.SIGKILL, 130)
+    said = run(source, out, *SMALL, "--", 0.4)
+    assert "continuing" in said and f"wrote {out}" in said and "next: rna-compare" in said
+    assert "stopped falling" in said
+    with Package.open(out) as package:
+        assert [tier.name for tier in package.manifest.tiers] == ["tiny", "small"]
+        assert all(tier.validation.psnr > 20.0 for tier in package.manifest.tiers)
+    rna_sdk.runtime.load(out)
+    weights = Dataset(work / "rays").only.training_samples()["weight"]
+    assert 0.8 < weights.mean() < 1.2 and weights.min() < 0.9 and weights.max() <= 2.0
+
+
+def test_a_goal_of_a_lamp_behind_glass_is_met(tmp_path: Path) -> None:
+    """Two parts, emission, and rays that pass: all go through it. Without --keep no rays stay."""
+    source = write_scene(tmp_path, "lamp", LAMP)
+    out = tmp_path / "lamp.rna"
+    options = [*SMALL[: SMALL.index("--presets")], "--presets", "tiny", "--min-psnr", "10"]
+    said = run(source, out, *options, "--parts", "objects")
+    assert "goal met: PSNR of at least 10 dB" in said
+    assert not (tmp_path / "lamp.make").exists()
+    with Package.open(out) as package:
+        (tier,) = package.manifest.tiers
+        assert len(tier.parts) == 2 and tier.parts[0].emission is not None
+
+
+def test_minutes_are_kept(tmp_path: Path) -> None:
+    source = write_scene(tmp_path, "ball", SCENE)
+    begun = time.monotonic()
+    said = run(source, tmp_path / "b.rna", "--minutes", 2, "--presets", "tiny", "--", 0.4)
+    assert "time is up" in said
+    assert 0.8 * 120.0 < time.monotonic() - begun < 1.05 * 120.0

@@ -1,0 +1,97 @@
+"""The pool of workers on a Ray cluster of three nodes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rna_sdk.errors import WorkError
+from rna_work.patience import Patience
+from rna_work.places import Needs, Place, place
+from rna_work.pool import Pool
+from rna_work.worker import WorkerLost
+from tests.work.workers import CannotStart, Doubling, Once, Repeating
+
+pytestmark = pytest.mark.filterwarnings("ignore")  # Ray's own, of its future versions
+
+
+@pytest.fixture(scope="module")
+def where(ray_address: str) -> Any:
+    with place(ray_address) as where:
+        yield where
+
+
+CORE = Needs("processes")
+
+
+def test_every_item_has_an_outcome_and_all_nodes_work(where: Place) -> None:
+    with Pool(where.workers(CORE, None), Doubling, ahead=1) as pool:
+        first = [o.value() for o in pool.run([0.2] * 12)]
+        assert len(pool.nodes()) == 3
+        values = [o.value() for o in pool.run(range(50), ordered=True)]
+    assert first == [0.4] * 12 and values == list(range(0, 100, 2))
+
+
+def test_failures_are_as_on_one_machine(where: Place, tmp_path: Path) -> None:
+    with Pool(where.workers(CORE, 2), Repeating, attempts=2) as pool:
+        assert [o.value() for o in pool.run([Once(tmp_path / "a", "fail")])] == ["done"]
+        [failed] = pool.run(["fail"])
+        assert isinstance(failed.failure, ValueError)
+        assert [o.value() for o in pool.run([Once(tmp_path / "b", "die")])] == ["done"]
+    with Pool(where.workers(CORE, 1), CannotStart) as pool:
+        with pytest.raises(ValueError, match="cannot start"):
+            list(pool.run([1]))
+
+
+def test_what_hangs_is_ended_and_run_again(where: Place, tmp_path: Path) -> None:
+    patience = Patience(least=1.0)
+    with Pool(where.workers(CORE, 2), Repeating, attempts=2, patience=patience) as pool:
+        found = [o.value() for o in pool.run([1, 2, 3, Once(tmp_path / "mark", "hang"), 4])]
+    assert sorted(map(str, found)) == ["2", "4", "6", "8", "done"]
+
+
+def test_a_worker_that_dies_over_and_over_fails_its_item(where: Place) -> None:
+    with Pool(where.workers(CORE, 2), Doubling) as pool:
+        outcomes = list(pool.run(["die", 1]))
+    assert sorted(o.failure is None for o in outcomes) == [False, True]
+    assert any(isinstance(o.failure, WorkerLost) for o in outcomes)
+
+
+def test_a_source_travels_with_what_lies_beside_it(
+    where: Place, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    source, texture = tmp_path / "a" / "toy.py", tmp_path / "maps" / "wood.png"
+    for path in (source, texture):
+        path.parent.mkdir()
+    source.write_text("toy")
+    texture.write_bytes(b"wood")
+    carried = where.carry(source, [texture, source])
+    here = carried.here()
+    assert here != source and here.read_text() == "toy"
+    assert (here.parent / "../maps/wood.png").read_bytes() == b"wood"
+    assert carried.here() == here and where.carry(source, [texture]).here() == here
+    texture.write_bytes(b"oak")
+    assert where.carry(source, [texture]).here() != here
+
+
+def test_files_that_are_elsewhere_and_missing_are_an_error(where: Place, tmp_path: Path) -> None:
+    from rna_work.travelling import check_elsewhere
+
+    source, outside = tmp_path / "a" / "toy.blend", tmp_path / "b" / "wood.png"
+    for path in (source, outside):
+        path.parent.mkdir()
+        path.write_bytes(b"x")
+    where.carry(source, fixed=[outside])  # all nodes are this machine, which has it
+    with pytest.raises(WorkError, match=r"toy\.blend reads .*gone\.png by an absolute path"):
+        check_elsewhere(source, {tmp_path / "gone.png": "0"})
+
+
+def test_no_cluster_is_one_line() -> None:
+    with (
+        pytest.raises(WorkError, match=r"^--cluster 127\.0\.0\.1:1: no cluster answers: "),
+        place("127.0.0.1:1"),
+    ):
+        pass

@@ -1,0 +1,97 @@
+"""Commands on a cluster of three nodes: the same bits as on one machine."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rna_export.capture.cli import main as capture
+from rna_export.trials.pool import Crew, TrialPool
+from rna_export.trials.trial import Trial
+from rna_render.cli import main as render
+from rna_work.places import place
+from tests.exporters.scenes import write_scene
+from tests.exporters.synthetic import make_dataset, tiny
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
+from tests.render.test_sequence import SCENE
+
+pytestmark = pytest.mark.filterwarnings("ignore")  # Ray's own, of its future versions
+
+SETTINGS = (
+    "--lights 128 --rays 64 --samples 1 --validation-views 1 --validation-resolution 24 "
+    "--validation-samples 4 --seed 3"
+).split()
+TEXTURED = """
+import bpy, os
+here = os.path.dirname(__file__)
+add(*BALL, principled(Roughness=float(open(os.path.join(here, "maps", "rough.txt")).read())))
+"""
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    files = (path for path in sorted(folder.rglob("*")) if path.is_file())
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+@pytest.mark.blender
+def test_a_capture_has_the_same_bits(
+    ray_address: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "maps").mkdir()
+    (tmp_path / "maps" / "rough.txt").write_text("0.3")
+    source = write_scene(tmp_path, "ball", TEXTURED)
+    here, there = tmp_path / "a" / "ball.rays", tmp_path / "b" / "ball.rays"
+    for out in (here, there):
+        out.parent.mkdir()
+    assert capture([str(source), "--out", str(here), *SETTINGS]) == 0
+    assert capture([str(source), "--out", str(there), *SETTINGS, "--cluster", ray_address]) == 0
+    expected, found = contents(here), contents(there)
+    assert [name for name in found if found[name] != expected.get(name)] == []
+    assert found.keys() == expected.keys()
+    assert len(list(there.glob("train/*"))) == 4
+
+
+def test_frames_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
+    (tmp_path / "models").mkdir()
+    write_lambert_package(tmp_path / "models" / "ball.rna", sphere(4))
+    scene = tmp_path / "scenes" / "scene.yaml"
+    scene.parent.mkdir()
+    scene.write_text(SCENE.replace("ball.rna", "../models/ball.rna"))
+    for name in ("a", "b"):
+        (tmp_path / name).mkdir()
+    common = [str(scene), "--frames", "all", "--out"]
+    assert render([*common, str(tmp_path / "a" / "%d.exr")]) == 0
+    assert render([*common, str(tmp_path / "b" / "%d.exr"), "--cluster", ray_address]) == 0
+    assert len(contents(tmp_path / "b")) == 4
+    assert contents(tmp_path / "b") == contents(tmp_path / "a")
+
+
+def test_a_large_image_has_the_same_bits(ray_address: str, tmp_path: Path) -> None:
+    write_lambert_package(tmp_path / "ball.rna", sphere(4))
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(SCENE.replace("[12, 8]", "[300, 200]"))
+    one, other = tmp_path / "a.exr", tmp_path / "b.exr"
+    assert render([str(scene), "--out", str(one)]) == 0
+    assert render([str(scene), "--out", str(other), "--cluster", ray_address]) == 0
+    assert one.read_bytes() == other.read_bytes()
+
+
+def test_trainings_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
+    dataset = make_dataset(tmp_path / "ball.rays")
+    trials = [Trial(name=f"t{k}", family="ours", preset=tiny(steps=12), seed=k) for k in range(2)]
+
+    def points(where: object, name: str) -> dict[str, object]:
+        crew = Crew(None if where.far else 1, 1, "cpu", where)
+        with TrialPool(dataset.folder, crew) as pool:
+            records = list(pool.run([(t, tmp_path / name / t.name) for t in trials]))
+        return {record.trial.name: record.points for record in records}
+
+    with place(None) as here:
+        expected = points(here, "a")
+    with place(ray_address) as there:
+        assert points(there, "b") == expected
+    for trial in trials:
+        packages = [tmp_path / name / trial.name / "int8-int8.rna" for name in ("a", "b")]
+        assert packages[0].read_bytes() == packages[1].read_bytes()

@@ -1,0 +1,67 @@
+"""What `rna_work` imports, and that nothing imports Ray before it is asked for."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+
+import pytest
+
+from tests.conftest import REPOSITORY
+from tests.test_commands import COMMANDS
+
+FOLDER = REPOSITORY / "runtime" / "rna_work"
+
+
+def imports(path: object) -> set[str]:
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            names.add(node.module)
+    return names
+
+
+def test_it_lies_below_renderer_and_exporter() -> None:
+    ours = {name for path in FOLDER.glob("*.py") for name in imports(path) if name[:4] == "rna_"}
+    above = {name for name in ours if not name.startswith("rna_work.")}
+    assert above == {"rna_sdk.errors"}
+
+
+def test_ray_is_imported_in_three_files_alone() -> None:
+    folders = ("rna_sdk", "runtime", "exporters", "benchmarks/rna_bench")
+    found = {
+        path.name
+        for folder in folders
+        for path in (REPOSITORY / folder).rglob("*.py")
+        if any(name.split(".")[0] == "ray" for name in imports(path))
+    }
+    assert found == {"cluster.py", "ray_slots.py", "travelling.py"}
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "from rna_work.places import place; place(None).__enter__()",
+        "import rna_export.capture.run, rna_export.trials.pool, rna_export.fit.run",
+        "import rna_render.sequence, rna_render.pieces, rna_work.cluster, rna_work.ray_slots",
+        *(f"import {entry.partition(':')[0]}" for entry in COMMANDS.values()),
+    ],
+)
+def test_without_the_option_there_is_no_ray(code: str) -> None:
+    program = f"import sys; {code}; sys.exit('ray' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", program]).returncode == 0
+
+
+def test_where_ray_is_missing_a_line_says_how_to_get_it() -> None:
+    program = (
+        "import sys; sys.modules['ray'] = None\n"
+        "from rna_render.cli import main; sys.exit(main(sys.argv[1:]))"
+    )
+    scene = REPOSITORY / "examples" / "quickstart" / "scene.yaml"
+    command = [sys.executable, "-c", program, scene, "--out", "a.exr", "--cluster", "auto"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 1
+    assert done.stderr == "error: --cluster needs Ray: pip install 'rna-sdk[cluster]'\n"

@@ -1,0 +1,143 @@
+"""The pool of workers, on threads and on processes."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from rna_sdk.errors import WorkError
+from rna_work.backend import Backend
+from rna_work.patience import Patience
+from rna_work.pool import Pool
+from rna_work.processes import Processes
+from rna_work.threads import Caller, Threads
+from rna_work.worker import TimedOut, WorkerLost
+from tests.work.workers import CannotStart, Doubling, Once, Repeating
+
+BACKENDS = [Threads(2), Processes(2)]
+ids = ["threads", "processes"]
+
+
+@pytest.mark.parametrize("backend", BACKENDS, ids=ids)
+def test_every_item_has_an_outcome(backend: Backend) -> None:
+    with Pool(backend, Doubling) as pool:
+        assert sorted(o.value() for o in pool.run(range(20))) == list(range(0, 40, 2))
+        assert [o.value() for o in pool.run([])] == []
+        assert [o.value() for o in pool.run([4])] == [8]  # the workers are there still
+
+
+def test_order_is_kept_where_it_is_asked_for() -> None:
+    slow_first = [0.3, 0.0, 0.01, 0.1, 0.0, 0.02]
+    with Pool(Threads(3), Doubling, ahead=1) as pool:
+        found = [o.value() for o in pool.run(slow_first, ordered=True)]
+    assert found == [2 * s for s in slow_first]
+
+
+def test_items_are_taken_when_workers_are_free_for_them() -> None:
+    taken: list[int] = []
+
+    def items() -> Iterator[int]:
+        for k in range(10_000):
+            taken.append(k)
+            yield k
+
+    with Pool(Threads(2), Doubling, ahead=1) as pool:
+        for seen, outcome in enumerate(pool.run(items(), ordered=True)):
+            assert outcome.result == 2 * seen
+            assert len(taken) <= seen + 2 * 2 * 2 + 1
+            if seen == 1000:
+                break
+    assert len(taken) < 1020
+
+
+def test_a_run_that_was_left_does_not_disturb_the_next() -> None:
+    with Pool(Threads(2), Doubling) as pool:
+        next(iter(pool.run([0.0, 0.2, 0.2, 0.2])))
+        assert sorted(o.value() for o in pool.run([1, 2, 3])) == [2, 4, 6]
+
+
+@pytest.mark.parametrize("backend", BACKENDS, ids=ids)
+def test_a_failure_is_the_outcome_of_its_item_alone(backend: Backend) -> None:
+    with Pool(backend, Doubling) as pool:
+        outcomes = list(pool.run([1, "fail", 2]))
+    assert sorted(o.result for o in outcomes if o.failure is None) == [2, 4]
+    [failed] = [o for o in outcomes if o.failure is not None]
+    with pytest.raises(ValueError, match="was told to fail"):
+        failed.value()
+
+
+@pytest.mark.parametrize("backend", BACKENDS, ids=ids)
+def test_a_failed_item_is_run_again_by_a_fresh_worker(backend: Backend, tmp_path: Path) -> None:
+    item = Once(tmp_path / "mark", "fail")
+    with Pool(backend, Repeating, attempts=2) as pool:
+        [outcome] = pool.run([item])
+        assert outcome.value() == "done" and outcome.worker != "0"
+        [failed] = pool.run(["fail"])
+    assert isinstance(failed.failure, ValueError)
+
+
+def test_a_process_that_ends_is_replaced() -> None:
+    with Pool(Processes(1), Doubling) as pool:
+        outcomes = list(pool.run([1, "die", 2]))
+    assert [o.result for o in outcomes] == [2, None, 4]
+    assert isinstance(outcomes[1].failure, WorkerLost) and "killed" in str(outcomes[1].failure)
+
+
+@pytest.mark.parametrize("backend", BACKENDS, ids=ids)
+def test_what_hangs_is_ended_and_run_again(backend: Backend, tmp_path: Path) -> None:
+    def patience() -> Patience:
+        return Patience(least=0.5)
+
+    item = Once(tmp_path / "mark", "hang")
+    with Pool(backend, Repeating, attempts=2, patience=patience()) as pool:
+        outcomes = list(pool.run([1, 2, 3, item, 4]))
+    assert sorted(str(o.value()) for o in outcomes) == ["2", "4", "6", "8", "done"]
+    with Pool(backend, Doubling, patience=patience()) as pool:
+        hung = [o for o in pool.run([1, 2, 3, "hang"]) if o.failure is not None]
+    assert len(hung) == 1 and isinstance(hung[0].failure, TimedOut)
+
+
+@pytest.mark.parametrize("backend", BACKENDS, ids=ids)
+def test_workers_that_cannot_start_say_why(backend: Backend) -> None:
+    with Pool(backend, CannotStart) as pool, pytest.raises(ValueError, match="cannot start"):
+        list(pool.run([1]))
+
+
+def test_the_caller_can_be_the_worker() -> None:
+    thread = threading.get_ident()
+
+    class Telling(Doubling):
+        def run(self, item: object) -> object:
+            return super().run(item), threading.get_ident()
+
+    with Pool(Caller(), Telling) as pool:
+        outcomes = list(pool.run([1, "fail", 3]))
+    assert [o.result for o in outcomes] == [(2, thread), None, (6, thread)]
+
+
+class NoRoom(Threads):
+    def width(self) -> int:
+        return 0
+
+
+def test_no_room_for_workers_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rna_work.pool._NO_ROOM", 0.1)
+    with Pool(NoRoom(1), Doubling) as pool, pytest.raises(WorkError, match="no node has had room"):
+        list(pool.run([1]))
+
+
+def test_there_are_no_more_workers_than_items() -> None:
+    with Pool(Processes(8), Doubling) as pool:
+        pids = {o.value() for o in pool.run(["pid", "pid"])}
+        assert len(pids) <= 2 and sum(pool.nodes().values()) <= 2
+
+
+def test_processes_end_with_the_pool() -> None:
+    start = time.monotonic()
+    with Pool(Processes(2), Doubling) as pool:
+        next(iter(pool.run([0.0, "hang"])))
+    assert time.monotonic() - start < 20.0
