@@ -24,7 +24,8 @@ from rna_sdk.runtime.lanes import LANES
 from rna_sdk.runtime.layer_kernel import (
     BLOCK,
     PANEL,
-    layer_kernel,
+    REGISTERS,
+    block_sums,
     load_square,
     packed_layer,
     register_lanes,
@@ -130,7 +131,7 @@ def decoder_kernel(lanes: int) -> Callable[..., None]:
     exponentials come behind the next one; limits: low, high, top, unit; result (n, outputs),
     written.
     """
-    apply_layer: Any = layer_kernel(lanes)
+    part_rows = REGISTERS * lanes
 
     @compiled(_QUERIES, _NUMBERS, _SIZES, types.int64, _NUMBERS, types.float32[:, ::1])
     def decode(
@@ -150,7 +151,10 @@ def decoder_kernel(lanes: int) -> Callable[..., None]:
             at = 0
             for k in range(layers):
                 inputs, outputs = sizes[0, k], sizes[1, k]
-                apply_layer(x, y, weights, at, inputs, outputs, k < relus)
+                for part in range(0, PANEL, part_rows):
+                    for first in range(0, outputs, BLOCK):
+                        start, block = at + first * (inputs + 1), first * PANEL + part
+                        block_sums(lanes, x, part, weights, start, inputs, y, block, k < relus)  # type: ignore[call-arg]
                 if k == relus:
                     _exponentials(y, outputs, limits[2], limits[3])
                 at += (inputs + 1) * outputs

@@ -22,7 +22,7 @@ activations of two layers stay in a core's L2 cache and that a call's fixed cost
 
 _LARGE_MODEL_TILE = 512
 
-COMPILED_WIDTH = 64
+COMPILED_WIDTH = 128
 """Widest layer of the decoders that run in a kernel of ours: up to here it is the faster one."""
 
 _CHECKED_ROWS = 512

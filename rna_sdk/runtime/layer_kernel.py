@@ -7,30 +7,28 @@ AVX2 has. Its weights come packed: for each such block BLOCK biases, then BLOCK 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
 from typing import Any
 
 import numpy as np
 from llvmlite import ir
 from numba import types
 from numba.core.registry import cpu_target
+from numba.extending import intrinsic
 from numpy.typing import NDArray
 
-from rna_sdk.compiled import compiled
 from rna_sdk.runtime.lanes import LANES, operation, splat
 
 PANEL = 48
 """Rows of a panel: whole registers, three at a time, of AVX2 and of AVX-512."""
 
 BLOCK = 4
-_REGISTERS = 3
+REGISTERS = 3
 _WORD = ir.IntType(64)
 _INDEX = ir.IntType(32)
 
 
 def packed_layer(weight: NDArray[np.float32], bias: NDArray[np.float32]) -> NDArray[np.float32]:
-    """(inputs, outputs) and (outputs,) as `apply_layer` takes them; outputs filled up with 0."""
+    """(inputs, outputs) and (outputs,) as `block_sums` takes them; outputs filled up with 0."""
     outputs = -(-weight.shape[1] // BLOCK) * BLOCK
     rows = np.zeros((1 + len(weight), outputs), np.float32)
     rows[0, : len(bias)], rows[1:, : len(bias)] = bias, weight
@@ -44,100 +42,79 @@ def register_lanes() -> int:
     return 16 if "+avx512f" in features else 8
 
 
-@cache
-def layer_kernel(lanes: int) -> Callable[..., None]:
-    """The kernel for registers of so many float32.
+@intrinsic(prefer_literal=True)
+def block_sums(
+    typing_context: Any,
+    lanes: Any,
+    x: Any,
+    x_at: Any,
+    weights: Any,
+    at: Any,
+    inputs: Any,
+    y: Any,
+    y_at: Any,
+    relu: Any,
+) -> Any:
+    """Write BLOCK outputs of a layer for REGISTERS registers of rows.
 
-    Its arguments: x and y, panels of `inputs` and `outputs` numbers; weights, flat, those of the
-    layer from `at` on; inputs; outputs, a multiple of BLOCK; whether a Relu comes behind. A
-    number's terms are added in the order of the inputs, whatever the CPU.
+    lanes: float32 of a register, a compile-time constant. x, y: panels of the layer's inputs and
+    outputs; x_at, y_at: the first of the rows in x, and of the block in y. weights, flat: those of
+    the block from `at` on. relu: whether a Relu comes behind. A number's terms are added in the
+    order of the inputs, whatever the CPU.
     """
-    rows, block_sums = _REGISTERS * lanes, _block_sums(lanes)
+    if not isinstance(lanes, types.IntegerLiteral):
+        return None
+    count = lanes.literal_value
+    vector = ir.VectorType(ir.FloatType(), count)
 
-    @compiled()
-    def apply_layer(
-        x: NDArray[np.float32],
-        y: NDArray[np.float32],
-        weights: NDArray[np.float32],
-        at: int,
-        inputs: int,
-        outputs: int,
-        relu: bool,
-    ) -> None:
-        for part in range(0, PANEL, rows):
-            for first in range(0, outputs, BLOCK):
-                start = at + first * (inputs + 1)
-                block_sums(x, part, weights, start, inputs, y, first * PANEL + part, relu)
+    def generate(context: Any, builder: ir.IRBuilder, signed: Any, arguments: Any) -> Any:
+        def start(k: int) -> ir.Value:
+            data = context.make_array(signed.args[k])(context, builder, arguments[k]).data
+            return builder.gep(data, [arguments[k + 1]])
 
-    return apply_layer
+        def rows(base: ir.Value, register: int) -> ir.Value:
+            address = builder.gep(base, [_WORD(register * count)])
+            return builder.bitcast(address, vector.as_pointer())
 
+        def number(base: ir.Value, j: int) -> ir.Value:
+            return splat(builder, builder.load(builder.gep(base, [_WORD(j)])), vector)
 
-def _block_sums(lanes: int) -> Any:
-    """The intrinsic that writes BLOCK outputs of _REGISTERS registers of rows."""
-    vector = ir.VectorType(ir.FloatType(), lanes)
+        x_start, w_start, y_start = start(1), start(3), start(6)
+        first = [number(w_start, j) for j in range(BLOCK)]
+        before = builder.block
+        loop, behind = (builder.append_basic_block(n) for n in ("inputs", "sums"))
+        builder.branch(loop)
+        builder.position_at_end(loop)
+        k = builder.phi(_WORD)
+        k.add_incoming(_WORD(0), before)
+        sums = [[builder.phi(vector) for _ in range(REGISTERS)] for _ in range(BLOCK)]
+        x_row = builder.gep(x_start, [builder.mul(k, _WORD(PANEL))])
+        following = builder.add(k, _WORD(1))
+        w_row = builder.gep(w_start, [builder.mul(following, _WORD(BLOCK))])
+        loaded = [builder.load(rows(x_row, r), align=4) for r in range(REGISTERS)]
+        grown = []
+        for j, row in enumerate(sums):
+            weight = number(w_row, j)
+            for r, total in enumerate(row):
+                product = builder.fmul(loaded[r], weight, flags=("contract",))
+                grown.append(builder.fadd(total, product, flags=("contract",)))
+                total.add_incoming(first[j], before)
+                total.add_incoming(grown[-1], builder.block)
+        k.add_incoming(following, builder.block)
+        more = builder.icmp_signed("<", following, arguments[5])
+        builder.cbranch(more, loop, behind)
+        builder.position_at_end(behind)
+        zero = ir.Constant(vector, [0.0] * count)
+        for place, value in enumerate(grown):
+            j, register = divmod(place, REGISTERS)
+            positive = builder.select(builder.fcmp_ordered(">", value, zero), value, zero)
+            value = builder.select(arguments[8], positive, value)
+            target = rows(builder.gep(y_start, [_WORD(j * PANEL)]), register)
+            builder.store(value, target, align=4)
+        return context.get_dummy_value()
 
-    @operation
-    def block_sums(
-        typing_context: Any,
-        x: Any,
-        x_at: Any,
-        weights: Any,
-        at: Any,
-        inputs: Any,
-        y: Any,
-        y_at: Any,
-        relu: Any,
-    ) -> Any:
-        def generate(context: Any, builder: ir.IRBuilder, signed: Any, arguments: Any) -> Any:
-            def start(k: int) -> ir.Value:
-                data = context.make_array(signed.args[k])(context, builder, arguments[k]).data
-                return builder.gep(data, [arguments[k + 1]])
-
-            def rows(base: ir.Value, register: int) -> ir.Value:
-                address = builder.gep(base, [_WORD(register * lanes)])
-                return builder.bitcast(address, vector.as_pointer())
-
-            def number(base: ir.Value, j: int) -> ir.Value:
-                return splat(builder, builder.load(builder.gep(base, [_WORD(j)])), vector)
-
-            x_start, w_start, y_start = start(0), start(2), start(5)
-            first = [number(w_start, j) for j in range(BLOCK)]
-            before = builder.block
-            loop, behind = (builder.append_basic_block(n) for n in ("inputs", "sums"))
-            builder.branch(loop)
-            builder.position_at_end(loop)
-            k = builder.phi(_WORD)
-            k.add_incoming(_WORD(0), before)
-            sums = [[builder.phi(vector) for _ in range(_REGISTERS)] for _ in range(BLOCK)]
-            x_row = builder.gep(x_start, [builder.mul(k, _WORD(PANEL))])
-            following = builder.add(k, _WORD(1))
-            w_row = builder.gep(w_start, [builder.mul(following, _WORD(BLOCK))])
-            loaded = [builder.load(rows(x_row, r), align=4) for r in range(_REGISTERS)]
-            grown = []
-            for j, row in enumerate(sums):
-                weight = number(w_row, j)
-                for r, total in enumerate(row):
-                    product = builder.fmul(loaded[r], weight, flags=("contract",))
-                    grown.append(builder.fadd(total, product, flags=("contract",)))
-                    total.add_incoming(first[j], before)
-                    total.add_incoming(grown[-1], builder.block)
-            k.add_incoming(following, builder.block)
-            more = builder.icmp_signed("<", following, arguments[4])
-            builder.cbranch(more, loop, behind)
-            builder.position_at_end(behind)
-            zero = ir.Constant(vector, [0.0] * lanes)
-            for place, value in enumerate(grown):
-                j, register = divmod(place, _REGISTERS)
-                positive = builder.select(builder.fcmp_ordered(">", value, zero), value, zero)
-                value = builder.select(arguments[7], positive, value)
-                target = rows(builder.gep(y_start, [_WORD(j * PANEL)]), register)
-                builder.store(value, target, align=4)
-            return context.get_dummy_value()
-
-        word = types.int64
-        return types.void(x, word, weights, word, word, y, word, types.boolean), generate
-
-    return block_sums
+    word = types.int64
+    return types.void(lanes, x, word, weights, word, word, y, word, types.boolean), generate
 
 
 @operation

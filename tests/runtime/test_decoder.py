@@ -176,10 +176,10 @@ def test_no_query_exceeds_the_bound_that_the_decoder_is_told(precision: str) -> 
 
 @pytest.mark.parametrize("make", [make_decoder_model, make_int8_decoder_model])
 def test_a_fast_form_that_differs_gives_way_to_the_graph(make, monkeypatch) -> None:
-    model = make(22, 80, 2, opset=19).SerializeToString()
+    model = make(22, 160, 2, opset=19).SerializeToString()
     queries = random_queries(200)
     expected = onnx_result(model, queries)
-    other = make(22, 80, 2, seed=5).SerializeToString()
+    other = make(22, 160, 2, seed=5).SerializeToString()
     rewrite = decoder_module.prepare_decoder
     monkeypatch.setattr(decoder_module, "prepare_decoder", lambda _, reach: rewrite(other, reach))
     with pytest.warns(DecoderWarning, match="runs as it is"):
