@@ -7,17 +7,13 @@ its own, as each node of a graph in onnxruntime has.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.package.decoder_profile import outside_profile
-from rna_sdk.package.onnx_model import Model, read_model
 from rna_sdk.runtime.lane_memory import load_lanes, store_column, store_lanes
 from rna_sdk.runtime.lane_vectors import between, exp
 from rna_sdk.runtime.lanes import LANES
@@ -30,6 +26,7 @@ from rna_sdk.runtime.layer_kernel import (
     packed_layer,
     register_lanes,
 )
+from rna_sdk.runtime.profile_layers import ProfileLayers
 
 Numbers = NDArray[np.float32]
 
@@ -39,53 +36,6 @@ _SIZES = types.Array(types.int64, 2, "C", readonly=True)
 
 _LARGEST_EXPONENT = 100.0
 """Beyond it exp is infinite in float32."""
-
-
-@dataclass(frozen=True)
-class ProfileLayers:
-    """The constants of a float32 decoder of the profile (spec/RNA.md, 6.4).
-
-    Attributes:
-        limits: low and high of the queries.
-        layers: (weight, bias) of each.
-        top: of the exponents.
-        unit: what the exponentials are multiplied by.
-        colours: (n, outputs) for n exponentials; None where these are the outputs.
-    """
-
-    limits: tuple[float, float]
-    layers: list[tuple[Numbers, Numbers]]
-    top: float
-    unit: float
-    colours: Numbers | None
-
-    @property
-    def width(self) -> int:
-        """Of the widest layer."""
-        return max(len(bias) for _, bias in self.layers)
-
-
-def profile_layers(model: bytes) -> ProfileLayers | None:
-    """The constants of a decoder; None of one in int8, or outside the profile."""
-    graph = read_model(memoryview(model))
-    if outside_profile(graph) is not None:
-        return None
-    if any(node.operator == "QuantizeLinear" for node in graph.nodes):
-        return None
-    constants = _constants(graph)
-    operands = [(n.operator, [constants[name] for name in n.inputs[1:]]) for n in graph.nodes]
-    layers = [(values[0], values[1]) for operator, values in operands if operator == "Gemm"]
-    (low, high), (_, top) = (values for operator, values in operands if operator == "Clip")
-    operator, (last,) = operands[-1]
-    unit, colours = (float(last), None) if operator == "Mul" else (1.0, last)
-    return ProfileLayers((float(low), float(high)), layers, float(top), unit, colours)
-
-
-def _constants(graph: Model) -> dict[str, Numbers]:
-    return {
-        tensor.name: np.frombuffer(tensor.raw or b"", "<f4").reshape(tensor.dims)
-        for tensor in graph.initializers
-    }
 
 
 class CompiledDecoder:

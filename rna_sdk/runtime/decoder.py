@@ -9,9 +9,10 @@ import onnxruntime as ort
 from numpy.typing import NDArray
 
 from rna_sdk.runtime.agreement import TIES, close_rows
-from rna_sdk.runtime.compiled_decoder import CompiledDecoder, profile_layers
+from rna_sdk.runtime.compiled_decoder import CompiledDecoder
 from rna_sdk.runtime.decoder_graph import prepare_decoder
 from rna_sdk.runtime.int8_entry import Entry
+from rna_sdk.runtime.profile_layers import profile_layers
 
 _TILES = ((32_768, 4096), (131_072, 2048), (524_288, 1024))
 """(bytes of the model, rows): up to this size, so many rows a call run fastest.

@@ -25,6 +25,7 @@ BLOCK = 4
 REGISTERS = 3
 _WORD = ir.IntType(64)
 _INDEX = ir.IntType(32)
+_FUSED = ("contract",)  # multiply-add, as everywhere in the kernels
 
 
 def packed_layer(weight: NDArray[np.float32], bias: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -64,57 +65,79 @@ def block_sums(
     """
     if not isinstance(lanes, types.IntegerLiteral):
         return None
-    count = lanes.literal_value
-    vector = ir.VectorType(ir.FloatType(), count)
+    vector = ir.VectorType(ir.FloatType(), lanes.literal_value)
 
     def generate(context: Any, builder: ir.IRBuilder, signed: Any, arguments: Any) -> Any:
         def start(k: int) -> ir.Value:
             data = context.make_array(signed.args[k])(context, builder, arguments[k]).data
             return builder.gep(data, [arguments[k + 1]])
 
-        def rows(base: ir.Value, register: int) -> ir.Value:
-            address = builder.gep(base, [_WORD(register * count)])
-            return builder.bitcast(address, vector.as_pointer())
-
-        def number(base: ir.Value, j: int) -> ir.Value:
-            return splat(builder, builder.load(builder.gep(base, [_WORD(j)])), vector)
-
-        x_start, w_start, y_start = start(1), start(3), start(6)
-        first = [number(w_start, j) for j in range(BLOCK)]
-        before = builder.block
-        loop, behind = (builder.append_basic_block(n) for n in ("inputs", "sums"))
-        builder.branch(loop)
-        builder.position_at_end(loop)
-        k = builder.phi(_WORD)
-        k.add_incoming(_WORD(0), before)
-        sums = [[builder.phi(vector) for _ in range(REGISTERS)] for _ in range(BLOCK)]
-        x_row = builder.gep(x_start, [builder.mul(k, _WORD(PANEL))])
-        following = builder.add(k, _WORD(1))
-        w_row = builder.gep(w_start, [builder.mul(following, _WORD(BLOCK))])
-        loaded = [builder.load(rows(x_row, r), align=4) for r in range(REGISTERS)]
-        grown = []
-        for j, row in enumerate(sums):
-            weight = number(w_row, j)
-            for r, total in enumerate(row):
-                product = builder.fmul(loaded[r], weight, flags=("contract",))
-                grown.append(builder.fadd(total, product, flags=("contract",)))
-                total.add_incoming(first[j], before)
-                total.add_incoming(grown[-1], builder.block)
-        k.add_incoming(following, builder.block)
-        more = builder.icmp_signed("<", following, arguments[5])
-        builder.cbranch(more, loop, behind)
-        builder.position_at_end(behind)
-        zero = ir.Constant(vector, [0.0] * count)
-        for place, value in enumerate(grown):
-            j, register = divmod(place, REGISTERS)
-            positive = builder.select(builder.fcmp_ordered(">", value, zero), value, zero)
-            value = builder.select(arguments[8], positive, value)
-            target = rows(builder.gep(y_start, [_WORD(j * PANEL)]), register)
-            builder.store(value, target, align=4)
+        sums = _summed(builder, vector, start(1), start(3), arguments[5])
+        _store(builder, vector, sums, start(6), arguments[8])
         return context.get_dummy_value()
 
     word = types.int64
     return types.void(lanes, x, word, weights, word, word, y, word, types.boolean), generate
+
+
+def _summed(
+    builder: ir.IRBuilder, vector: ir.VectorType, x: ir.Value, weights: ir.Value, inputs: ir.Value
+) -> list[list[ir.Value]]:
+    """BLOCK biases and the products of all inputs, each for REGISTERS registers of rows at x."""
+    biases = [_number(builder, vector, weights, j) for j in range(BLOCK)]
+    before = builder.block
+    loop, behind = (builder.append_basic_block(name) for name in ("inputs", "sums"))
+    builder.branch(loop)
+    builder.position_at_end(loop)
+    k = builder.phi(_WORD)
+    totals = [[builder.phi(vector) for _ in range(REGISTERS)] for _ in biases]
+    following = builder.add(k, _WORD(1))
+    row = builder.gep(x, [builder.mul(k, _WORD(PANEL))])
+    column = builder.gep(weights, [builder.mul(following, _WORD(BLOCK))])
+    values = [builder.load(_register(builder, vector, row, r), align=4) for r in range(REGISTERS)]
+    sums = []
+    for j, registers in enumerate(totals):
+        weight = _number(builder, vector, column, j)
+        products = [builder.fmul(value, weight, flags=_FUSED) for value in values]
+        pairs = zip(registers, products, strict=True)
+        sums.append([builder.fadd(total, p, flags=_FUSED) for total, p in pairs])
+    k.add_incoming(_WORD(0), before)
+    k.add_incoming(following, loop)
+    for bias, registers, grown in zip(biases, totals, sums, strict=True):
+        for total, value in zip(registers, grown, strict=True):
+            total.add_incoming(bias, before)
+            total.add_incoming(value, loop)
+    builder.cbranch(builder.icmp_signed("<", following, inputs), loop, behind)
+    builder.position_at_end(behind)
+    return sums
+
+
+def _store(
+    builder: ir.IRBuilder,
+    vector: ir.VectorType,
+    sums: list[list[ir.Value]],
+    y: ir.Value,
+    relu: ir.Value,
+) -> None:
+    """The sums into a panel at y, negative ones as 0 where `relu`."""
+    zero = ir.Constant(vector, [0.0] * vector.count)
+    for j, registers in enumerate(sums):
+        row = builder.gep(y, [_WORD(j * PANEL)])
+        for r, value in enumerate(registers):
+            positive = builder.select(builder.fcmp_ordered(">", value, zero), value, zero)
+            value = builder.select(relu, positive, value)
+            builder.store(value, _register(builder, vector, row, r), align=4)
+
+
+def _register(builder: ir.IRBuilder, vector: ir.VectorType, row: ir.Value, number: int) -> ir.Value:
+    """Where a register of a panel's row is."""
+    address = builder.gep(row, [_WORD(number * vector.count)])
+    return builder.bitcast(address, vector.as_pointer())
+
+
+def _number(builder: ir.IRBuilder, vector: ir.VectorType, numbers: ir.Value, j: int) -> ir.Value:
+    """numbers[j] in every lane."""
+    return splat(builder, builder.load(builder.gep(numbers, [_WORD(j)])), vector)
 
 
 @operation

@@ -10,8 +10,9 @@ import onnx
 import pytest
 from onnx import helper, numpy_helper
 
-from rna_sdk.runtime.compiled_decoder import CompiledDecoder, ProfileLayers, profile_layers
+from rna_sdk.runtime.compiled_decoder import CompiledDecoder
 from rna_sdk.runtime.decoder import COMPILED_WIDTH, Decoder, Graph
+from rna_sdk.runtime.profile_layers import ProfileLayers, profile_layers
 from tests.package.builders import make_decoder_model, make_int8_decoder_model
 
 SIZES = [(22, 16, 4), (25, 32, 4), (36, 64, 3), (3, 8, 1), (16, 12, 2), (17, 24, 2), (48, 6, 1)]
@@ -119,6 +120,13 @@ def test_other_graphs_are_none_of_its() -> None:
     relu = next(node for node in model.graph.node if node.op_type == "Relu")
     relu.op_type = "Sigmoid"
     assert profile_layers(model.SerializeToString()) is None
+
+
+def test_constants_that_nothing_reads_may_be_of_any_type() -> None:
+    model = make_decoder_model(22, 16, 2)
+    model.graph.initializer.append(numpy_helper.from_array(np.int8([[1, 2, 3]]), "idle"))
+    queries = random_queries(16, 22)
+    np.testing.assert_allclose(compiled(model).run(queries), plain(model, queries), atol=1e-5)
 
 
 def test_narrow_decoders_run_in_it_and_wide_ones_do_not() -> None:
