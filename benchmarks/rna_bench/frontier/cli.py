@@ -44,8 +44,8 @@ def add_options(p: argparse.ArgumentParser) -> None:
         "--trials",
         nargs="+",
         metavar="NAME",
-        help="train these of the grid alone: models, or groups of them (ours, paper, ablation, "
-        "and the tables: architecture, channels, ...; default: all)",
+        help="train these of the grid alone: models, or groups of them (ours, paper, opponent, "
+        "ablation, and the tables: architecture, channels, ...; default: all)",
     )
     p.add_argument(
         "--device",
