@@ -13,7 +13,6 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import platform
 import subprocess
 import sys
 import tempfile
@@ -32,6 +31,7 @@ from evaluate import (
 )
 from report import publish, report_parser
 
+from rna_sdk.cpu import processor
 from rna_sdk.package import query_width
 from rna_sdk.runtime import load
 
@@ -42,7 +42,7 @@ Figures = dict[str, Any]
 def main() -> None:
     args = arguments()
     report: Figures = {
-        "machine": platform.processor() or platform.machine(),
+        "machine": processor(),
         "planes": [3, args.resolution, args.resolution, args.channels],
         "hidden_layers": HIDDEN_LAYERS,
         "threads": 1,
