@@ -158,8 +158,8 @@ class Scene(Model):
     )
     clamp_indirect: Positive | Literal["auto"] | None = Field(
         default="auto",
-        description="The most radiance that one path may bring by way of more than one thing. It "
-        "removes specks, and the light that was in them. `auto` is 10 times what a white ball in "
+        description="Clamp on per-path indirect radiance. It removes specks, and the light that "
+        "was in them. `auto` is 10 times what a white ball in "
         "the scene's light would send on average; null for no clamp, and no bias.",
     )
     seed: int = Field(

@@ -62,7 +62,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> None:
-    """Train, measure and chart; what is finished is not done again."""
+    """Train, measure and chart; resumes and skips completed steps."""
     with place(args.cluster) as where:
         _run(args, where)
 
