@@ -12,11 +12,12 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from rna_sdk.errors import RnaError, WorkError
+from rna_work.cached import content_hash
 from rna_work.places import Needs
 from rna_work.processes import portable
 from rna_work.ray_slots import RayWorkers
 from rna_work.sources import Carried
-from rna_work.travelling import Travelling, check_elsewhere, content_hash
+from rna_work.travelling import Travelling, check_elsewhere
 
 Answer = TypeVar("Answer")
 
