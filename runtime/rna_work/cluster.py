@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import socket
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from rna_sdk.errors import RnaError, WorkError
+from rna_work.addresses import prepare
 from rna_work.cached import content_hash
 from rna_work.places import Needs
 from rna_work.processes import portable
@@ -30,14 +30,17 @@ def connected(address: str) -> Iterator[RayCluster]:
 
     Raises WorkError where Ray is not installed, or where no cluster answers.
     """
+    if address != "local":
+        prepare(address)
     ray = imported_ray()
-    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # read by the nodes that are started here
+    # Read by the nodes that are started here. Workers of this machine's pools are not nice either.
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+    os.environ.setdefault("RAY_worker_niceness", "0")
     options: dict[str, Any] = {"log_to_driver": False, "logging_level": "ERROR"}
     if address == "local":
         options |= {"include_dashboard": False}
     else:
         options |= {"address": address}
-        _check_port(address)
     begun_here = not ray.is_initialized()
     if begun_here:
         try:
@@ -50,17 +53,6 @@ def connected(address: str) -> Iterator[RayCluster]:
     finally:
         if begun_here:
             ray.shutdown()
-
-
-def _check_port(address: str) -> None:
-    """Raises WorkError where nobody listens; Ray itself would try for minutes."""
-    host, colon, port = address.rpartition("://")[2].rpartition(":")
-    if not colon or not port.isdigit():
-        return  # such as `auto`
-    try:
-        socket.create_connection((host, int(port)), timeout=10.0).close()
-    except OSError as error:
-        raise WorkError(f"--cluster {address}: no cluster answers: {error}") from error
 
 
 def imported_ray() -> Any:
