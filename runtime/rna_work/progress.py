@@ -26,6 +26,7 @@ class Progress:
         bars: Callable[..., Any] = tqdm,
     ) -> None:
         scaled = {"unit_scale": total >= 1000, "smoothing": 0.05}
+        self._is_spread = False  # over nodes, or was
         self._bar = bars(total=total, initial=done, unit=unit, desc=what, **scaled)
 
     def __enter__(self) -> Progress:
@@ -51,7 +52,8 @@ class Progress:
 
     def advance(self, nodes: dict[str, int], cost: float = 1.0) -> None:
         """An item of a cost is finished. nodes: how many workers each has."""
-        if len(nodes) > 1:
+        self._is_spread = self._is_spread or len(nodes) > 1
+        if self._is_spread:
             self._bar.set_postfix_str(who(nodes), refresh=False)
         self._bar.update(cost)
 

@@ -17,6 +17,7 @@ finish() {
     for pid in "${pids[@]}"; do kill -9 -- "-$pid" 2>/dev/null || true; done
     for k in 0 1 2; do ip netns del "rna$k" 2>/dev/null || true; done
     ip link del rna-bridge 2>/dev/null || true
+    rm -rf /tmp/rna-ns-[012]
 }
 trap finish EXIT
 
@@ -37,6 +38,7 @@ start_node() { # NUMBER ARGUMENTS...
     XDG_CACHE_HOME=$folder/cache-$k setsid ip netns exec "rna$k" .venv/bin/ray start "$@" --block \
         --node-ip-address "$net.$((k + 1))" --temp-dir "/tmp/rna-ns-$k" >"$log" 2>&1 &
     pids+=($!)
+    disown
     for _ in $(seq 240); do
         grep -q "runtime started" "$log" && return
         sleep 0.5
