@@ -190,10 +190,9 @@ def command_of(pid: int) -> str:
 def fill(disk: Path, dice: random.Random) -> None:
     """Leave no room on a disk for a while."""
     ballast = disk / "ballast"
-    with ballast.open("wb") as file, contextlib.suppress(OSError):
+    with ballast.open("wb", buffering=0) as file, contextlib.suppress(OSError):
         while True:
             file.write(bytes(4096))
-            file.flush()
     time.sleep(5.0 + 5.0 * dice.random())
     ballast.unlink()
 
@@ -235,6 +234,7 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=50)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS))
+    parser.add_argument("--faults", nargs="+", choices=(*ALL, "hang"), default=[*ALL, "hang"])
     parser.add_argument("--command", nargs=argparse.REMAINDER, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.command:
@@ -243,7 +243,7 @@ def main() -> int:
     write_inputs(base)
     wanted = {name: expected(KINDS[name], base, base / name) for name in options.kinds}
     dice, failed = random.Random(options.seed), 0
-    pairs = [(name, fault) for name in options.kinds for fault in KINDS[name].faults]
+    pairs = [(k, f) for k in options.kinds for f in KINDS[k].faults if f in options.faults]
     cluster = start_cluster()
     for run in range(options.runs):
         name, fault = pairs[run % len(pairs)]
