@@ -58,7 +58,7 @@ class Study:
         dataset = Dataset(args.dataset).only
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.kind, args.steps or usual)
-        crew = Crew.usual(args.device, args.workers, where, args.store)
+        crew = Crew.usual(args.device, args.workers, where, args.store, dataset.folder)
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew)
 
     def folder(self, trial: Trial) -> Path:

@@ -114,7 +114,7 @@ def _run(args: argparse.Namespace, where: Place) -> None:
     if args.steps < 16:
         raise TrainingError(f"--steps: found {args.steps}, expected at least 16")
     dataset = Dataset(args.dataset).only
-    crew = Crew.usual(args.device, args.workers, where, args.store)
+    crew = Crew.usual(args.device, args.workers, where, args.store, dataset.folder)
     grid = args.grid or ("full" if crew.device == "cuda" else "short")
     models = {"full": full_grid, "short": short_grid}[grid](dataset.kind, args.steps)
     ours = [trial for trial in models if trial.family == "ours"]

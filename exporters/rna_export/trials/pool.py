@@ -22,6 +22,8 @@ from rna_work.sources import Carried, InPlace
 from rna_work.store import Store
 from rna_work.stored import StoredFolder
 
+_OWN_BYTES = 1_000_000_000  # of a worker without samples
+
 
 @dataclass(frozen=True)
 class Crew:
@@ -29,6 +31,7 @@ class Crew:
 
     workers: how many side by side; None for all that there is room for. threads: of each.
     store: through which dataset and trainings go to workers and back; None if they see the folders.
+    memory: of each, bytes, that a node of a cluster has to have.
     """
 
     workers: int | None
@@ -36,6 +39,7 @@ class Crew:
     device: str
     place: Place = field(default_factory=this_machine)
     store: Store | None = None
+    memory: int = 0
 
     @classmethod
     def usual(
@@ -44,10 +48,12 @@ class Crew:
         workers: int | None = None,
         place: Place | None = None,
         store: Store | None = None,
+        dataset: Path | None = None,
     ) -> Crew:
         """A worker for each core of a CPU, or one for a GPU; a machine's cores are shared evenly.
 
-        device: `auto` is the GPU if there is one. Raises `TrainingError` for `cuda` without one.
+        device: `auto` is the GPU if there is one. dataset: that each worker of a cluster
+        holds. Raises `TrainingError` for `cuda` without one.
         """
         place = place or this_machine()
         gpus = place.gpus()
@@ -55,7 +61,8 @@ class Crew:
             raise TrainingError("--device cuda: there is no CUDA device")
         device = "cuda" if gpus and device != "cpu" else "cpu"
         if place.far:
-            return cls(workers, 1, device, place, store)
+            memory = 0 if dataset is None else memory_for(dataset)
+            return cls(workers, 1, device, place, store, memory)
         cores = len(os.sched_getaffinity(0))
         count = workers or (1 if device == "cuda" else cores)
         return cls(count, max(1, cores // count), device, place, store)
@@ -65,7 +72,14 @@ class Crew:
         gpus = 0.0
         if self.device == "cuda":
             gpus = min(1.0, self.place.gpus() / self.workers) if self.workers else 1.0
-        return self.place.workers(Needs("processes", self.threads, gpus), self.workers)
+        needs = Needs("processes", self.threads, gpus, self.memory)
+        return self.place.workers(needs, self.workers)
+
+
+def memory_for(dataset: Path) -> int:
+    """Bytes that a worker with a dataset takes, about: its samples twice, while it reads them."""
+    shards = sum(path.stat().st_size for path in (dataset / "train").glob("*.safetensors"))
+    return _OWN_BYTES + 2 * shards
 
 
 class TrialPool:
