@@ -20,7 +20,7 @@ bpy.context.scene.cycles.debug_use_cpu_avx2 = False
 _cycles.debug_flags_update(bpy.context.scene.as_pointer())
 """
 SETTINGS = (
-    "--lights 64 --rays 256 --samples 4 --validation-views 1 --validation-resolution 24 "
+    "--lights 32 --rays 512 --samples 4 --validation-views 1 --validation-resolution 24 "
     "--validation-samples 4 --seed 3"
 ).split()
 
