@@ -36,11 +36,9 @@ def connected(address: str) -> Iterator[RayCluster]:
     # Read by the nodes that are started here. Workers of this machine's pools are not nice either.
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
     os.environ.setdefault("RAY_worker_niceness", "0")
-    options: dict[str, Any] = {"log_to_driver": False, "logging_level": "ERROR"}
-    if address == "local":
+    options: dict[str, Any] = {"address": address, "log_to_driver": False, "logging_level": "ERROR"}
+    if address == "local":  # even where a cluster runs on this machine
         options |= {"include_dashboard": False}
-    else:
-        options |= {"address": address}
     begun_here = not ray.is_initialized()
     if begun_here:
         try:
