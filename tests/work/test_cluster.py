@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -130,3 +131,24 @@ def test_workers_go_where_there_is_memory(cluster: Any, where: Place) -> None:
             assert [o.value() for o in pool.run([1])] == [2]
     finally:
         cluster.remove_node(node)
+
+
+def test_local_is_a_cluster_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without an address Ray takes one that runs on this machine."""
+    seen: dict[str, object] = {}
+    ray = SimpleNamespace(
+        is_initialized=lambda: False, init=lambda **o: seen.update(o), shutdown=seen.clear
+    )
+    monkeypatch.setattr("rna_work.cluster.imported_ray", lambda: ray)
+    with place("local"):
+        assert seen["address"] == "local"
+    assert not seen
+
+
+def test_ray_s_reason_of_a_death_is_told() -> None:
+    from rna_work.cluster import first_line
+
+    message = "The actor died.\n\tpid: 3\nThe actor is dead because its node has died.\n\tmore"
+    expected = "The actor died. The actor is dead because its node has died."
+    assert first_line(RuntimeError(message)) == expected
+    assert first_line(RuntimeError()) == "RuntimeError"
