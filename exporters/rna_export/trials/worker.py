@@ -74,7 +74,7 @@ class TrialWorker:
         pass
 
     def run(self, job: Job) -> Record:
-        """The trial's record; what was finished in its folder, or its store, is not done again."""
+        """The trial's record; resumes, and skips what is complete in its folder or store."""
         if job.store is None:
             return self._trained(job.trial, job.folder, None)
         with tempfile.TemporaryDirectory(prefix="rna-trial-") as folder:

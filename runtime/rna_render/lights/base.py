@@ -74,6 +74,10 @@ class Light(ABC):
         Only for choosing among lights.
         """
 
+    def beside_rays(self) -> Light:
+        """The same light, as it is sampled where rays that scatter find it, too."""
+        return self
+
     def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:
         """Directions for the points x, (n, 3) float32; u: (n, 2) float64 in [0, 1)."""
         from rna_render.lights.table import sample_batch

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.lights.base import InfiniteLight
+from rna_render.lights.base import InfiniteLight, Light
 from rna_render.lights.directions import cone_direction, luminance
 from rna_render.lights.equirectangular import EquirectangularImage, look_up_image, sample_image
 from rna_render.lights.kinds import IMAGE, OWN, UNIFORM, light_row
@@ -42,12 +42,16 @@ class EnvironmentImageLight(InfiniteLight):
     def __init__(self, model: EnvironmentModel, image: EquirectangularImage) -> None:
         self.group = model.group
         self.visible_to_camera = model.visible_to_camera
+        self._model, self._untouched = model, image
         self._image = image.turned(np.radians(model.rotation_deg))
         self._scale = np.asarray(model.radiance, np.float32)
         self.row = light_row(IMAGE, self._scale, self._image.numbers, self._image.words)
 
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * self._image.total * luminance(self._scale))
+
+    def beside_rays(self) -> Light:
+        return EnvironmentImageLight(self._model, self._untouched.compensated)
 
 
 @compiled(fastmath=())

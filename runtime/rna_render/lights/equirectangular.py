@@ -11,11 +11,16 @@ cell's mean luminance times the row's solid angle, and in the cell a point (s, t
 the bilinear luminance. So the density follows the very function that is looked up. In the rows at
 the poles, where that is constant along t, points are uniform in cos(theta) instead: else the
 density per steradian would grow without bound.
+
+A light that shares its directions with rays leaves to them what is no brighter than the mean: each
+cell's weight is then max(L - mean, 0), with L its mean luminance. Karlik, Sik, Vevoda, Skrivan and
+Krivanek, MIS Compensation (TOG 38(6), 2019).
 """
 
 from __future__ import annotations
 
 from copy import copy
+from functools import cached_property
 
 import numpy as np
 from numba import carray, prange
@@ -27,9 +32,12 @@ from rna_render.memory import pointer_f32, pointer_f64, pointer_i32
 from rna_sdk.compiled import compiled
 
 # What `sample_image` and `look_up_image` read. Addresses of arrays, and the image's size; and
-# numbers: the turn about +y, and the sum of all cells' weights.
+# numbers: the turn about +y, the sum of all cells' weights, the mean that they leave out.
 TEXELS, HEIGHTS, ROWS, ROW_GUIDE, COLUMNS, COLUMN_GUIDE, HEIGHT, WIDTH = range(8)
-TURN_COSINE, TURN_SINE, TOTAL = range(3)
+TURN_COSINE, TURN_SINE, TOTAL, MEAN = range(4)
+
+# Compensation that would leave so little of an image is none: what is left would be rounding.
+LEAST_LEFT = 1e-3
 
 
 class EquirectangularImage:
@@ -41,7 +49,7 @@ class EquirectangularImage:
 
     Attributes:
         total: integral of the luminance over the sphere, W / m^2, with the mean of each cell.
-        words: (8,) uint64, numbers: (3,) float64, as above; valid as long as the image.
+        words: (8,) uint64, numbers: (4,) float64, as above; valid as long as the image.
     """
 
     def __init__(self, texels: np.ndarray, angle: float = 0.0) -> None:
@@ -50,17 +58,22 @@ class EquirectangularImage:
         edges = np.clip((np.arange(h + 2) - 0.5) / h, 0.0, 1.0)
         # Solid angle of a row's cells over 2 pi / w.
         self._heights = np.cos(np.pi * edges[:-1]) - np.cos(np.pi * edges[1:])
+        self._choose(0.0)
+        self.total = float(self.numbers[TOTAL]) * 2.0 * np.pi / w
+        self._turn(angle)
+
+    def _choose(self, mean: float) -> None:
+        """Fill the tables that directions are chosen with."""
+        h, w, _ = self._texels.shape
         columns, column_guide = np.empty((h + 1, w + 1)), np.empty((h + 1, w), np.int32)
-        _accumulate(self._texels, self._heights, columns)
+        _accumulate(self._texels, self._heights, mean, columns)
         fill_guide(columns, column_guide)
         rows, row_guide = np.concatenate([[0.0], np.cumsum(columns[:, -1])]), np.empty(h + 1, "i4")
         fill_guide(rows[None], row_guide[None])
         self._held = self._texels, self._heights, rows, row_guide, columns, column_guide
         addresses = [array.ctypes.data for array in self._held]
         self.words = np.array([*addresses, h, w], np.uint64)
-        self.numbers = np.array([1.0, 0.0, rows[-1]])
-        self.total = float(rows[-1]) * 2.0 * np.pi / w
-        self._turn(angle)
+        self.numbers = np.array([1.0, 0.0, rows[-1], mean])
 
     def _turn(self, angle: float) -> None:
         self.numbers = self.numbers.copy()
@@ -69,7 +82,22 @@ class EquirectangularImage:
     def turned(self, angle: float) -> EquirectangularImage:
         """The same image, sharing its memory, at another angle."""
         result = copy(self)
+        result.__dict__.pop("compensated", None)
         result._turn(angle)
+        return result
+
+    @cached_property
+    def compensated(self) -> EquirectangularImage:
+        """The same image; `sample` leaves out what is no brighter than the mean.
+
+        An image that would have next to nothing left stays as it is.
+        """
+        result = copy(self)
+        mean = self.total / (4.0 * np.pi)
+        result._choose(mean)
+        if result.numbers[TOTAL] <= LEAST_LEFT * self.numbers[TOTAL]:
+            return self
+        result.numbers[:TOTAL] = self.numbers[:TOTAL]
         return result
 
     def sample(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -132,7 +160,7 @@ def _luminances(cell):
 
 
 @compiled(parallel=True, fastmath=())
-def _accumulate(texels, heights, columns):
+def _accumulate(texels, heights, mean, columns):
     """Running sums, along each row, of the cells' weights: luminance times the row's height."""
     h, w, _ = texels.shape
     for k in prange(h + 1):
@@ -140,7 +168,7 @@ def _accumulate(texels, heights, columns):
         columns[row, 0] = 0.0
         for column in range(w):
             a, b, c, d = _luminances(_cell(texels, row, column))
-            total += (a + b + c + d) / 4.0 * heights[row]
+            total += max((a + b + c + d) / 4.0 - mean, 0.0) * heights[row]
             columns[row, column + 1] = total
 
 
@@ -183,8 +211,8 @@ def _radiance_in_cell(cell, x, y):
 
 
 @compiled(fastmath=())
-def _density(numbers, h, w, height, row, sine, here):
-    """Density of the direction to a place in a cell, by the luminance there.
+def _density(numbers, h, w, height, row, sine, here, mean_here):
+    """Density of the direction to a place in a cell, by the luminance there and the cell's mean.
 
     sine: of its angle to +y. The density is the probability of the cell, times luminance by mean
     luminance there, by the cell's part of the sphere: uniform in cos(theta), or
@@ -193,6 +221,8 @@ def _density(numbers, h, w, height, row, sine, here):
     if not numbers[TOTAL] > 0.0:
         return 0.0
     pdf = here * w / (2.0 * np.pi * numbers[TOTAL])
+    if numbers[MEAN] > 0.0:
+        pdf *= max(mean_here - numbers[MEAN], 0.0) / mean_here if mean_here > 0.0 else 0.0
     return pdf * height * h / (np.pi * sine) if 0 < row < h else pdf
 
 
@@ -232,7 +262,9 @@ def sample_image(numbers, words, u1, u2):
     sin_phi, cos_phi = sine_and_cosine((column + 0.5 + x) / w - 0.5)
     away, along = sine * sin_phi, -sine * cos_phi
     r, g, b = _radiance_in_cell(cell, x, y)
-    pdf = _density(numbers, h, w, heights[row], row, sine, _luminance(r, g, b))
+    means = (luminances[0] + luminances[1] + luminances[2] + luminances[3]) / 4.0
+    here = _luminance(r, g, b)
+    pdf = _density(numbers, h, w, heights[row], row, sine, here, means)
     turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
     dx, dz = turn_cos * away + turn_sin * along, turn_cos * along - turn_sin * away
     return dx, cosine, dz, r, g, b, pdf
@@ -253,9 +285,10 @@ def look_up_image(numbers, words, dx, dy, dz):
     column = int(np.floor(s))
     column = column if 0 <= column < w else w - 1
     cell = _cell(texels, row, column)
+    a, b, c, d = _luminances(cell)
     red, green, blue = _radiance_in_cell(cell, s - np.floor(s), t - row)
-    here = _luminance(red, green, blue)
-    return red, green, blue, _density(numbers, h, w, heights[row], row, sine, here)
+    here, mean = _luminance(red, green, blue), (a + b + c + d) / 4.0
+    return red, green, blue, _density(numbers, h, w, heights[row], row, sine, here, mean)
 
 
 @compiled(parallel=True, fastmath=())
