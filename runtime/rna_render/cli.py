@@ -260,9 +260,17 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     from rna_work.places import place
 
     output.check()
-    with place(options.cluster) as where:
-        film = render_pieces(scene_file, where, options.threads)
+    folder = output.exr.with_name(f"{output.exr.name}.pieces")
+    try:
+        with place(options.cluster) as where:
+            film, kept = render_pieces(scene_file, where, options.threads, folder)
+    except KeyboardInterrupt:
+        print(
+            f"stopped; finished pieces are in {folder}; the same command goes on", file=sys.stderr
+        )
+        return INTERRUPTED
     output.write(scene_file.scene, film)
+    kept.remove()
     for path in output.paths():
         print(f"wrote {path}")
     return 0
