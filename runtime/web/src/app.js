@@ -24,17 +24,18 @@ export class App {
 
   /** The engine and an empty picture. */
   async begin() {
-    this.canvas = document.createElement("canvas");
-    this.canvas.tabIndex = 0;
-    this.places.view.replaceChildren(this.canvas);
-    this.engine = await openEngine(this.canvas, this.parameters.get("api"));
+    const newCanvas = () => Object.assign(document.createElement("canvas"), { tabIndex: 0 });
+    const { engine, canvas, reasons } = await openEngine(newCanvas, this.parameters.get("api"));
+    Object.assign(this, { engine, canvas });
+    this.places.view.replaceChildren(canvas);
     this.engine.onlost = (why) => this._recover(why);
     this.viewer = new Viewer(this.engine, this.canvas, this.orbit);
     if (this.parameters.has("rounds")) this.viewer.rounds = Number(this.parameters.get("rounds"));
     this.viewer.addEventListener("shown", () => this.panel.showStats(this.viewer.stats));
     this.viewer.addEventListener("failed", ({ error }) => this._failed(error));
+    performance.mark("engine");
     listen(this.canvas, this._actions());
-    this.panel.showEngine(this.engine.constructor.label);
+    this.panel.showEngine(engine.constructor.label, reasons);
     this.resize();
   }
 
@@ -144,10 +145,13 @@ export class App {
   async _show(opened, tier, isNew) {
     const shown = await opened.load(tier);
     opened.forget();
+    performance.mark("package");
     if (isNew) this.viewer.hasShown = false;
     this.viewer.pause();
     const arrays = isNew ? sceneArrays(shown.parts) : this.arrays;
+    performance.mark("hierarchy");
     await this.engine.setAsset(arrays, shown.parts);
+    performance.mark("asset");
     Object.assign(this, { opened, shown, arrays, box: arrays.box });
     if (isNew) this.orbit.frame(this.box, this.canvas.width / this.canvas.height);
     if (isNew && this.sceneView) this.applyScene(this.sceneView);

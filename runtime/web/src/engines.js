@@ -1,19 +1,21 @@
 // Which of the two engines this browser can run.
 import { NotSupported } from "./package/errors.js";
 import { WebGLEngine } from "./webgl/engine.js";
+import { WebGPUEngine } from "./webgpu/engine.js";
 
-const ENGINES = { webgl2: WebGLEngine };
+const ENGINES = { webgpu: WebGPUEngine, webgl2: WebGLEngine };
 
-/** The best engine there is; `wanted` names one. */
-export async function openEngine(canvas, wanted) {
-  if (wanted) return ENGINES[wanted].open(canvas);
+/** { engine, canvas, reasons }: the best engine there is, and why no better one; `wanted` names one. */
+export async function openEngine(newCanvas, wanted) {
   const reasons = [];
-  for (const Engine of Object.values(ENGINES)) {
+  for (const [name, Engine] of Object.entries(ENGINES)) {
+    if (wanted && wanted !== name) continue;
     try {
-      return await Engine.open(canvas);
+      const canvas = newCanvas();  // a canvas has one kind of context for good
+      return { engine: await Engine.open(canvas), canvas, reasons };
     } catch (error) {
       reasons.push(error.message);
     }
   }
-  throw new NotSupported(`this browser can show the poster alone: ${reasons.join("; ")}`);
+  throw new NotSupported(`this browser shows the poster alone: ${reasons.join("; ")}`);
 }

@@ -4,6 +4,7 @@
 const BAND_MS = 120;
 const MOVING_MS = 110;     // of a picture while something moves
 const COARSEST = 16;
+const DARKNESS = { kind: "sun", direction: [0, 1, 0], colour: [0, 0, 0] };
 export const BACKDROP = [0.052, 0.056, 0.063];
 
 export class Viewer extends EventTarget {
@@ -92,50 +93,45 @@ export class Viewer extends EventTarget {
     this.shown = null;
     engine.resize(width, height);
     const camera = this.orbit.camera(width, height);
+    if (!this.hasShown) {  // one light is better than none
+      if (!(await this._round(generation, camera, 0, this.lights.slice(0, 1)))) return false;
+      this._present(1, scale);
+    }
     for (let round = 0; round < rounds; round++) {
       const begun = performance.now();
-      const complete = await this._round(generation, camera, round, scale);
-      if (!complete) return false;
+      if (!(await this._round(generation, camera, round, this.lights))) return false;
       this._present(round + 1, scale);
       this._measure(performance.now() - begun, width * height, scale);
     }
     return true;
   }
 
-  async _round(generation, camera, round, scale) {
-    const { engine } = this;
-    const bands = (work) => this._bands(generation, work);
-    if (!(await bands((from, to) => engine.trace(camera, round, from, to)))) return false;
-    let isFirst = round === 0;
-    for (const [k, light] of this.lights.entries()) {
-      const own = { ...light, ground: this.ground, cameraAt: camera.position };
-      if (!(await bands((from, to) => engine.light(own, round, from, to)))) return false;
-      engine.combine({ isFirst, countsCoverage: k === 0 });
-      isFirst = false;
-      if (!this.hasShown) this._present(1, scale);  // one light is better than none
-    }
-    if (engine.emits) {
-      if (!(await bands((from, to) => engine.emission(from, to)))) return false;
-      engine.combine({ isEmission: true, isFirst });
+  /** A sample of every pixel, some rows at a time; false if the picture is no longer wanted. */
+  async _round(generation, camera, round, lights) {
+    const { engine } = this, { width, height } = engine.target;
+    const cost = this.msPerPixel * width * Math.max(1, lights.length);
+    const rows = Math.max(1, Math.min(height, Math.floor(BAND_MS / cost), Math.floor(engine.bandPixels / width)));
+    for (let from = 0; from < height; from += rows) {
+      this._band(camera, round, lights, from, Math.min(height, from + rows));
+      await engine.done();
+      if (generation !== this.generation || this.stopped || engine.lost) return false;
     }
     return true;
   }
 
-  /** `work` on all rows, some at a time; false if the picture is no longer wanted. */
-  async _bands(generation, work) {
-    const { width, height } = this.engine.target;
-    const rows = Math.max(1, Math.min(height, Math.floor(BAND_MS / (this.msPerPixel * width))));
-    for (let from = 0; from < height; from += rows) {
-      work(from, Math.min(height, from + rows));
-      await this.engine.done();
-      if (generation !== this.generation || this.stopped || this.engine.lost) return false;
-    }
-    return true;
+  _band(camera, round, lights, from, to) {
+    const { engine } = this;
+    engine.trace(camera, round, from, to);
+    const all = lights.length ? lights : [DARKNESS];
+    all.forEach((light, k) =>
+      engine.light({ ...light, ground: this.ground }, { isFirst: round === 0 && k === 0, countsCoverage: k === 0 }));
+    if (engine.emits) engine.emission();
   }
 
   _present(rounds, scale) {
     this.shown = { rounds };
     this.show();
+    if (!this.hasShown) performance.mark("picture");
     this.hasShown = true;
     Object.assign(this.stats, { rounds, scale });
     this.dispatchEvent(new Event("shown"));

@@ -51,9 +51,8 @@ export class Panel {
     for (const [id, value] of Object.entries(values)) element(id).value = value;
   }
 
-  showEngine(label) {
-    element("api").textContent = label;
-    element("missing").textContent = label === "WebGL2" ? "Without WebGPU the picture takes longer." : "";
+  showEngine(label, reasons) {
+    element("api").textContent = [label, ...reasons].join(": ");
   }
 
   showPackage({ manifest, warnings = manifest.warnings, bytesOf, ...opened }, { tier }) {

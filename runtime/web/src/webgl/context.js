@@ -131,13 +131,13 @@ export class Target {
   }
 }
 
-/** Runs a program over rows `from` to `to` of a target, or of the canvas. */
-export function pass(gl, program, target, { textures = {}, uniforms = {}, from = 0, to } = {}) {
+/** Runs a program over the first `to` rows of a target, or of the canvas; all by default. */
+export function pass(gl, program, target, { textures = {}, uniforms = {}, to } = {}) {
   const { width, height } = target ?? gl.canvas;
   gl.bindFramebuffer(gl.FRAMEBUFFER, target?.frame ?? null);
   gl.viewport(0, 0, width, height);
   gl.enable(gl.SCISSOR_TEST);
-  gl.scissor(0, from, width, (to ?? height) - from);
+  gl.scissor(0, 0, width, to ?? height);
   gl.useProgram(program.program);
   program.set(uniforms);
   program.textures(textures);

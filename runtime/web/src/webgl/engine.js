@@ -4,12 +4,14 @@ import { finished, openContext, pass, Program, table, Target, texture2d } from "
 import { PartProgram, uploadPlanes } from "./part_program.js";
 import { sources } from "./sources.js";
 
+const BAND_PIXELS = 1 << 17;
+
 export class WebGLEngine {
   static label = "WebGL2";
 
   static async open(canvas) {
     const gl = openContext(canvas), engine = new WebGLEngine();
-    Object.assign(engine, { gl, canvas, parts: [], target: null, lost: false });
+    Object.assign(engine, { gl, canvas, parts: [], target: null, lost: false, bandPixels: BAND_PIXELS });
     engine.programs = Object.fromEntries(
       ["hit", "light", "clear", "combine", "show"].map((name) => [name, new Program(gl, sources[name])]),
     );
@@ -59,61 +61,71 @@ export class WebGLEngine {
     this.marginal = texture2d(gl, height, 1, gl.R32F, gl.RED, gl.FLOAT, marginal);
   }
 
-  /** Images of this size, empty. */
+  /** A picture of this size, empty. */
   resize(width, height) {
     if (this.target?.width === width && this.target.height === height) return;
-    const { gl } = this;
+    const { gl } = this, rows = Math.max(1, Math.min(height, Math.floor(this.bandPixels / width)));
     this._deleteImages();
     this.target = { width, height };
-    this.rows = new Target(gl, width, height, 4);
-    this.lit = new Target(gl, width, height, 3);
-    this.answers = new Target(gl, width, height, 2);
-    this.sums = [new Target(gl, width, height, 1), new Target(gl, width, height, 1)];
+    this.rows = new Target(gl, width, rows, 4);
+    this.lit = new Target(gl, width, rows, 3);
+    this.answers = new Target(gl, width, rows, 2);
+    this.added = new Target(gl, width, rows, 1);
+    this.sum = new Target(gl, width, height, 1);
   }
 
-  /** The first hits of rows `from` to `to`. */
+  /** The first hits of rows `from` to `to` from the top, the band that what follows is about. */
   trace(camera, sample, from, to) {
-    pass(this.gl, this.programs.hit, this.rows, {
-      from, to, textures: this.asset,
-      uniforms: { ...this.geometry, ...cameraUniforms(camera, this.target.height), sampleNumber: ["1ui", sample] },
+    const { height } = this.target;
+    this.span = { rows: to - from, firstRow: height - to };  // from the bottom, as images are
+    const { position, corner, stepX, stepY } = camera;
+    this.frame = {
+      cameraAt: ["3fv", position], height: ["1i", height], firstRow: ["1i", this.span.firstRow], sampleNumber: ["1ui", sample],
+    };
+    this._pass("hit", this.rows, this.asset, {
+      ...this.geometry, ...this.frame, corner: ["3fv", corner], stepX: ["3fv", stepX], stepY: ["3fv", stepY],
     });
   }
 
-  /** What one light brings in rows `from` to `to`. */
-  light(light, sample, from, to, given = null) {
+  /** What one light brings to the band. `given`: directions in a texture, of the kind "given". */
+  light(light, { isFirst, countsCoverage, given = null }) {
     const [rows0, rows1, rows2, rows3] = this.rows.images;
-    pass(this.gl, this.programs.light, this.lit, {
-      from, to,
-      textures: {
-        ...this.asset, rows0, rows1, rows2, rows3, given: given ?? rows0,
-        environment: this.environment ?? rows0, marginal: this.marginal ?? rows0,
-      },
-      uniforms: { ...this.geometry, ...lightUniforms(light), sampleNumber: ["1ui", sample] },
-    });
-    this._decode("transport", from, to);
+    this._pass("light", this.lit, {
+      ...this.asset, rows0, rows1, rows2, rows3, given: given ?? rows0,
+      environment: this.environment ?? rows0, marginal: this.marginal ?? rows0,
+    }, { ...this.geometry, ...this.frame, ...lightUniforms(light) });
+    this._decode("transport");
+    this._combine({ isFirst, countsCoverage, isEmission: false });
   }
 
-  emission(from, to) {
-    // Parts that do not emit leave what was there.
-    pass(this.gl, this.programs.clear, this.answers, { from, to });
-    this._decode("emission", from, to);
+  emission() {
+    this._pass("clear", this.answers, {}, {});  // parts that do not emit leave what was there
+    this._decode("emission");
+    this._combine({ isFirst: false, countsCoverage: false, isEmission: true });
   }
 
   /** Adds what was found to the picture. */
-  combine({ isEmission = false, countsCoverage = false, isFirst = false }) {
+  _combine({ isEmission, countsCoverage, isFirst }) {
+    const { gl } = this, { width } = this.target, { rows, firstRow } = this.span;
     const [rows0, , , rows3] = this.rows.images, [lit0, lit1, lit2] = this.lit.images;
     const [first, second] = this.answers.images, flag = (value) => ["1i", Number(value)];
-    pass(this.gl, this.programs.combine, this.sums[1], {
-      textures: { before: this.sums[0].images[0], rows0, rows3, lit0, lit1, lit2, first, second },
-      uniforms: { isEmission: flag(isEmission), countsCoverage: flag(countsCoverage), isFirst: flag(isFirst) },
+    this._pass("combine", this.added, { before: this.sum.images[0], rows0, rows3, lit0, lit1, lit2, first, second }, {
+      isEmission: flag(isEmission), countsCoverage: flag(countsCoverage), isFirst: flag(isFirst), firstRow: ["1i", firstRow],
     });
-    this.sums.reverse();
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.added.frame);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.sum.frame);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.blitFramebuffer(0, 0, width, rows, 0, firstRow, width, firstRow + rows, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+  }
+
+  _pass(name, target, textures, uniforms) {
+    pass(this.gl, this.programs[name], target, { to: this.span.rows, textures, uniforms });
   }
 
   show({ rounds, exposure, backdrop }) {
     const { width, height } = this.canvas;
     pass(this.gl, this.programs.show, null, {
-      textures: { picture: this.sums[0].images[0] },
+      textures: { picture: this.sum.images[0] },
       uniforms: {
         rounds: ["1f", rounds], exposure: ["1f", exposure], backdrop: ["3fv", backdrop], size: ["2f", width, height],
       },
@@ -126,20 +138,20 @@ export class WebGLEngine {
 
   /** The sum of all samples, rows from the top, RGBA. */
   async picture() {
-    const { width, height } = this.target, values = this.sums[0].read(0), result = new Float32Array(values.length);
+    const { width, height } = this.target, values = this.sum.read(0), result = new Float32Array(values.length);
     for (let row = 0; row < height; row++) {
       result.set(values.subarray(4 * width * row, 4 * width * (row + 1)), 4 * width * (height - 1 - row));
     }
     return result;
   }
 
-  _decode(output, from, to) {
+  _decode(output) {
     const [rows0, rows1, rows2] = this.rows.images, lit0 = this.lit.images[0];
     for (const part of this.parts) {
       const own = part[output];
       if (!own) continue;
       pass(this.gl, own.program, this.answers, {
-        from, to, textures: { ...own.textures, rows0, rows1, rows2, lit0 }, uniforms: own.uniforms,
+        to: this.span.rows, textures: { ...own.textures, rows0, rows1, rows2, lit0 }, uniforms: own.uniforms,
       });
     }
   }
@@ -155,7 +167,7 @@ export class WebGLEngine {
   }
 
   _deleteImages() {
-    for (const target of [this.rows, this.lit, this.answers, ...(this.sums ?? [])]) target?.delete();
+    for (const target of [this.rows, this.lit, this.answers, this.added, this.sum]) target?.delete();
     this.target = null;
   }
 
@@ -166,18 +178,12 @@ export class WebGLEngine {
   }
 }
 
-function cameraUniforms({ position, corner, stepX, stepY }, height) {
-  return {
-    cameraAt: ["3fv", position], corner: ["3fv", corner], stepX: ["3fv", stepX], stepY: ["3fv", stepY], height: ["1i", height],
-  };
-}
-
 const KINDS = { sun: 0, environment: 1, given: 2 };
 
-function lightUniforms({ kind, direction = [0, 1, 0], colour, angle = 0, ground, cameraAt }) {
+function lightUniforms({ kind, direction = [0, 1, 0], colour, angle = 0, ground }) {
   return {
     lightKind: ["1i", KINDS[kind]], lightDirection: ["3fv", direction], lightColour: ["3fv", colour],
-    turn: ["2f", Math.cos(angle), Math.sin(angle)], cameraAt: ["3fv", cameraAt],
+    turn: ["2f", Math.cos(angle), Math.sin(angle)],
     ground: ["4f", ground?.height ?? 0, ground ? 1 : 0, ground?.x ?? 0, ground?.z ?? 0],
     groundColour: ["3fv", ground?.colour ?? [0, 0, 0]], groundSize: ["1f", ground?.size ?? 1],
   };

@@ -12,12 +12,12 @@ uniform sampler2D second;
 uniform bool isEmission;
 uniform bool countsCoverage;  // once a round
 uniform bool isFirst;
-uniform bool fromQueries;     // answers are there, of this pass
+uniform int firstRow;
 out vec4 sum;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  sum = isFirst ? vec4(0.0) : texelFetch(before, pixel, 0);
+  sum = isFirst ? vec4(0.0) : texelFetch(before, pixel + ivec2(0, firstRow), 0);
   float part = texelFetch(rows0, pixel, 0).w;
   vec3 a = texelFetch(first, pixel, 0).xyz;
   if (isEmission) {

@@ -5,7 +5,8 @@ uniform vec3 cameraAt;
 uniform vec3 corner;       // direction through the image's top left corner
 uniform vec3 stepX;        // of a pixel
 uniform vec3 stepY;
-uniform int height;
+uniform int height;        // of the picture
+uniform int firstRow;      // of the band
 
 layout(location = 0) out vec4 row0;  // x; part + 1, or 0
 layout(location = 1) out vec4 row1;  // n or t; of a fiber h, of a surface b1
@@ -15,9 +16,9 @@ layout(location = 3) out vec4 row3;  // throughput; b2
 const int LAYERS_SEEN_THROUGH = 32;
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec2 jitter = firstRandom(pixel, 0);
-  vec2 at = vec2(pixel.x, height - 1 - pixel.y) + jitter;
+  ivec2 pixel = ivec2(gl_FragCoord.xy) + ivec2(0, firstRow);
+  pixel.y = height - 1 - pixel.y;  // rows from the top, as the random numbers of WebGPU have them
+  vec2 at = vec2(pixel) + firstRandom(pixel, 0);
   vec3 d = normalize(corner + at.x * stepX + at.y * stepY), origin = cameraAt, through = vec3(1.0);
   row0 = vec4(0.0);
   row1 = vec4(0.0);

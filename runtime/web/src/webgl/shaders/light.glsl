@@ -16,6 +16,8 @@ uniform vec4 ground;            // height, 1 if there is one, middle x and z
 uniform vec3 groundColour;      // radiance of it in full light, over the light's irradiance
 uniform float groundSize;
 uniform vec3 cameraAt;
+uniform int height;
+uniform int firstRow;
 
 layout(location = 0) out vec4 lit0;  // wi; 0 nothing, 1 a query, 2 radiance in lit2
 layout(location = 1) out vec4 lit1;  // visibility; coverage
@@ -63,7 +65,8 @@ vec3 sampleEnvironment(vec2 u, out vec3 wi) {
 }
 
 vec3 sampleLight(ivec2 pixel, out vec3 wi) {
-  if (lightKind == 1) return lightColour * sampleEnvironment(firstRandom(pixel, 40), wi);
+  ivec2 seen = ivec2(pixel.x, height - 1 - pixel.y - firstRow);
+  if (lightKind == 1) return lightColour * sampleEnvironment(firstRandom(seen, 40), wi);
   wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
   return lightColour;
 }
