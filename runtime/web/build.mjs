@@ -13,7 +13,7 @@ await build({
   outfile: join(out, "viewer.js"),
   bundle: true,
   minify: true,
-  format: "esm",
+  format: "iife",
   target: "es2022",
   legalComments: "eof",
   loader: { ".glsl": "text", ".wgsl": "text" },

@@ -1,7 +1,9 @@
 // The page: opens packages and images, and ties the panel, the pointer and the picture together.
-import { sceneArrays } from "./geometry/scene_arrays.js";
-import { readImage } from "./light/image_files.js";
+import { Reader } from "./conformance.js";
 import { openEngine } from "./engines.js";
+import { sceneArrays } from "./geometry/scene_arrays.js";
+import { evenImage } from "./light/environment.js";
+import { readImage } from "./light/image_files.js";
 import { NotSupported, PackageError } from "./package/errors.js";
 import { Package } from "./package/package.js";
 import { BlobSource, UrlSource } from "./package/source.js";
@@ -10,6 +12,7 @@ import { Orbit } from "./ui/orbit.js";
 import { Panel } from "./ui/panel.js";
 import { listen } from "./ui/pointer.js";
 import { BACKDROP, Viewer } from "./viewer.js";
+import { compose, decoderFiles } from "./webgpu/sources.js";
 
 const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of phones
 
@@ -22,19 +25,25 @@ export class App {
     this._listenForDrops();
   }
 
-  /** The engine and an empty picture. */
-  async begin() {
+  /** The engine and an empty picture; packages that load meanwhile wait for it. */
+  begin() {
+    this.begun = this._begin();
+    this.begun.catch((error) => this._failed(error));
+    return this.begun;
+  }
+
+  async _begin() {
     const newCanvas = () => Object.assign(document.createElement("canvas"), { tabIndex: 0 });
     const { engine, canvas, reasons } = await openEngine(newCanvas, this.parameters.get("api"));
     Object.assign(this, { engine, canvas });
     this.places.view.replaceChildren(canvas);
-    this.engine.onlost = (why) => this._recover(why);
-    this.viewer = new Viewer(this.engine, this.canvas, this.orbit);
+    engine.onlost = (why) => this._recover(why);
+    this.viewer = new Viewer(engine, canvas, this.orbit);
     if (this.parameters.has("rounds")) this.viewer.rounds = Number(this.parameters.get("rounds"));
     this.viewer.addEventListener("shown", () => this.panel.showStats(this.viewer.stats));
     this.viewer.addEventListener("failed", ({ error }) => this._failed(error));
     performance.mark("engine");
-    listen(this.canvas, this._actions());
+    listen(canvas, this._actions());
     this.panel.showEngine(engine.constructor.label, reasons);
     this.resize();
   }
@@ -67,6 +76,22 @@ export class App {
       this._failed(error);
     } finally {
       this.panel.showProgress(null);
+    }
+  }
+
+  /** Camera, lights and asset of a scene, as rna-view hands them over; null if it cannot be read. */
+  async openScene(url) {
+    try {
+      const scene = JSON.parse(new TextDecoder().decode(await fetched(url)));
+      const { radiance, image } = scene.environment ?? {};
+      if (radiance) scene.environment.key = this.lighting.add("The scene's", evenImage(radiance));
+      if (image) scene.environment.key = this.lighting.add(image, readImage(await fetched(image), image));
+      await this.begun;
+      this.applyScene(scene);
+      return scene;
+    } catch (error) {
+      this._failed(error);
+      return null;
     }
   }
 
@@ -111,7 +136,7 @@ export class App {
     if (environment) {
       this.lighting.choice = environment.key ?? this.lighting.choice;
       this.lighting.strength = environment.strength ?? 1;
-      this.lighting.rotation = environment.rotation_deg ?? 0;
+      this.lighting.imageTurn = environment.rotation_deg ?? 0;
     }
     if (ground !== undefined) this.panel.setGround(ground);
     if (exposure !== undefined) this.setExposure(exposure);
@@ -136,6 +161,17 @@ export class App {
     this.viewer.restart();
   }
 
+  /** The shaders of the decoder, for the test that they are rna_gpu's. */
+  get wgsl() {
+    return { compose, decoderFiles };
+  }
+
+  /** Asks the engine without a picture: for the conformance kit. */
+  reader() {
+    this.viewer.pause();
+    return new Reader(this.engine);
+  }
+
   /** A PNG of the picture. */
   screenshot() {
     this.viewer.show();
@@ -146,6 +182,7 @@ export class App {
     const shown = await opened.load(tier);
     opened.forget();
     performance.mark("package");
+    await this.begun;
     if (isNew) this.viewer.hasShown = false;
     this.viewer.pause();
     const arrays = isNew ? sceneArrays(shown.parts) : this.arrays;
@@ -230,6 +267,7 @@ export class App {
     try {
       const { exposure, rounds } = this.viewer;
       await this.begin();
+      this.viewer.hasShown = true;
       Object.assign(this.viewer, { exposure, rounds });
       if (shown) {
         await this.engine.setAsset(arrays, shown.parts);

@@ -1,27 +1,21 @@
-// The start of the page: what its address asks for.
-//   ?asset=toy.rna  &tier=small  &env=studio.hdr  &scene=scene.json  &ui=0  &api=webgpu|webgl2  &rounds=64  &dpr=1
+// The start of the page: what its address, or its own body, asks for.
+//   ?asset=toy.rna  &tier=small  &env=studio.hdr  &scene=scene.json  &ui=0  &bench=1
+//   &api=webgpu|webgl2  &rounds=64  &dpr=1
 import { App } from "./app.js";
+import { runBenchmark } from "./bench.js";
 
 async function start() {
-  const parameters = new URLSearchParams(location.search);
+  const parameters = new URLSearchParams(document.body.dataset.query);
+  for (const [name, value] of new URLSearchParams(location.search)) parameters.set(name, value);
   document.body.classList.toggle("bare", parameters.get("ui") === "0");
   const app = (globalThis.rnaViewer = new App(parameters));
-  try {
-    await app.begin();
-  } catch (error) {
-    app._failed(error);
-    return;
-  }
-  const scene = parameters.get("scene");
-  let { asset, env } = Object.fromEntries(parameters);
-  if (scene) {
-    const answer = await fetch(scene);
-    const found = await answer.json();
-    app.applyScene(found);
-    asset ??= found.asset;
-  }
+  app.begin();
+  const scene = parameters.get("scene") && (await app.openScene(parameters.get("scene")));
+  const env = parameters.get("env");
   if (env) await app.openImage(env, env.split("/").pop());
+  const asset = parameters.get("asset") ?? scene?.asset;
   if (asset) await app.open(asset);
+  if (parameters.get("bench") === "1") await runBenchmark(app);
 }
 
 start();

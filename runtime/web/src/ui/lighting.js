@@ -13,7 +13,7 @@ export class Lighting {
   }
 
   reset() {
-    Object.assign(this, { rotation: 0, sunHeight: 45, sunAzimuth: 40, sun: 2, strength: 1, suns: null });
+    Object.assign(this, { rotation: 0, sunHeight: 45, sunAzimuth: 40, sun: 2, strength: 1, suns: null, imageTurn: 0 });
   }
 
   /** Another image to choose; its key. */
@@ -41,7 +41,7 @@ export class Lighting {
     }
     if (this.strength > 0) {
       const colour = [this.strength, this.strength, this.strength];
-      lights.push({ kind: "environment", colour, angle: this.rotation * RADIANS });
+      lights.push({ kind: "environment", colour, angle: (this.rotation + this.imageTurn) * RADIANS });
       this.tables().up.forEach((value, c) => { up[c] += value * this.strength; });
     }
     return { lights, irradiance: up };

@@ -13,7 +13,7 @@ export class WebGLEngine {
     const gl = openContext(canvas), engine = new WebGLEngine();
     Object.assign(engine, { gl, canvas, parts: [], target: null, lost: false, bandPixels: BAND_PIXELS });
     engine.programs = Object.fromEntries(
-      ["hit", "light", "clear", "combine", "show"].map((name) => [name, new Program(gl, sources[name])]),
+      ["hit", "light", "normals", "clear", "combine", "show"].map((name) => [name, new Program(gl, sources[name])]),
     );
     for (const program of Object.values(engine.programs)) program.check();
     canvas.addEventListener("webglcontextlost", (event) => {
@@ -87,15 +87,20 @@ export class WebGLEngine {
     });
   }
 
-  /** What one light brings to the band. `given`: directions in a texture, of the kind "given". */
-  light(light, { isFirst, countsCoverage, given = null }) {
+  /** What one light brings to the band. */
+  light(light, { isFirst, countsCoverage }) {
+    this._light(light);
+    this._decode("transport");
+    this._combine({ isFirst, countsCoverage, isEmission: false });
+  }
+
+  /** given: a texture of directions, for lights of that kind. */
+  _light(light, given = null) {
     const [rows0, rows1, rows2, rows3] = this.rows.images;
     this._pass("light", this.lit, {
       ...this.asset, rows0, rows1, rows2, rows3, given: given ?? rows0,
       environment: this.environment ?? rows0, marginal: this.marginal ?? rows0,
     }, { ...this.geometry, ...this.frame, ...lightUniforms(light) });
-    this._decode("transport");
-    this._combine({ isFirst, countsCoverage, isEmission: false });
   }
 
   emission() {

@@ -22,13 +22,14 @@ export class WebGPUEngine {
     engine.context = canvas.getContext("webgpu");
     const format = navigator.gpu.getPreferredCanvasFormat();
     engine.context.configure({ device, format, alphaMode: "opaque", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC });
-    await engine._compile(format);
-    engine._makeBand();
+    engine.pipelines = new Pipelines(device);
+    engine.compiled = engine._compile(format);
+    engine.compiled.catch(() => {});  // setAsset tells
     return engine;
   }
 
   async _compile(format) {
-    const { device } = this, pipelines = (this.pipelines = new Pipelines(device));
+    const { device, pipelines } = this;
     const show = await compiled(device, sources.show);
     const [hit, normals, light, gather, scatter, shown] = await Promise.all([
       pipelines.get(sources.hit, "trace_pixels"), pipelines.get(sources.hit, "find_normals"),
@@ -39,6 +40,7 @@ export class WebGPUEngine {
       }),
     ]);
     Object.assign(this, { kernels: { hit, normals, light, gather, scatter }, shown });
+    this._makeBand();
   }
 
   /** Both kernels share one layout, and so one group of bindings. */
@@ -64,7 +66,7 @@ export class WebGPUEngine {
     this.queue = {
       rows: buffer(device, 64 * BAND_PIXELS), answers: buffer(device, 32 * BAND_PIXELS), count: buffer(device, 4 * (BAND_PIXELS + 4)),
     };
-    this.setEnvironment({ values: new Float32Array(4), marginal: new Float32Array(1), width: 1, height: 1 });
+    if (!this.images) this.setEnvironment({ values: new Float32Array(4), marginal: new Float32Array(1), width: 1, height: 1 });
   }
 
   /** Shows these parts; what was there before is let go. */
@@ -87,7 +89,9 @@ export class WebGPUEngine {
     ];
     this.epsilon = arrays.epsilon;
     this.firsts = arrays.parts.map(({ first }) => first);
-    for (const part of parts) this.parts.push(await this._makePart(part));
+    const [...made] = await Promise.all(parts.map((part) => this._makePart(part)));
+    this.parts = made;
+    await this.compiled;
     this._bind();
   }
 
@@ -129,7 +133,7 @@ export class WebGPUEngine {
   }
 
   _bind() {
-    if (!this.geometry || !this.sums || !this.images) return;
+    if (!this.geometry || !this.sums || !this.images || !this.kernels) return;
     const { device, kernels, band, queue } = this, { rows, through, lit } = band;
     const scene = [this.view, ...this.geometry];
     // Pipelines of automatic layouts bind what their entry point uses alone.
