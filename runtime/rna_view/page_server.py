@@ -105,7 +105,7 @@ class _Handler(BaseHTTPRequestHandler):
         if span is None:
             return self._refuse(HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE, f"bytes */{size}")
         start, end = span
-        is_part = self.headers.get("Range") is not None
+        is_part = (start, end) != (0, size)  # the whole is no part, even where it was asked for so
         self.send_response(HTTPStatus.PARTIAL_CONTENT if is_part else HTTPStatus.OK)
         if is_part:
             self.send_header("Content-Range", f"bytes {start}-{end - 1}/{size}")

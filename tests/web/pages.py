@@ -39,7 +39,9 @@ def viewer(site: Site, query: str = "", width: int = 320, height: int = 200) -> 
         pytest.skip(INSTALL)
     with served(site) as server, open_page(chromium, width, height, SOFTWARE_GPU) as page:
         page.call("Page.navigate", url=f"{server.url}?{query}")
-        page.wait_for("globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true)", PATIENCE)
+        page.wait_for(
+            "globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true, () => true)", PATIENCE
+        )
         yield page
 
 

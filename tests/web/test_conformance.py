@@ -56,5 +56,7 @@ def test_page_gives_the_answers_of_the_kit(page, level):
     kit, program = load_kit(find_kit()), PageProgram(page)
     scores = [score(program, kit, case) for case in cases(kit, level)]
     assert scores
-    wrong = [f"{s.package} {s.tier}: {s.in_tolerances:.3g} {s.note}" for s in scores if not s.passed]
+    wrong = [
+        f"{s.package} {s.tier}: {s.in_tolerances:.3g} {s.note}" for s in scores if not s.passed
+    ]
     assert not wrong, "\n".join(wrong)

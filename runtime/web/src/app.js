@@ -40,6 +40,7 @@ export class App {
     engine.onlost = (why) => this._recover(why);
     this.viewer = new Viewer(engine, canvas, this.orbit);
     if (this.parameters.has("rounds")) this.viewer.rounds = Number(this.parameters.get("rounds"));
+    if (this.parameters.get("jitter") === "0") this.viewer.jitter = 0;
     this.viewer.addEventListener("shown", () => this.panel.showStats(this.viewer.stats));
     this.viewer.addEventListener("failed", ({ error }) => this._failed(error));
     performance.mark("engine");

@@ -17,5 +17,5 @@ export async function openEngine(newCanvas, wanted) {
       reasons.push(error.message);
     }
   }
-  throw new NotSupported(`this browser shows the poster alone: ${reasons.join("; ")}`);
+  throw new NotSupported(`this browser shows the poster alone: ${reasons.join("; ") || `no engine ${wanted}`}`);
 }

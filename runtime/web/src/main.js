@@ -1,6 +1,6 @@
 // The start of the page: what its address, or its own body, asks for.
 //   ?asset=toy.rna  &tier=small  &env=studio.hdr  &scene=scene.json  &ui=0  &bench=1
-//   &api=webgpu|webgl2  &rounds=64  &dpr=1
+//   &api=webgpu|webgl2  &rounds=64  &dpr=1  &jitter=0 (rays through the middles of pixels, for comparisons)
 import { App } from "./app.js";
 import { runBenchmark } from "./bench.js";
 

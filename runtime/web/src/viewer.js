@@ -12,7 +12,7 @@ export class Viewer extends EventTarget {
     super();
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
-      lights: [], ground: null, exposure: 0, rounds: 256, generation: 0, msPerPixel: 0.005, shown: null,
+      lights: [], ground: null, exposure: 0, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
       finest: 1, ready: false, stopped: false, moving: false, stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
@@ -21,6 +21,7 @@ export class Viewer extends EventTarget {
   /** Starts the picture again, since something changed. `moving`: more changes will follow at once. */
   restart(moving = false) {
     this.moving = moving;
+    Object.assign(this.stats, { rounds: 0, scale: 0 });
     this.generation += 1;
     this.wake?.();
   }
@@ -92,7 +93,7 @@ export class Viewer extends EventTarget {
     const width = Math.ceil(canvas.width / scale), height = Math.ceil(canvas.height / scale);
     this.shown = null;
     engine.resize(width, height);
-    const camera = this.orbit.camera(width, height);
+    const camera = { ...this.orbit.camera(width, height), jitter: this.jitter };
     if (!this.hasShown) {  // one light is better than none
       if (!(await this._round(generation, camera, 0, this.lights.slice(0, 1)))) return false;
       this._present(1, scale);

@@ -71,7 +71,7 @@ export class Panel {
 
   showStats({ ms, rounds, scale }) {
     element("time").textContent = ms ? `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms` : "–";
-    element("rounds").textContent = scale === 1 ? String(rounds) : `first look (1/${scale})`;
+    element("rounds").textContent = scale === 1 ? String(rounds) : `first look, 1/${scale} of the size`;
   }
 
   /** got: bytes so far, null when there is nothing more to wait for. */

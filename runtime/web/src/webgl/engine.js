@@ -78,12 +78,12 @@ export class WebGLEngine {
   trace(camera, sample, from, to) {
     const { height } = this.target;
     this.span = { rows: to - from, firstRow: height - to };  // from the bottom, as images are
-    const { position, corner, stepX, stepY } = camera;
+    const { position, corner, stepX, stepY, jitter = 1 } = camera;
     this.frame = {
       cameraAt: ["3fv", position], height: ["1i", height], firstRow: ["1i", this.span.firstRow], sampleNumber: ["1ui", sample],
     };
     this._pass("hit", this.rows, this.asset, {
-      ...this.geometry, ...this.frame, corner: ["3fv", corner], stepX: ["3fv", stepX], stepY: ["3fv", stepY],
+      ...this.geometry, ...this.frame, jitter: ["1f", jitter], corner: ["3fv", corner], stepX: ["3fv", stepX], stepY: ["3fv", stepY],
     });
   }
 

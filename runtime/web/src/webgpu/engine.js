@@ -16,7 +16,7 @@ export class WebGPUEngine {
     Object.assign(engine, { canvas, device, parts: [], lost: false, bandPixels: BAND_PIXELS });
     device.lost.then(({ reason, message }) => {
       engine.lost = true;
-      if (reason !== "destroyed") engine.onlost?.(`the GPU was lost (${message || reason})`);
+      if (!engine.closed) engine.onlost?.(`the GPU was lost (${message || reason})`);
     });
     device.addEventListener("uncapturederror", ({ error }) => { engine.error ??= error; });
     engine.context = canvas.getContext("webgpu");
@@ -224,7 +224,7 @@ export class WebGPUEngine {
     this.device.queue.submit([encoder.finish()]);
   }
 
-  _writeView({ position, corner, stepX, stepY }, sample) {
+  _writeView({ position, corner, stepX, stepY, jitter = 1 }, sample) {
     const bytes = new ArrayBuffer(176), floats = new Float32Array(bytes), words = new Uint32Array(bytes);
     floats.set([...position, this.epsilon], 0);
     floats.set(corner, 4);
@@ -235,6 +235,7 @@ export class WebGPUEngine {
     words[15] = this.span.rows;
     const [normalsAt, recordCount, texelsAt, partCount] = this.sceneWords;
     words.set([sample, normalsAt, recordCount, texelsAt, partCount], 16);
+    floats[21] = jitter;
     words.set(this.firsts, 24);
     this.device.queue.writeBuffer(this.view, 0, bytes);
   }
@@ -261,6 +262,7 @@ export class WebGPUEngine {
   }
 
   close() {
+    this.closed = true;
     this._deleteAsset();
     this.device.destroy();
   }

@@ -7,6 +7,7 @@ uniform vec3 stepX;        // of a pixel
 uniform vec3 stepY;
 uniform int height;        // of the picture
 uniform int firstRow;      // of the band
+uniform float jitter;      // 0: rays through the middles of pixels, 1: anywhere in them
 
 layout(location = 0) out vec4 row0;  // x; part + 1, or 0
 layout(location = 1) out vec4 row1;  // n or t; of a fiber h, of a surface b1
@@ -18,7 +19,7 @@ const int LAYERS_SEEN_THROUGH = 32;
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) + ivec2(0, firstRow);
   pixel.y = height - 1 - pixel.y;  // rows from the top, as the random numbers of WebGPU have them
-  vec2 at = vec2(pixel) + firstRandom(pixel, 0);
+  vec2 at = vec2(pixel) + mix(vec2(0.5), firstRandom(pixel, 0), jitter);
   vec3 d = normalize(corner + at.x * stepX + at.y * stepY), origin = cameraAt, through = vec3(1.0);
   row0 = vec4(0.0);
   row1 = vec4(0.0);

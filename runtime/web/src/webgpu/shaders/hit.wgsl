@@ -14,7 +14,7 @@ fn trace_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         return;
     }
     let pixel = vec2<u32>(local.x, local.y + view.first_row);
-    let at = vec2f(pixel) + random(pixel, 0u);
+    let at = vec2f(pixel) + mix(vec2f(0.5), random(pixel, 0u), view.jitter);
     let d = normalize(view.corner + at.x * view.step_x + at.y * view.step_y);
     var origin = view.camera;
     var throughput = vec3f(1.0);

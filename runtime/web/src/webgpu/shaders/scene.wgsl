@@ -15,7 +15,7 @@ struct View {
     record_count: u32,
     texels_at: u32,         // first word of texels in `textures`
     part_count: u32,
-    unused_a: u32,
+    jitter: f32,            // 0: rays through the middles of pixels, 1: anywhere in them
     unused_b: u32,
     unused_c: u32,
     part_first: array<vec4<u32>, 4>, // number of each part's first primitive
