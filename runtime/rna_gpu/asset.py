@@ -119,9 +119,7 @@ class GpuAsset:
         self.name, self.tier, self.parts, self.device = name, tier, parts, device
 
 
-def _packed(
-    model: memoryview, inputs: tuple[str, ...], channels: int, name: str
-) -> PackedDecoder:
+def _packed(model: memoryview, inputs: tuple[str, ...], channels: int, name: str) -> PackedDecoder:
     return pack_decoder(read_profile_decoder(model, name), inputs, channels, name)
 
 

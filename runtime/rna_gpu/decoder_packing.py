@@ -100,7 +100,9 @@ def _check(decoder: ProfileDecoder, name: str) -> None:
         raise QueryError(f"{name}: {found} on a GPU")
 
 
-def _spread(inputs: tuple[str, ...], channels: int) -> tuple[NDArray[np.intp], tuple[int, ...], int]:
+def _spread(
+    inputs: tuple[str, ...], channels: int
+) -> tuple[NDArray[np.intp], tuple[int, ...], int]:
     """Where each column of the queries goes, the blocks' first groups, and all groups."""
     places: list[NDArray[np.intp]] = []
     slots, group = dict.fromkeys(INPUT_BLOCKS, NONE), 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,11 @@ from numpy.typing import NDArray
 
 from rna_gpu.errors import DeviceLostError, GpuError
 
-_WANTED = ("max-storage-buffer-binding-size", "max-buffer-size")
+_WANTED = (
+    "max-storage-buffer-binding-size",
+    "max-buffer-size",
+    "max-storage-buffers-per-shader-stage",
+)
 """Limits that are raised to what the adapter has; all others stay at WebGPU's guaranteed values."""
 
 
@@ -32,15 +37,21 @@ class Device:
         except Exception as error:  # wgpu's own errors are plain exceptions
             raise GpuError(f"{self.name}: no device: {_one_line(error)}") from error
         self.limits: dict[str, int] = dict(self.wgpu.limits)
-        self._pipelines: dict[tuple[str, str], Any] = {}
+        self._pipelines: dict[tuple[Any, ...], Any] = {}
 
-    def pipeline(self, source: str, entry: str) -> Any:
-        """The compute pipeline of a WGSL module, compiled once."""
-        key = source, entry
+    def pipeline(self, source: str, entry: str, layouts: Sequence[Any] = ()) -> Any:
+        """The compute pipeline of a WGSL module, compiled once.
+
+        layouts: of its groups; without them they are what the module uses.
+        """
+        key = source, entry, tuple(map(id, layouts))
         if key not in self._pipelines:
             module = self.wgpu.create_shader_module(code=source)
+            layout = "auto"
+            if layouts:
+                layout = self.wgpu.create_pipeline_layout(bind_group_layouts=list(layouts))
             self._pipelines[key] = self.wgpu.create_compute_pipeline(
-                layout="auto", compute={"module": module, "entry_point": entry}
+                layout=layout, compute={"module": module, "entry_point": entry}
             )
         return self._pipelines[key]
 

@@ -82,12 +82,20 @@ class Evaluator:
         """Evaluate rows that are on the GPU; most: no more of them than this, which must fit."""
         encoder = self._device.wgpu.create_command_encoder()
         step = encoder.begin_compute_pass()
-        step.set_pipeline(self._pipeline)
-        step.set_bind_group(0, self._part)
-        step.set_bind_group(1, self._bind(1, [rows.rows, rows.results, rows.count]))
-        step.dispatch_workgroups(*self._device.groups(most))
+        self.record(step, self.bind(rows), most)
         step.end()
         self._device.wgpu.queue.submit([encoder.finish()])
+
+    def bind(self, rows: GpuRows) -> Any:
+        """What `record` takes: group 1 of the shader."""
+        return self._bind(1, [rows.rows, rows.results, rows.count])
+
+    def record(self, step: Any, bound: Any, most: int) -> None:
+        """Add the evaluation of up to `most` rows to a compute pass."""
+        step.set_pipeline(self._pipeline)
+        step.set_bind_group(0, self._part)
+        step.set_bind_group(1, bound)
+        step.dispatch_workgroups(*self._device.groups(most))
 
     def new_rows(self, capacity: int) -> GpuRows:
         """Buffers for so many rows.

@@ -26,32 +26,56 @@ fn rna_quantize(layer: RnaLayer, source: u32) {
     }
 }
 
-// Sums of group `o` of the outputs. Those of int8 layers are whole and below 2^24: exact.
-fn rna_sums(layer: RnaLayer, o: u32, source: u32) -> vec4f {
-    var sums = vec4f(0.0);
-    var at = layer.weights + 4u * o * layer.inputs;
-    for (var k = 0u; k < layer.inputs; k++) {
-        let x = rna_values[source + k];
-        sums += x.x * rna_weight(at) + x.y * rna_weight(at + 1u)
-            + x.z * rna_weight(at + 2u) + x.w * rna_weight(at + 3u);
-        at += 4u;
-    }
-    return sums;
+// What a group of columns adds to the sums of an output group, with its block at `at`.
+fn rna_block(x: vec4f, at: u32) -> vec4f {
+    return x.x * rna_weight(at) + x.y * rna_weight(at + 1u)
+        + x.z * rna_weight(at + 2u) + x.w * rna_weight(at + 3u);
 }
 
-fn rna_run_layer(layer: RnaLayer, source: u32, result: u32) {
+fn rna_finish(layer: RnaLayer, o: u32, sums: vec4f, place: u32) {
+    var y = sums + rna_weight(layer.bias + o);
+    if layer.int8_step != 0.0 {
+        y *= rna_weight(layer.units + o);
+    }
+    if layer.relu == 1u {
+        y = max(y, vec4f(0.0));
+    }
+    rna_values[place + o] = y;
+}
+
+// Four output groups at a time: a value is read once for 16 sums. Sums of int8 layers are whole
+// and below 2^24: exact.
+fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
     if layer.int8_step != 0.0 {
         rna_quantize(layer, source);
     }
-    for (var o = 0u; o < layer.outputs; o++) {
-        var y = rna_sums(layer, o, source) + rna_weight(layer.bias + o);
-        if layer.int8_step != 0.0 {
-            y *= rna_weight(layer.units + o);
+    let stride = 4u * layer.inputs;
+    var o = 0u;
+    for (; o + 4u <= layer.outputs; o += 4u) {
+        var a = vec4f(0.0);
+        var b = vec4f(0.0);
+        var c = vec4f(0.0);
+        var d = vec4f(0.0);
+        var at = layer.weights + o * stride;
+        for (var k = 0u; k < layer.inputs; k++) {
+            let x = rna_values[source + k];
+            a += rna_block(x, at);
+            b += rna_block(x, at + stride);
+            c += rna_block(x, at + 2u * stride);
+            d += rna_block(x, at + 3u * stride);
+            at += 4u;
         }
-        if layer.relu == 1u {
-            y = max(y, vec4f(0.0));
+        rna_finish(layer, o, a, place);
+        rna_finish(layer, o + 1u, b, place);
+        rna_finish(layer, o + 2u, c, place);
+        rna_finish(layer, o + 3u, d, place);
+    }
+    for (; o < layer.outputs; o++) {
+        var sums = vec4f(0.0);
+        for (var k = 0u; k < layer.inputs; k++) {
+            sums += rna_block(rna_values[source + k], layer.weights + o * stride + 4u * k);
         }
-        rna_values[result + o] = y;
+        rna_finish(layer, o, sums, place);
     }
 }
 
