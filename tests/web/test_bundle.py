@@ -33,13 +33,17 @@ def test_page_is_what_its_sources_give(tmp_path):
 
 
 @pytest.mark.chromium
-def test_decoder_is_the_wgsl_of_rna_gpu():
+def test_decoder_and_rays_are_the_wgsl_of_rna_gpu():
     with viewer(Site({}, {}), "api=webgl2") as page:
-        files = page.evaluate("rnaViewer.wgsl.decoderFiles")
-        assert files == {path.name: path.read_text() for path in SHADERS.glob("*.wgsl")}
+        files = page.evaluate("rnaViewer.wgsl.sharedFiles")
+        assert files == {name: (SHADERS / name).read_text() for name in files}
         compositions = json.loads((SHADERS / "compositions.json").read_text())
         for kind in ("surface", "fiber"):
             names = ["weights_uniform.wgsl", *compositions[kind], *compositions["evaluate"]]
             wanted = "const RNA_GROUPS: u32 = 8u;\n" + "\n".join(files[name] for name in names)
             arguments = f'{{RNA_GROUPS: 8}}, "weights_uniform.wgsl", "{kind}", "evaluate"'
             assert page.evaluate(f"rnaViewer.wgsl.compose({arguments})") == wanted
+        for kernel in ("hit", "light"):
+            source = page.evaluate(f"rnaViewer.wgsl.sources.{kernel}")
+            for name in ("triangle.wgsl", "segment.wgsl", "visibility.wgsl"):
+                assert files[name] in source

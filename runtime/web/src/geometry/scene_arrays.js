@@ -8,7 +8,7 @@ const HAS_BEFORE = 1, HAS_AFTER = 2;
  * nodes, primitives (4 words each, in the order of the leaves), places (x, y, z, and u or the radius), normals (n,
  * v), records of textures, their texels; and numbers.
  *
- * A primitive is its three corners and its number, or point, strand and neighbours of a segment and its
+ * A primitive is its three corners and its number, or point, neighbours and strand of a segment and its
  * number with the top bit set. Numbers count through all parts: `parts[k].first` is the first of part k.
  */
 export function sceneArrays(parts) {
@@ -116,7 +116,7 @@ function addCurves(arrays, { points, radii, offsets }, { primitive, vertex }) {
   for (let strand = 0; strand + 1 < offsets.length; strand++, arrays.strands++) {
     for (let k = offsets[strand]; k + 1 < offsets[strand + 1]; k++, number++) {
       const neighbours = (k > offsets[strand] && HAS_BEFORE) | (k + 2 < offsets[strand + 1] && HAS_AFTER);
-      primitives.set([vertex + k, arrays.strands, neighbours, (number | SEGMENT) >>> 0], 4 * number);
+      primitives.set([vertex + k, neighbours, arrays.strands, (number | SEGMENT) >>> 0], 4 * number);
       for (let axis = 0; axis < 3; axis++) {
         const a = points[3 * k + axis], b = points[3 * k + 3 + axis];
         // Half a thousandth more, since the intersection rounds.

@@ -19,7 +19,7 @@ const int LAYERS_SEEN_THROUGH = 32;
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) + ivec2(0, firstRow);
   pixel.y = height - 1 - pixel.y;  // rows from the top, as the random numbers of WebGPU have them
-  vec2 at = vec2(pixel) + mix(vec2(0.5), firstRandom(pixel, 0), jitter);
+  vec2 at = vec2(pixel) + mix(vec2(0.5), random(pixel, PLACE), jitter);
   vec3 d = normalize(corner + at.x * stepX + at.y * stepY), origin = cameraAt, through = vec3(1.0);
   row0 = vec4(0.0);
   row1 = vec4(0.0);
@@ -33,7 +33,7 @@ void main() {
     vec3 tau = fiber ? vec3(0.0) : transmittance(primitive, hit, d);
     float chance = max(tau.x, max(tau.y, tau.z));
     // Straight on, or stopped here: chosen at random (spec, 4.4).
-    if (chance > 0.0 && firstRandom(pixel, 2 + k).x < chance) {
+    if (chance > 0.0 && random(pixel, STOPPED + uint(k)).x < chance) {
       through *= tau / chance;
       origin += d * (hit.t + 4.0 * epsilon);
       continue;

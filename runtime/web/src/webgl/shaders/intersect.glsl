@@ -116,7 +116,7 @@ bool meetsSegment(uvec4 primitive, vec3 origin, vec3 d, float far, inout Hit hit
   vec3 n;
   if (!entersCone(coneAt(point), origin, d, t, n)) return false;
   if (!(t >= 0.0 && t < far)) return false;
-  if (insideNeighbour(point, primitive.z, origin + t * d)) return false;
+  if (insideNeighbour(point, primitive.y, origin + t * d)) return false;
   hit.t = t;
   hit.number = primitive.w;
   hit.n = n;

@@ -66,7 +66,7 @@ vec3 sampleEnvironment(vec2 u, out vec3 wi) {
 
 vec3 sampleLight(ivec2 pixel, out vec3 wi) {
   ivec2 seen = ivec2(pixel.x, height - 1 - pixel.y - firstRow);
-  if (lightKind == 1) return lightColour * sampleEnvironment(firstRandom(seen, 40), wi);
+  if (lightKind == 1) return lightColour * sampleEnvironment(random(seen, DIRECTION), wi);
   wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
   return lightColour;
 }
@@ -74,7 +74,7 @@ vec3 sampleLight(ivec2 pixel, out vec3 wi) {
 vec3 visibilityOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
   int place = int(row2.w);
   uvec4 primitive = wordsAt(primitives, place);
-  if ((primitive.w & SEGMENT) != 0u) return passes(row0.xyz, wi, primitive.y);
+  if ((primitive.w & SEGMENT) != 0u) return passes(row0.xyz, wi, primitive.z);
   Hit hit = Hit(0.0, primitive.w, place, row1.w, b2, vec3(0.0));
   return passes(liftedOrigin(primitive, hit, wi), wi, 0xffffffffu);
 }

@@ -71,7 +71,7 @@ vec3 passes(vec3 origin, vec3 d, uint own) {
         uvec4 primitive = wordsAt(primitives, k);
         Hit hit;
         if ((primitive.w & SEGMENT) != 0u) {
-          if (primitive.y != own && meetsSegment(primitive, origin, d, FAR, hit)) return vec3(0.0);
+          if (primitive.z != own && meetsSegment(primitive, origin, d, FAR, hit)) return vec3(0.0);
         } else if (meetsTriangle(primitive, origin, shear, FAR, hit)) {
           light *= transmittance(primitive, hit, d);
           if (light == vec3(0.0)) return light;

@@ -14,7 +14,7 @@ fn trace_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         return;
     }
     let pixel = vec2<u32>(local.x, local.y + view.first_row);
-    let at = vec2f(pixel) + mix(vec2f(0.5), random(pixel, 0u), view.jitter);
+    let at = vec2f(pixel) + mix(vec2f(0.5), random(pixel, PLACE), view.jitter);
     let d = normalize(view.corner + at.x * view.step_x + at.y * view.step_y);
     var origin = view.camera;
     var throughput = vec3f(1.0);
@@ -33,7 +33,7 @@ fn trace_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         }
         let chance = max(tau.x, max(tau.y, tau.z));
         // Straight on, or stopped here: chosen at random (spec, 4.4).
-        if chance > 0.0 && random(pixel, 2u + k).x < chance {
+        if chance > 0.0 && random(pixel, STOPPED + k).x < chance {
             throughput *= tau / chance;
             origin += d * (hit.t + 4.0 * view.epsilon);
             continue;

@@ -114,17 +114,17 @@ fn arrival_at(pixel: vec2<u32>, row: Row) -> Arrival {
     if light.kind == 2u {
         return Arrival(bitcast<vec3f>(row.wi.xyz), light.colour);
     }
-    let found = sample_environment(random(pixel, 40u));
+    let found = sample_environment(random(pixel, DIRECTION));
     return Arrival(found.wi, light.colour * found.radiance);
 }
 
 fn visibility_of(row: Row, wi: vec3f) -> vec3f {
     let primitive = primitives[row.wo.w];
     if (primitive.w & SEGMENT) != 0u {
-        return passes(bitcast<vec3f>(row.position.xyz), wi, primitive.y);
+        return passes(bitcast<vec3f>(row.position.xyz), wi, primitive.z);
     }
     let hit = Hit(0.0, primitive.w, row.wo.w, bitcast<f32>(row.position.w), bitcast<f32>(row.wi.w), vec3f(0.0));
-    return passes(lifted_origin(primitive, hit, wi), wi, 0xffffffffu);
+    return passes(lifted_origin(primitive, hit, wi), wi, NO_STRAND);
 }
 
 // The ground shows the shadow, and fades with the distance: radiance and coverage.
@@ -138,7 +138,7 @@ fn ground_at(d: vec3f, arrival: Arrival, throughput: vec3f) -> vec4f {
     if fade <= 0.0 || cosine <= 0.0 {
         return vec4f(0.0, 0.0, 0.0, fade);
     }
-    let passed = passes(x + vec3f(0.0, view.epsilon, 0.0), arrival.wi, 0xffffffffu);
+    let passed = passes(x + vec3f(0.0, view.epsilon, 0.0), arrival.wi, NO_STRAND);
     return vec4f(throughput * light.ground_colour * arrival.radiance * cosine * passed * fade, fade);
 }
 

@@ -9,8 +9,8 @@ struct Corners {
 fn corners_of(primitive: vec4<u32>) -> Corners {
     var corners: Corners;
     for (var k = 0u; k < 3u; k++) {
-        let place = vertices[primitive[k]];
-        let normal = vertices[view.normals_at + primitive[k]];
+        let place = rna_points[primitive[k]];
+        let normal = rna_points[view.normals_at + primitive[k]];
         corners.p[k] = place.xyz;
         corners.n[k] = normal.xyz;
         corners.uv[k] = vec2f(place.w, normal.w);
@@ -154,7 +154,7 @@ fn shading_normal(primitive: vec4<u32>, hit: Hit) -> vec3f {
 }
 
 fn tangent_of(primitive: vec4<u32>) -> vec3f {
-    return unit(vertices[primitive.x + 1u].xyz - vertices[primitive.x].xyz);
+    return unit(rna_points[primitive.x + 1u].xyz - rna_points[primitive.x].xyz);
 }
 
 // h of 4.2.
@@ -167,21 +167,14 @@ fn offset_across(n: vec3f, t: vec3f, wo: vec3f) -> f32 {
     return clamp(dot(n, across) / size, -1.0, 1.0);
 }
 
-// Where the visibility ray of a mesh starts.
+// Where the visibility ray of a mesh starts, by rna_gpu's visibility.wgsl.
 fn lifted_origin(primitive: vec4<u32>, hit: Hit, wi: vec3f) -> vec3f {
     let corners = corners_of(primitive);
     let b = weights_of(hit);
-    var x = mixed(corners.p, b);
+    let x = mixed(corners.p, b);
     let n = unit(mixed(corners.n, b));
     let ng = unit(cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]));
-    var side = select(1.0, -1.0, dot(ng, wi) < 0.0);
-    if dot(n, wi) > 0.0 && dot(n, ng) > 0.0 && dot(ng, wi) < 0.1 {
-        var lift = vec3f(0.0);
-        for (var k = 0u; k < 3u; k++) {
-            lift += b[k] * max(0.0, dot(corners.p[k] - x, corners.n[k])) * corners.n[k];
-        }
-        x += (1.0 - max(0.0, dot(ng, wi)) / 0.1) * lift;
-        side = 1.0;
-    }
-    return x + side * view.epsilon * ng;
+    let places = mat3x3f(corners.p[0], corners.p[1], corners.p[2]);
+    let lift = rna_lift(x, b, places, mat3x3f(corners.n[0], corners.n[1], corners.n[2]));
+    return rna_leaving_origin(x, n, ng, lift, wi, view.epsilon * 0x1p18f);
 }

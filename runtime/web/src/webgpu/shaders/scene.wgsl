@@ -11,7 +11,7 @@ struct View {
     step_y: vec3f,
     rows: u32,              // of the band
     sample: u32,
-    normals_at: u32,        // first normal in `vertices`
+    normals_at: u32,        // first normal in `rna_points`
     record_count: u32,
     texels_at: u32,         // first word of texels in `textures`
     part_count: u32,
@@ -24,11 +24,21 @@ struct View {
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<storage, read> nodes: array<vec4<u32>>;      // two a node
 @group(0) @binding(2) var<storage, read> primitives: array<vec4<u32>>; // in the order of the leaves
-@group(0) @binding(3) var<storage, read> vertices: array<vec4f>; // position, u or radius; then normal, v
+@group(0) @binding(3) var<storage, read> rna_points: array<vec4f>; // position, u or radius; then normal, v
 @group(0) @binding(4) var<storage, read> textures: array<u32>;   // twelve words a record, then texels
 
 const SEGMENT = 0x80000000u;
-const FAR = 1e30;
+const FAR = RNA_FAR;
+
+// What rna_gpu's triangle.wgsl and segment.wgsl take; a renderer with instances declares them in geometry.wgsl.
+const RNA_FAR: f32 = 1e30;
+
+struct RnaRay {
+    origin: vec3f,
+    near: f32,
+    direction: vec3f, // unit
+    far: f32,
+}
 
 struct Hit {
     t: f32,

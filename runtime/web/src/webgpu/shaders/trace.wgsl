@@ -1,6 +1,7 @@
 // Rays against the hierarchy of three-mesh-bvh: the nearest hit, and how much light passes (spec, 7.1).
 
 const STACK = 48;
+const NO_STRAND = 0xffffffffu;
 
 // No axis is exactly parallel: 0 times infinity would be no number.
 fn inverse_of(d: vec3f) -> vec3f {
@@ -20,11 +21,35 @@ fn enters(node: u32, origin: vec3f, inverse: vec3f, far: f32) -> f32 {
     return select(FAR, near, near <= last);
 }
 
+// A primitive in a leaf, by rna_gpu's triangle.wgsl and segment.wgsl: whether it is met, nearer than `hit`,
+// which then becomes it.
+fn meets(place: u32, ray: RnaRay, own: u32, hit: ptr<function, Hit>) -> bool {
+    let primitive = primitives[place];
+    if (primitive.w & SEGMENT) == 0u {
+        let found = rna_meet_triangle(
+            ray, rna_points[primitive.x].xyz, rna_points[primitive.y].xyz, rna_points[primitive.z].xyz,
+        );
+        if found.x >= FAR {
+            return false;
+        }
+        *hit = Hit(found.x, primitive.w, place, found.y, found.z, vec3f(0.0));
+        return true;
+    }
+    if primitive.z == own {
+        return false;
+    }
+    let entry = rna_meet_segment(ray, primitive);
+    if entry.t >= FAR {
+        return false;
+    }
+    *hit = Hit(entry.t, primitive.w, place, 0.0, 0.0, entry.normal);
+    return true;
+}
+
 // t is FAR where there is no hit.
 fn nearest(origin: vec3f, d: vec3f) -> Hit {
     var hit = Hit(FAR, 0u, 0u, 0.0, 0.0, vec3f(0.0));
     let inverse = inverse_of(d);
-    let shear = shear_of(d);
     var stack: array<u32, STACK>;
     var top = 0;
     var node = 0u;
@@ -35,16 +60,7 @@ fn nearest(origin: vec3f, d: vec3f) -> Hit {
         let words = nodes[2u * node + 1u];
         if (words.w >> 16u) == 0xffffu {
             for (var k = words.z; k < words.z + (words.w & 0xffffu); k++) {
-                let primitive = primitives[k];
-                var met = false;
-                if (primitive.w & SEGMENT) != 0u {
-                    met = meets_segment(primitive, origin, d, hit.t, &hit);
-                } else {
-                    met = meets_triangle(primitive, origin, shear, hit.t, &hit);
-                }
-                if met {
-                    hit.place = k;
-                }
+                meets(k, RnaRay(origin, 0.0, d, hit.t), NO_STRAND, &hit);
             }
         } else {
             let left = node + 1u;
@@ -73,7 +89,6 @@ fn nearest(origin: vec3f, d: vec3f) -> Hit {
 fn passes(origin: vec3f, d: vec3f, own: u32) -> vec3f {
     var light = vec3f(1.0);
     let inverse = inverse_of(d);
-    let shear = shear_of(d);
     var stack: array<u32, STACK>;
     var top = 0;
     var node = 0u;
@@ -84,14 +99,12 @@ fn passes(origin: vec3f, d: vec3f, own: u32) -> vec3f {
         let words = nodes[2u * node + 1u];
         if (words.w >> 16u) == 0xffffu {
             for (var k = words.z; k < words.z + (words.w & 0xffffu); k++) {
-                let primitive = primitives[k];
                 var hit: Hit;
-                if (primitive.w & SEGMENT) != 0u {
-                    if primitive.y != own && meets_segment(primitive, origin, d, FAR, &hit) {
+                if meets(k, RnaRay(origin, 0.0, d, FAR), own, &hit) {
+                    if (hit.number & SEGMENT) != 0u {
                         return vec3f(0.0);
                     }
-                } else if meets_triangle(primitive, origin, shear, FAR, &hit) {
-                    light *= transmittance(primitive, hit, d);
+                    light *= transmittance(primitives[k], hit, d);
                     if all(light == vec3f(0.0)) {
                         return light;
                     }
