@@ -43,7 +43,9 @@ def test_decoder_and_rays_are_the_wgsl_of_rna_gpu():
             wanted = "const RNA_GROUPS: u32 = 8u;\n" + "\n".join(files[name] for name in names)
             arguments = f'{{RNA_GROUPS: 8}}, "weights_uniform.wgsl", "{kind}", "evaluate"'
             assert page.evaluate(f"rnaViewer.wgsl.compose({arguments})") == wanted
-        for kernel in ("hit", "light"):
-            source = page.evaluate(f"rnaViewer.wgsl.sources.{kernel}")
+        kernels = page.evaluate(
+            "rnaViewer.wgsl.rayKernels({ hasSegments: true, hasTextures: true })"
+        )
+        for source in kernels.values():
             for name in ("triangle.wgsl", "segment.wgsl", "visibility.wgsl"):
                 assert files[name] in source

@@ -12,7 +12,7 @@ import { Orbit } from "./ui/orbit.js";
 import { Panel } from "./ui/panel.js";
 import { listen } from "./ui/pointer.js";
 import { BACKDROP, Viewer } from "./viewer.js";
-import { compose, sharedFiles, sources } from "./webgpu/sources.js";
+import { compose, sharedFiles, rayKernels } from "./webgpu/sources.js";
 
 const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of phones
 
@@ -164,7 +164,7 @@ export class App {
 
   /** The shaders, for the test that they are rna_gpu's. */
   get wgsl() {
-    return { compose, sharedFiles, sources };
+    return { compose, sharedFiles, rayKernels };
   }
 
   /** Asks the engine without a picture: for the conformance kit. */

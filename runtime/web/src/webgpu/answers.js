@@ -49,7 +49,13 @@ export async function visibility(engine, hits) {
 /** (n, 3) mapped normals. */
 export async function mappedNormals(engine, hits) {
   writeHits(engine, hits);
-  engine._run((pass) => dispatch(pass, engine.kernels.normals, engine.groups.normals, hits.length));
+  const { device, view, geometry: [, primitives, points, textures], band } = engine;
+  const pipeline = await engine.pipelines.get(engine.raySources.hit, "find_normals");
+  const group = (k, entries) => device.createBindGroup({
+    layout: pipeline.getBindGroupLayout(k), entries: entries.map(([binding, buffer]) => ({ binding, resource: { buffer } })),
+  });
+  const groups = [group(0, [[0, view], [2, primitives], [3, points], [4, textures]]), group(1, [[0, band.rows]])];
+  engine._run((pass) => dispatch(pass, pipeline, groups, hits.length));
   const rows = new Float32Array(await read(engine.device, engine.band.rows, 64 * hits.length));
   return Float32Array.from({ length: 3 * hits.length }, (_, k) => rows[16 * Math.floor(k / 3) + 4 + (k % 3)]);
 }

@@ -3,7 +3,7 @@
 import { bind, buffer, compiled, dispatch, openDevice, read } from "./gpu_device.js";
 import { planeWords } from "./pack_decoder.js";
 import { PartEvaluator, Pipelines } from "./part_evaluator.js";
-import { sources } from "./sources.js";
+import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
 const KINDS = { sun: 0, environment: 1, given: 2 };
@@ -29,17 +29,15 @@ export class WebGPUEngine {
   }
 
   async _compile(format) {
-    const { device, pipelines } = this;
-    const show = await compiled(device, sources.show);
-    const [hit, normals, light, gather, scatter, shown] = await Promise.all([
-      pipelines.get(sources.hit, "trace_pixels"), pipelines.get(sources.hit, "find_normals"),
-      pipelines.get(sources.light, "light_pixels"), ...await this._queuePipelines(),
+    const { device } = this, show = await compiled(device, sources.show);
+    const [gather, scatter, shown] = await Promise.all([
+      ...await this._queuePipelines(),
       device.createRenderPipelineAsync({
         layout: "auto", vertex: { module: show, entryPoint: "corner" },
         fragment: { module: show, entryPoint: "colour", targets: [{ format }] },
       }),
     ]);
-    Object.assign(this, { kernels: { hit, normals, light, gather, scatter }, shown });
+    Object.assign(this, { queueKernels: { gather, scatter }, shown });
     this._makeBand();
   }
 
@@ -89,9 +87,14 @@ export class WebGPUEngine {
     ];
     this.epsilon = arrays.epsilon;
     this.firsts = arrays.parts.map(({ first }) => first);
-    const [...made] = await Promise.all(parts.map((part) => this._makePart(part)));
+    this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.recordCount > 0 });
+    const { hit, light } = this.raySources;
+    const [traced, lit, , ...made] = await Promise.all([
+      this.pipelines.get(hit, "trace_pixels"), this.pipelines.get(light, "light_pixels"), this.compiled,
+      ...parts.map((part) => this._makePart(part)),
+    ]);
     this.parts = made;
-    await this.compiled;
+    this.kernels = { hit: traced, light: lit, ...this.queueKernels };
     this._bind();
   }
 
@@ -148,7 +151,6 @@ export class WebGPUEngine {
         group(kernels.light, 0, all), group(kernels.light, 1, [[0, rows], [1, through], [2, lit], [3, this.sums]]),
         group(kernels.light, 2, [[0, this.lightRecord], [1, this.images[0].createView()], [2, this.images[1].createView()]]),
       ],
-      normals: [group(kernels.normals, 0, all.filter(([k]) => k !== 1)), group(kernels.normals, 1, [[0, rows]])],
       queue: [device.createBindGroup({
         layout: this.queueLayout,
         entries: [this.queueRecord, rows, through, lit, this.sums, queue.rows, queue.answers, queue.count]

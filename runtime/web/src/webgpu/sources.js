@@ -41,4 +41,11 @@ export function compose(constants, ...parts) {
 }
 
 const rays = [scene, triangle, segment, visibility, points, trace, random, band];
-export const sources = { hit: [...rays, hit].join("\n"), light: [...rays, light].join("\n"), queue, show };
+
+/** The kernels of rays, for assets that have segments, or textures, or not. */
+export function rayKernels({ hasSegments, hasTextures }) {
+  const flags = `const HAS_SEGMENTS = ${hasSegments};\nconst HAS_TEXTURES = ${hasTextures};\n`;
+  return { hit: flags + [...rays, hit].join("\n"), light: flags + [...rays, light].join("\n") };
+}
+
+export const sources = { queue, show };

@@ -71,40 +71,44 @@ vec3 sampleLight(ivec2 pixel, out vec3 wi) {
   return lightColour;
 }
 
-vec3 visibilityOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
+// Where a ray to the light starts, and what it may bring.
+struct Start {
+  vec3 origin;
+  uint strand;  // that is no obstacle
+  vec3 weight;
+  float coverage;
+};
+
+const uint NO_STRAND = 0xffffffffu;
+
+Start startOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
   int place = int(row2.w);
   uvec4 primitive = wordsAt(primitives, place);
-  if ((primitive.w & SEGMENT) != 0u) return passes(row0.xyz, wi, primitive.z);
+  if ((primitive.w & SEGMENT) != 0u) return Start(row0.xyz, primitive.z, vec3(1.0), 1.0);
   Hit hit = Hit(0.0, primitive.w, place, row1.w, b2, vec3(0.0));
-  return passes(liftedOrigin(primitive, hit, wi), wi, 0xffffffffu);
+  return Start(liftedOrigin(primitive, hit, wi), NO_STRAND, vec3(1.0), 1.0);
 }
 
 // The ground shows the shadow, and fades with the distance.
-void shadeGround(vec3 d, vec3 radiance, vec3 wi, vec3 through) {
-  lit1 = vec4(0.0);
-  if (ground.y == 0.0 || d.y * (cameraAt.y - ground.x) >= 0.0) return;
+Start startOnGround(vec3 d, vec3 wi) {
+  if (ground.y == 0.0 || d.y * (cameraAt.y - ground.x) >= 0.0) return Start(vec3(0.0), NO_STRAND, vec3(0.0), 0.0);
   vec3 x = cameraAt + d * ((ground.x - cameraAt.y) / d.y);
   float fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - ground.zw) / groundSize);
-  if (fade <= 0.0) return;
-  float cosine = max(0.0, wi.y);
-  vec3 light = cosine > 0.0 ? passes(x + vec3(0.0, epsilon, 0.0), wi, 0xffffffffu) : vec3(0.0);
-  lit0.w = 2.0;
-  lit1 = vec4(light, fade);
-  lit2 = vec4(through * groundColour * radiance * cosine * light * fade, 0.0);
+  return Start(x + vec3(0.0, epsilon, 0.0), NO_STRAND, fade * max(0.0, wi.y) * groundColour, fade);
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 row0 = texelFetch(rows0, pixel, 0), row1 = texelFetch(rows1, pixel, 0);
   vec4 row2 = texelFetch(rows2, pixel, 0), row3 = texelFetch(rows3, pixel, 0);
-  vec3 wi, radiance = sampleLight(pixel, wi);
-  lit0 = vec4(wi, 0.0);
-  lit2 = vec4(0.0);
-  if (row0.w == 0.0) {
-    shadeGround(-row2.xyz, radiance, wi, row3.xyz);
-    return;
-  }
-  lit0.w = 1.0;
-  lit1 = vec4(visibilityOf(row0, row1, row2, row3.w, wi), 1.0);
-  lit2 = vec4(row3.xyz * radiance, 0.0);
+  bool isQuery = row0.w != 0.0;
+  vec3 wi, radiance = row3.xyz * sampleLight(pixel, wi);
+  Start start;
+  if (isQuery) start = startOf(row0, row1, row2, row3.w, wi);
+  else start = startOnGround(-row2.xyz, wi);
+  bool needed = any(greaterThan(start.weight, vec3(0.0)));
+  vec3 passed = needed ? passes(start.origin, wi, start.strand) : vec3(0.0);
+  lit0 = vec4(wi, isQuery ? 1.0 : 2.0);
+  lit1 = vec4(passed, start.coverage);
+  lit2 = vec4(isQuery ? radiance : start.weight * passed * radiance, 0.0);
 }

@@ -26,7 +26,7 @@ fn trace_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
             break;
         }
         let primitive = primitives[hit.place];
-        let fiber = (hit.number & SEGMENT) != 0u;
+        let fiber = HAS_SEGMENTS && (hit.number & SEGMENT) != 0u;
         var tau = vec3f(0.0);
         if !fiber {
             tau = transmittance(primitive, hit, d);

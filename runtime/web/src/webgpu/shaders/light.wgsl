@@ -118,28 +118,32 @@ fn arrival_at(pixel: vec2<u32>, row: Row) -> Arrival {
     return Arrival(found.wi, light.colour * found.radiance);
 }
 
-fn visibility_of(row: Row, wi: vec3f) -> vec3f {
-    let primitive = primitives[row.wo.w];
-    if (primitive.w & SEGMENT) != 0u {
-        return passes(bitcast<vec3f>(row.position.xyz), wi, primitive.z);
-    }
-    let hit = Hit(0.0, primitive.w, row.wo.w, bitcast<f32>(row.position.w), bitcast<f32>(row.wi.w), vec3f(0.0));
-    return passes(lifted_origin(primitive, hit, wi), wi, NO_STRAND);
+// Where a ray to the light starts, and what it may bring.
+struct Start {
+    origin: vec3f,
+    strand: u32, // that is no obstacle
+    weight: vec3f,
+    coverage: f32,
 }
 
-// The ground shows the shadow, and fades with the distance: radiance and coverage.
-fn ground_at(d: vec3f, arrival: Arrival, throughput: vec3f) -> vec4f {
+fn start_of(row: Row, wi: vec3f) -> Start {
+    let primitive = primitives[row.wo.w];
+    if HAS_SEGMENTS && (primitive.w & SEGMENT) != 0u {
+        return Start(bitcast<vec3f>(row.position.xyz), primitive.z, vec3f(1.0), 1.0);
+    }
+    let hit = Hit(0.0, primitive.w, row.wo.w, bitcast<f32>(row.position.w), bitcast<f32>(row.wi.w), vec3f(0.0));
+    return Start(lifted_origin(primitive, hit, wi), NO_STRAND, vec3f(1.0), 1.0);
+}
+
+// The ground shows the shadow, and fades with the distance.
+fn start_on_ground(d: vec3f, wi: vec3f) -> Start {
+    let nothing = Start(vec3f(0.0), NO_STRAND, vec3f(0.0), 0.0);
     if light.ground_size == 0.0 || d.y * (view.camera.y - light.ground) >= 0.0 {
-        return vec4f(0.0);
+        return nothing;
     }
     let x = view.camera + d * ((light.ground - view.camera.y) / d.y);
     let fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - light.middle) / light.ground_size);
-    let cosine = arrival.wi.y;
-    if fade <= 0.0 || cosine <= 0.0 {
-        return vec4f(0.0, 0.0, 0.0, fade);
-    }
-    let passed = passes(x + vec3f(0.0, view.epsilon, 0.0), arrival.wi, NO_STRAND);
-    return vec4f(throughput * light.ground_colour * arrival.radiance * cosine * passed * fade, fade);
+    return Start(x + vec3f(0.0, view.epsilon, 0.0), NO_STRAND, fade * max(0.0, wi.y) * light.ground_colour, fade);
 }
 
 @compute @workgroup_size(64)
@@ -150,21 +154,26 @@ fn light_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workg
         return;
     }
     let row = rows[index];
+    let is_query = row.axis.w != 0u;
     let arrival = arrival_at(vec2<u32>(local.x, local.y + view.first_row), row);
-    let throughput = through[index].xyz;
-    var shown = vec4f(0.0);
-    if row.axis.w != 0u {
-        rows[index].wi = vec4<u32>(bitcast<vec3<u32>>(arrival.wi), row.wi.w);
-        lit[index] = Lit(visibility_of(row, arrival.wi), 1u, throughput * arrival.radiance, 0u);
-        shown.w = 1.0;
+    var start: Start;
+    if is_query {
+        start = start_of(row, arrival.wi);
     } else {
-        lit[index].is_query = 0u;
-        shown = ground_at(-bitcast<vec3f>(row.wo.xyz), arrival, throughput);
+        start = start_on_ground(-bitcast<vec3f>(row.wo.xyz), arrival.wi);
     }
+    var passed = vec3f(0.0);
+    if any(start.weight > vec3f(0.0)) {
+        passed = passes(start.origin, arrival.wi, start.strand);
+    }
+    let radiance = through[index].xyz * arrival.radiance;
+    rows[index].wi = vec4<u32>(bitcast<vec3<u32>>(arrival.wi), row.wi.w);
+    lit[index] = Lit(passed, u32(is_query), radiance, 0u);
     let at = view.first_row * view.width + index;
     var sum = vec4f(0.0);
     if light.first == 0u {
         sum = sums[at];
     }
-    sums[at] = sum + vec4f(shown.xyz, shown.w * f32(light.counts_coverage));
+    let on_ground = select(start.weight * passed * radiance, vec3f(0.0), is_query);
+    sums[at] = sum + vec4f(on_ground, start.coverage * f32(light.counts_coverage));
 }

@@ -94,6 +94,9 @@ fn fresnel(index: f32, c: f32) -> f32 {
 }
 
 fn transmittance(primitive: vec4<u32>, hit: Hit, d: vec3f) -> vec3f {
+    if !HAS_TEXTURES {
+        return vec3f(0.0);
+    }
     let k = record_of(primitive.w, 0u);
     if k < 0 {
         return vec3f(0.0);
@@ -119,6 +122,9 @@ fn transmittance(primitive: vec4<u32>, hit: Hit, d: vec3f) -> vec3f {
 
 // The normal with relief, 4.5.
 fn mapped_normal(number: u32, corners: Corners, b: vec3f, n: vec3f) -> vec3f {
+    if !HAS_TEXTURES {
+        return n;
+    }
     let k = record_of(number, 1u);
     if k < 0 {
         return n;

@@ -1,6 +1,9 @@
 // The asset's geometry in buffers: see geometry/scene_arrays.js. What this file and its neighbours do is what the
 // spec says of hits (4) and of visibility rays (7.1).
 
+// HAS_SEGMENTS and HAS_TEXTURES are declared by whoever composes the files: code that an asset has no use for
+// is not compiled, which takes most of the time to its first picture.
+
 struct View {
     camera: vec3f,
     epsilon: f32,           // the spec's e, 7.1

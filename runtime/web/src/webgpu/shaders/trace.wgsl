@@ -25,7 +25,7 @@ fn enters(node: u32, origin: vec3f, inverse: vec3f, far: f32) -> f32 {
 // which then becomes it.
 fn meets(place: u32, ray: RnaRay, own: u32, hit: ptr<function, Hit>) -> bool {
     let primitive = primitives[place];
-    if (primitive.w & SEGMENT) == 0u {
+    if !HAS_SEGMENTS || (primitive.w & SEGMENT) == 0u {
         let found = rna_meet_triangle(
             ray, rna_points[primitive.x].xyz, rna_points[primitive.y].xyz, rna_points[primitive.z].xyz,
         );
