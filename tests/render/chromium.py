@@ -89,7 +89,7 @@ class Page:
 
     def _next_message(self) -> dict[str, Any]:
         while b"\0" not in self._read:
-            ready, _, _ = select.select([self._answers], [], [], 60)
+            ready, _, _ = select.select([self._answers], [], [], 300)
             data = os.read(self._answers, 1 << 20) if ready else b""
             assert data, "Chromium has ended, or says nothing"
             self._read += data

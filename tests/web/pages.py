@@ -18,7 +18,7 @@ from rna_view.site_files import Site
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
 
 APIS = ("webgpu", "webgl2")
-PATIENCE = 120.0
+PATIENCE = 300.0
 """Seconds: SwiftShader compiles shaders for long on a busy machine."""
 
 
