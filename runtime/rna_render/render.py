@@ -15,6 +15,7 @@ from rna_render.bands import rendered_bands
 from rna_render.camera import Camera
 from rna_render.domain_watch import watched
 from rna_render.film import Film, Layers
+from rna_render.indirect_clamp import indirect_clamp
 from rna_render.integrator import Integrator
 from rna_render.lights import (
     AssetEmission,
@@ -99,7 +100,8 @@ def make_integrator(
     """
     lights = all_lights(scene, world, resolve)
     camera = Camera(scene.camera, scene.resolution)
-    return Integrator(world, camera, lights, scene.max_depth, scene.clamp_indirect, on_first_hits)
+    clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
+    return Integrator(world, camera, lights, scene.max_depth, clamp, on_first_hits)
 
 
 def all_lights(scene: Scene, world: World, resolve: Callable[[Path], Path] = Path) -> list[Light]:
