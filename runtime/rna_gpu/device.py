@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -81,22 +82,31 @@ class Device:
         self.write(buffer, data)
         return buffer
 
-    def write(self, buffer: Any, values: NDArray[Any]) -> None:
-        """Bytes from the buffer's start on."""
-        data = np.ascontiguousarray(values).reshape(-1).view(np.uint8)
-        if len(data):
-            self.wgpu.queue.write_buffer(buffer, 0, np.pad(data, (0, -len(data) % 4)))
-
-    def read(self, buffer: Any, size: int) -> NDArray[np.uint8]:
-        """The first `size` bytes; waits for the work before.
+    @contextmanager
+    def working(self) -> Iterator[None]:
+        """Around work on the device.
 
         Raises:
             DeviceLostError: the device went away.
+            GpuError: it refused something.
         """
         try:
+            yield
+        except (wgpu.GPUError, RuntimeError) as error:
+            kind = DeviceLostError if "lost" in str(error).lower() else GpuError
+            raise kind(f"{self.name}: {_one_line(error)}") from error
+
+    def write(self, buffer: Any, values: NDArray[Any]) -> None:
+        """Bytes from the buffer's start on; errors as of `working`."""
+        data = np.ascontiguousarray(values).reshape(-1).view(np.uint8)
+        if len(data):
+            with self.working():
+                self.wgpu.queue.write_buffer(buffer, 0, np.pad(data, (0, -len(data) % 4)))
+
+    def read(self, buffer: Any, size: int) -> NDArray[np.uint8]:
+        """The first `size` bytes; waits for the work before. Errors as of `working`."""
+        with self.working():
             return np.frombuffer(self.wgpu.queue.read_buffer(buffer, 0, size), np.uint8)
-        except Exception as error:
-            raise DeviceLostError(f"{self.name}: {_one_line(error)}") from error
 
     def groups(self, threads: int, size: int = 64) -> tuple[int, int, int]:
         """Workgroups for so many threads, in two dimensions: one takes 65,535 at most."""

@@ -80,11 +80,12 @@ class Evaluator:
 
     def dispatch(self, rows: GpuRows, most: int) -> None:
         """Evaluate rows that are on the GPU; most: no more of them than this, which must fit."""
-        encoder = self._device.wgpu.create_command_encoder()
-        step = encoder.begin_compute_pass()
-        self.record(step, self.bind(rows), most)
-        step.end()
-        self._device.wgpu.queue.submit([encoder.finish()])
+        with self._device.working():
+            encoder = self._device.wgpu.create_command_encoder()
+            step = encoder.begin_compute_pass()
+            self.record(step, self.bind(rows), most)
+            step.end()
+            self._device.wgpu.queue.submit([encoder.finish()])
 
     def bind(self, rows: GpuRows) -> Any:
         """What `record` takes: group 1 of the shader."""

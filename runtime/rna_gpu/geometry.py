@@ -23,12 +23,14 @@ class Triangles:
         positions, normals: (v, 3) float32.
         triangles: (t, 3) corners.
         surface: (t,) number of each triangle's surface.
+        uvs: (v, 2) float32, or None.
     """
 
     positions: NDArray[np.float32]
     normals: NDArray[np.float32]
     triangles: NDArray[Any]
     surface: NDArray[Any]
+    uvs: NDArray[np.float32] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +58,8 @@ class Geometry:
     """What the bindings of group 2 hold, and the points' normals.
 
     Attributes:
-        nodes: of dtype NODE. primitives: (p, 4) uint32. points, normals: (v, 4) float32.
+        nodes: of dtype NODE. primitives: (p, 4) uint32. points, normals: (v, 4) float32; their
+            last numbers are the radius of curves' points, and u and v of meshes'.
         instances: (k, 8, 4) float32, some of them bits.
         order: (k,) number of each stored instance in what was given.
         extents: largest coordinate of each body.
@@ -118,7 +121,7 @@ class _Body:
         self.points, self.normals = np.concatenate(points), np.concatenate(normals)
         self.nodes, order = build_tree(np.concatenate(boxes))
         self.primitives = np.concatenate(primitives)[order]
-        self.extent = float((np.abs(self.points[:, :3]).max(axis=1) + self.points[:, 3]).max())
+        self.extent = max(map(_extent, shapes))
         self.box = self.nodes["low"][0], self.nodes["high"][0]
 
     def primitives_at(self, first_point: int) -> NDArray[np.uint32]:
@@ -130,10 +133,19 @@ class _Body:
         return moved
 
 
+def _extent(shape: Shape) -> float:
+    """Largest absolute coordinate; of a point of curves, with its radius."""
+    if isinstance(shape, Strands):
+        return float((np.abs(shape.curves.points).max(axis=1) + shape.curves.radii).max())
+    return float(np.abs(shape.positions).max())
+
+
 def _triangles(shape: Triangles, start: int) -> tuple[NDArray[Any], ...]:
     count = len(shape.positions)
     points, normals = np.zeros((2, count, 4), np.float32)
     points[:, :3], normals[:, :3] = shape.positions, shape.normals
+    if shape.uvs is not None:
+        points[:, 3], normals[:, 3] = shape.uvs.T
     primitives = np.empty((len(shape.triangles), 4), np.uint32)
     primitives[:, :3] = shape.triangles + np.uint32(start)
     primitives[:, 3] = 2 * np.asarray(shape.surface, np.uint32)

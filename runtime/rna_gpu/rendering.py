@@ -13,6 +13,9 @@ from rna_gpu.scene_support import check_scene
 from rna_gpu.scene_tables import scene_tables
 from rna_gpu.wavefront import Wavefront
 from rna_render.film import Film, Layers
+from rna_render.indirect_clamp import indirect_clamp
+from rna_render.lights import AssetLight
+from rna_render.materials import MeshObject
 from rna_render.render import all_lights
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
@@ -40,10 +43,11 @@ def render_scene(
     check_scene(scene_file, world)
     gpu = _on_gpu(scene_file, world, open_it())
     film = Film(scene_file.scene.resolution, gpu.groups)
+    report = _Report(progress, on_first_hits)
     losses = 0
     while film.samples < scene_file.scene.samples and not stop():
         try:
-            sample = _sample(gpu, film, stop, progress)
+            sample = _sample(gpu, film, stop, report)
         except DeviceLostError as error:
             losses += 1
             if losses > LOSSES:
@@ -53,8 +57,20 @@ def render_scene(
             continue
         if sample is not None:
             film.add(sample)
-        on_first_hits()
     return film
+
+
+class _Report:
+    """Tells of the first hits, once, and of progress."""
+
+    def __init__(self, progress: Callable[[int], None], on_first_hits: Callable[[], None]) -> None:
+        self._progress, self._on_first_hits, self._told = progress, on_first_hits, False
+
+    def __call__(self, pixels: int) -> None:
+        if not self._told:
+            self._told = True
+            self._on_first_hits()
+        self._progress(pixels)
 
 
 def _sample(
@@ -72,10 +88,18 @@ def _sample(
 
 
 def _on_gpu(scene_file: SceneFile, world: World, device: Device) -> Wavefront:
-    lights = all_lights(scene_file.scene, world, scene_file.resolve)
+    scene, every = scene_file.scene, all_lights(scene_file.scene, world, scene_file.resolve)
+    clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
+    sampled = [light for light in every if not isinstance(light, AssetLight)]
+    lights = sampled if _has_catcher(world) else [light.beside_rays() for light in sampled]
     tables = scene_tables(world, lights)
     parts = _parts(scene_file, world, tables.parts, device)
-    return Wavefront(device, scene_file.scene, tables, parts, lights, world.scatters)
+    return Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
+
+
+def _has_catcher(world: World) -> bool:
+    """Shadow catchers find light by samples of lights alone, which then have to find all of it."""
+    return any(isinstance(x, MeshObject) and x.catches_shadows for x in world.things)
 
 
 def _parts(

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from dataclasses import fields
 
+import numpy as np
+
 from rna_gpu.errors import GpuError
+from rna_render.bilinear import REPEAT
 from rna_render.materials.material import Material
+from rna_render.materials.textures import IDENTITY, Texture
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
 
+_TEXTURES = ("base_color_texture", "metallic_roughness_texture")
 _WHERE = "is not supported with --device gpu; render it without"
 
 
@@ -21,19 +26,21 @@ def check_scene(scene_file: SceneFile, world: World) -> None:
     for k, (model, asset) in enumerate(zip(models, world.things, strict=False)):
         where = f"assets[{k}], {model.path.name}"
         for part in asset.parts:
-            if part.emits and model.emission > 0.0:
-                raise GpuError(f"{where}: emission of assets {_WHERE}, or with emission: 0")
             if part.kind == "surface" and part.transmittance_records:
                 raise GpuError(f"{where}: holes and thin glass: this {_WHERE}")
-            if part.kind == "surface" and part.normal_maps:
-                raise GpuError(f"{where}: an asset with normal maps {_WHERE}")
 
 
 def check_material(material: Material) -> Material:
     """The material. Raises GpuError for what the shaders do not know of it."""
     for item in fields(material):
-        if item.name.endswith("_texture") and getattr(material, item.name) is not None:
+        texture = getattr(material, item.name)
+        if not isinstance(texture, Texture):
+            continue
+        if item.name not in _TEXTURES:
             raise GpuError(f"a material with a texture ({item.name}) {_WHERE}")
+        moved = texture.uv_set != 0 or not np.array_equal(texture.transform, IDENTITY)
+        if moved or texture.wrap != (REPEAT, REPEAT):
+            raise GpuError(f"a texture that is transformed or does not repeat {_WHERE}")
     for name in ("clear_coat", "transmission"):
         if getattr(material, name) > 0.0:
             raise GpuError(f"a material with {name} {_WHERE}")

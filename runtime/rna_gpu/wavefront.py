@@ -39,7 +39,7 @@ _FRAME = np.dtype(
 )
 _STRIDE = 256  # bytes: what offsets of uniforms are multiples of
 _NONE = 0xFFFFFFFF
-_HAS_SKY, _FOR_BETA, _RAYS_MEET_LIGHTS = 1, 2, 4
+_HAS_SKY, _FOR_BETA, _RAYS_MEET_LIGHTS, _FOR_EMISSION = 1, 2, 4, 8
 _PATH_BYTES, _PENDING_BYTES = 96, 80
 _MOST_PATHS = 1 << 17
 _OWN_SUMS = 5  # vec4f a path, then two for each group of lights
@@ -71,8 +71,9 @@ class Wavefront:
         parts: Sequence[GpuPart],
         lights: Sequence[Light],
         scatters: bool,
+        clamp: float | None,
     ) -> None:
-        """parts: those of `tables.parts`. scatters: as World.scatters.
+        """parts: those of `tables.parts`. scatters: as World.scatters. clamp: as of indirect_clamp.
 
         Raises:
             GpuError: the scene does not fit.
@@ -84,8 +85,8 @@ class Wavefront:
         width, height = scene.resolution
         self.band = min(_MOST_PATHS, width * height, *batches)
         self._sums = _OWN_SUMS + 2 * len(self.groups)
-        self._frames, self._stages = _plan(scene, lights, len(parts), scatters)
-        self._fill_frames(scene, tables, lights)
+        self._frames, self._stages = _plan(scene, lights, parts, scatters)
+        self._fill_frames(scene, tables, len(lights), clamp)
         self._upload(tables)
         self._compile()
 
@@ -101,11 +102,12 @@ class Wavefront:
         padded = np.zeros((len(self._frames), _STRIDE), np.uint8)
         padded[:, : _FRAME.itemsize] = self._frames.view(np.uint8).reshape(len(padded), -1)
         device.write(self._uniform, padded)
-        for stage in self._stages:  # one submission each: no long work at a time
-            encoder = device.wgpu.create_command_encoder()
-            for step in stage:
-                self._record(encoder, step, count)
-            device.wgpu.queue.submit([encoder.finish()])
+        with device.working():
+            for stage in self._stages:  # one submission each: no long work at a time
+                encoder = device.wgpu.create_command_encoder()
+                for step in stage:
+                    self._record(encoder, step, count)
+                device.wgpu.queue.submit([encoder.finish()])
         data = device.read(self._path_sums, count * self._sums * 16)
         return _layers(data.view(np.float32).reshape(count, self._sums, 4))
 
@@ -114,8 +116,9 @@ class Wavefront:
             encoder.clear_buffer(self._rows.count)
             return
         run = encoder.begin_compute_pass()
-        if step.name == "evaluate":
-            self._parts[step.part].transport.record(run, self._bound[step.part], count)
+        if step.name in ("transport", "emitter"):
+            evaluator = getattr(self._parts[step.part], step.name)
+            evaluator.record(run, self._bound[step.name, step.part], count)
         else:
             pipeline, groups = self._pipelines[step.name]
             run.set_pipeline(pipeline)
@@ -125,7 +128,9 @@ class Wavefront:
             run.dispatch_workgroups(*self._device.groups(count))
         run.end()
 
-    def _fill_frames(self, scene: Scene, tables: SceneTables, lights: Sequence[Light]) -> None:
+    def _fill_frames(
+        self, scene: Scene, tables: SceneTables, lights: int, clamp: float | None
+    ) -> None:
         camera = Camera(scene.camera, scene.resolution)
         common = {
             "camera": camera.position,
@@ -134,8 +139,8 @@ class Wavefront:
             "step_x": camera.step_x,
             "step_y": camera.step_y,
             "seed": scene.seed,
-            "clamp": scene.clamp_indirect or 0.0,
-            "light_count": len(lights),
+            "clamp": clamp or 0.0,
+            "light_count": lights,
             "things": tables.things,
             "surfaces": tables.surfaces,
             "lights": tables.lights,
@@ -176,7 +181,12 @@ class Wavefront:
             for size, name in zip(sizes, names, strict=True)
         ]
         self._rows = GpuRows(*self._row_buffers[:3], count)
-        self._bound = [part.transport.bind(self._rows) for part in self._parts]
+        self._bound = {
+            (name, k): evaluator.bind(self._rows)
+            for k, part in enumerate(self._parts)
+            for name, evaluator in (("transport", part.transport), ("emitter", part.emitter))
+            if evaluator is not None
+        }
 
     def _compile(self) -> None:
         layouts = [
@@ -252,11 +262,12 @@ def _lobes() -> str:
 
 
 def _plan(
-    scene: Scene, lights: Sequence[Light], parts: int, scatters: bool
+    scene: Scene, lights: Sequence[Light], parts: Sequence[GpuPart], scatters: bool
 ) -> tuple[NDArray[Any], list[list[_Step]]]:
     """The frames of all steps, with what differs between them, and the steps by depth."""
     frames: list[dict[str, int]] = []
-    meet = not all(light.delta for light in lights)
+    emitting = [k for k, part in enumerate(parts) if part.emits]
+    meet = bool(emitting) or not all(light.delta for light in lights)
     sky = any(isinstance(light, InfiniteLight) for light in lights)
     flags = _HAS_SKY * sky + _RAYS_MEET_LIGHTS * meet
 
@@ -264,24 +275,31 @@ def _plan(
         frames.append({"flags": flags, **values})
         return _Step(name, len(frames) - 1)
 
-    def queries(**values: int) -> list[_Step]:
+    def queries(what: str, asked: Sequence[int], **values: int) -> list[_Step]:
         steps = []
-        for part in range(parts):
+        for part in asked:
             steps += [_Step("clear"), step("gather", neural_part=part, **values)]
-            steps += [_Step("evaluate", part=part), step("apply", neural_part=part, **values)]
+            steps += [_Step(what, part=part), step("apply", neural_part=part, **values)]
         return steps
 
-    stages = [[step("camera"), step("closest", rays=CAMERA_RAY), step("collect")]]
+    def collected(depth: int) -> list[_Step]:
+        emission = queries("emitter", emitting, depth=depth, flags=flags | _FOR_EMISSION)
+        return [step("collect", depth=depth), *emission]
+
+    every = range(len(parts))
+    stages = [[step("camera"), step("closest", rays=CAMERA_RAY), *collected(0)]]
     for depth in range(1, scene.max_depth + 1):
         for light, number, times in _samples(lights, depth):
             at = {"depth": depth, "light": light, "part": number, "parts": times}
-            stages.append([step("direct", rays=SHADOW_RAY, **at), *queries(**at)])
+            stages.append(
+                [step("direct", rays=SHADOW_RAY, **at), *queries("transport", every, **at)]
+            )
         last = depth == scene.max_depth or not scatters
         if last and not meet:
             break
         stage = [step("scatter", depth=depth), step("closest", depth=depth, rays=INDIRECT_RAY)]
-        stage += queries(depth=depth, flags=flags | _FOR_BETA)
-        stages.append([*stage, step("collect", depth=depth)])
+        stage += queries("transport", every, depth=depth, flags=flags | _FOR_BETA)
+        stages.append([*stage, *collected(depth)])
         if last:
             break
     made = np.zeros(len(frames), _FRAME)

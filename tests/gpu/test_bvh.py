@@ -27,8 +27,10 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
 """
 RAY = np.dtype([("origin", "<f4", 3), ("near", "<f4"), ("direction", "<f4", 3), ("far", "<f4")])
 HIT = np.dtype(
-    [("t", "<f4"), ("instance", "<u4"), ("primitive", "<u4"), ("b", "<f4", 2), ("_", "<f4", 3)]
-    + [("normal", "<f4", 3), ("__", "<f4")]
+    [
+        *(("t", "<f4"), ("instance", "<u4"), ("primitive", "<u4"), ("b", "<f4", 2)),
+        *(("_", "<f4", 3), ("normal", "<f4", 3), ("__", "<f4")),
+    ]
 )
 
 

@@ -1,6 +1,10 @@
 // Closest and any hits: a tree over instances, and one in each body's object space. Loops take
 // their lengths from the data.
 
+// Nodes to come back to: of the tree over instances, then of a body's. Private, since a function's own
+// array would be set to 0 at every call.
+var<private> rna_stack: array<u32, 2u * RNA_STACK>;
+
 fn rna_inverse(d: vec3f) -> vec3f {
     let tiny = select(vec3f(1e-20), vec3f(-1e-20), d < vec3f(0.0));
     return vec3f(1.0) / select(d, tiny, abs(d) < vec3f(1e-20));
@@ -19,8 +23,7 @@ fn rna_enter_node(node: u32, origin: vec3f, inverse: vec3f, near: f32, far: f32)
 
 // The next node down, nearer child first; RNA_NOTHING where none is met.
 fn rna_descend(
-    node: u32, ray: RnaRay, inverse: vec3f, far: f32,
-    stack: ptr<function, array<u32, RNA_STACK>>, top: ptr<function, u32>,
+    node: u32, ray: RnaRay, inverse: vec3f, far: f32, top: ptr<function, u32>,
 ) -> u32 {
     let left = node + 1u;
     let right = bitcast<u32>(rna_nodes[2u * node].w);
@@ -36,7 +39,7 @@ fn rna_descend(
         return left;
     }
     let left_first = to_left <= to_right;
-    (*stack)[*top] = select(left, right, left_first);
+    rna_stack[*top] = select(left, right, left_first);
     *top += 1u;
     return select(right, left, left_first);
 }
@@ -71,8 +74,7 @@ fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, Rna
 fn rna_trace_body(
     root: u32, ray: RnaRay, own_strand: u32, any: bool, hit: ptr<function, RnaHit>,
 ) -> bool {
-    var stack: array<u32, RNA_STACK>;
-    var top = 0u;
+    var top = RNA_STACK;
     var node = root;
     var found = false;
     let inverse = rna_inverse(ray.direction);
@@ -80,7 +82,7 @@ fn rna_trace_body(
         let count = bitcast<u32>(rna_nodes[2u * node + 1u].w);
         var next = RNA_NOTHING;
         if count == 0u {
-            next = rna_descend(node, ray, inverse, (*hit).t, &stack, &top);
+            next = rna_descend(node, ray, inverse, (*hit).t, &top);
         }
         let first = bitcast<u32>(rna_nodes[2u * node].w);
         for (var k = 0u; k < count; k++) {
@@ -92,11 +94,11 @@ fn rna_trace_body(
             }
         }
         if next == RNA_NOTHING {
-            if top == 0u {
+            if top == RNA_STACK {
                 break;
             }
             top -= 1u;
-            next = stack[top];
+            next = rna_stack[top];
         }
         node = next;
     }
@@ -127,7 +129,6 @@ fn rna_trace_instance(
 // The closest hit in the world, or with `any` some hit.
 fn rna_trace(ray: RnaRay, own: u32, rays: u32, any: bool) -> RnaHit {
     var hit = rna_miss(ray.far);
-    var stack: array<u32, RNA_STACK>;
     var top = 0u;
     var node = 0u;
     let inverse = rna_inverse(ray.direction);
@@ -135,7 +136,7 @@ fn rna_trace(ray: RnaRay, own: u32, rays: u32, any: bool) -> RnaHit {
         let count = bitcast<u32>(rna_nodes[2u * node + 1u].w);
         var next = RNA_NOTHING;
         if count == 0u {
-            next = rna_descend(node, ray, inverse, hit.t, &stack, &top);
+            next = rna_descend(node, ray, inverse, hit.t, &top);
         }
         let first = bitcast<u32>(rna_nodes[2u * node].w);
         for (var k = 0u; k < count; k++) {
@@ -148,7 +149,7 @@ fn rna_trace(ray: RnaRay, own: u32, rays: u32, any: bool) -> RnaHit {
                 break;
             }
             top -= 1u;
-            next = stack[top];
+            next = rna_stack[top];
         }
         node = next;
     }

@@ -9,12 +9,12 @@
 // (1: before, 2: after), strand and 2 surface + 1.
 @group(2) @binding(1) var<storage, read> rna_primitives: array<vec4<u32>>;
 
-// Position and, of curves, radius.
+// Position and, of curves, radius; the fourth number of a mesh's points is the host's.
 @group(2) @binding(2) var<storage, read> rna_points: array<vec4f>;
 
 // RNA_INSTANCE vec4f each: rows of the matrix to object space (3), of the rotation to the world (3),
 // then translation to the world and scale, then root node, bits of the rays that meet it, largest
-// coordinate of its body, free. The nodes of the tree over instances come first in rna_nodes.
+// coordinate of its body, a number of the host's. The nodes of the tree over instances come first in rna_nodes.
 @group(2) @binding(3) var<storage, read> rna_instances: array<vec4f>;
 
 const RNA_INSTANCE: u32 = 8u;

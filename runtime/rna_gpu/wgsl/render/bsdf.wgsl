@@ -12,10 +12,46 @@ struct Bsdf {
     coat: f32, // its weight
 }
 
-fn bsdf_of(surface: u32) -> Bsdf {
-    let a = table[frame.surfaces + 3u * surface + 1u];
-    let b = table[frame.surfaces + 3u * surface + 2u];
-    return Bsdf(a.xyz, max(a.w, MIN_ALPHA), b.x, b.y, select(0.0, b.z, b.y > 0.0));
+fn texel(record: vec2<u32>, at: vec2<u32>, is_srgb: bool) -> vec3f {
+    let word = images[record.x + 1u + at.y * images[record.x] + at.x];
+    let c = vec3f((vec3<u32>(word) >> vec3<u32>(0u, 8u, 16u)) & vec3<u32>(255u)) / 255.0;
+    if !is_srgb {
+        return c;
+    }
+    return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+}
+
+// Bilinear, repeated, mixed after decoding.
+fn texture_value(record: vec2<u32>, uv: vec2f, is_srgb: bool) -> vec3f {
+    let size = vec2<i32>(texture_size(record));
+    let at = uv * vec2f(size) - 0.5;
+    let low = floor(at);
+    let first = ((vec2<i32>(low) % size) + size) % size;
+    let i = vec2<u32>(first);
+    let j = vec2<u32>((first + 1) % size);
+    let part = at - low;
+    let upper = mix(texel(record, i, is_srgb), texel(record, vec2(j.x, i.y), is_srgb), part.x);
+    let lower = mix(texel(record, vec2(i.x, j.y), is_srgb), texel(record, j, is_srgb), part.x);
+    return mix(upper, lower, part.y);
+}
+
+fn bsdf_of(v: Vertex) -> Bsdf {
+    let at = frame.surfaces + SURFACE_SIZE * v.surface;
+    var base = table[at + 1u];
+    var rest = table[at + 2u];
+    let srgb = u32(rest.w);
+    let colour = texture_of(v.surface, 0u);
+    if colour.y != 0u {
+        base = vec4f(base.xyz * texture_value(colour, v.uv, (srgb & 1u) != 0u), base.w);
+    }
+    let metal = texture_of(v.surface, 1u);
+    if metal.y != 0u {
+        let value = texture_value(metal, v.uv, (srgb & 2u) != 0u);
+        base.w *= value.y;
+        rest.x *= value.z;
+    }
+    let coat = select(0.0, rest.z, rest.y > 0.0);
+    return Bsdf(base.xyz, max(base.w * base.w, MIN_ALPHA), rest.x, rest.y, coat);
 }
 
 // The shading normal on wo's side, with at least MIN_COSINE to wo.

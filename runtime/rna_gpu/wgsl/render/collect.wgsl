@@ -31,6 +31,12 @@ fn collect_shape(k: u32, path: Path) {
     add_met(k, path, light, Met(radiance, pdf));
 }
 
+// Asks what an asset emits itself: times the factor of its instance.
+fn ask_emission(k: u32, path: Path, v: Vertex) {
+    let weight = path.beta * rna_instances[RNA_INSTANCE * v.instance + 7u].w;
+    pendings[k] = Pending(v.x, v.h, v.axis, v.part, v.wo, 1.0, v.wo, NONE, weight, 0u);
+}
+
 fn describe(k: u32, v: Vertex) {
     let at = frame.sums * k;
     sums[at].w = 1.0;
@@ -77,8 +83,17 @@ fn collect(
         if meets {
             collect_shape(k, path);
         }
-    } else if frame.depth == 0u && thing_of(path.instance).y == SCATTERS {
-        describe(k, vertex_of(path));
+    } else if thing_of(path.instance).y == SCATTERS {
+        let emits = surface_emits(rna_primitives[path.primitive].w >> 1u);
+        if emits || frame.depth == 0u {
+            let v = vertex_of(path);
+            if frame.depth == 0u {
+                describe(k, v);
+            }
+            if emits {
+                ask_emission(k, path, v);
+            }
+        }
     } else if frame.depth == 0u {
         behind_catcher(k, path);
     }

@@ -51,7 +51,7 @@ fn catch_light(k: u32, path: Path, v: Vertex, light: u32, found: LightSample) {
 }
 
 fn direct_material(k: u32, path: Path, v: Vertex, light: u32, found: LightSample) {
-    let b = bsdf_of(v.surface);
+    let b = bsdf_of(v);
     let wi = rna_object_direction(found.wi, v.instance);
     let m = turned_normal(v.n, v.ng, v.wo);
     let pdf = found.pdf * light_probability(light, frame.depth);
@@ -72,7 +72,7 @@ fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, found: LightSample) 
     if (light_flags(light) & 2u) == 0u && (frame.flags & RAYS_MEET_LIGHTS) != 0u {
         let is_fiber = v.kind == OF_FIBERS;
         let tangent = select(vec3f(0.0), v.axis, is_fiber);
-        own = lobe_density(lobe_frame(v.n, tangent, v.wo), is_fiber, wi);
+        own = lobe_density(lobe_frame(v.shading, tangent, v.wo), is_fiber, wi);
     }
     let weight = path.beta * found.radiance * (share(pdf, own) / pdf);
     let seen = select(0.0, 1.0, visible);

@@ -8,6 +8,10 @@ struct Cell {
     luminances: vec4f,
 }
 
+fn image_float(at: u32) -> f32 {
+    return bitcast<f32>(images[at]);
+}
+
 fn image_place(light: u32, k: u32) -> u32 {
     return bitcast<u32>(table[frame.lights + LIGHT_SIZE * light + 7u][k]);
 }
@@ -22,7 +26,7 @@ fn image_size(light: u32) -> vec2<u32> {
 
 fn image_texel(light: u32, row: u32, column: u32) -> vec3f {
     let at = image_place(light, 0u) + 3u * (row * image_size(light).y + column);
-    return vec3f(images[at], images[at + 1u], images[at + 2u]);
+    return vec3f(image_float(at), image_float(at + 1u), image_float(at + 2u));
 }
 
 fn image_cell(light: u32, row: u32, column: u32) -> Cell {
@@ -49,7 +53,7 @@ fn interval(at: u32, count: u32, value: f32) -> u32 {
     var high = count;
     while high - low > 1u {
         let middle = (low + high) / 2u;
-        if images[at + middle] <= value {
+        if image_float(at + middle) <= value {
             low = middle;
         } else {
             high = middle;
@@ -59,11 +63,11 @@ fn interval(at: u32, count: u32, value: f32) -> u32 {
 }
 
 fn place_within(at: u32, k: u32, value: f32) -> f32 {
-    let size = images[at + k + 1u] - images[at + k];
+    let size = image_float(at + k + 1u) - image_float(at + k);
     if size <= 0.0 {
         return 0.0;
     }
-    return clamp((value - images[at + k]) / size, 0.0, 0.99999994);
+    return clamp((value - image_float(at + k)) / size, 0.0, 0.99999994);
 }
 
 // A place in [0, 1] with density in proportion to a line from a to b.
@@ -87,7 +91,7 @@ fn image_density(light: u32, row: u32, sine: f32, here: f32, mean_here: f32) -> 
         pdf *= max(mean_here - mean, 0.0) / max(mean_here, 1e-30);
     }
     if row > 0u && row < size.x {
-        let height = images[image_place(light, 1u) + row];
+        let height = image_float(image_place(light, 1u) + row);
         pdf *= height * f32(size.x) / (PI * max(sine, 1e-30));
     }
     return pdf;
@@ -96,7 +100,7 @@ fn image_density(light: u32, row: u32, sine: f32, here: f32, mean_here: f32) -> 
 // Where in a cell of that row, down from the middles above.
 fn sample_down(light: u32, row: u32, l: vec4f, u: f32) -> f32 {
     let h = image_size(light).x;
-    let height = images[image_place(light, 1u) + row];
+    let height = image_float(image_place(light, 1u) + row);
     let cap = 2.0 * asin(sqrt(u * height / 2.0)) / PI * f32(h);
     if row == 0u {
         return cap + 0.5;
@@ -110,10 +114,10 @@ fn sample_down(light: u32, row: u32, l: vec4f, u: f32) -> f32 {
 fn sample_image(light: u32, u: vec2f) -> LightSample {
     let size = image_size(light);
     let rows = image_place(light, 2u);
-    let down = u.y * images[rows + size.x + 1u];
+    let down = u.y * image_float(rows + size.x + 1u);
     let row = interval(rows, size.x + 1u, down);
     let columns = image_place(light, 3u) + row * (size.y + 1u);
-    let across = u.x * images[columns + size.y];
+    let across = u.x * image_float(columns + size.y);
     let column = interval(columns, size.y, across);
     let cell = image_cell(light, row, column);
     let l = cell.luminances;

@@ -22,7 +22,7 @@ struct Frame {
     lights: u32,
     albedo: u32,
     sums: u32, // vec4f a path: beauty, normal and hit, position and number, lights, behind catcher
-    flags: u32, // HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS
+    flags: u32, // HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS, FOR_EMISSION
     neural_part: u32,
     table_size: u32, // of albedo
 }
@@ -31,6 +31,7 @@ const NONE: u32 = 0xffffffffu;
 const HAS_SKY: u32 = 1u;
 const FOR_BETA: u32 = 2u;
 const RAYS_MEET_LIGHTS: u32 = 4u;
+const FOR_EMISSION: u32 = 8u;
 const IS_LIGHT: u32 = 0x80000000u; // with a light's number, in place of an instance
 const PI: f32 = 3.14159265358979;
 const SHADOW_RAY: u32 = 4u;
@@ -78,7 +79,7 @@ struct Pending {
 @group(0) @binding(2) var<storage, read_write> sums: array<vec4f>;
 @group(0) @binding(3) var<storage, read_write> pendings: array<Pending>;
 @group(0) @binding(4) var<storage, read> table: array<vec4f>;
-@group(0) @binding(5) var<storage, read> images: array<f32>;
+@group(0) @binding(5) var<storage, read> images: array<u32>; // floats of skies, bytes of textures
 
 fn path_number(id: vec3<u32>, groups: vec3<u32>) -> u32 {
     return id.y * groups.x * 64u + id.x;

@@ -40,6 +40,11 @@ fn apply(
     }
     let k = path_of_row[row];
     let asked = pendings[k];
+    if (frame.flags & FOR_EMISSION) != 0u {
+        let emitted = clamped(asked.weight * results[row].xyz);
+        sums[frame.sums * k] += vec4f(emitted, 0.0);
+        return;
+    }
     let transport = mix(results[2u * row + 1u].xyz, results[2u * row].xyz, asked.visible);
     if (frame.flags & FOR_BETA) != 0u {
         paths[k].beta = asked.weight * transport;

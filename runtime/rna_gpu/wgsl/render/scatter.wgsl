@@ -29,7 +29,7 @@ fn scatter(
     var wi = vec3f(0.0);
     var pdf = 0.0;
     if v.kind == OF_MATERIAL {
-        let b = bsdf_of(v.surface);
+        let b = bsdf_of(v);
         let m = turned_normal(v.n, v.ng, v.wo);
         wi = bsdf_sample(b, m, v.wo, u);
         pdf = bsdf_density(b, m, v.wo, wi);
@@ -41,7 +41,7 @@ fn scatter(
         }
     } else {
         let is_fiber = v.kind == OF_FIBERS;
-        let at = lobe_frame(v.n, select(vec3f(0.0), v.axis, is_fiber), v.wo);
+        let at = lobe_frame(v.shading, select(vec3f(0.0), v.axis, is_fiber), v.wo);
         wi = lobe_sample(at, is_fiber, u);
         pdf = lobe_density(at, is_fiber, wi);
         let own = trace_own(v, own_ray(v, wi, RNA_FAR), false);

@@ -12,24 +12,58 @@ const OF_FIBERS: u32 = 2u;
 struct Vertex {
     x: vec3f, // object space, as all that is not said otherwise
     kind: u32,
-    n: vec3f, // shading normal
+    n: vec3f, // interpolated normal, or that of a segment
     surface: u32,
     ng: vec3f,
     part: u32,
     lift: vec3f,
     h: f32,
-    axis: vec3f, // what a decoder is asked with: normal or tangent
+    axis: vec3f, // what a decoder is asked with: mapped normal or tangent
     strand: u32,
     wo: vec3f,
     instance: u32,
     x_world: vec3f,
-    n_world: vec3f,
+    shading: vec3f, // mapped normal of meshes, n of strands
+    n_world: vec3f, // the same
+    uv: vec2f,
     ng_world: vec3f,
 }
 
 // number, role, step off the surface, 1 where rays that start on it pass through it
 fn thing_of(instance: u32) -> vec4f {
     return table[frame.things + instance];
+}
+
+const SURFACE_SIZE: u32 = 4u; // vec4f: kind, part, 1 where it emits; base colour, roughness; metallic, F0, coat's
+                              // weight, which textures are sRGB; place and size of two textures
+
+fn surface_kind(surface: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * surface].x);
+}
+
+fn surface_emits(surface: u32) -> bool {
+    return bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * surface].z) == 1u;
+}
+
+// Place in `images`, and rows * 65536 + columns, 0 for none: of normals or base colour, and of
+// metallic and roughness.
+fn texture_of(surface: u32, k: u32) -> vec2<u32> {
+    let record = bitcast<vec4<u32>>(table[frame.surfaces + SURFACE_SIZE * surface + 3u]);
+    return select(record.xy, record.zw, k == 1u);
+}
+
+fn texture_size(record: vec2<u32>) -> vec2<u32> {
+    return vec2<u32>(record.y & 0xffffu, record.y >> 16u);
+}
+
+// Of a normal map: a u32 a texel, whose first two bytes are its numbers.
+fn rna_map_texel(map: u32, row: u32, column: u32) -> vec2f {
+    let word = images[map + 1u + row * images[map] + column];
+    return vec2f(f32(word & 255u), f32((word >> 8u) & 255u));
+}
+
+fn corner_uv(point: u32) -> vec2f {
+    return vec2f(rna_points[point].w, normals[point].w);
 }
 
 fn triangle_vertex(path: Path, record: vec4<u32>) -> Vertex {
@@ -48,7 +82,14 @@ fn triangle_vertex(path: Path, record: vec4<u32>) -> Vertex {
         v.ng = normalize(area / largest);
     }
     v.lift = rna_lift(v.x, b, p, n);
-    v.axis = v.n;
+    let uv = mat3x2f(corner_uv(record.x), corner_uv(record.y), corner_uv(record.z));
+    v.uv = uv * b;
+    v.shading = v.n;
+    let map = texture_of(record.w >> 1u, 0u);
+    if surface_kind(record.w >> 1u) == OF_NEURAL && map.y != 0u {
+        v.shading = rna_mapped_normal(map.x, texture_size(map), v.n, p, uv, b);
+    }
+    v.axis = v.shading;
     v.strand = RNA_NOTHING;
     return v;
 }
@@ -70,6 +111,7 @@ fn segment_vertex(path: Path, record: vec4<u32>, wo: vec3f) -> Vertex {
     if width > 1e-6 {
         v.h = clamp(dot(v.n, across) / width, -1.0, 1.0);
     }
+    v.shading = v.n;
     v.strand = record.z;
     return v;
 }
@@ -94,13 +136,12 @@ fn vertex_of(path: Path) -> Vertex {
         v = segment_vertex(path, record, wo);
     }
     v.surface = record.w >> 1u;
-    let surface = table[frame.surfaces + 3u * v.surface];
-    v.kind = bitcast<u32>(surface.x);
-    v.part = bitcast<u32>(surface.y);
+    v.kind = surface_kind(v.surface);
+    v.part = bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * v.surface].y);
     v.wo = wo;
     v.instance = path.instance;
     v.x_world = rna_world_point(v.x, path.instance);
-    v.n_world = rna_world_direction(v.n, path.instance);
+    v.n_world = rna_world_direction(v.shading, path.instance);
     v.ng_world = rna_world_direction(v.ng, path.instance);
     return v;
 }
