@@ -61,10 +61,12 @@ def render_with_bar(
     stop: Callable[[], bool],
     what: str = "rendering",
     first_rays: Callable[[], str] | None = None,
+    on_sample: Callable[[Film], None] = lambda film: None,
 ) -> Film:
     """Render the scene, or fewer samples of it if `stop` says so.
 
     what: stands before the bar. first_rays: what to print when the first rays are traced.
+    on_sample: given the film after every sample but the last.
     """
     scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
@@ -76,7 +78,7 @@ def render_with_bar(
 
     with bar:
         integrator = make_integrator(scene, world, report_start, scene_file.resolve)
-        film = render(scene, integrator, stop=stop, progress=bar.update)
+        film = render(scene, integrator, stop, bar.update, on_sample)
     warn_of_extrapolation(world.things)
     if film.samples < scene.samples and not stop():
         print(f"{what}: time for {film.samples} of {scene.samples} samples", file=sys.stderr)
