@@ -1,8 +1,9 @@
 """Relightable neural assets in Blender: import, render, bake."""
 
-from . import engine, import_package, preferences, properties
+from . import engine, import_package, panels, preferences, properties, set_up
+from .bake import operators
 
-_MODULES = (properties, preferences, import_package, engine)
+_MODULES = (properties, set_up, preferences, import_package, operators, engine, panels)
 
 
 def register():

@@ -16,7 +16,8 @@ from .sdk_command import Command
 
 _LOOK = 0.1  # seconds between looks at the process
 _PATIENCE = 10.0  # seconds that a cancelled render may take to write what it has
-_EVERY = 0.5  # seconds between images at least
+_EVERY = 0.5  # seconds between images, and of large ones more:
+_PIXELS_A_SECOND = 4e5  # to write and to show without slowing the render much
 
 
 class RnaEngine(bpy.types.RenderEngine):
@@ -50,7 +51,7 @@ class RnaEngine(bpy.types.RenderEngine):
         for line in described.notes:
             self.report({"WARNING"}, line)
         view = _View(self, depsgraph, described, size)
-        command = Command(_arguments(depsgraph.scene, folder), folder / "log")
+        command = Command(_arguments(depsgraph.scene, folder, size), folder / "log")
         cancelled = self._follow(command, folder / "image.npz", view)
         for line in command.lines():
             if line.startswith("warning: "):
@@ -116,11 +117,12 @@ class _View:
         engine.end_result(result)
 
 
-def _arguments(scene, folder):
+def _arguments(scene, folder, size):
     own = scene.rna_render
     more = ["--threads", own.threads] if own.threads else []
     more += ["--denoise"] if own.denoise else []
-    out = ["--out", folder / "image.npz", "--every", _EVERY]
+    every = max(_EVERY, size[0] * size[1] / _PIXELS_A_SECOND)
+    out = ["--out", folder / "image.npz", "--every", every]
     return ["-m", "rna_render.cli", folder / "scene.yaml", *out, *more]
 
 

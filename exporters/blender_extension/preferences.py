@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import sdk
+from . import sdk, set_up
 
 
 class Preferences(bpy.types.AddonPreferences):
@@ -24,6 +24,13 @@ class Preferences(bpy.types.AddonPreferences):
             column.label(text=f"Found: {sdk.find_python()}", icon="CHECKMARK")
         except sdk.SdkError as error:
             column.label(text=str(error), icon="ERROR")
+        said = set_up.last_line()
+        if said is not None:
+            column.label(text=f"Setting up: {said}", icon="TIME")
+            return
+        row = column.row()
+        row.operator("rna.set_up", text="Set Up for Rendering").bake = False
+        row.operator("rna.set_up", text="Set Up for Baking, Too").bake = True
 
 
 def register():

@@ -22,7 +22,7 @@ def _tier_names(self, context, text):
 
 
 class RnaPackage(bpy.types.PropertyGroup):
-    """Of a mesh or hair data-block: what it shows. Objects that share the data share the package."""
+    """Of a mesh or hair data-block: what it shows. Objects with the same data share it."""
 
     path: bpy.props.StringProperty(name="Package", description="The .rna file", subtype="FILE_PATH")
     part: bpy.props.IntProperty(

@@ -14,16 +14,16 @@ SIDE = Path(__file__).parent / "sdk_side"
 class Command:
     """A running command.
 
-    arguments: of the SDK's Python. log: the file for what it says; added to. survives: whether it
-    goes on when Blender ends.
+    arguments: of the SDK's Python, or of `python`. log: the file for what it says; added to.
+    survives: whether it goes on when Blender ends.
     """
 
-    def __init__(self, arguments, log, survives=False):
+    def __init__(self, arguments, log, survives=False, python=None):
         self._log, self._from = Path(log), Path(log).stat().st_size if Path(log).exists() else 0
         environment = {k: v for k, v in os.environ.items() if k != "PYTHONHOME"}
         with open(log, "ab") as file:
             self.process = subprocess.Popen(
-                [str(find_python()), *map(str, arguments)],
+                [str(python or find_python()), *map(str, arguments)],
                 stdin=subprocess.DEVNULL,
                 stdout=file,
                 stderr=subprocess.STDOUT,

@@ -149,7 +149,8 @@ def _settings(scene, resolution, notes):
     own = scene.rna_render
     if scene.render.use_motion_blur:
         notes.add("motion blur is left out")
-    if getattr(bpy.data.colorspace, "working_space", "Linear Rec.709") != "Linear Rec.709":
+    space = getattr(bpy.data, "colorspace", None)  # since Blender 5
+    if space is not None and space.working_space != "Linear Rec.709":
         notes.add("colours are taken as linear Rec.709, which is not this file's working space")
     settings = {
         "resolution": list(resolution),

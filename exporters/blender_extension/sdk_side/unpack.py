@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+
 from rna_sdk.errors import RnaError
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
