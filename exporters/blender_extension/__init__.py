@@ -1,9 +1,18 @@
 """Relightable neural assets in Blender: import, render, bake."""
 
-from . import engine, import_package, panels, preferences, properties, set_up
+from . import engine, export_scene, import_package, panels, preferences, properties, set_up
 from .bake import operators
 
-_MODULES = (properties, set_up, preferences, import_package, operators, engine, panels)
+_MODULES = (
+    properties,
+    set_up,
+    preferences,
+    import_package,
+    export_scene,
+    operators,
+    engine,
+    panels,
+)
 
 
 def register():

@@ -38,14 +38,12 @@ class RnaEngine(bpy.types.RenderEngine):
         try:
             self._render(depsgraph, folder)
         except SdkError as error:
-            self.error_set(str(error))
+            self.report({"ERROR"}, str(error))
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
     def _render(self, depsgraph, folder):
-        render = depsgraph.scene.render
-        share = render.resolution_percentage / 100.0
-        size = int(render.resolution_x * share), int(render.resolution_y * share)
+        size = size_of(depsgraph.scene.render)
         self.update_stats("", "writing the scene")
         described = write_scene(depsgraph, folder, size)
         for line in described.notes:
@@ -56,8 +54,11 @@ class RnaEngine(bpy.types.RenderEngine):
         for line in command.lines():
             if line.startswith("warning: "):
                 self.report({"WARNING"}, line.removeprefix("warning: "))
-        if not cancelled:
-            command.check()
+        try:
+            if not cancelled:
+                command.check()
+        except SdkError as error:
+            raise SdkError(described.in_blenders_words(str(error))) from None
 
     def _follow(self, command, image, view):
         """Show images as they come; returns whether the user has cancelled."""
@@ -124,6 +125,12 @@ def _arguments(scene, folder, size):
     every = max(_EVERY, size[0] * size[1] / _PIXELS_A_SECOND)
     out = ["--out", folder / "image.npz", "--every", every]
     return ["-m", "rna_render.cli", folder / "scene.yaml", *out, *more]
+
+
+def size_of(render):
+    """Width and height of the whole image, pixels."""
+    share = render.resolution_percentage / 100.0
+    return int(render.resolution_x * share), int(render.resolution_y * share)
 
 
 def _film_exposure(scene):

@@ -78,7 +78,7 @@ class BakePanel(_Properties, bpy.types.Panel):
     def draw(self, context):
         column, own = self.layout.column(), context.object.rna_bake
         column.use_property_split = True
-        for name in ("out", "presets", "minutes", "min_psnr", "license"):
+        for name in ("out", "presets", "minutes", "min_psnr", "license", "options"):
             column.prop(own, name)
         job = job_of(context.object)
         if job is None or not job.is_begun():

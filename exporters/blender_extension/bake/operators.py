@@ -1,5 +1,6 @@
 """Bake: the selected objects become a package, and are replaced by it."""
 
+import shlex
 from pathlib import Path
 
 import bpy
@@ -48,16 +49,16 @@ class Bake(bpy.types.Operator):
 
     def _job(self, context, item):
         """The job to start: the one that was begun, or a new one."""
-        job = job_of(item)
-        if job is not None and job.is_running():
-            raise SdkError("the bake is running")
-        if self.anew and job is not None:
-            job.remove()
         own = item.rna_bake
-        if job is None or not job.is_begun():
-            out = _package_path(item)
-            own.folder = str(out.with_suffix(".bake"))
-            job = _new_job(context, item, out)
+        if not own.folder:
+            own.folder = str(_package_path(item).with_suffix(".bake"))
+        job = job_of(item)
+        if job.is_running():
+            raise SdkError("the bake is running")
+        if self.anew:
+            job.remove()
+        if not job.is_begun():
+            _begin(context, item, job)
         return job
 
     def _told(self, status):
@@ -68,18 +69,17 @@ class Bake(bpy.types.Operator):
         return {"CANCELLED"}
 
 
-def _new_job(context, item, out):
+def _begin(context, item, job):
+    """Write what is to be baked: the selected objects, and all below them."""
     selected = [*context.selected_objects] if item in context.selected_objects else [item]
     items = with_children(selected)
     own = item.rna_bake
-    job = Job(own.folder)
     job.folder.mkdir(parents=True, exist_ok=True)
     write_source(job.source, context.scene, items, frame_of(item))
     own.originals.clear()
     for one in items:
         own.originals.add().item = one
-    job.begin(out, _options(own))
-    return job
+    job.begin(_package_path(item), _options(own))
 
 
 def _package_path(item):
@@ -99,7 +99,7 @@ def _options(own):
         options += ["--min-psnr", f"{own.min_psnr:g}"]
     if own.license:
         options += ["--license", own.license]
-    return options
+    return [*options, *shlex.split(own.options)]
 
 
 def _watch(item):
@@ -218,6 +218,9 @@ class RnaBake(bpy.types.PropertyGroup):
         default="small",
     )
     license: bpy.props.StringProperty(name="License", description="SPDX expression of the asset")
+    options: bpy.props.StringProperty(
+        name="Options", description="More options of rna-make, such as --domain hemisphere"
+    )
     folder: bpy.props.StringProperty(description="Of the job")
     originals: bpy.props.CollectionProperty(type=RnaOriginal)
 

@@ -1,5 +1,6 @@
 """A Blender scene as a scene file of rna-run, with the files beside it."""
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,13 +29,23 @@ _NOT_SHOWN = {
 class Description:
     """A scene file that was written.
 
-    path: of it. pass_indices: of the objects, in the order of `assetId`, from 1. notes: what it
-    cannot say, a line each.
+    path: of it. names, pass_indices: of the objects, by the lists `assets` and `objects`, and in the
+    order of `assetId`, from 1. notes: what it cannot say, a line each.
     """
 
     path: Path
+    names: dict[str, list[str]]
     pass_indices: list[int]
     notes: list[str]
+
+    def in_blenders_words(self, message):
+        """An error of rna-run about the file, told of the object instead of `assets[0]`."""
+        message = re.sub(rf"{re.escape(str(self.path))}(:\d+)?: ", "", message)
+        return re.sub(
+            r"\b(assets|objects)\[(\d+)\]\.?",
+            lambda found: f"object {self.names[found[1]][int(found[2])]!r}: ",
+            message,
+        )
 
 
 class _Things:
@@ -44,7 +55,7 @@ class _Things:
         self._depsgraph, self._folder, self._notes = depsgraph, folder, notes
         self._meshes = Meshes(folder, notes)
         self.assets, self.objects, self.lights = [], [], []
-        self.indices_of_assets, self.indices_of_objects = [], []
+        self.placed = {"assets": [], "objects": []}  # (name, pass index) of each
 
     def add(self, instance):
         item, matrix = instance.object, instance.matrix_world.copy()
@@ -81,7 +92,7 @@ class _Things:
         if item.modifiers:
             self._notes.add("an asset's modifiers are left out", item.name)
         self.assets.append(asset)
-        self.indices_of_assets.append(item.pass_index)
+        self.placed["assets"].append((item.name, item.pass_index))
 
     def _check_part(self, item, matrix):
         """Parts are rendered with the first one, which they are children of."""
@@ -107,7 +118,7 @@ class _Things:
         if item.is_shadow_catcher:
             thing["material"] = {"type": "shadow_catcher"}
         self.objects.append(thing)
-        self.indices_of_objects.append(item.pass_index)
+        self.placed["objects"].append((item.name, item.pass_index))
 
 
 def write_scene(depsgraph, folder, resolution):
@@ -132,8 +143,9 @@ def write_scene(depsgraph, folder, resolution):
     }
     path = folder / "scene.yaml"
     path.write_text(to_yaml({key: value for key, value in described.items() if value != []}))
-    indices = [*things.indices_of_assets, *things.indices_of_objects]
-    return Description(path, indices, notes.lines())
+    names = {kind: [name for name, _ in placed] for kind, placed in things.placed.items()}
+    indices = [index for placed in things.placed.values() for _, index in placed]
+    return Description(path, names, indices, notes.lines())
 
 
 def _is_shown(instance):

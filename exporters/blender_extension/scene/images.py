@@ -70,23 +70,40 @@ def save_environment(image, folder, notes):
     if not rgb.size:
         notes.add("the world's image is missing: rendered as white", image.name)
         rgb = np.ones((1, 2, 3), np.float32)
-    out = folder / f"world-{hashlib.sha256(rgb.tobytes()).hexdigest()[:12]}.hdr"
-    out.write_bytes(radiance_hdr(rgb if image.is_float else decode_srgb(rgb)))
+    out = folder / f"world-{hashlib.sha256(rgb.tobytes()).hexdigest()[:12]}.exr"
+    out.write_bytes(exr(rgb if image.is_float else decode_srgb(rgb)))
     return out.name
 
 
-def radiance_hdr(rgb):
-    """An uncompressed Radiance picture (Ward 1991) of (h, w, 3) radiance."""
+def exr(rgb):
+    """An uncompressed OpenEXR file of (h, w, 3) radiance: one part, scan lines, float32."""
     height, width, _ = rgb.shape
-    greatest = rgb.max(axis=2)
-    _, exponent = np.frexp(greatest)
-    mantissa = np.ldexp(np.clip(rgb, 0.0, None), (8 - exponent)[..., None])
-    rgbe = np.zeros((height, width, 4), np.uint8)
-    rgbe[..., :3] = np.clip(mantissa, 0.0, 255.0)
-    rgbe[..., 3] = np.clip(exponent + 128, 0, 255)
-    rgbe[greatest < 1e-32] = 0
-    head = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n"
-    return head.encode() + rgbe.tobytes()
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    channels = b"".join(
+        name + b"\0" + struct.pack("<4i", 2, 0, 1, 1) for name in (b"B", b"G", b"R")
+    )
+    attributes = (
+        (b"channels", b"chlist", channels + b"\0"),
+        (b"compression", b"compression", b"\0"),
+        (b"dataWindow", b"box2i", window),
+        (b"displayWindow", b"box2i", window),
+        (b"lineOrder", b"lineOrder", b"\0"),
+        (b"pixelAspectRatio", b"float", struct.pack("<f", 1.0)),
+        (b"screenWindowCenter", b"v2f", struct.pack("<2f", 0.0, 0.0)),
+        (b"screenWindowWidth", b"float", struct.pack("<f", 1.0)),
+    )
+    head = struct.pack("<2i", 20000630, 2)
+    for name, kind, value in attributes:
+        head += name + b"\0" + kind + b"\0" + struct.pack("<i", len(value)) + value
+    head += b"\0"
+    # Of each line: its number and size, then all its blue, green and red.
+    lines = np.empty((height, 2 + 3 * width), "<f4")
+    numbers = lines.view("<i4")
+    numbers[:, 0], numbers[:, 1] = np.arange(height), 12 * width
+    lines[:, 2:] = rgb[..., ::-1].transpose(0, 2, 1).reshape(height, -1)
+    first = len(head) + 8 * height
+    offsets = first + lines.strides[0] * np.arange(height, dtype="<u8")
+    return head + offsets.astype("<u8").tobytes() + lines.tobytes()
 
 
 def encode_srgb(linear):
