@@ -60,6 +60,10 @@ class RnaEngine(bpy.types.RenderEngine):
         except SdkError as error:
             raise SdkError(described.in_blenders_words(str(error))) from None
 
+    def is_cancelled(self):
+        """Whether the user has pressed Escape."""
+        return self.test_break()
+
     def _follow(self, command, image, view):
         """Show images as they come; returns whether the user has cancelled."""
         shown, cancelled = 0, False
@@ -67,7 +71,7 @@ class RnaEngine(bpy.types.RenderEngine):
             while command.is_running() and not cancelled:
                 shown = view.show_newer(image, shown)
                 time.sleep(_LOOK)
-                cancelled = self.test_break()
+                cancelled = self.is_cancelled()
         finally:
             command.end(_PATIENCE)  # it writes the mean of the samples that it has
         view.show_newer(image, shown)

@@ -193,9 +193,9 @@ def watched(self, channels):
     shown.append(channels.samples)
     put(self, channels)
 engine._View._put = watched
-engine.RnaEngine.test_break = lambda self: len(shown) >= 2
+engine.RnaEngine.is_cancelled = lambda self: len(shown) >= 2
 engine._EVERY = 0.0
-scene.rna_render.samples = 100000
+scene.rna_render.samples = 2000
 bpy.ops.rna.import_package(filepath=TOY)
 write("stopped.exr")
 print("SHOWN", shown)
@@ -205,7 +205,7 @@ print("LEFT", "rna_render.cli" in subprocess.run(
 """
     )
     shown = json.loads(printed.partition("SHOWN ")[2].splitlines()[0])
-    assert len(shown) >= 2 and 1 <= shown[0] < shown[1] < 100000
+    assert len(shown) >= 2 and 1 <= shown[0] < shown[1] < 2000
     assert "LEFT False" in printed
     assert read_exr(tmp_path / "stopped.exr")[0]["A"].max() == 1.0
 

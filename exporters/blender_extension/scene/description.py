@@ -29,8 +29,8 @@ _NOT_SHOWN = {
 class Description:
     """A scene file that was written.
 
-    path: of it. names, pass_indices: of the objects, by the lists `assets` and `objects`, and in the
-    order of `assetId`, from 1. notes: what it cannot say, a line each.
+    path: of it. names: of the objects, by the lists `assets` and `objects`. pass_indices: theirs,
+    in the order of `assetId` from 1. notes: what it cannot say, a line each.
     """
 
     path: Path
