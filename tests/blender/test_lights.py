@@ -46,7 +46,16 @@ def lamp(name, kind, place, target, energy, colour, **settings):
     return item
 
 bpy.ops.mesh.primitive_plane_add(size=20)
-bpy.context.object.data.materials.append(diffuse("floor", (0.5, 0.6, 0.7)))
+floor = diffuse("floor", (0.5, 0.6, 0.7))
+bpy.context.object.data.materials.append(floor)
+tiles = bpy.data.images.new("tiles", 64, 64)  # 8 bits, sRGB
+squares = np.ones((2, 2, 4), np.float32)
+squares[..., :3] = [[(0.9, 0.5, 0.5), (0.5, 0.9, 0.5)], [(0.6, 0.6, 0.95), (0.8, 0.8, 0.8)]]
+tiles.pixels.foreach_set(np.kron(squares, np.ones((32, 32, 1), np.float32)).reshape(-1))
+texture = floor.node_tree.nodes.new("ShaderNodeTexImage")
+texture.image = tiles
+shader = next(node for node in floor.node_tree.nodes if node.type == "BSDF_DIFFUSE")
+floor.node_tree.links.new(texture.outputs["Color"], shader.inputs["Color"])
 bpy.ops.mesh.primitive_cube_add(size=1)
 box = bpy.context.object
 box.location, box.scale, box.rotation_euler = (-0.4, 0.2, 0.4), (-0.5, 0.7, 0.8), (0, 0, 0.5)

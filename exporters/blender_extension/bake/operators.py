@@ -6,6 +6,7 @@ from pathlib import Path
 import bpy
 
 from ..import_package import import_package
+from ..properties import package_of
 from ..sdk import SdkError
 from .job import Job
 from .source import frame_of, with_children, write_source
@@ -31,7 +32,7 @@ class Bake(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return context.object is not None
+        return context.object is not None and package_of(context.object) is None
 
     def execute(self, context):
         item = context.object

@@ -12,8 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_sdk.errors import RnaError
-from rna_sdk.package import Package
+from rna_sdk.package import Package, PackageError
 from rna_sdk.runtime import load
 
 
@@ -23,7 +22,7 @@ def main():
         asset = load(source)
         with Package.open(source) as package:
             manifest, poster = package.manifest, package.poster()
-    except RnaError as error:
+    except PackageError as error:
         sys.exit(f"error: {error}")
     arrays = {"info": np.array(json.dumps(facts(manifest)))}
     if poster is not None:
