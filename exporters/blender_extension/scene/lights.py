@@ -38,7 +38,7 @@ def _colour(item, lamp, notes):
     rgb = [c * 2.0 ** getattr(lamp, "exposure", 0.0) for c in rgb]
     if getattr(lamp, "use_temperature", False):
         rgb = [c * t for c, t in zip(rgb, lamp.temperature_color, strict=True)]
-    if not lamp.use_nodes or lamp.node_tree is None:
+    if lamp.node_tree is None or not getattr(lamp, "use_nodes", True):
         return rgb
     emission = [node for node in lamp.node_tree.nodes if node.type == "EMISSION"]
     if len(emission) != 1 or any(socket.is_linked for socket in emission[0].inputs):

@@ -15,7 +15,7 @@ def describe_material(material, glb, notes):
     """A glTF material; its textures go to `glb`. None: what has no material is grey."""
     if material is None:
         return _lambert(_GREY["pbrMetallicRoughness"])
-    tree = material.node_tree if material.use_nodes else None
+    tree = material.node_tree if getattr(material, "use_nodes", True) else None
     if tree is None:
         return _plain(material)
     output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")

@@ -23,7 +23,7 @@ def describe_world(scene, folder, notes):
 
 
 def _light_of(world, folder, notes):
-    tree = world.node_tree if world.use_nodes else None
+    tree = world.node_tree if getattr(world, "use_nodes", True) else None
     if tree is None:
         return {"radiance": list(world.color)}
     output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
