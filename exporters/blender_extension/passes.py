@@ -1,10 +1,12 @@
 """The passes of a render, from rna-run's channels."""
 
+import bpy
 import numpy as np
 
 from .axes import to_blender
 from .scene.camera import axes_of
 
+OBJECT_INDEX = "Object Index" if bpy.app.version >= (5, 0) else "IndexOB"
 FAR = 1e10
 """Depth where there is nothing, as in Cycles."""
 
@@ -19,7 +21,7 @@ def wanted_passes(view_layer):
     if view_layer.use_pass_position:
         passes.append(("Position", "XYZ", "VECTOR"))
     if view_layer.use_pass_object_index:
-        passes.append(("Object Index", "X", "VALUE"))
+        passes.append((OBJECT_INDEX, "X", "VALUE"))
     if view_layer.rna_passes.asset_index:
         passes.append(("Asset Index", "X", "VALUE"))
     if view_layer.rna_passes.visibility:
@@ -90,7 +92,7 @@ class Channels:
         "Depth": _depth,
         "Normal": _normal,
         "Position": _position_,
-        "Object Index": _object_index,
+        OBJECT_INDEX: _object_index,
         "Asset Index": _asset_index,
         "Visibility": _visibility,
     }
