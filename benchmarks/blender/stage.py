@@ -30,6 +30,7 @@ def main():
     scene.render.filepath = order["out"]
     if order["engine"] == "RNA":
         scene.rna_render.samples = order["samples"]
+        scene.rna_render.auto_clamp = False
         bpy.ops.rna.export_scene(filepath=order["folder"])
     else:
         cycles = scene.cycles

@@ -59,10 +59,14 @@ class RnaRenderSettings(bpy.types.PropertyGroup):
         min=1,
         max=64,
     )
+    auto_clamp: bpy.props.BoolProperty(
+        name="Automatic Clamp",
+        description="Clamp indirect light at 10 times what a white ball in the scene would send",
+        default=True,
+    )
     clamp_indirect: bpy.props.FloatProperty(
         name="Clamp Indirect",
-        description="The most radiance that one path may bring by way of more than one thing; 0 "
-        "for no limit",
+        description="Clamp on per-path indirect radiance without the automatic one; 0 for none",
         default=0.0,
         min=0.0,
     )

@@ -119,6 +119,7 @@ layer.use_pass_z = layer.use_pass_normal = layer.use_pass_object_index = True
 box.pass_index = 7
 scene.cycles.film_exposure = 0.5
 scene.rna_render.samples, scene.rna_render.max_depth = 64, 3
+scene.rna_render.auto_clamp = False
 scene.cycles.samples, scene.cycles.max_bounces = 128, 2
 scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
 scene.cycles.sample_clamp_indirect = 0

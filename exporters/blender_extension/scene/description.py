@@ -170,8 +170,8 @@ def _settings(scene, resolution, notes):
         "max_depth": own.max_depth,
         "seed": own.seed + (scene.frame_current if own.animate_seed else 0),
     }
-    if own.clamp_indirect > 0.0:
-        settings["clamp_indirect"] = own.clamp_indirect
+    if not own.auto_clamp:
+        settings["clamp_indirect"] = own.clamp_indirect or None
     if own.max_error > 0.0:
         settings["quality"] = {"max_error": own.max_error}
     return settings

@@ -81,17 +81,17 @@ def surface_colors(part, positions, n):
 
 
 def fiber_colors(part, curves):
-    """The same of the points of strands: (p, 3) float32."""
+    """The same of the points of strands, of the brightest of four lights around each."""
     tangents = np.gradient(curves.points, axis=0)
     ends = curves.offsets.astype(np.int64)
     tangents[ends[:-1]] = curves.points[ends[:-1] + 1] - curves.points[ends[:-1]]
     tangents[ends[1:] - 1] = curves.points[ends[1:] - 1] - curves.points[ends[1:] - 2]
     t = unit(tangents)
     wo = across(t)
-    wi = unit(wo + np.cross(t, wo))
+    beside = np.cross(t, wo)
     h = np.zeros(len(t), np.float32)
-    visible, _ = part.evaluate(curves.points, t, h, wo, wi)
-    return as_albedo(visible, 1.0) + emitted(part, curves.points, t, wo, h)
+    lit = [part.evaluate(curves.points, t, h, wo, wi)[0] for wi in (wo, -wo, beside, -beside)]
+    return as_albedo(np.max(lit, axis=0), 1.0) + emitted(part, curves.points, t, wo, h)
 
 
 def as_albedo(transport, cosine):
