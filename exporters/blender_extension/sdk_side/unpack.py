@@ -15,6 +15,8 @@ import numpy as np
 from rna_sdk.package import Package, PackageError
 from rna_sdk.runtime import load
 
+BRIGHT = 0.5  # of the brightest channel of hair, in a viewport
+
 
 def main():
     source, out = map(Path, sys.argv[1:])
@@ -81,17 +83,24 @@ def surface_colors(part, positions, n):
 
 
 def fiber_colors(part, curves):
-    """The same of the points of strands, of the brightest of four lights around each."""
+    """The same of the points of strands: (p, 3) float32.
+
+    Brightened, as an engine that knows no hair shades strands by their colour alone, without the
+    light that goes on from strand to strand.
+    """
     tangents = np.gradient(curves.points, axis=0)
     ends = curves.offsets.astype(np.int64)
     tangents[ends[:-1]] = curves.points[ends[:-1] + 1] - curves.points[ends[:-1]]
     tangents[ends[1:] - 1] = curves.points[ends[1:] - 1] - curves.points[ends[1:] - 2]
     t = unit(tangents)
     wo = across(t)
-    beside = np.cross(t, wo)
+    wi = unit(wo + np.cross(t, wo))
     h = np.zeros(len(t), np.float32)
-    lit = [part.evaluate(curves.points, t, h, wo, wi)[0] for wi in (wo, -wo, beside, -beside)]
-    return as_albedo(np.max(lit, axis=0), 1.0) + emitted(part, curves.points, t, wo, h)
+    visible, _ = part.evaluate(curves.points, t, h, wo, wi)
+    bright = max(float(np.percentile(visible, 95)), 1e-6)
+    return as_albedo(visible * (BRIGHT / (np.pi * bright)), 1.0) + emitted(
+        part, curves.points, t, wo, h
+    )
 
 
 def as_albedo(transport, cosine):
