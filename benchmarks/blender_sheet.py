@@ -3,7 +3,8 @@
     python benchmarks/blender_sheet.py --out docs/images/blender.png
 
 A row for the toy and one for the curls: rna-run on the scene file that the extension writes, the
-engine in Blender, Cycles, and the difference of the last two x 4. Prints JSON.
+engine in Blender, Cycles, and the difference of the last two x 4, in blocks of 4 x 4 pixels. Prints
+JSON.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ from rna_render.images import read_exr
 from rna_render.view_transform import to_display
 
 ROOT = Path(__file__).resolve().parent.parent
+WIDTH = 1024  # pixels of the sheet
+BLOCK = 4
 ASSETS: dict[str, dict[str, Any]] = {
     "toy": {
         "package": "examples/quickstart/toy.rna",
@@ -47,8 +50,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=Path, required=True, help="the PNG")
     parser.add_argument("--samples", type=int, default=64, help="of rna-run (default: 64)")
-    parser.add_argument("--cycles-samples", type=int, default=256, help="(default: 256)")
-    parser.add_argument("--width", type=int, default=400, help="pixels (default: 400)")
+    parser.add_argument("--cycles-samples", type=int, default=128, help="(default: 128)")
+    parser.add_argument(
+        "--width", type=int, default=320, help="of one image, a multiple of 16 (default: 320)"
+    )
     args = parser.parse_args()
     rows, figures = [], {}
     with tempfile.TemporaryDirectory(prefix="rna-sheet-") as folder:
@@ -58,7 +63,7 @@ def main() -> None:
             images = rendered(name, Path(folder), extension, args)
             rows.append(row(images))
             figures[name] = compared(images)
-    Image.fromarray(np.concatenate(rows)).save(args.out, optimize=True)
+    sheet(rows).save(args.out, optimize=True)
     print(json.dumps(figures, indent=1))
 
 
@@ -103,11 +108,25 @@ def rgb(path: Path) -> np.ndarray:
     return np.stack([channels[c] for c in "RGB"], axis=-1)
 
 
+def sheet(rows: list[np.ndarray]) -> Image.Image:
+    """The rows, made smaller if they are wider than a page shows."""
+    image = Image.fromarray(np.concatenate(rows))
+    width = min(image.width, WIDTH)
+    return image.resize((width, round(image.height * width / image.width)), Image.Resampling.BOX)
+
+
 def row(images: dict[str, np.ndarray]) -> np.ndarray:
-    """8-bit pictures side by side."""
-    difference = 4.0 * np.abs(images["engine"] - images["cycles"])
-    shown = [to_display(image, "srgb") for image in (*images.values(), difference)]
+    """8-bit pictures side by side; the difference of blocks of pixels, whose noise is less."""
+    difference = 4.0 * np.abs(blocks(images["engine"]) - blocks(images["cycles"]))
+    enlarged = difference.repeat(BLOCK, axis=0).repeat(BLOCK, axis=1)
+    shown = [to_display(image, "srgb") for image in (*images.values(), enlarged)]
     return np.concatenate([np.rint(255.0 * image).astype(np.uint8) for image in shown], axis=1)
+
+
+def blocks(image: np.ndarray) -> np.ndarray:
+    """Means of BLOCK x BLOCK pixels."""
+    height, width, channels = image.shape
+    return image.reshape(height // BLOCK, BLOCK, width // BLOCK, BLOCK, channels).mean(axis=(1, 3))
 
 
 def compared(images: dict[str, np.ndarray]) -> dict[str, float]:
