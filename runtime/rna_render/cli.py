@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import math
 import os
 import re
 import sys
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -54,7 +56,8 @@ def _parser() -> argparse.ArgumentParser:
         "--out",
         metavar="FILE",
         type=Path,
-        help="linear EXR with AOVs to write (default: none, with --preview)",
+        help="linear image with AOVs to write, .exr or, for numpy, .npz (default: none, with "
+        "--preview)",
     )
     add("--png", metavar="FILE", type=Path, help="sRGB PNG to write beside it (default: none)")
     add(
@@ -84,6 +87,13 @@ def _parser() -> argparse.ArgumentParser:
         "(default: one still image)",
     )
     add("--view", choices=VIEWS, help="how the PNG shows radiance (default: the scene's)")
+    add(
+        "--every",
+        metavar="SECONDS",
+        type=_seconds,
+        help="write the image so far, too, after its first sample and then so often; denoised at "
+        "the end only (default: the finished image alone)",
+    )
     add(
         "--denoise",
         action="store_true",
@@ -136,6 +146,16 @@ def _whole(low: int, high: int) -> Callable[[str], int]:
     return parse
 
 
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = -1.0
+    if not 0.0 <= seconds < math.inf:
+        raise argparse.ArgumentTypeError(f"expected seconds, 0 or more, found {text!r}")
+    return seconds
+
+
 def _resolution(text: str) -> tuple[int, int]:
     side = _whole(1, MAX_PIXELS_A_SIDE)
     width, by, height = text.partition("x")
@@ -160,22 +180,26 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
     if options.out is None and not options.preview:
         parser.error("one of --out and --preview is required")
     others = (
-        ("out", "png", "frames", "denoise", "cluster")
+        ("out", "png", "frames", "every", "denoise", "cluster")
         if options.preview
         else ("port", "environments")
     )
     for name in others:
-        if getattr(options, name):
+        value = getattr(options, name)
+        if value is not None and value is not False:  # --every may be 0
             parser.error(f"--{name} is {'not for' if options.preview else 'only for'} --preview")
     if options.device != "cpu":
-        for name in ("preview", "frames", "cluster"):
-            if getattr(options, name):
+        for name in ("preview", "frames", "cluster", "every"):
+            if getattr(options, name) not in (None, False):
                 parser.error(f"--{name} is not for --device {options.device}")
     if options.environments is not None and not options.environments.is_dir():
         parser.error(f"{options.environments}: no such folder")
-    for path, suffix in ((options.out, ".exr"), (options.png, ".png")):
-        if path is not None and path.suffix.lower() != suffix:
-            parser.error(f"{path}: expected a name that ends with {suffix}")
+    for name in ("frames", "cluster"):
+        if options.every is not None and getattr(options, name) is not None:
+            parser.error(f"--every is for a still image on this machine, not for --{name}")
+    for path, suffixes in ((options.out, (".exr", ".npz")), (options.png, (".png",))):
+        if path is not None and path.suffix.lower() not in suffixes:
+            parser.error(f"{path}: expected a name that ends with {' or '.join(suffixes)}")
         if path is not None and not path.parent.is_dir():
             parser.error(f"{path}: there is no folder {path.parent}")
         if path is not None and bool(FRAME_NUMBER.fullmatch(path.name)) != bool(options.frames):
@@ -205,7 +229,7 @@ def _run(options: argparse.Namespace) -> int:
     denoiser = Denoiser(threads) if options.denoise else None
     output = Output(options.out, options.png, denoiser)
     if options.frames is None and options.cluster is None:
-        return _render_still(scene_file, output, options.device)
+        return _render_still(scene_file, output, options)
     if options.frames is None:
         return _render_in_pieces(scene_file, output, options)
     numbers = frame_numbers(scene_file, *options.frames)
@@ -222,7 +246,8 @@ def _use_threads(count: int | None) -> int:
     return limit_kernel_threads(count)
 
 
-def _render_still(scene_file: SceneFile, output: Output, device: str) -> int:
+def _render_still(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
+    from rna_render.interim import Interim
     from rna_render.render import load_world
     from rna_render.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
 
@@ -230,7 +255,7 @@ def _render_still(scene_file: SceneFile, output: Output, device: str) -> int:
     output.check()
     world = load_world(scene_file)
     tell_tiers(scene_file, world)
-    if device == "cpu":
+    if options.device == "cpu":
         tell_costs(scene_file, world)
     with Interrupt() as interrupt:
         film = render_with_bar(
@@ -238,7 +263,8 @@ def _render_still(scene_file: SceneFile, output: Output, device: str) -> int:
             world,
             interrupt.requested,
             first_rays=lambda: f"first rays traced after {time.perf_counter() - _START:.2f} s",
-            device=device,
+            on_sample=Interim(options.every, partial(output.write_so_far, scene)),
+            device=options.device,
         )
     if not film.samples:
         print("stopped before the first sample was finished; nothing was written", file=sys.stderr)

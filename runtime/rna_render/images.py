@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from uuid import uuid4
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -28,6 +29,25 @@ def write_exr(path: Path, channels: Mapping[str, np.ndarray], attributes: dict[s
     }
     file = OpenEXR.File(header, dict(channels))
     _write(path, lambda temporary: file.write(str(temporary)))
+
+
+def write_linear(
+    path: Path, channels: Mapping[str, np.ndarray], attributes: dict[str, str]
+) -> None:
+    """Write channels as `write_exr` takes them to an EXR, or to an NPZ by the name's suffix.
+
+    An NPZ, uncompressed, has an array a channel and one of text an attribute.
+    """
+    if path.suffix.lower() == ".npz":
+        arrays = {**channels, **{name: np.array(text) for name, text in attributes.items()}}
+        _write(path, lambda temporary: _save_arrays(temporary, arrays))
+    else:
+        write_exr(path, channels, attributes)
+
+
+def _save_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
+    with path.open("wb") as file:
+        np.savez(file, **arrays)
 
 
 def read_exr(path: Path) -> tuple[dict[str, np.ndarray], dict[str, object]]:
@@ -67,10 +87,10 @@ def write_png(
 
 
 def read_attributes(path: Path) -> dict[str, str]:
-    """The `rna...` attributes that an EXR or PNG was written with; none if it cannot be read."""
+    """The `rna...` attributes that a file was written with; none if it cannot be read."""
     try:
-        header = _png_text(path) if path.suffix.lower() == ".png" else _exr_header(path)
-    except (OSError, RuntimeError, ValueError, SyntaxError):
+        header = _HEADERS.get(path.suffix.lower(), _exr_header)(path)
+    except (OSError, RuntimeError, ValueError, SyntaxError, BadZipFile):
         return {}
     return {name: str(value) for name, value in header.items() if name.startswith("rna")}
 
@@ -87,6 +107,14 @@ def _png_text(path: Path) -> Mapping[str, object]:
 
     with Image.open(path) as image:
         return dict(image.info)
+
+
+def _npz_text(path: Path) -> Mapping[str, object]:
+    with np.load(path) as arrays:
+        return {name: arrays[name].item() for name in arrays if name.startswith("rna")}
+
+
+_HEADERS = {".png": _png_text, ".npz": _npz_text}
 
 
 def check_writable(path: Path) -> None:

@@ -1,4 +1,4 @@
-"""The files that an image becomes: an EXR, and perhaps a PNG beside it."""
+"""The files that an image becomes: an EXR or NPZ, and perhaps a PNG beside it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from rna_render.denoise import Denoiser
 from rna_render.film import Film
-from rna_render.images import check_writable, read_attributes, write_exr, write_png
+from rna_render.images import check_writable, read_attributes, write_linear, write_png
 from rna_render.scene_model import Scene
 
 
@@ -17,27 +17,27 @@ from rna_render.scene_model import Scene
 class Output:
     """Where images go, and what is done to them first.
 
-    exr: the file, or for a sequence a name with one `%d` or `%04d`. png: likewise, or None.
-    denoiser: None to keep the noise.
+    linear: the .exr or .npz file, or for a sequence a name with one `%d` or `%04d`. png: likewise,
+    or None. denoiser: None to keep the noise.
     """
 
-    exr: Path
+    linear: Path
     png: Path | None = None
     denoiser: Denoiser | None = None
 
     def frame(self, number: int) -> Output:
         """The files of one frame of a sequence."""
-        exr, *png = (path.with_name(path.name % number) for path in self.paths())
-        return replace(self, exr=exr, png=png[0] if png else None)
+        linear, *png = (path.with_name(path.name % number) for path in self.paths())
+        return replace(self, linear=linear, png=png[0] if png else None)
 
     def absolute(self) -> Output:
         """The same files, for a process with another working directory."""
         png = None if self.png is None else self.png.absolute()
-        return replace(self, exr=self.exr.absolute(), png=png)
+        return replace(self, linear=self.linear.absolute(), png=png)
 
     def paths(self) -> list[Path]:
         """The files."""
-        return [self.exr] if self.png is None else [self.exr, self.png]
+        return [self.linear] if self.png is None else [self.linear, self.png]
 
     def check(self) -> None:
         """Raise SceneError if a file cannot be written, before time is spent on its image."""
@@ -61,9 +61,13 @@ class Output:
             rgb = self.denoiser(rgb)
             channels |= _layer("denoised", rgb)
         attributes = self._attributes(scene, film.samples)
-        write_exr(self.exr, channels, attributes)
+        write_linear(self.linear, channels, attributes)
         if self.png is not None:
             write_png(self.png, rgb, scene.exposure, scene.view, attributes)
+
+    def write_so_far(self, scene: Scene, film: Film) -> None:
+        """Write the files of a film that is not finished; with the noise."""
+        replace(self, denoiser=None).write(scene, film)
 
     def _is_of(self, scene: Scene, found: dict[str, str]) -> bool:
         """Whether attributes are those of the finished image; a time limit may end it early."""

@@ -115,11 +115,12 @@ def render(
     integrator: Integrator,
     stop: Callable[[], bool] = lambda: False,
     progress: Callable[[int], None] = lambda pixels: None,
+    on_sample: Callable[[Film], None] = lambda film: None,
 ) -> Film:
     """Render `scene.samples` samples of every pixel, or fewer if `stop` or `quality` says so.
 
     stop: asked after every band; the sample under way is then dropped. progress: told after every
-    band how many pixels it had.
+    band how many pixels it had. on_sample: given the film after every sample but the last.
     """
     film = Film(scene.resolution, integrator.groups)
     samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
@@ -133,6 +134,8 @@ def render(
             if last:
                 film.add(Layers.concatenate(sample))
                 sample.clear()
+                if film.samples < scene.samples:
+                    on_sample(film)
             if stop():
                 break
     return film

@@ -54,7 +54,7 @@ def render_sequence(
     missing = _missing(scene_file, numbers, output)
     if not missing:
         return 0
-    check_shared(where, output.exr.parent)
+    check_shared(where, output.linear.parent)
     backend, threads = where.whole_machines(threads)
     files = carried_scene(scene_file, where)
     absolute = output.absolute() if where.far else output

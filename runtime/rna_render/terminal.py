@@ -62,12 +62,14 @@ def render_with_bar(
     stop: Callable[[], bool],
     what: str = "rendering",
     first_rays: Callable[[], str] | None = None,
+    on_sample: Callable[[Film], None] = lambda film: None,
     device: str = CPU,
 ) -> Film:
     """Render the scene, or fewer samples of it if `stop` says so.
 
-    what: stands before the bar. first_rays: what to print when the first rays are traced. device:
-    where; see `devices`.
+    what: stands before the bar. first_rays: what to print when the first rays are traced.
+    on_sample: given the film after every sample but the last, on the CPU. device: where; see
+    `devices`.
     """
     scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
@@ -80,7 +82,7 @@ def render_with_bar(
     with bar:
         if device == CPU:
             integrator = make_integrator(scene, world, report_start, scene_file.resolve)
-            film = render(scene, integrator, stop=stop, progress=bar.update)
+            film = render(scene, integrator, stop, bar.update, on_sample)
         else:
             renderer = find_renderer(device)
             film = renderer(scene_file, world, stop, bar.update, report_start)

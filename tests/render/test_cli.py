@@ -115,6 +115,9 @@ def test_threads_and_repetition_change_no_byte(folder, tmp_path):
         ["--out", "out.exr", "--seed", "-1"],
         ["--out", "out.exr", "--threads", "0"],
         ["--out", "out.exr", "--view", "raw"],
+        ["--out", "out.exr", "--every", "-1"],
+        ["--out", "out.exr", "--every", "1", "--cluster", "auto"],
+        ["--preview", "--every", "0"],
         ["--out", "out.exr", "--unknown"],
     ],
 )
@@ -215,3 +218,28 @@ def test_shadows_of_other_assets_and_shared_packages(folder, tmp_path):
     assert inside.any() and outside.any()
     assert (channels["visibility"][inside] == 0).all() and (channels["R"][inside] == 0).all()
     assert (channels["visibility"][outside] == 1).all()
+
+
+def test_the_image_so_far_is_written_after_the_first_sample_and_then_so_often(folder, tmp_path):
+    from rna_render import output
+
+    seen = []
+    write = output.write_linear
+
+    def watched(path, channels, attributes):
+        write(path, channels, attributes)
+        with np.load(path) as arrays:
+            seen.append((str(arrays["rnaSamples"]), arrays["R"].mean()))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(output, "write_linear", watched)
+        assert run(folder / "lit.yaml", "--out", tmp_path / "all.npz", "--every", 0) == 0
+        assert run(folder / "lit.yaml", "--out", tmp_path / "few.npz", "--every", 1e6) == 0
+    assert [samples for samples, _ in seen] == ["1", "2", "3", "4", "1", "4"]
+    np.testing.assert_allclose([mean for _, mean in seen], ALBEDO[0] / np.pi, rtol=0.05)
+    assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr") == 0
+    channels, header = read_exr(tmp_path / "out.exr")
+    with np.load(tmp_path / "all.npz") as arrays:
+        assert str(arrays["rnaScene"]) == header["rnaScene"]
+        for name, channel in channels.items():
+            np.testing.assert_array_equal(arrays[name], channel, strict=True)

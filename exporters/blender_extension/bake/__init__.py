@@ -1,0 +1,1 @@
+"""Bakes objects of Blender into packages."""

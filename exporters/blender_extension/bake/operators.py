@@ -1,0 +1,241 @@
+"""Bake: the selected objects become a package, and are replaced by it."""
+
+import shlex
+from pathlib import Path
+
+import bpy
+
+from ..import_package import import_package
+from ..properties import package_of
+from ..sdk import SdkError
+from .job import Job
+from .source import frame_of, with_children, write_source
+
+_POLL = 1.0  # seconds
+
+
+def job_of(item):
+    """The bake of an object, or None."""
+    folder = item.rna_bake.folder if item is not None else ""
+    return Job(bpy.path.abspath(folder)) if folder else None
+
+
+class Bake(bpy.types.Operator):
+    """Capture the selected objects with Cycles and train a neural asset, in the background"""
+
+    bl_idname = "rna.bake"
+    bl_label = "Bake Neural Asset"
+
+    anew: bpy.props.BoolProperty(
+        name="Anew", description="Forget an earlier bake of this object; else go on with it"
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and package_of(context.object) is None
+
+    def execute(self, context):
+        item = context.object
+        try:
+            job = self._job(context, item)
+            job.start()
+        except (SdkError, OSError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        if bpy.app.background:
+            job.wait()
+            return self._told(job.status())
+        _watch(item)
+        return {"FINISHED"}
+
+    def _job(self, context, item):
+        """The job to start: the one that was begun, or a new one."""
+        own = item.rna_bake
+        if not own.folder:
+            own.folder = str(_package_path(item).with_suffix(".bake"))
+        job = job_of(item)
+        if job.is_running():
+            raise SdkError("the bake is running")
+        if self.anew:
+            job.remove()
+        if not job.is_begun():
+            _begin(context, item, job)
+        return job
+
+    def _told(self, status):
+        if status.state == "finished":
+            self.report({"INFO"}, status.text)
+            return {"FINISHED"}
+        self.report({"ERROR"}, f"bake {status.state}: {status.text}")
+        return {"CANCELLED"}
+
+
+def _begin(context, item, job):
+    """Write what is to be baked: the selected objects, and all below them."""
+    selected = [*context.selected_objects] if item in context.selected_objects else [item]
+    items = with_children(selected)
+    own = item.rna_bake
+    job.folder.mkdir(parents=True, exist_ok=True)
+    write_source(job.source, context.scene, items, frame_of(item))
+    own.originals.clear()
+    for one in items:
+        own.originals.add().item = one
+    job.begin(_package_path(item), _options(own))
+
+
+def _package_path(item):
+    """Where the package goes: what was asked for, or beside the .blend file."""
+    asked = item.rna_bake.out or f"//{bpy.path.clean_name(item.name)}.rna"
+    if asked.startswith("//") and not bpy.data.filepath:
+        raise SdkError("save the .blend file first, or name the package to write")
+    path = Path(bpy.path.abspath(asked)).resolve()
+    return path if path.suffix == ".rna" else path.with_name(f"{path.name}.rna")
+
+
+def _options(own):
+    options = ["--presets", *own.presets.split()]
+    if own.minutes > 0.0:
+        options += ["--minutes", f"{own.minutes:g}"]
+    if own.min_psnr > 0.0:
+        options += ["--min-psnr", f"{own.min_psnr:g}"]
+    if own.license:
+        options += ["--license", own.license]
+    return [*options, *shlex.split(own.options)]
+
+
+def _watch(item):
+    """Redraw panels while the bake runs."""
+
+    def look():
+        for window in bpy.context.window_manager.windows:
+            for area in window.screen.areas:
+                area.tag_redraw()
+        job = job_of(bpy.data.objects.get(name))
+        return _POLL if job is not None and job.is_running() else None
+
+    name = item.name
+    bpy.app.timers.register(look, first_interval=_POLL)
+
+
+class StopBake(bpy.types.Operator):
+    """Stop the bake; Bake goes on with it"""
+
+    bl_idname = "rna.stop_bake"
+    bl_label = "Stop"
+
+    @classmethod
+    def poll(cls, context):
+        job = job_of(context.object)
+        return job is not None and job.is_running()
+
+    def execute(self, context):
+        job_of(context.object).stop()
+        return {"FINISHED"}
+
+
+class ReplaceByAsset(bpy.types.Operator):
+    """Put the neural asset where the baked objects are, and hide them"""
+
+    bl_idname = "rna.replace"
+    bl_label = "Replace by the Neural Asset"
+    bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
+
+    @classmethod
+    def poll(cls, context):
+        job = job_of(context.object)
+        return job is not None and job.is_begun() and job.out.is_file()
+
+    def execute(self, context):
+        item = context.object
+        try:
+            asset = import_package(context, job_of(item).out.resolve())
+        except SdkError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        asset.matrix_world = frame_of(item)
+        for record in item.rna_bake.originals:
+            if record.item is not None:
+                record.item.hide_render = record.item.hide_viewport = True
+        return {"FINISHED"}
+
+
+class ShowErrors(bpy.types.Operator):
+    """Load the pictures of the asset beside Cycles: ours, Cycles, difference x 4, FLIP"""
+
+    bl_idname = "rna.show_errors"
+    bl_label = "Show beside Cycles"
+
+    @classmethod
+    def poll(cls, context):
+        job = job_of(context.object)
+        return job is not None and job.sheet.is_file()
+
+    def execute(self, context):
+        job = job_of(context.object)
+        image = bpy.data.images.load(str(job.sheet), check_existing=True)
+        image.name = f"{job.out.stem} beside Cycles"
+        image.reload()
+        if not bpy.app.background:
+            bpy.ops.wm.window_new()
+            area = context.window_manager.windows[-1].screen.areas[0]
+            area.type = "IMAGE_EDITOR"
+            area.spaces.active.image = image
+        return {"FINISHED"}
+
+
+class RnaOriginal(bpy.types.PropertyGroup):
+    """An object that was baked."""
+
+    item: bpy.props.PointerProperty(type=bpy.types.Object)
+
+
+class RnaBake(bpy.types.PropertyGroup):
+    """Of an object: its bake."""
+
+    out: bpy.props.StringProperty(
+        name="Package",
+        description="The .rna file to write; if left empty, beside the .blend file",
+        subtype="FILE_PATH",
+    )
+    minutes: bpy.props.FloatProperty(
+        name="Minutes", description="Time of the whole bake; 0 for no limit", default=20.0, min=0.0
+    )
+    min_psnr: bpy.props.FloatProperty(
+        name="Goal (dB)",
+        description="PSNR of validation images that is good enough; 0 for none: then the bake goes "
+        "on until the time is up, or the error stops falling",
+        default=0.0,
+        min=0.0,
+        max=100.0,
+    )
+    presets: bpy.props.EnumProperty(
+        name="Tiers",
+        items=(
+            ("small", "Small", "4 layers of 64: fast"),
+            ("tiny", "Tiny", "2 layers of 32: for assets that are small in the image"),
+            ("hq", "HQ", "4 layers of 256: accurate"),
+            ("small hq", "Small and HQ", "Both in one package"),
+        ),
+        default="small",
+    )
+    license: bpy.props.StringProperty(name="License", description="SPDX expression of the asset")
+    options: bpy.props.StringProperty(
+        name="Options", description="More options of rna-make, such as --domain hemisphere"
+    )
+    folder: bpy.props.StringProperty(description="Of the job")
+    originals: bpy.props.CollectionProperty(type=RnaOriginal)
+
+
+CLASSES = (RnaOriginal, RnaBake, Bake, StopBake, ReplaceByAsset, ShowErrors)
+
+
+def register():
+    for one in CLASSES:
+        bpy.utils.register_class(one)
+    bpy.types.Object.rna_bake = bpy.props.PointerProperty(type=RnaBake)
+
+
+def unregister():
+    del bpy.types.Object.rna_bake
+    for one in reversed(CLASSES):
+        bpy.utils.unregister_class(one)

@@ -1,0 +1,122 @@
+"""What Blender's data keeps of packages: which one a mesh is of, and how an object uses it."""
+
+import json
+
+import bpy
+
+
+def info_of(data):
+    """Facts of the package that a mesh or hair was imported from, as `sdk_side/unpack.py` told."""
+    return json.loads(data.rna_package.info)
+
+
+def package_of(item):
+    """The record of the package that an object shows, or None."""
+    record = getattr(item.data, "rna_package", None)
+    return record if record is not None and record.path else None
+
+
+def _tier_names(self, context, text):
+    record = package_of(self.id_data)
+    return [] if record is None else [tier["name"] for tier in json.loads(record.info)["tiers"]]
+
+
+class RnaPackage(bpy.types.PropertyGroup):
+    """Of a mesh or hair data-block: what it shows. Objects with the same data share it."""
+
+    path: bpy.props.StringProperty(name="Package", description="The .rna file", subtype="FILE_PATH")
+    part: bpy.props.IntProperty(
+        name="Part", description="Which part of the package this is; part 0 stands for all"
+    )
+    info: bpy.props.StringProperty(description="Facts of the package, JSON")
+    stamp: bpy.props.StringProperty(description="When the file was written that was imported")
+
+
+class RnaInstance(bpy.types.PropertyGroup):
+    """Of an object: how its package is rendered."""
+
+    tier: bpy.props.StringProperty(
+        name="Tier",
+        description="Choice of speed and accuracy; the package's first one if left empty",
+        search=_tier_names,
+    )
+    emission: bpy.props.FloatProperty(
+        name="Emission", description="Factor on the light that it sends out", default=1.0, min=0.0
+    )
+
+
+class RnaRenderSettings(bpy.types.PropertyGroup):
+    """Of a scene: the options of a render."""
+
+    samples: bpy.props.IntProperty(
+        name="Samples", description="Samples a pixel", default=64, min=1, max=1 << 20
+    )
+    max_depth: bpy.props.IntProperty(
+        name="Max Depth",
+        description="Things that light may meet on its way to the camera, the first one seen "
+        "included; 1 is direct light alone",
+        default=8,
+        min=1,
+        max=64,
+    )
+    auto_clamp: bpy.props.BoolProperty(
+        name="Automatic Clamp",
+        description="Clamp indirect light at 10 times what a white ball in the scene would send",
+        default=True,
+    )
+    clamp_indirect: bpy.props.FloatProperty(
+        name="Clamp Indirect",
+        description="Clamp on per-path indirect radiance without the automatic one; 0 for none",
+        default=0.0,
+        min=0.0,
+    )
+    seed: bpy.props.IntProperty(name="Seed", min=0)
+    animate_seed: bpy.props.BoolProperty(
+        name="Animate Seed", description="Add the frame's number to the seed"
+    )
+    denoise: bpy.props.BoolProperty(
+        name="Denoise", description="With Intel Open Image Denoise, once all samples are there"
+    )
+    max_error: bpy.props.FloatProperty(
+        name="Max Error",
+        description="Largest error of an asset, as mean FLIP at its size in the image; assets "
+        "without a tier of their own get the cheapest that meets it. 0 for their first tier",
+        default=0.0,
+        min=0.0,
+        max=1.0,
+    )
+    threads: bpy.props.IntProperty(
+        name="Threads", description="0 for one a core", default=0, min=0, max=4096
+    )
+
+
+class RnaPasses(bpy.types.PropertyGroup):
+    """Of a view layer: passes that Blender has no option for."""
+
+    asset_index: bpy.props.BoolProperty(
+        name="Asset Index", description="Place of the thing in the scene file, from 1; assets first"
+    )
+    visibility: bpy.props.BoolProperty(
+        name="Visibility", description="Part of the light samples that nothing stands in the way of"
+    )
+
+
+CLASSES = (RnaPackage, RnaInstance, RnaRenderSettings, RnaPasses)
+
+
+def register():
+    for one in CLASSES:
+        bpy.utils.register_class(one)
+    bpy.types.Mesh.rna_package = bpy.props.PointerProperty(type=RnaPackage)
+    bpy.types.Curves.rna_package = bpy.props.PointerProperty(type=RnaPackage)
+    bpy.types.Object.rna_instance = bpy.props.PointerProperty(type=RnaInstance)
+    bpy.types.Scene.rna_render = bpy.props.PointerProperty(type=RnaRenderSettings)
+    bpy.types.ViewLayer.rna_passes = bpy.props.PointerProperty(type=RnaPasses)
+
+
+def unregister():
+    del bpy.types.ViewLayer.rna_passes
+    del bpy.types.Scene.rna_render, bpy.types.Object.rna_instance
+    del bpy.types.Curves.rna_package, bpy.types.Mesh.rna_package
+    for one in reversed(CLASSES):
+        bpy.utils.unregister_class(one)

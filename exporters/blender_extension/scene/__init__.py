@@ -1,0 +1,1 @@
+"""A scene of Blender as a scene file of rna-run."""

@@ -1,0 +1,25 @@
+"""What of a Blender scene a scene file cannot say."""
+
+
+class Notes:
+    """Collects notes, each once, with the first things that it is about."""
+
+    def __init__(self):
+        self._names = {}
+
+    def add(self, text, name=None):
+        """text: what is done instead. name: of the thing, put before it."""
+        names = self._names.setdefault(text, [])
+        if name is not None and name not in names:
+            names.append(name)
+
+    def lines(self):
+        """One a note: `'Lamp', 'Lamp.001' and 3 more: ...`."""
+        return [self._line(text, names) for text, names in self._names.items()]
+
+    def _line(self, text, names):
+        if not names:
+            return text
+        shown = ", ".join(repr(name) for name in names[:3])
+        more = f" and {len(names) - 3} more" if len(names) > 3 else ""
+        return f"{shown}{more}: {text}"

@@ -1,0 +1,39 @@
+"""Runs in the SDK's Python: makes a package of a .blend file, then compares it with Cycles.
+
+    python bake.py JOB.json
+
+JOB.json has `source`, `out`, `folder` and `options` of rna-make. Stopped by SIGINT, the same
+command continues. Cycles' pictures beside the package's go to `folder/compare`.
+"""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+
+def main():
+    job = json.loads(Path(sys.argv[1]).read_text())
+    source, out, folder = job["source"], job["out"], Path(job["folder"])
+    if not (folder / "made").is_file():
+        run("rna_export.make.cli", source, "--out", out, "--work", folder / "make", *job["options"])
+        (folder / "made").touch()
+    sizes = ("--resolution", 256, "--cycles-samples", 64)
+    run("rna_export.compare.cli", out, source, "--out", folder / "compare", *sizes)
+    print("bake finished", flush=True)
+
+
+def run(module, *arguments):
+    """One of the SDK's commands; ends with its status if it fails."""
+    command = [sys.executable, "-m", module, *map(str, arguments)]
+    print(f"{module} {' '.join(command[3:])}", flush=True)
+    status = subprocess.call(command)
+    if status:
+        sys.exit(status)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit(130)

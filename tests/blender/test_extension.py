@@ -1,0 +1,239 @@
+"""The extension from its zip: import, render, scene files, and what it says of mistakes."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yaml
+
+from rna_render.cli import main as rna_run
+from rna_render.images import read_exr
+from rna_sdk.package import Package
+from tests.blender.conftest import RunInBlender
+from tests.conftest import REPOSITORY
+
+pytestmark = pytest.mark.blender
+
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
+
+STAGE = f"""
+import mathutils
+TOY, CURLS = {str(TOY)!r}, {str(CURLS)!r}
+
+def aim(item, place, target):
+    item.location = place
+    direction = mathutils.Vector(target) - item.location
+    item.rotation_euler = direction.to_track_quat("-Z", "Y").to_euler()
+
+def add(name, data, place, target):
+    item = bpy.data.objects.new(name, data)
+    aim(item, place, target)
+    scene.collection.objects.link(item)
+    return item
+
+scene.camera = add("camera", bpy.data.cameras.new("camera"), (1.9, -1.5, 1.1), (0.4, 0, 0.2))
+sun = add("sun", bpy.data.lights.new("sun", "SUN"), (1, -1, 2), (0, 0, 0))
+sun.data.energy = 3
+render, layer = scene.render, scene.view_layers[0]
+render.engine, render.resolution_x, render.resolution_y = "RNA", 64, 40
+render.image_settings.file_format = "OPEN_EXR"
+render.image_settings.color_depth, render.image_settings.color_mode = "32", "RGBA"
+scene.rna_render.samples = 4
+
+def write(name):
+    render.filepath = os.path.abspath(name)
+    bpy.ops.render.render(write_still=True)
+"""
+
+
+def test_an_imported_package_is_its_geometry(run_in_blender: RunInBlender) -> None:
+    printed = run_in_blender(
+        STAGE
+        + """
+import json
+import numpy as np
+for path in (TOY, CURLS, TOY):
+    bpy.ops.rna.import_package(filepath=path)
+toy, curls, again = [item for item in scene.objects if item.type in ("MESH", "CURVES")]
+def read(collection, name, width):
+    values = np.empty(len(collection) * width, np.float32)
+    collection.foreach_get(name, values)
+    return values.reshape(-1, width)
+co = read(toy.data.vertices, "co", 3)
+points = read(curls.data.position_data, "vector", 3)
+normals = read(toy.data.corner_normals, "vector", 3)
+colours = read(toy.data.attributes["rna_color"].data, "color", 4)
+print("FOUND", json.dumps({
+    "shared": toy.data == again.data and toy.data.users == 2,
+    "co": [co.min(axis=0).tolist(), co.max(axis=0).tolist()],
+    "vertices": len(co), "triangles": len(toy.data.polygons),
+    "outward": float(np.mean(np.sum(normals.reshape(-1, 3, 3).mean(axis=1)
+                     * read(toy.data.polygons, "normal", 3), axis=1))),
+    "strands": len(curls.data.curves), "points": len(points),
+    "radius": curls.data.attributes["radius"].data[0].value,
+    "colours": colours[:, :3].reshape(-1, 3).std(axis=0).tolist(),
+    "tiers": [tier["name"] for tier in json.loads(toy.data.rna_package.info)["tiers"]],
+}))
+"""
+    )
+    found = json.loads(printed.partition("FOUND ")[2].splitlines()[0])
+    with Package.open(TOY) as toy, Package.open(CURLS) as curls:
+        mesh, strands = toy.mesh(), curls.curves()
+        (x0, y0, z0), (x1, y1, z1) = (corner.tolist() for corner in mesh.box())
+        expected = [[x0, -z1, y0], [x1, -z0, y1]]
+        assert found["shared"] and found["tiers"] == ["small"]
+        np.testing.assert_allclose(found["co"], expected, atol=1e-6)
+        assert found["vertices"] == len(mesh.positions)
+        assert found["triangles"] == len(mesh.triangles)
+        assert found["strands"] == len(strands.offsets) - 1
+        assert found["points"] == len(strands.points)
+        assert found["radius"] == pytest.approx(strands.radii[0])
+    assert found["outward"] > 0.9  # normals and winding agree
+    assert min(found["colours"]) > 0.1  # bricks of many colours
+
+
+def test_the_engine_and_rna_run_give_one_picture(
+    run_in_blender: RunInBlender, tmp_path: Path
+) -> None:
+    """Instances, a mesh of another shape, a mirrored one, a material, and the region."""
+    printed = run_in_blender(
+        STAGE
+        + """
+for path in (TOY, CURLS):
+    bpy.ops.rna.import_package(filepath=path)
+toy, curls = [item for item in scene.objects if item.type in ("MESH", "CURVES")]
+curls.location, curls.scale, curls.rotation_euler = (0.9, 0.5, 0.2), (0.5,) * 3, (0.2, 0, 1)
+group = bpy.data.collections.new("group")
+group.objects.link(curls)
+copy = add("copy", None, (-0.3, 0.5, 0), (0, 0, -9))
+copy.instance_type, copy.instance_collection = "COLLECTION", group
+curls.scale = (0.5, 0.5, 0.5)
+bpy.ops.mesh.primitive_plane_add(size=4)
+bpy.ops.mesh.primitive_monkey_add(size=0.3, location=(0.2, -0.5, 0.2))
+bpy.context.object.scale = (-1, 1.5, 1)
+glossy = bpy.data.materials.new("glossy")
+glossy.node_tree or setattr(glossy, "use_nodes", True)
+shader = glossy.node_tree.nodes["Principled BSDF"]
+shader.inputs["Base Color"].default_value = (0.8, 0.1, 0.05, 1)
+shader.inputs["Metallic"].default_value, shader.inputs["Roughness"].default_value = 1, 0.3
+shader.inputs["Subsurface Weight"].default_value = 0.5
+bpy.context.object.data.materials.append(glossy)
+bpy.ops.rna.export_scene(filepath=os.path.abspath("exported"))
+write("whole.exr")
+render.use_border = True
+render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y = (
+    0.25, 0.75, 0, 0.5)
+render.use_crop_to_border = True
+write("cut.exr")
+"""
+    )
+    assert "Warning: 'glossy': subsurface scattering is left out" in printed
+    scene = yaml.safe_load((tmp_path / "exported" / "scene.yaml").read_text())
+    assert len(scene["assets"]) == 3 and len(scene["objects"]) == 2
+    out = tmp_path / "direct.exr"
+    assert rna_run([str(tmp_path / "exported" / "scene.yaml"), "--out", str(out)]) == 0
+    direct, whole, cut = (read_exr(tmp_path / f"{n}.exr")[0] for n in ("direct", "whole", "cut"))
+    assert direct["A"].max() == 1.0 and np.ptp(direct["R"]) > 0.1
+    for channel in "RGBA":
+        # Normals of the two evaluations may differ in their last digit, and a path by it.
+        assert np.mean(whole[channel] == direct[channel]) > 0.99
+        assert np.mean(cut[channel] == whole[channel][20:, 16:48]) > 0.99
+
+
+def test_mistakes_are_one_line_in_blender(run_in_blender: RunInBlender, tmp_path: Path) -> None:
+    (tmp_path / "broken.rna").write_bytes(b"no package")
+    printed = run_in_blender(
+        STAGE
+        + """
+refused(bpy.ops.rna.import_package, filepath=os.path.abspath("broken.rna"))
+refused(bpy.ops.render.render)
+bpy.ops.rna.import_package(filepath=TOY)
+toy = bpy.context.object
+toy.rna_instance.tier = "huge"
+refused(bpy.ops.render.render)
+toy.rna_instance.tier, toy.scale = "", (1, 1, 2)
+scene.camera.data.dof.use_dof = True
+bpy.ops.object.volume_add()
+bpy.ops.render.render()
+scene.camera.data.type = "ORTHO"
+refused(bpy.ops.render.render)
+scene.camera = None
+refused(bpy.ops.rna.export_scene, filepath=os.path.abspath("exported"))
+os.environ["RNA_SDK_PYTHON"] = "/nowhere/python"
+refused(bpy.ops.rna.import_package, filepath=CURLS)
+refused(bpy.ops.rna.bake)
+"""
+    )
+    for line in (
+        "refused: Error: broken.rna: ",
+        "refused: Error: there is nothing to render: the scene has no assets and no meshes",
+        "refused: Error: object 'toy': tier: no tier 'huge'; this package has: small",
+        "Warning: 'toy': an asset has one scale: rendered with the mean of three",
+        "Warning: 'camera': depth of field is left out: everything is sharp",
+        "refused: Error: camera 'camera': found type ORTHO, expected PERSP",
+        "refused: Error: the scene has no camera",
+        "no Python of the RNA SDK: /nowhere/python is missing",
+    ):
+        assert line in printed, printed
+
+
+def test_a_cancelled_render_keeps_what_it_has_and_leaves_no_process(
+    run_in_blender: RunInBlender, tmp_path: Path
+) -> None:
+    printed = run_in_blender(
+        STAGE
+        + """
+import bl_ext.user_default.rna_sdk.engine as engine
+shown, put = [], engine._View._put
+def watched(self, channels):
+    shown.append(channels.samples)
+    put(self, channels)
+engine._View._put = watched
+engine.RnaEngine.is_cancelled = lambda self: len(shown) >= 2
+engine._EVERY = 0.0
+scene.rna_render.samples = 2000
+bpy.ops.rna.import_package(filepath=TOY)
+write("stopped.exr")
+print("SHOWN", shown)
+import subprocess
+print("LEFT", "rna_render.cli" in subprocess.run(
+    ["ps", "--ppid", str(os.getpid()), "-o", "args"], capture_output=True, text=True).stdout)
+"""
+    )
+    shown = json.loads(printed.partition("SHOWN ")[2].splitlines()[0])
+    assert len(shown) >= 2 and 1 <= shown[0] < shown[1] < 2000
+    assert "LEFT False" in printed
+    assert read_exr(tmp_path / "stopped.exr")[0]["A"].max() == 1.0
+
+
+def test_frames_of_an_animation(run_in_blender: RunInBlender, tmp_path: Path) -> None:
+    run_in_blender(
+        STAGE
+        + """
+bpy.ops.rna.import_package(filepath=TOY)
+toy = bpy.context.object
+for frame, x in ((1, -0.5), (2, 0.5)):
+    toy.location.x = x
+    toy.keyframe_insert("location", frame=frame)
+scene.frame_start, scene.frame_end = 1, 2
+render.filepath = os.path.abspath("frame.")
+bpy.ops.render.render(animation=True)
+"""
+    )
+    alphas = [read_exr(tmp_path / f"frame.{n:04d}.exr")[0]["A"] for n in (1, 2)]
+    centres = [np.average(np.arange(64), weights=alpha.sum(axis=0)) for alpha in alphas]
+    assert centres[1] > centres[0] + 10
+
+
+def test_the_zip_has_the_same_bytes_each_time(extension_zip: Path, tmp_path: Path) -> None:
+    import subprocess
+
+    again = tmp_path / "again.zip"
+    script = REPOSITORY / "scripts" / "blender-extension"
+    subprocess.run([sys.executable, script, again], check=True)
+    assert again.read_bytes() == extension_zip.read_bytes()
