@@ -30,6 +30,11 @@ from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.normal_maps import NormalMap
 from rna_sdk.package.package import Package
 from rna_sdk.package.planes import Int8Planes, Planes
+from rna_sdk.package.profile_decoder import (
+    ProfileDecoder,
+    ProfileLayer,
+    read_profile_decoder,
+)
 from rna_sdk.package.tier_ranges import tier_ranges
 from rna_sdk.package.transmittance import Transmittance
 from rna_sdk.package.validator import validate
@@ -55,6 +60,8 @@ __all__ = [
     "PackageError",
     "Part",
     "Planes",
+    "ProfileDecoder",
+    "ProfileLayer",
     "Provenance",
     "Severity",
     "Tier",
@@ -66,6 +73,7 @@ __all__ = [
     "Validation",
     "quantise",
     "query_width",
+    "read_profile_decoder",
     "tier_ranges",
     "validate",
     "write_package",
