@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import tempfile
 from typing import Any, ClassVar
 
 import drjit as dr
@@ -140,6 +142,20 @@ class FiberGeometry:
         self._first = mi.UInt32(first)
         counts = np.diff(curves.offsets.astype(np.int64)) - 1
         self._strand = mi.UInt32(np.repeat(np.arange(len(counts)), counts).astype(np.uint32))
+
+    def shape(self) -> mi.Shape:
+        """For rays, in object space. Mitsuba takes curves from a file alone."""
+        ends = self.curves.offsets[1:-1].astype(np.int64)
+        rows = np.column_stack([self.curves.points, self.curves.radii])
+        strands = [
+            "\n".join(" ".join(map(repr, row)) for row in strand.tolist())
+            for strand in np.split(rows, ends)
+        ]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "curves.txt")
+            with open(path, "w") as file:
+                file.write("\n\n".join(strands) + "\n")
+            return mi.load_dict({"type": "linearcurve", "filename": path})
 
     def strand(self, segment: mi.UInt32, active: mi.Bool) -> mi.UInt32:
         """The number of the strand that a segment is of."""
