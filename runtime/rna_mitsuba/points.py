@@ -14,6 +14,8 @@ from rna_mitsuba.textures import NormalTextures, TransmittanceTextures
 from rna_mitsuba.vectors import length, unit
 from rna_sdk.package import Curves, Mesh, NormalMap, Transmittance
 
+_ROUNDING = 1e-3
+"""Of a strand's radius: what float32 coordinates of an asset leave of it."""
 _SMOOTH_BELOW = 0.1  # cosine of 7.1, where rays begin to start on the smooth surface
 
 
@@ -139,7 +141,7 @@ class FiberGeometry:
         self.extent = float(reach.max())
         self._points, self._radii = mi.Float(curves.points.ravel()), mi.Float(curves.radii)
         first = curves.segments()
-        self._first = mi.UInt32(first)
+        self._first, self._count = mi.UInt32(first), len(first)
         counts = np.diff(curves.offsets.astype(np.int64)) - 1
         self._strand = mi.UInt32(np.repeat(np.arange(len(counts)), counts).astype(np.uint32))
 
@@ -187,6 +189,35 @@ class FiberGeometry:
     ) -> mi.Vector3f:
         """The normal of a hit at x, at u along the segment; of some length."""
         return mi.Vector3f(x - self._sphere(segment, u, active)[0])
+
+    def is_between(self, segment: mi.UInt32, x: mi.Point3f, active: mi.Bool) -> mi.Bool:
+        """Whether x, on a segment, is inside the one before or after it on its strand."""
+        strand, result = self.strand(segment, active), mi.Bool(False)
+        for neighbour, exists in (
+            (segment - 1, segment > 0),
+            (segment + 1, segment + 1 < self._count),
+        ):
+            here = active & exists
+            here &= self.strand(neighbour, here) == strand
+            result |= here & self._holds(neighbour, x, here)
+        return result
+
+    def _holds(self, segment: mi.UInt32, x: mi.Point3f, active: mi.Bool) -> mi.Bool:
+        """Whether one of a segment's spheres holds x, by more than rounding.
+
+        At s along the axis from its first point, x is sqrt((a - s)^2 + b^2) - r - k s off; the
+        least is where (s - a) / sqrt((a - s)^2 + b^2) = k.
+        """
+        first, r, t = self._sphere(segment, mi.Float(0), active)
+        last, end, _ = self._sphere(segment, mi.Float(1), active)
+        size = length(mi.Vector3f(last - first))
+        k = (end - r) / dr.maximum(size, 1e-30)
+        way = mi.Vector3f(x - first)
+        a, b = dr.dot(way, t), length(dr.cross(way, t))
+        least = a + k * b / dr.sqrt(dr.maximum(1 - k * k, 1e-12))
+        s = dr.clip(dr.select(dr.abs(k) < 1, least, dr.select(k > 0, size, 0)), 0, size)
+        off = dr.sqrt(dr.square(a - s) + b * b)
+        return active & (off < (r + k * s) * (1 - _ROUNDING))
 
     def _sphere(
         self, segment: mi.UInt32, u: mi.Float, active: mi.Bool

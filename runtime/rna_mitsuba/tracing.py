@@ -119,7 +119,7 @@ class PackageScene:
             if isinstance(geometry, FiberGeometry):
                 own = (part == k) & (geometry.strand(hits.primitive, here) == strand)
                 n = geometry.outward(hits.primitive, hits.u, x, here)
-                passes = own | (dr.dot(n, d) >= 0)
+                passes = own | (dr.dot(n, d) >= 0) | geometry.is_between(hits.primitive, x, here)
                 tau = dr.select(here & passes, mi.Color3f(1), tau)
             elif geometry.transmits:
                 found = geometry.transmittance(hits.primitive, hits.u, hits.v, d, here)
