@@ -78,8 +78,6 @@ class RnaShape(mi.Mesh):
         to_world: Transform4f.
     """
 
-    _numbers = itertools.count()
-
     def __init__(self, props: mi.Properties) -> None:
         """Raises PackageError and QueryError, as Package.open, choose_tier and Transform."""
         self.to_world: mi.Transform4f | None = None
@@ -92,7 +90,8 @@ class RnaShape(mi.Mesh):
         Transform(matrix)  # refuses what is no similarity
         corners = np.array(list(itertools.product(*self.loaded.bounds.T)))
         corners = corners @ matrix[:3, :3].T + matrix[:3, 3]
-        super().__init__(f"rna{next(self._numbers)}", 3, 1)
+        super().__init__(props.id(), 3, 1)
+        self.set_id(props.id())
         parameters = mi.traverse(self)
         low, high = corners.min(axis=0), corners.max(axis=0)
         parameters["vertex_positions"] = mi.Float(np.concatenate([low, high, low]))

@@ -1,0 +1,29 @@
+"""Pictures by Mitsuba with `rna_mitsuba` and by rna-run have the same mean, by Welch's test."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.render.studio import one_thread
+from tests.render.test_second_opinion import assert_same_mean
+
+SIZE, BATCHES = (24, 16), 10
+
+
+@pytest.mark.parametrize(
+    ("name", "samples"),
+    [("sun", 64), ("environment and ground", 256), ("lamp and red wall", 256), ("curls", 768)],
+)
+def test_both_show_the_same(name: str, samples: int, tmp_path: Path) -> None:
+    from benchmarks.mitsuba_scenes import Ours, Theirs, pairs
+
+    pair = pairs(tmp_path)[name]
+    theirs = Theirs(pair, SIZE, samples)
+    reference = np.stack([theirs(seed) for seed in range(BATCHES)])
+    with one_thread():
+        ours = Ours(tmp_path, pair, SIZE, samples)
+        mine = np.stack([ours(seed) for seed in range(BATCHES)])
+    assert_same_mean(tmp_path, mine, reference)
