@@ -72,9 +72,7 @@ def _highlight(n: mi.Vector3f, wo: mi.Vector3f, wi: mi.Vector3f) -> Columns:
     return [dr.log2(dr.dot(across, across) + 1e-8) / 12]
 
 
-def _learned_normal(
-    n: mi.Vector3f, features: Columns, wo: mi.Vector3f, wi: mi.Vector3f
-) -> Columns:
+def _learned_normal(n: mi.Vector3f, features: Columns, wo: mi.Vector3f, wi: mi.Vector3f) -> Columns:
     first = [*features, 0, 0][:3]
     bent = n + 0.1 * mi.Vector3f(*first)
     q = dr.select(length(bent) < 1e-6, n, unit(bent))

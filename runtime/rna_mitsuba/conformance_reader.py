@@ -96,7 +96,5 @@ def _rows(colour: mi.Color3f, count: int) -> np.ndarray:
 
 if __name__ == "__main__":
     sys.exit(
-        run_reader(
-            evaluate=evaluate, emission=emission, visibility=visibility, normals=normals
-        )
+        run_reader(evaluate=evaluate, emission=emission, visibility=visibility, normals=normals)
     )

@@ -52,9 +52,7 @@ class PackageScene:
         self.transmits = any(g.transmits for g in self.geometries)
         self.is_plain = not (self.transmits or any(g.is_fiber for g in self.geometries))
 
-    def closest(
-        self, o: mi.Point3f, d: mi.Vector3f, far: mi.Float, active: mi.Bool
-    ) -> Hits:
+    def closest(self, o: mi.Point3f, d: mi.Vector3f, far: mi.Float, active: mi.Bool) -> Hits:
         """The first hit of o + t d, unit d, nearer than far."""
         ray = mi.Ray3f(mi.Point3f(o), d, far, 0, [])
         found = self._scene.ray_intersect_preliminary(ray, coherent=False, active=active)
@@ -139,4 +137,3 @@ def _geometry(package: Package, part: int) -> MeshGeometry | FiberGeometry:
         return FiberGeometry(package.curves(part))
     maps = package.normal_maps(part)
     return MeshGeometry(package.mesh(part), package.transmittance(part), maps)
-

@@ -5,7 +5,6 @@ from __future__ import annotations
 import drjit as dr
 import mitsuba as mi
 
-
 _TINY = (127 - 60) << 23
 """The bits of 2^-60."""
 

@@ -59,9 +59,7 @@ class World:
     def __init__(self, shapes: list[RnaShape]) -> None:
         self._shapes = shapes
         self._places = [Placement(shape) for shape in shapes]
-        self.has_fibers = any(
-            g.is_fiber for shape in shapes for g in shape.loaded.scene.geometries
-        )
+        self.has_fibers = any(g.is_fiber for shape in shapes for g in shape.loaded.scene.geometries)
         self.emits = any(shape.loaded.emits for shape in shapes)
         self.transmits = any(shape.loaded.scene.transmits for shape in shapes)
 
