@@ -67,6 +67,7 @@ def pairs(folder: Path) -> dict[str, Pair]:
     }
     far_camera = {"position": (1.7, 1.0, 1.3), "look_at": (0.3, 0.1, -0.1), "vertical_fov_deg": 30}
     direction, irradiance = (0.55, 0.75, 0.65), (2.5, 2.35, 2.1)
+    key, back = ((0.8, 0.55, 0.5), (3.6, 3.4, 3.1)), ((-0.65, 0.4, -0.75), (2.2, 2.5, 3.0))
     grey = (0.5, 0.48, 0.45)
     sky = folder / "sky.exr"
     _write_sky(sky)
@@ -98,14 +99,14 @@ def pairs(folder: Path) -> dict[str, Pair]:
             {
                 "assets": [{"path": str(CURLS)}],
                 "lights": [
-                    {"type": "directional", "direction": (0.8, 0.55, 0.5), "irradiance": (3.6, 3.4, 3.1)},
-                    {"type": "directional", "direction": (-0.65, 0.4, -0.75), "irradiance": (2.2, 2.5, 3.0)},
+                    {"type": "directional", "direction": key[0], "irradiance": key[1]},
+                    {"type": "directional", "direction": back[0], "irradiance": back[1]},
                 ],
             },
             {
                 "ball": rna_mitsuba.asset(CURLS),
-                "key": sun((0.8, 0.55, 0.5), (3.6, 3.4, 3.1)),
-                "back": sun((-0.65, 0.4, -0.75), (2.2, 2.5, 3.0)),
+                "key": sun(*key),
+                "back": sun(*back),
             },
             {"position": (0.75, 0.45, 1.1), "look_at": (0, 0, 0), "vertical_fov_deg": 32},
             1,
@@ -116,6 +117,7 @@ def pairs(folder: Path) -> dict[str, Pair]:
 def _lamp_and_wall(folder: Path, grey: Any, camera: dict[str, Any]) -> Pair:
     """A square lamp over two assets before a red wall, with all light between them."""
     red, lamp = (0.7, 0.09, 0.06), {"position": (1.0, 1.4, 0.8), "look_at": (0.3, 0.1, 0.0)}
+    bright = (16.0, 14.5, 12.5)
     wall = folder / "wall.ply"
     corners = [(-0.9, 0.0, -0.75), (1.8, 0.0, -0.75), (1.8, 1.2, -0.75), (-0.9, 1.2, -0.75)]
     lines = ["ply", "format ascii 1.0", "element vertex 4"]
@@ -129,7 +131,7 @@ def _lamp_and_wall(folder: Path, grey: Any, camera: dict[str, Any]) -> Pair:
             "assets": [{"path": str(TOY)}, {"path": str(CURLS), "transform": ball}],
             "objects": [{"path": str(wall), "material": {"type": "diffuse", "color": red}}],
             "ground": {"size": 20, "material": {"type": "diffuse", "color": grey}},
-            "lights": [{"type": "rectangle", **lamp, "size": (0.6, 0.6), "radiance": (16, 14.5, 12.5)}],
+            "lights": [{"type": "rectangle", **lamp, "size": (0.6, 0.6), "radiance": bright}],
         },
         {
             "toy": rna_mitsuba.asset(TOY),
@@ -138,8 +140,8 @@ def _lamp_and_wall(folder: Path, grey: Any, camera: dict[str, Any]) -> Pair:
             "ground": ground(grey),
             "lamp": {
                 "type": "rectangle",
-                "to_world": T().look_at(list(lamp["position"]), list(lamp["look_at"]), [0, 1, 0]).scale(0.3),
-                "emitter": {"type": "area", "radiance": rgb((16, 14.5, 12.5))},
+                "to_world": T().look_at(*map(list, lamp.values()), [0, 1, 0]).scale(0.3),
+                "emitter": {"type": "area", "radiance": rgb(bright)},
                 "bsdf": diffuse(0),
             },
         },

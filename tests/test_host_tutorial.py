@@ -23,9 +23,9 @@ def test_the_code_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     exec("\n".join(blocks(PAGE)), names)
     image, visible = names["image"], names["visible"]
     assert np.isfinite(image).all() and image.max() > 0.3
-    assert 0.05 < names["lost"] < 0.9
+    assert 0.1 < names["lost"] < 0.9
     blocked = names["blocked"]
-    assert 0.1 < blocked.mean() < 0.9
+    assert 0.5 < blocked.mean() < 0.99  # lit from behind
     np.testing.assert_array_equal(names["again"], visible)
     np.testing.assert_allclose(names["wi_object"], names["arguments"][3], atol=1e-6)
     assert names["curls"].shape == (100, 3) and names["curls"].max() > 0

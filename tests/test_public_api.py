@@ -1,4 +1,4 @@
-"""What renderers may import of the SDK: the public names, so that any other renderer has the same."""
+"""What renderers may import of the SDK: public names, so that any other renderer has the same."""
 
 from __future__ import annotations
 

@@ -88,7 +88,7 @@ class Package:
         return geometry_from_bytes(self._view(names[-1]), names[-1], record.kind)
 
     def proxy_heights(self, part: int = 0) -> tuple[int, ...]:
-        """The largest height in pixels for which each proxy of a part is, descending; see `geometry`.
+        """Up to how many pixels high each proxy of a part is for, descending; see `geometry`.
 
         Raises:
             QueryError: the package has no such part.

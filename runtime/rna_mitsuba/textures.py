@@ -1,4 +1,4 @@
-"""Textures of a mesh's triangles in Dr.Jit: transmittance and normal maps, spec/RNA.md, 4.4, 4.5."""
+"""Textures of triangles in Dr.Jit: transmittance and normal maps, spec/RNA.md, 4.4, 4.5."""
 
 from __future__ import annotations
 

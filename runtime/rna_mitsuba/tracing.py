@@ -110,7 +110,7 @@ class PackageScene:
         strand: mi.UInt32,
         active: mi.Bool,
     ) -> mi.Color3f:
-        """tau of hits at x: 1 on the strand that is passed through, and where rays leave strands."""
+        """tau of hits at x: 1 on the strand to be passed, and where rays do not enter one."""
         tau = mi.Color3f(0)
         for k, geometry in enumerate(self.geometries):
             here = active & (hits.part == k)
