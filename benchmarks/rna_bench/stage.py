@@ -77,8 +77,8 @@ class Stage:
     def scene(self, *lights: dict[str, Any], asset: bool = True, **things: Any) -> Scene:
         """The asset, or none, with the given lights and things."""
         assets = [{"path": self.package, "tier": self.tier}] if asset else []
-        size = {"resolution": self.resolution}
-        return Scene(assets=assets, camera=self.camera, lights=lights, **size, **things)
+        fair = {"resolution": self.resolution, "clamp_indirect": None}
+        return Scene(assets=assets, camera=self.camera, lights=lights, **fair, **things)
 
     @property
     def ground(self) -> dict[str, Any]:

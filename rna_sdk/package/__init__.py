@@ -1,7 +1,8 @@
 """Read, write and validate `.rna` packages (format: spec/RNA.md).
 
->>> with Package.open("toy.rna") as package:
-...     planes = package.planes("small")
+Examples:
+    >>> with Package.open("toy.rna") as package:
+    ...     planes = package.planes("small")
 """
 
 from rna_sdk.errors import PackageError

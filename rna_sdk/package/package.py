@@ -14,7 +14,7 @@ from rna_sdk.package.geometry import Geometry, geometry_from_bytes
 from rna_sdk.package.manifest import Manifest, Part
 from rna_sdk.package.manifest_tiers import Tier, TierPart
 from rna_sdk.package.mesh import Mesh
-from rna_sdk.package.normal_maps import NormalMap, normals_from_bytes
+from rna_sdk.package.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.planes import Planes, planes_from_bytes
 from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
 from rna_sdk.package.validator import inspect
@@ -150,7 +150,7 @@ class Package:
             QueryError: the package has no such part, or is closed.
         """
         return [
-            NormalMap(*r.triangles, normals_from_bytes(self._view(r.texture), r.texture))
+            NormalMap(*r.triangles, NORMALS.from_bytes(self._view(r.texture), r.texture))
             for r in self._part(part).normal_maps
         ]
 

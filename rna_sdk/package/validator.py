@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from os import PathLike
@@ -23,11 +23,12 @@ from rna_sdk.package.manifest_reader import parse_manifest
 from rna_sdk.package.manifest_short import Places
 from rna_sdk.package.manifest_tiers import TierPart
 from rna_sdk.package.mesh import Mesh
-from rna_sdk.package.normal_maps import check_normal_maps, normals_from_bytes
+from rna_sdk.package.normal_maps import NORMALS, check_normal_maps
 from rna_sdk.package.planes import check_finite, planes_from_bytes
 from rna_sdk.package.poster import poster_issues
 from rna_sdk.package.strict_json import pointer
-from rna_sdk.package.transmittance import Texture, check_records, texture_from_bytes
+from rna_sdk.package.texture_form import Texture
+from rna_sdk.package.transmittance import check_records, texture_from_bytes
 
 _OUTSIDE_TOLERANCE = 1e-4
 """Part of the bounds' extent that geometry may lie outside before a warning says so."""
@@ -137,9 +138,9 @@ def _check_contents(
                 if isinstance(geometry, Mesh):
                     textures = _Textures(result, container, intact)
                     where = places.part(k, "transmittance")
-                    check_records(part, geometry, textures.get, where)
+                    check_records(part, geometry, textures.of_transmittance, where)
                     where = places.part(k, "normalMaps")
-                    check_normal_maps(part, geometry, textures.get_map, where)
+                    check_normal_maps(part, geometry, textures.of_normals, where)
     result.issues += poster_issues(container, manifest, intact)
     _check_proxies(result, container, manifest, intact)
     checked: set[object] = set()  # tiers and parts may share entries
@@ -186,22 +187,24 @@ class _Textures:
         self._result, self._container, self._intact = result, container, intact
         self._refused: set[tuple[str, bool]] = set()
 
-    def get(self, record: TransmittanceRecord) -> Texture | None:
+    def of_transmittance(self, record: TransmittanceRecord) -> Texture | None:
         """The record's texture; None where it is not as it must be."""
-        key = record.texture, record.cutoff is not None
-        if record.texture in self._intact and key not in self._refused:
-            with self._result.collect():
-                return texture_from_bytes(self._container.view(record.texture), record)
-            self._refused.add(key)
-        return None
+        has_cutoff = record.cutoff is not None
+        return self._read(record.texture, has_cutoff, lambda data: texture_from_bytes(data, record))
 
-    def get_map(self, record: NormalMapRecord) -> Texture | None:
+    def of_normals(self, record: NormalMapRecord) -> Texture | None:
         """Likewise."""
-        key = record.texture, False
-        if record.texture in self._intact and key not in self._refused:
+        return self._read(
+            record.texture, False, lambda data: NORMALS.from_bytes(data, record.texture)
+        )
+
+    def _read(
+        self, entry: str, has_cutoff: bool, parse: Callable[[memoryview], Texture]
+    ) -> Texture | None:
+        if entry in self._intact and (entry, has_cutoff) not in self._refused:
             with self._result.collect():
-                return normals_from_bytes(self._container.view(record.texture), record.texture)
-            self._refused.add(key)
+                return parse(self._container.view(entry))
+            self._refused.add((entry, has_cutoff))
         return None
 
 

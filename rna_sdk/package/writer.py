@@ -19,9 +19,10 @@ from rna_sdk.package.manifest import EntryRecord, Manifest
 from rna_sdk.package.manifest_short import Places
 from rna_sdk.package.manifest_tiers import Tier, TierPart
 from rna_sdk.package.manifest_writer import is_written_short, manifest_to_json, with_versions
-from rna_sdk.package.normal_maps import normals_to_bytes
+from rna_sdk.package.normal_maps import NORMALS
 from rna_sdk.package.planes import DTYPES, Planes, planes_to_bytes
-from rna_sdk.package.transmittance import Texture, texture_to_bytes
+from rna_sdk.package.texture_form import Texture
+from rna_sdk.package.transmittance import TRANSMITTANCE
 from rna_sdk.package.validator import inspect
 
 
@@ -126,15 +127,15 @@ class _Contents:
         for k, (part, geometry) in enumerate(zip(parts, geometries, strict=True)):
             where = self._places.part(k, "geometry")
             self._add(where, part.geometry, geometry_to_bytes(geometry, part.kind, where))
-            for name, records, to_bytes in (
-                ("transmittance", part.transmittance, texture_to_bytes),
-                ("normalMaps", part.normal_maps, normals_to_bytes),
+            for name, records, form in (
+                ("transmittance", part.transmittance, TRANSMITTANCE),
+                ("normalMaps", part.normal_maps, NORMALS),
             ):
                 for j, entry in enumerate(record.texture for record in records):
                     where = self._places.part(k, name, j, "texture")
                     if entry not in textures:
                         refuse(Code.REFERENCE_MISSING, where, "no such texture", entry)
-                    self._add(where, entry, to_bytes(textures[entry], entry))
+                    self._add(where, entry, form.to_bytes(textures[entry], entry))
 
     def add_tiers(self, data: Mapping[str, Sequence[TierData]]) -> None:
         """Planes and decoders of every tier."""

@@ -1,13 +1,16 @@
 """Evaluate the neural assets of `.rna` packages in batches.
 
->>> asset = load("toy.rna")
->>> visible, shadowed = asset.evaluate(positions, normals, wo, wi)
+Examples:
+    Of a surface:
 
-and of fibers
+    >>> asset = load("toy.rna")
+    >>> visible, shadowed = asset.evaluate(positions, normals, wo, wi)
 
->>> hair = load("hair.rna")
->>> h = offset_across(normals, tangents, wo)
->>> visible, shadowed = hair.evaluate(positions, tangents, h, wo, wi)
+    Of fibers:
+
+    >>> hair = load("hair.rna")
+    >>> h = offset_across(normals, tangents, wo)
+    >>> visible, shadowed = hair.evaluate(positions, tangents, h, wo, wi)
 
 An asset of several parts is asked part by part: `for part in asset.parts: part.evaluate(...)`.
 An asset of one part is its own part.

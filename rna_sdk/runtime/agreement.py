@@ -11,9 +11,18 @@ TIES = 0.02
 either way."""
 
 
-def close_rows(found: NDArray[np.floating], expected: NDArray[np.floating]) -> NDArray[np.bool_]:
-    """(n,) bool: the rows of two (n, m) transports that agree in every column."""
+def close_rows(
+    found: NDArray[np.floating],
+    expected: NDArray[np.floating],
+    reach: float | NDArray[np.floating] = 1.0,
+) -> NDArray[np.bool_]:
+    """(n,) bool: the rows of two (n, m) transports that agree in every column.
+
+    reach: (n,) or one for all, how large a row's queries are, 1 or more. Sums of terms so large
+    that cancel leave a rounding as large.
+    """
     wide = expected.astype(np.float64)
-    close = np.abs(found.astype(np.float64) - wide) <= ABSOLUTE + RELATIVE * np.abs(wide)
+    allowed = (ABSOLUTE + RELATIVE * np.abs(wide)) * np.reshape(reach, (-1, 1))
+    close = np.abs(found.astype(np.float64) - wide) <= allowed
     rows: NDArray[np.bool_] = np.logical_and.reduce(close, axis=1)
     return rows

@@ -9,8 +9,10 @@ import onnxruntime as ort
 from numpy.typing import NDArray
 
 from rna_sdk.runtime.agreement import TIES, close_rows
+from rna_sdk.runtime.compiled_decoder import CompiledDecoder
 from rna_sdk.runtime.decoder_graph import prepare_decoder
 from rna_sdk.runtime.int8_entry import Entry
+from rna_sdk.runtime.profile_layers import profile_layers
 
 _TILES = ((32_768, 4096), (131_072, 2048), (524_288, 1024))
 """(bytes of the model, rows): up to this size, so many rows a call run fastest.
@@ -20,6 +22,10 @@ activations of two layers stay in a core's L2 cache and that a call's fixed cost
 """
 
 _LARGE_MODEL_TILE = 512
+
+COMPILED_WIDTH = 128
+"""Widest layer of the decoders that run in a kernel of ours: up to here it is the faster one."""
+
 _CHECKED_ROWS = 512
 
 
@@ -28,7 +34,7 @@ class DecoderWarning(UserWarning):
 
 
 class Decoder:
-    """An ONNX decoder in an onnxruntime session of one thread; threads may share it.
+    """An ONNX decoder in a kernel of ours or an onnxruntime session; threads may share it.
 
     Attributes:
         columns: of the queries it wants: K, or more to fill up, whose values do not count.
@@ -44,22 +50,22 @@ class Decoder:
         machine; the graph itself then runs.
         """
         original = bytes(model)
-        data, entry = prepare_decoder(original, largest_query)
-        self._graph = Graph(data, entry)
-        if data is not original and not _agree(self._graph, original, largest_query):
+        fast = _fast_form(original, largest_query)
+        if fast is not None and not _agree(fast, original, largest_query):
             message = (
                 "a decoder's fast form gives other results than its graph on this CPU; "
                 "the graph runs as it is, more slowly"
             )
             warnings.warn(message, DecoderWarning, stacklevel=2)
-            self._graph = Graph(original)
-        self.columns = self._graph.columns
+            fast = None
+        self._form = fast or Graph(original)
+        self.columns = self._form.columns
         fitting = [rows for size, rows in _TILES if len(model) <= size]
         self.tile_rows = fitting[0] if fitting else _LARGE_MODEL_TILE
 
     def run(self, queries: NDArray[np.float32]) -> NDArray[np.float32]:
         """The output, (n, 6 or 3) float32, of `queries`, (n, columns) float32, finite."""
-        return self._graph.run(queries)
+        return self._form.run(queries)
 
 
 class Graph:
@@ -94,7 +100,16 @@ class Graph:
         return output
 
 
-def _agree(fast: Graph, original: bytes, largest_query: float) -> bool:
+def _fast_form(original: bytes, largest_query: float) -> Graph | CompiledDecoder | None:
+    """What runs faster than onnxruntime on the graph as it is; None where nothing does."""
+    layers = profile_layers(original)
+    if layers is not None and layers.width <= COMPILED_WIDTH:
+        return CompiledDecoder(layers)
+    data, entry = prepare_decoder(original, largest_query)
+    return None if data is original else Graph(data, entry)
+
+
+def _agree(fast: Graph | CompiledDecoder, original: bytes, largest_query: float) -> bool:
     """Whether the fast form gives what the graph of the package gives, on fixed queries."""
     graph = Graph(original, optimized=False)
     queries = np.zeros((_CHECKED_ROWS, max(fast.columns, graph.columns)), np.float32)
@@ -104,5 +119,6 @@ def _agree(fast: Graph, original: bytes, largest_query: float) -> bool:
     reach = np.where(np.arange(_CHECKED_ROWS) % 4, 1.0, min(largest_query, 100.0))
     queries[:, : graph.columns] = rng.uniform(-1, 1, shape) * reach[:, None]
     expected = graph.run(np.ascontiguousarray(queries[:, : graph.columns]))
-    close = close_rows(fast.run(np.ascontiguousarray(queries[:, : fast.columns])), expected)
+    found = fast.run(np.ascontiguousarray(queries[:, : fast.columns]))
+    close = close_rows(found, expected, reach)
     return bool(close.mean() >= (1 - TIES if b"QuantizeLinear" in original else 1.0))

@@ -1,8 +1,8 @@
 """The compiled kernel that makes decoder inputs: rows of `queries` from points of an asset.
 
-`queries_reference.py` says the same in numpy and is what tests compare with. Directions are
-computed in float64, which costs next to nothing here and keeps 1 - n.h accurate inside a
-highlight.
+`queries_reference.py` says the same in numpy and is what tests compare with. LANES rows go
+through together; only texels are weighed row by row. Positions and lengths are computed in
+float64, the rest in float32.
 """
 
 from __future__ import annotations
@@ -16,31 +16,31 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.package.blocks import INPUT_BLOCKS
-from rna_sdk.runtime.fiber_blocks import fiber_blocks
-from rna_sdk.runtime.surface_blocks import half_vector, highlight, learned_normal
-from rna_sdk.runtime.texels import prefetch_texels, relative, triplane_footprint, weighted_texel_sum
-from rna_sdk.runtime.vectors import Rows, clamped, first_three, total, unit, vector, write
+from rna_sdk.runtime.block_columns import (
+    FEATURES,
+    LEARNED_NORMAL,
+    POSITION,
+    WI,
+    WO,
+    first_three,
+    put,
+    put_fiber,
+    put_surface,
+)
+from rna_sdk.runtime.lane_memory import load_lanes, load_vectors, store_mask
+from rna_sdk.runtime.lane_vectors import clamped, narrowed, total, unit
+from rna_sdk.runtime.lanes import LANES, both, everywhere
+from rna_sdk.runtime.texels import (
+    CORNERS,
+    PLANES,
+    prefetch_texels,
+    relative,
+    store_footprints,
+    weighted_texel_sum,
+)
+from rna_sdk.runtime.vectors import Rows
 
 QueryKernel = Callable[..., None]
-
-_BLOCKS = tuple(INPUT_BLOCKS)
-FEATURES = _BLOCKS.index("features")
-POSITION = _BLOCKS.index("position")
-NORMAL = _BLOCKS.index("normal")
-TANGENT = _BLOCKS.index("tangent")
-H = _BLOCKS.index("h")
-WO = _BLOCKS.index("wo")
-WI = _BLOCKS.index("wi")
-HALF_VECTOR = _BLOCKS.index("half_vector")
-HIGHLIGHT = _BLOCKS.index("highlight")
-LEARNED_NORMAL = _BLOCKS.index("learned_normal")
-FIBER_ANGLES = _BLOCKS.index("fiber_angles")
-FIBER_LOBES = _BLOCKS.index("fiber_lobes")
-
-_ROWS_AHEAD = 16
-"""How far ahead of the row being made its texels are fetched: far enough for memory to answer,
-near enough that they are still in the first-level cache."""
 
 _TEXELS: dict[str, types.Type] = {
     "int8": types.int8,
@@ -54,19 +54,6 @@ _BOX = types.Array(types.float64, 2, "C", readonly=True)
 _COLUMNS = types.Array(types.int64, 1, "C", readonly=True)
 
 
-def block_columns(inputs: tuple[str, ...], channels: int) -> NDArray[np.int64]:
-    """(b,) int64: for each of INPUT_BLOCKS its first column in `queries`; -1 if not in `inputs`.
-
-    inputs: names of INPUT_BLOCKS in the order of the columns; channels: features a texel.
-    """
-    columns = np.full(len(_BLOCKS), -1, np.int64)
-    column = 0
-    for name in inputs:
-        columns[_BLOCKS.index(name)] = column
-        column += INPUT_BLOCKS[name] or channels
-    return columns
-
-
 @cache
 def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
     """The kernel for an asset of this kind, with planes of this many channels.
@@ -75,12 +62,12 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
     arguments, all C-contiguous and in object space:
 
         planes      (3 * R * R * channels,) int8, float32, or float16 seen as uint16;
-                    R = resolution
+                    R = resolution, 2 or more
         scales      (3 * channels,) float32 of int8 planes, else empty
         resolution  int
         box         (2, 3) float64, lower corner and 1 / extent of the bounds
         columns     int64, of `block_columns`
-        positions, axes, h, wo, wi  as in `Batch`
+        positions, axes, h, wo, wi  as in `Batch`; n is LANES or more
         queries     (n, K) float32, written
         valid       (n,) bool, written: False where an argument is NaN or infinite or a
                     direction has no length; such a row of `queries` is zero
@@ -112,63 +99,69 @@ def query_kernel(kind: str, channels: int, precision: str) -> QueryKernel:
         queries: Rows,
         valid: NDArray[np.bool_],
     ) -> None:
-        at_features, at_position = columns[FEATURES], columns[POSITION]
-        at_axis = columns[TANGENT] if is_fiber else columns[NORMAL]
-        at_h, at_wo, at_wi = columns[H], columns[WO], columns[WI]
-        at_half_vector, at_highlight = columns[HALF_VECTOR], columns[HIGHLIGHT]
-        at_learned_normal = columns[LEARNED_NORMAL]
-        at_angles, at_lobes = columns[FIBER_ANGLES], columns[FIBER_LOBES]
-        last = len(positions) - 1
+        last, side = len(positions) - LANES, float(resolution)
         # Features that are no columns of `queries` are gathered aside.
-        gathers = at_features >= 0 or at_learned_normal >= 0
-        gathered = queries if at_features >= 0 else np.empty((1, channels), np.float32)
-        first = max(at_features, 0)
-        for i in range(len(positions)):
-            if gathers:
-                soon = relative(vector(positions, min(i + _ROWS_AHEAD, last)), box)
-                offsets, _ = triplane_footprint(soon, resolution, channels)
-                prefetch_texels(planes, offsets)  # type: ignore[call-arg]
-            x = vector(positions, i)
-            axis, o, l = unit(axes, i), unit(wo, i), unit(wi, i)  # noqa: E741
-            everything = total(x) + total(axis) + total(o) + total(l)
-            if is_fiber:
-                everything += h[i]
-            finite = everything - everything == 0.0  # NaN for any NaN or infinity
-            valid[i] = finite
-            if not finite:
-                queries[i] = np.float32(0.0)
+        gathers = columns[FEATURES] >= 0 or columns[LEARNED_NORMAL] >= 0
+        aside = columns[FEATURES] < 0
+        gathered = np.empty((LANES, channels), np.float32) if aside else queries
+        stride = np.uintp(gathered.shape[1])
+        # Of the block at hand and, since its texels are on their way meanwhile, of the next one.
+        texels = np.empty(2 * PLANES * LANES, np.uint32)
+        weights = np.empty(2 * PLANES * CORNERS * LANES, np.float32)
+        blocks = (len(positions) + LANES - 1) // LANES
+        for step in range(-1, blocks):
+            if gathers and step + 1 < blocks:
+                slot = (step + 1) & 1
+                x = load_vectors(positions, np.uintp(min((step + 1) * LANES, last)))
+                store_footprints(relative(x, box), side, texels, weights, slot)
+                for lane in range(LANES):
+                    footprint = texels, weights, slot, lane
+                    prefetch_texels(planes, channels, resolution, footprint)  # type: ignore[call-arg]
+            if step < 0:
                 continue
-            p = relative(x, box)
-            row = i if at_features >= 0 else 0
-            if gathers:
-                offsets, weights = triplane_footprint(p, resolution, channels)
-                at = np.uintp(row * gathered.shape[1] + first)
-                weighted_texel_sum(planes, scales, channels, offsets, weights, gathered, at)  # type: ignore[call-arg]
-            if at_position >= 0:
+            # The last block begins early enough to be whole: rows made twice come out the same.
+            row = min(step * LANES, last)
+            first = np.uintp(0 if aside else row) * stride + np.uintp(max(columns[FEATURES], 0))
+            for lane in range(LANES if gathers else 0):
+                at = first + np.uintp(lane) * stride
+                footprint = texels, weights, step & 1, lane
+                weighted_texel_sum(planes, scales, channels, resolution, footprint, gathered, at)  # type: ignore[call-arg]
+            start = np.uintp(row)
+            x = load_vectors(positions, start)
+            axis = unit(load_vectors(axes, start))
+            o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
+            known = both(_finite(total(x)), _finite(total(axis) + total(o) + total(l)))
+            if columns[POSITION] >= 0:
+                p = relative(x, box)
                 signed = 2.0 * p[0] - 1.0, 2.0 * p[1] - 1.0, 2.0 * p[2] - 1.0
-                write(queries, i, at_position, signed)
-            if at_axis >= 0:
-                write(queries, i, at_axis, axis)
-            if at_wo >= 0:
-                write(queries, i, at_wo, o)
-            if at_wi >= 0:
-                write(queries, i, at_wi, l)
+                put(queries, row, columns[POSITION], narrowed(signed))
+            put(queries, row, columns[WO], o)
+            put(queries, row, columns[WI], l)
             if is_fiber:
-                offset = clamped(h[i])
-                if at_h >= 0:
-                    queries[i, at_h] = np.float32(offset)
-                angles, lobes = fiber_blocks(axis, offset, o, l)
-                if at_angles >= 0:
-                    write(queries, i, at_angles, angles)
-                if at_lobes >= 0:
-                    write(queries, i, at_lobes, lobes)
+                offset = load_lanes(h, start)
+                known = both(known, _finite(offset))
+                put_fiber(queries, row, columns, axis, clamped(offset), o, l)
             else:
-                if at_half_vector >= 0:
-                    write(queries, i, at_half_vector, half_vector(axis, o, l))
-                if at_highlight >= 0:
-                    write(queries, i, at_highlight, highlight(axis, o, l))
-                if at_learned_normal >= 0:
-                    bend = first_three(gathered, row, first, channels)
-                    write(queries, i, at_learned_normal, learned_normal(axis, bend, o, l))
+                bend = axis  # where no block reads it
+                if columns[LEARNED_NORMAL] >= 0:
+                    bend = first_three(gathered, first, stride, channels)
+                put_surface(queries, row, columns, axis, o, l, bend)
+            store_mask(valid, start, known)
+            if not everywhere(known):
+                _clear(queries, row, valid)
 
     return fill_queries
+
+
+@compiled()
+def _finite(x: Any) -> Any:
+    """False for NaN and infinities."""
+    return x - x == 0.0
+
+
+@compiled()
+def _clear(queries: Rows, row: int, valid: NDArray[np.bool_]) -> None:
+    """Rows of a block that are not valid become 0."""
+    for i in range(row, row + LANES):
+        if not valid[i]:
+            queries[i] = np.float32(0.0)

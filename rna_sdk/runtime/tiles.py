@@ -13,9 +13,11 @@ from numpy.typing import NDArray
 from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
 from rna_sdk.package.manifest_fields import Kind
 from rna_sdk.runtime.batch import Batch, Rows
+from rna_sdk.runtime.block_columns import block_columns
 from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime.lanes import LANES
 from rna_sdk.runtime.output_kernel import write_colours
-from rna_sdk.runtime.query_kernel import block_columns, query_kernel
+from rna_sdk.runtime.query_kernel import query_kernel
 
 _ROW_STEP = 16
 """The decoder always sees a multiple of this many rows: vector instructions then leave no
@@ -39,6 +41,8 @@ class QueryFiller:
         self._channels, self._resolution = part.channels, part.resolution
         # Planes stay as they are in the file, converted as they are read: less memory and cache.
         texels, scales = _parts(planes)
+        if self._resolution == 1:  # the same everywhere, as of four texels alike
+            texels, self._resolution = texels.repeat(2, axis=1).repeat(2, axis=2), 2
         self._texels = texels.view(np.uint16 if texels.dtype == np.float16 else texels.dtype)
         self._texels = self._texels.reshape(-1)
         self._scales = scales.reshape(-1)
@@ -53,7 +57,16 @@ class QueryFiller:
 
     def fill(self, batch: Batch, rows: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
         """Write K columns of `queries`, and `valid` (m,), for the m rows of the batch."""
-        sources = (a[rows] for a in (batch.positions, batch.axes, batch.h, batch.wo, batch.wi))
+        sources = [a[rows] for a in (batch.positions, batch.axes, batch.h, batch.wo, batch.wi)]
+        if len(queries) >= LANES:
+            self._call(sources, queries, valid)
+            return
+        sources = [np.resize(a, (LANES, *a.shape[1:])) if len(a) else a for a in sources]
+        whole, flags = np.zeros((LANES, queries.shape[1]), np.float32), np.empty(LANES, np.bool_)
+        self._call(sources, whole, flags)
+        queries[:], valid[:] = whole[: len(queries)], flags[: len(valid)]
+
+    def _call(self, sources: list[Rows], queries: Rows, valid: NDArray[np.bool_]) -> None:
         self._kernel(
             self._texels,
             self._scales,

@@ -7,7 +7,7 @@ from typing import Literal, Protocol
 
 import numpy as np
 
-from rna_render.normal_maps import NormalMaps, TextureRecord
+from rna_render.normal_maps import NormalMaps, TextureRecord, texture_numbers
 from rna_render.transmittance import Transmittance, TransmittanceTexture
 from rna_sdk.package import Curves, Mesh
 
@@ -108,9 +108,7 @@ def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Tr
     """What a mesh with the given records lets through; None if there are none."""
     if not records:
         return None
-    number = np.full(len(mesh.triangles), -1, np.int32)
-    for k, record in enumerate(records):
-        number[record.first : record.first + record.count] = k
+    number = texture_numbers(mesh, records)
     uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
     textures = [TransmittanceTexture(r.texture, r.cutoff, ior=r.ior) for r in records]
     return Transmittance(mesh.triangles, uvs, mesh.normals, number, textures)

@@ -77,13 +77,15 @@ class Integrator:
     ) -> None:
         self._world = world
         self._camera = camera
-        self._lights = lights
+        both = strategy == "both"
+        self._lights = [light.beside_rays() for light in lights] if both else lights
         self._max_depth = max_depth
         self._clamp = None if clamp is None else np.float32(clamp)
         self._on_first_hits: Callable[[], None] | None = on_first_hits
         self._reporting = Lock()
         self._strategy = strategy
-        self._sampling = LightSampling(world, lights)
+        self._sampling = LightSampling(world, self._lights)
+        self._sampling_alone = LightSampling(world, lights)
         self.groups = sorted({light.group for light in lights} - {""})
         self._group = [self.groups.index(x.group) if x.group else None for x in lights]
         self._infinite = [k for k, light in enumerate(lights) if isinstance(light, InfiniteLight)]
@@ -286,7 +288,7 @@ class Integrator:
         at = vertices.ray
         numbers = PathNumbers(sampler, pixels[at], 1)
         band.catcher[at] = 1.0
-        band.caught[at] = caught_light(self._sampling, vertices, rays.direction[at], numbers)
+        band.caught[at] = caught_light(self._sampling_alone, vertices, rays.direction[at], numbers)
         for k in self._infinite:
             if self._lights[k].visible_to_camera:
                 radiance, _ = self._lights[k].escaped(rays.direction[at])

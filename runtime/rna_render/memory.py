@@ -55,8 +55,6 @@ def _pointer(element: Any) -> Any:
 
 
 # For `numba.carray`, which makes an array of them.
-pointer_u8 = _pointer(types.uint8)
 pointer_i32 = _pointer(types.int32)
-pointer_u32 = _pointer(types.uint32)
 pointer_f32 = _pointer(types.float32)
 pointer_f64 = _pointer(types.float64)

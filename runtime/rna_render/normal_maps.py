@@ -11,6 +11,7 @@ from typing import Protocol
 import numpy as np
 from numba import prange
 
+from rna_render.bilinear import REPEAT, texels_around
 from rna_render.materials.bumps import derived_tangent
 from rna_render.vectors import cross, dot, unit, vector_at
 from rna_sdk.compiled import compiled
@@ -30,15 +31,20 @@ class TextureRecord(Protocol):
     def texture(self) -> np.ndarray: ...
 
 
+def texture_numbers(mesh: Mesh, records: Sequence[TextureRecord]) -> np.ndarray:
+    """(t,) int32, the place of each triangle's record; -1 for none."""
+    number = np.full(len(mesh.triangles), -1, np.int32)
+    for k, record in enumerate(records):
+        number[record.first : record.first + record.count] = k
+    return number
+
+
 class NormalMaps:
-    """The normal maps of a mesh, ready to be looked up. Raises ValueError without any."""
+    """The normal maps of a mesh with texture coordinates, ready to be looked up; one at least."""
 
     def __init__(self, mesh: Mesh, maps: Sequence[TextureRecord]) -> None:
-        uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
-        self._mesh = mesh.positions, uvs, mesh.triangles
-        self._number = np.full(len(mesh.triangles), -1, np.int32)
-        for k, record in enumerate(maps):
-            self._number[record.first : record.first + record.count] = k
+        self._mesh = mesh.positions, mesh.uvs, mesh.triangles
+        self._number = texture_numbers(mesh, maps)
         self._texels = np.concatenate([record.texture.reshape(-1, 2) for record in maps])
         sizes = [record.texture.shape[:2] for record in maps]
         starts = np.cumsum([0, *(h * w for h, w in sizes)])[:-1]
@@ -63,27 +69,16 @@ def _decoded(value):
 @compiled(fastmath=())
 def _looked_up(texels, start, height, width, s, t):
     """x and y of the map at texture coordinates (s, t); bilinear, repeated."""
-    x, y = s * width - 0.5, t * height - 0.5
-    i, j = np.floor(x), np.floor(y)
-    a, b = x - i, y - j
-    left, upper = int(i) % width, int(j) % height
-    right, lower = (left + 1) % width, (upper + 1) % height
-    first, second = start + upper * width, start + lower * width
-    p, q = (1.0 - a) * (1.0 - b), a * (1.0 - b)
-    r, o = (1.0 - a) * b, a * b
-    value_x = (
-        p * texels[first + left, 0]
-        + q * texels[first + right, 0]
-        + r * texels[second + left, 0]
-        + o * texels[second + right, 0]
-    )
-    value_y = (
-        p * texels[first + left, 1]
-        + q * texels[first + right, 1]
-        + r * texels[second + left, 1]
-        + o * texels[second + right, 1]
-    )
-    return _decoded(value_x), _decoded(value_y)
+    left, right, a = texels_around(s, width, REPEAT)
+    upper, lower, b = texels_around(t, height, REPEAT)
+    upper, lower = start + upper * width, start + lower * width
+    corners = upper + left, upper + right, lower + left, lower + right
+    weights = (1.0 - a) * (1.0 - b), a * (1.0 - b), (1.0 - a) * b, a * b
+    x, y = 0.0, 0.0
+    for k in range(4):
+        x += weights[k] * texels[corners[k], 0]
+        y += weights[k] * texels[corners[k], 1]
+    return _decoded(x), _decoded(y)
 
 
 @compiled(parallel=True, fastmath=())
@@ -106,7 +101,7 @@ def _mapped(n, triangle, u, v, positions, uvs, triangles, number, texels, sizes,
                     weight = 1.0 - fu - fv if c == 0 else (fu if c == 1 else fv)
                     s += weight * uvs[corners[c], 0]
                     r += weight * uvs[corners[c], 1]
-                x, y = _looked_up(texels, *_row(sizes, k), s, r)
+                x, y = _looked_up(texels, sizes[k, 0], sizes[k, 1], sizes[k, 2], s, r)
                 z = np.sqrt(max(0.0, 1.0 - x * x - y * y))
                 y *= sign
                 b = cross(m, t)
@@ -118,8 +113,3 @@ def _mapped(n, triangle, u, v, positions, uvs, triangles, number, texels, sizes,
                 if dot(total, total) > 1e-12:
                     bent = unit(total)
         result[i, 0], result[i, 1], result[i, 2] = bent
-
-
-@compiled(fastmath=())
-def _row(sizes, k):
-    return sizes[k, 0], sizes[k, 1], sizes[k, 2]

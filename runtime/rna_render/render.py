@@ -15,6 +15,7 @@ from rna_render.bands import rendered_bands
 from rna_render.camera import Camera
 from rna_render.domain_watch import watched
 from rna_render.film import Film, Layers
+from rna_render.indirect_clamp import indirect_clamp
 from rna_render.integrator import Integrator
 from rna_render.lights import (
     AssetEmission,
@@ -100,7 +101,8 @@ def make_integrator(
     without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
     lights: list[Light] = [*world.lights, *(make_light(model, resolve) for model in without_shape)]
     camera = Camera(scene.camera, scene.resolution)
-    return Integrator(world, camera, lights, scene.max_depth, scene.clamp_indirect, on_first_hits)
+    clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
+    return Integrator(world, camera, lights, scene.max_depth, clamp, on_first_hits)
 
 
 def render(

@@ -156,10 +156,11 @@ class Scene(Model):
         description="Things that light may meet on its way to the camera, the first one seen "
         "included; 1 is direct light alone.",
     )
-    clamp_indirect: Positive | None = Field(
-        default=None,
-        description="The most radiance that one path may bring by way of more than one thing. It "
-        "removes specks, and the light that was in them.",
+    clamp_indirect: Positive | Literal["auto"] | None = Field(
+        default="auto",
+        description="Clamp on per-path indirect radiance. It removes specks, and the light that "
+        "was in them. `auto` is 10 times what a white ball in "
+        "the scene's light would send on average; null for no clamp, and no bias.",
     )
     seed: int = Field(
         default=0,

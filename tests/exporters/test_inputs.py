@@ -26,7 +26,7 @@ def make_model(inputs: tuple[str, ...]) -> NeuralAsset:
     return model
 
 
-def random_rows(n: int = 400) -> dict[str, np.ndarray]:
+def random_rows(n: int = 397) -> dict[str, np.ndarray]:
     """Queries of both kinds; some at the mirror direction, some opposite to each other."""
     rng = np.random.default_rng(0)
     low, high = BOUNDS.numpy()

@@ -1,4 +1,4 @@
-"""Models that stand in comparisons only: without the visibility hint, with a uv texture."""
+"""Models that stand in comparisons only: without the hint, with a uv texture or a network."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import pytest
 import torch
 
 from rna_export.export.decoder import check_decoder, export_decoder, random_queries
+from rna_export.training.feature_network import ENCODED_DIRECTIONS
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
 from rna_export.training.uv_texture import UvTexture
@@ -55,6 +56,22 @@ def test_loss_without_hint_sees_no_visibility(kind: str) -> None:
     with_hint, without = model_of(kind), model_of(kind, visibility_hint=False)
     assert sample_loss(without, at, 1.0) == sample_loss(without, other, 1.0)
     assert sample_loss(with_hint, at, 1.0) != sample_loss(with_hint, other, 1.0)
+
+
+@pytest.mark.parametrize("kind", ["surface", "fiber"])
+def test_feature_network_sees_position_and_directions(kind: str) -> None:
+    channels = 12 + ENCODED_DIRECTIONS
+    model = model_of(kind, texture="network", width=48, channels=channels)
+    at = samples(8)
+    features = model.queries(at)[:, :channels]
+    moved = model.queries({**at, "position": -at["position"]})[:, :channels]
+    turned = model.queries({**at, "wi": -at["wi"]})[:, :channels]
+    assert (features[:, :12] != moved[:, :12]).all()
+    assert torch.equal(features[:, 12:], moved[:, 12:])
+    assert torch.equal(features[:, :36], turned[:, :36])  # the position's, then wo's
+    assert (features[:, 36:] != turned[:, 36:]).any(dim=1).all()
+    sample_loss(model, at, 1.0).backward()
+    assert all(p.grad is not None for p in model.triplane.parameters())
 
 
 def test_uv_texture_is_bilinear_between_texel_centres() -> None:

@@ -14,7 +14,7 @@ from rna_export.training import run as run_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.cli import main as train
 from rna_export.training.curves import Curves
-from rna_export.training.part_time import shared_minutes
+from rna_export.training.part_runs import shared_minutes
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
 from tests.exporters.meshes import sphere

@@ -146,7 +146,7 @@ def test_what_blender_has_no_twin_of_is_refused(wrong: dict[str, Any], says: str
 
 
 def _scene(light: dict[str, Any], **things: Any) -> Scene:
-    size = {"resolution": (WIDTH, HEIGHT), "samples": 64}
+    size = {"resolution": (WIDTH, HEIGHT), "samples": 64, "clamp_indirect": None}
     return Scene(camera=CAMERA, ground=GROUND, lights=[light], **size, **things)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from rna_sdk.package import Manifest, NormalMapRecord, write_package
-from rna_sdk.package.normal_maps import Texels
+from rna_sdk.package.texture_form import Texture
 from tests.package.builders import (
     make_manifest,
     make_mesh,
@@ -20,7 +20,7 @@ from tests.package.builders import (
 BARK, DENT = "normals/bark.safetensors", "normals/dent.safetensors"
 
 
-def make_maps() -> dict[str, Texels]:
+def make_maps() -> dict[str, Texture]:
     """A map of 3 rows of 4 texels, and one of one."""
     bark = np.random.default_rng(7).integers(0, 256, (3, 4, 2)).astype(np.uint8)
     return {BARK: bark, DENT: np.uint8([[[40, 160]]])}

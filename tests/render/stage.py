@@ -27,6 +27,7 @@ def stage(assets, lights, **changes) -> tuple[Scene, World]:
             "lights": lights,
             "resolution": (16, 12),
             "samples": 4,
+            "clamp_indirect": None,
         }
         | changes
     )

@@ -116,6 +116,30 @@ def test_directions_follow_the_density(name, turn):
     np.testing.assert_allclose(looked_up[1], pdf, rtol=1e-3, atol=1e-5 * pdf.max())
 
 
+@pytest.mark.parametrize("name", ["smooth", "random", "one texel", "one row"])
+def test_directions_beside_rays_follow_the_density(name):
+    """And none goes to where the mean of a cell is below that of the image."""
+    image = EquirectangularImage(IMAGES[name])
+    beside = image.compensated.turned(0.7)
+    d, radiance, pdf = beside.sample(squares(200_000))
+    assert_directions_follow(d, lambda d: beside.lookup(d)[1], (0, 1, 0), np.pi, 0.01)
+    looked_up = beside.lookup(d)
+    np.testing.assert_allclose(looked_up[0], radiance, rtol=1e-3, atol=1e-5 * radiance.max())
+    np.testing.assert_allclose(looked_up[1], pdf, rtol=2e-3, atol=1e-4 * pdf.max())
+    np.testing.assert_array_equal(looked_up[0], image.turned(0.7).lookup(d)[0])
+    everywhere = squares(10_000) @ [[2, 0], [0, 2]] - 1
+    z, turn = everywhere[:, 0], np.pi * everywhere[:, 1]
+    side = np.sqrt(1 - z * z)
+    d = np.stack([side * np.cos(turn), z, side * np.sin(turn)], 1).astype(np.float32)
+    dim = image.lookup(d)[0] @ LUMINANCE < 0.1 * image.total / (4 * np.pi)
+    assert not dim.any() or (image.compensated.lookup(d[dim])[1] == 0).mean() > 0.5
+
+
+def test_an_image_of_one_colour_leaves_nothing_to_rays():
+    image = EquirectangularImage(IMAGES["one colour"])
+    assert image.compensated is image
+
+
 def test_intervals_are_found_from_wherever_the_search_starts():
     cumulative = np.array([0.0, 0.0, 1.0, 1.0, 1.0, 4.0, 4.5, 4.5])
     for value, interval in ((0.0, 1), (0.99, 1), (1.0, 4), (3.9, 4), (4.0, 5), (4.4, 5)):

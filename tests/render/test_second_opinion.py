@@ -36,7 +36,7 @@ Twin = dict[str, Any]
 
 def compare(folder: Path, ours: Scene, theirs: Twin, spp: int = 64) -> None:
     """Render the scene file `ours` and Mitsuba's shapes `theirs`, and compare."""
-    ours = {"max_depth": 5, "samples": OUR_SAMPLES} | ours
+    ours = {"max_depth": 5, "samples": OUR_SAMPLES, "clamp_indirect": None} | ours
     mine = our_batches(folder, ours)
     reference = twin.render(theirs, ours["camera"], ours["max_depth"], BATCHES, spp, SIZE)
     assert_same_mean(folder, mine, reference)

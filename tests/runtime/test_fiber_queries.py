@@ -53,8 +53,10 @@ def test_equals_its_twin_where_directions_and_edges_meet() -> None:
 def test_equals_its_twin_near_the_tangent(angle: float) -> None:
     points = random_fiber_points(500)
     near = points.tangents + np.float32(angle) * points.wo
-    assert_equals_twin(replace(points, wo=near), atol=1e-5)
-    assert_equals_twin(replace(points, wi=near), atol=1e-5)
+    # Unit vectors of float32 tell phi no better than this: the D of spec/RNA.md, 8.2.
+    atol = 1e-5 + 3e-7 / angle
+    assert_equals_twin(replace(points, wo=near), atol=atol)
+    assert_equals_twin(replace(points, wi=near), atol=atol)
 
 
 def test_along_the_fiber_phi_is_zero() -> None:

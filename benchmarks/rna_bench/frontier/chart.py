@@ -13,10 +13,17 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
 
-COLOURS = {"ours": "#2f6fb3", "paper": "#d9822b", "ablation": "#8a8f98", "cycles": "#b0407a"}
+COLOURS = {
+    "ours": "#2f6fb3",
+    "paper": "#d9822b",
+    "opponent": "#3d8f5f",
+    "ablation": "#8a8f98",
+    "cycles": "#b0407a",
+}
 LABELS = {
     "ours": "our models",
     "paper": "the paper's models",
+    "opponent": "NRHints' network",
     "ablation": "ablations",
     "cycles": "Cycles, paths a pixel",
 }
@@ -59,7 +66,7 @@ def _draw_row(axes: Any, report: dict[str, Any]) -> None:
 
 def _draw_points(axis: Any, points: list[dict[str, Any]], cost: str) -> None:
     shown = [p for p in points if p[cost] is not None]
-    for family in ("ours", "paper", "ablation"):
+    for family in ("ours", "paper", "opponent", "ablation"):
         for decoder, marker in _MARKERS.items():
             some = [
                 p for p in shown if p["family"] == family and p["precision"].startswith(decoder)

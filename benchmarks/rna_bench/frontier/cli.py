@@ -44,8 +44,8 @@ def add_options(p: argparse.ArgumentParser) -> None:
         "--trials",
         nargs="+",
         metavar="NAME",
-        help="train these of the grid alone: models, or groups of them (ours, paper, ablation, "
-        "and the tables: architecture, channels, ...; default: all)",
+        help="train these of the grid alone: models, or groups of them (ours, paper, opponent, "
+        "ablation, and the tables: architecture, channels, ...; default: all)",
     )
     p.add_argument(
         "--device",
@@ -62,7 +62,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> None:
-    """Train, measure and chart; what is finished is not done again."""
+    """Train, measure and chart; resumes and skips completed steps."""
     with place(args.cluster) as where:
         _run(args, where)
 

@@ -28,8 +28,8 @@ from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
-from rna_sdk.package.normal_maps import normals_to_bytes
-from rna_sdk.package.transmittance import texture_to_bytes
+from rna_sdk.package.normal_maps import NORMALS
+from rna_sdk.package.transmittance import TRANSMITTANCE
 
 _FOLDERS = (
     "geometry",
@@ -77,8 +77,8 @@ class Dataset:
         for inner in _FOLDERS:
             (folder / inner).mkdir(parents=True, exist_ok=True)
         for name, texture in (textures or {}).items():
-            to_bytes = normals_to_bytes if name.startswith("normals/") else texture_to_bytes
-            write_atomically(folder / name, to_bytes(texture, name))
+            form = NORMALS if name.startswith("normals/") else TRANSMITTANCE
+            write_atomically(folder / name, form.to_bytes(texture, name))
         for name, geometry in geometries.items():
             write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
         manifest.write(folder / "manifest.json")

@@ -17,7 +17,7 @@ from rna_export.capture.validation_view import EmissionView, ValidationView
 from rna_sdk.errors import CaptureError, PackageError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.manifest import NormalMapRecord, TransmittanceRecord
-from rna_sdk.package.normal_maps import NormalMap, normals_from_bytes
+from rna_sdk.package.normal_maps import NORMALS, NormalMap
 from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
 
 if TYPE_CHECKING:
@@ -80,17 +80,18 @@ class DatasetPart:
         maps = {record.texture: self._map(record) for record in self.captured.normal_maps}
         return {**found, **maps}
 
-    def _map(self, record: NormalMapRecord) -> np.ndarray:
-        path = self.folder / record.texture
-        try:
-            return normals_from_bytes(memoryview(path.read_bytes()), record.texture)
-        except (OSError, PackageError) as error:
-            raise CaptureError(DAMAGED.format(path, error)) from error
-
     def _texture(self, record: TransmittanceRecord) -> np.ndarray:
-        path = self.folder / record.texture
+        return self._read_texture(record.texture, lambda data: texture_from_bytes(data, record))
+
+    def _map(self, record: NormalMapRecord) -> np.ndarray:
+        return self._read_texture(
+            record.texture, lambda data: NORMALS.from_bytes(data, record.texture)
+        )
+
+    def _read_texture(self, name: str, parse: Callable[[memoryview], np.ndarray]) -> np.ndarray:
+        path = self.folder / name
         try:
-            return texture_from_bytes(memoryview(path.read_bytes()), record)
+            return parse(memoryview(path.read_bytes()))
         except (OSError, PackageError) as error:
             raise CaptureError(DAMAGED.format(path, error)) from error
 

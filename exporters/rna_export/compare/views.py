@@ -67,6 +67,7 @@ class Shot:
             lights=(light,),
             resolution=(self.resolution, self.resolution),
             samples=samples,
+            clamp_indirect=None,
         )
 
 

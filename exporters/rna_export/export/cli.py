@@ -6,6 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from rna_export.export.credit import add_credit
 from rna_export.export.precision import MAX_LOSS, PRECISIONS
 from rna_sdk.console import command_parser, run_command
 
@@ -70,16 +71,7 @@ def parser() -> argparse.ArgumentParser:
         help="deflate: entries are stored coded, without loss; readers that do not know "
         "RNA_deflate refuse the package (default: %(default)s)",
     )
-    p.add_argument(
-        "--source",
-        help="name, author and address of the original model (str, "
-        "default: the captured file and its SHA-256)",
-    )
-    p.add_argument(
-        "--license",
-        default="NOASSERTION",
-        help="SPDX expression of the asset's terms (default: %(default)s)",
-    )
+    add_credit(p)
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
     )

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rna_export.export.credit import add_credit
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_work.places import Place, add_cluster_option, place
@@ -68,12 +69,7 @@ def parser() -> argparse.ArgumentParser:
         help="trainings side by side (int, default: one a core, one for a GPU)",
     )
     add_cluster_option(p)
-    p.add_argument(
-        "--source", help="name, author and address of the original model (text, default: none)"
-    )
-    p.add_argument(
-        "--license", default="NOASSERTION", help="SPDX expression (text, default: %(default)s)"
-    )
+    add_credit(p)
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
     )

@@ -20,6 +20,7 @@ from rna_export.capture.cli import (
     check_source,
 )
 from rna_export.capture.orientation import joined_axes
+from rna_export.export.credit import add_credit
 from rna_export.training.presets import PRESETS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_work.places import place
@@ -38,6 +39,7 @@ _SETTINGS = (
     "domain",
     "parts",
     "sharpest",
+    "normal_texels",
     "validation_views",
     "validation_resolution",
     "validation_samples",
@@ -114,14 +116,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--keep", action="store_true", help="leave the work folder as it is (default: off)"
     )
-    p.add_argument(
-        "--source",
-        help="name, author and address of the original model (text, default: the file's name and "
-        "SHA-256)",
-    )
-    p.add_argument(
-        "--license", default="NOASSERTION", help="SPDX expression (text, default: %(default)s)"
-    )
+    add_credit(p)
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
     )

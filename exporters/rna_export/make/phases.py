@@ -14,7 +14,7 @@ from rna_export.make.plan import Length
 from rna_export.make.progress import Stage
 from rna_export.make.state import Score
 from rna_export.training.checkpoint import Trained, load_checkpoint
-from rna_export.training.part_time import shared_minutes
+from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.run import Run, train
 from rna_export.training.samples import SampleTable
@@ -44,7 +44,7 @@ class Phase:
         parts = self.dataset.parts
         minutes = shared_minutes(self.length.minutes, parts)
         for k, part in enumerate(parts):
-            begun, out = monotonic(), _of_part(self.folder, self.dataset, part.name)
+            begun, out = monotonic(), part_folder(self.folder, self.dataset, part.name)
             if (out / "best.ckpt").is_file():
                 continue
             run = Run(
@@ -64,7 +64,7 @@ class Phase:
     def _start(self, part: str) -> Path | None:
         if self.start is None:
             return None
-        return _of_part(self.start, self.dataset, part) / "last.ckpt"
+        return part_folder(self.start, self.dataset, part) / "last.ckpt"
 
     def _preset(self, kind: str) -> Preset:
         """The preset of this length; planes are blurred, and rates full, in a first phase alone."""
@@ -89,7 +89,7 @@ def phase_folder(work: Path, preset: str, number: int | None) -> Path:
 
 def trained_in(folder: Path, dataset: Dataset) -> list[Trained]:
     """The best model of each part in a phase's folder."""
-    folders = [_of_part(folder, dataset, part.name) for part in dataset.parts]
+    folders = [part_folder(folder, dataset, part.name) for part in dataset.parts]
     return [load_checkpoint(path / "best.ckpt") for path in folders]
 
 
@@ -101,10 +101,6 @@ def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
         for view in views
     ]
     return Score(psnr=mean_psnr(radiance, views), flip=mean_flip(radiance, views))
-
-
-def _of_part(folder: Path, dataset: Dataset, part: str) -> Path:
-    return folder if len(dataset.parts) == 1 else folder / part
 
 
 def _quiet(_: str) -> None:

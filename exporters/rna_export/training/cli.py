@@ -119,7 +119,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset import Dataset
     from rna_export.memory import keep_freed_memory
     from rna_export.training.device import chosen_device
-    from rna_export.training.part_time import shared_minutes
+    from rna_export.training.part_runs import part_folder, shared_minutes
     from rna_export.training.run import Run, train
 
     keep_freed_memory()
@@ -129,7 +129,7 @@ def _run(args: argparse.Namespace) -> None:
     minutes = shared_minutes(args.minutes, parts)
     written = []
     for part in parts:
-        out = args.out if len(dataset.parts) == 1 else args.out / part.name
+        out = part_folder(args.out, dataset, part.name)
         if len(dataset.parts) > 1:
             print(f"part {part.name}, {part.kind}:")
         preset = _chosen(args, part.kind)

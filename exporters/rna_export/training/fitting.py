@@ -56,8 +56,7 @@ class Fitting:
         loss.backward()
         for optimizer in self._optimizers:
             optimizer.step()
-            if not isinstance(optimizer, PlaneAdam):
-                optimizer.zero_grad()
+            optimizer.zero_grad()
         return loss.detach()
 
     @property
@@ -105,8 +104,8 @@ def _optimizers(model: NeuralAsset, config: TrainingConfig) -> list[torch.optim.
     if model.emission is not None:
         decoders += model.emission.parameters()
     of_decoders = torch.optim.Adam(decoders, lr=config.learning_rate, fused=True)
-    (features,) = model.triplane.parameters()
-    if isinstance(model.triplane, Triplane) and features.device.type == "cpu":
-        return [of_decoders, PlaneAdam(features, lr=config.plane_learning_rate)]
-    of_features = torch.optim.Adam([features], lr=config.plane_learning_rate, fused=True)
+    features = [*model.triplane.parameters()]
+    if isinstance(model.triplane, Triplane) and features[0].device.type == "cpu":
+        return [of_decoders, PlaneAdam(features[0], lr=config.plane_learning_rate)]
+    of_features = torch.optim.Adam(features, lr=config.plane_learning_rate, fused=True)
     return [of_decoders, of_features]

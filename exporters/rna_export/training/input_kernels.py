@@ -1,4 +1,7 @@
-"""Decoder inputs on the CPU, compiled, with their gradient; `inputs.py` holds the PyTorch twin."""
+"""Decoder inputs on the CPU, compiled, with their gradient; `inputs.py` holds the PyTorch twin.
+
+The blocks are the runtime's own, LANES rows at a time.
+"""
 
 from __future__ import annotations
 
@@ -12,10 +15,15 @@ from torch import Tensor
 
 from rna_sdk.compiled import compiled
 from rna_sdk.package import query_width
-from rna_sdk.runtime import query_kernel as runtime
-from rna_sdk.runtime.fiber_blocks import fiber_blocks
-from rna_sdk.runtime.surface_blocks import BEND, half_vector, highlight, learned_normal
-from rna_sdk.runtime.vectors import clamped, dot, first_three, unit, write
+from rna_sdk.runtime import block_columns as runtime
+from rna_sdk.runtime.block_columns import first_three, put, put_fiber, put_surface
+from rna_sdk.runtime.lane_memory import load_column, load_lanes, load_vectors, store_column
+from rna_sdk.runtime.lane_vectors import clamped, narrowed, unit
+from rna_sdk.runtime.lanes import LANES, where
+from rna_sdk.runtime.surface_blocks import BEND, SHORTEST, bent, halfway
+from rna_sdk.runtime.vectors import dot
+
+_OF_LOG = 1.0 / (6.0 * math.log(2.0))
 
 
 class Inputs(torch.autograd.Function):
@@ -37,83 +45,85 @@ class Inputs(torch.autograd.Function):
         wi: Tensor | None,
     ) -> Tensor:
         columns = runtime.block_columns(blocks, features.shape[1])
-        of_h = axis[:, 0] if h is None else h
-        arrays = [x.numpy() for x in (axis, of_h, wo, wo if wi is None else wi)]
-        queries = torch.empty(len(p), query_width(blocks, features.shape[1]))
-        f = features.detach().numpy()
-        _fill(f, p.numpy(), *arrays, columns, h is not None, queries.numpy())
-        ctx.f, ctx.arrays, ctx.columns = f, arrays, columns
-        return queries
+        sources = features.detach(), p, axis, axis.new_empty(0) if h is None else h, wo
+        arrays = [_whole(x) for x in (*sources, wo if wi is None else wi)]
+        queries = torch.empty(len(arrays[0]), query_width(blocks, features.shape[1]))
+        _fill(*arrays, columns, h is not None, queries.numpy())
+        ctx.arrays, ctx.columns = arrays, columns
+        return queries[: len(features)]
 
     @staticmethod
     def backward(ctx: Any, gradient: Tensor) -> tuple[Tensor | None, ...]:
-        axis, _, wo, wi = ctx.arrays
-        of_features = torch.zeros(ctx.f.shape)
-        _gradient(gradient.numpy(), ctx.f, axis, wo, wi, ctx.columns, of_features.numpy())
-        return None, of_features, None, None, None, None, None
+        features, _, axis, _, wo, wi = ctx.arrays
+        of_features = torch.empty(features.shape)
+        _gradient(_whole(gradient), features, axis, wo, wi, ctx.columns, of_features.numpy())
+        return None, of_features[: len(gradient)], None, None, None, None, None
+
+
+def _whole(rows: Tensor) -> np.ndarray:
+    """The rows, C-contiguous, filled up with zeros to a multiple of LANES."""
+    missing = -len(rows) % LANES
+    if missing:
+        rows = torch.cat([rows, rows.new_zeros(missing, *rows.shape[1:])])
+    return rows.contiguous().numpy()
 
 
 @compiled(parallel=True)
 def _fill(features, p, axes, h, wo, wi, columns, is_fiber, queries):
-    channels = features.shape[1]
-    for i in prange(len(features)):
-        axis, o, l = unit(axes, i), unit(wo, i), unit(wi, i)  # noqa: E741
-        if columns[runtime.FEATURES] >= 0:
-            first = columns[runtime.FEATURES]
+    for block in prange(len(features) // LANES):
+        _fill_block(block * LANES, features, p, axes, h, wo, wi, columns, is_fiber, queries)
+
+
+@compiled()
+def _fill_block(row, features, p, axes, h, wo, wi, columns, is_fiber, queries):
+    start, channels = np.uintp(row), features.shape[1]
+    axis = unit(load_vectors(axes, start))
+    o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
+    first = columns[runtime.FEATURES]
+    if first >= 0:
+        for i in range(row, row + LANES):
             for c in range(channels):
                 queries[i, first + c] = features[i, c]
-        if columns[runtime.POSITION] >= 0:
-            for a in range(3):
-                queries[i, columns[runtime.POSITION] + a] = np.float32(2.0) * p[i, a] - 1.0
-        at_axis = columns[runtime.TANGENT] if is_fiber else columns[runtime.NORMAL]
-        if at_axis >= 0:
-            write(queries, i, at_axis, axis)
-        if columns[runtime.WO] >= 0:
-            write(queries, i, columns[runtime.WO], o)
-        if columns[runtime.WI] >= 0:
-            write(queries, i, columns[runtime.WI], l)
-        if is_fiber:
-            offset = clamped(np.float64(h[i]))
-            if columns[runtime.H] >= 0:
-                queries[i, columns[runtime.H]] = np.float32(offset)
-            angles, lobes = fiber_blocks(axis, offset, o, l)
-            if columns[runtime.FIBER_ANGLES] >= 0:
-                write(queries, i, columns[runtime.FIBER_ANGLES], angles)
-            if columns[runtime.FIBER_LOBES] >= 0:
-                write(queries, i, columns[runtime.FIBER_LOBES], lobes)
-        else:
-            if columns[runtime.HALF_VECTOR] >= 0:
-                write(queries, i, columns[runtime.HALF_VECTOR], half_vector(axis, o, l))
-            if columns[runtime.HIGHLIGHT] >= 0:
-                write(queries, i, columns[runtime.HIGHLIGHT], highlight(axis, o, l))
-            if columns[runtime.LEARNED_NORMAL] >= 0:
-                bend = first_three(features, i, 0, channels)
-                values = learned_normal(axis, bend, o, l)
-                write(queries, i, columns[runtime.LEARNED_NORMAL], values)
+    x = narrowed(load_vectors(p, start))
+    signed = 2.0 * x[0] - 1.0, 2.0 * x[1] - 1.0, 2.0 * x[2] - 1.0
+    put(queries, row, columns[runtime.POSITION], signed)
+    put(queries, row, columns[runtime.WO], o)
+    put(queries, row, columns[runtime.WI], l)
+    if is_fiber:
+        put_fiber(queries, row, columns, axis, clamped(load_lanes(h, start)), o, l)
+    else:
+        bend = first_three(features, start * np.uintp(channels), np.uintp(channels), channels)
+        put_surface(queries, row, columns, axis, o, l, bend)
 
 
 @compiled(parallel=True)
 def _gradient(gradient, features, axes, wo, wi, columns, of_features):
-    channels, at = features.shape[1], columns[runtime.LEARNED_NORMAL]
-    first = columns[runtime.FEATURES]
-    for i in prange(len(features)):
-        if first >= 0:
-            for c in range(channels):
-                of_features[i, c] = gradient[i, first + c]
-        if at < 0:
-            continue
-        n, o, l = unit(axes, i), unit(wo, i), unit(wi, i)  # noqa: E741
-        f = first_three(features, i, 0, channels)
-        q = (n[0] + BEND * f[0], n[1] + BEND * f[1], n[2] + BEND * f[2])
-        h = (o[0] + l[0], o[1] + l[1], o[2] + l[2])
-        qq, hh = dot(q, q), dot(h, h)
-        if qq < 1e-12 or hh < 1e-12:
-            continue
-        q_h = dot(q, h) / math.sqrt(qq * hh)
-        # Of q.h and of log2(1 - q.h + 1e-4) / 6, by q.h; then of q.h, by q.
-        slope = np.float64(gradient[i, at])
-        if q_h < 1.0:
-            slope -= gradient[i, at + 1] / (6.0 * math.log(2.0) * (1.0 - q_h + 1e-4))
-        for c in range(min(3, channels)):
-            of_q = h[c] / math.sqrt(qq * hh) - q_h * q[c] / qq
-            of_features[i, c] += np.float32(slope * BEND * of_q)
+    for block in prange(len(features) // LANES):
+        row, first = block * LANES, columns[runtime.FEATURES]
+        for i in range(row, row + LANES):
+            for c in range(features.shape[1]):
+                of_features[i, c] = gradient[i, first + c] if first >= 0 else np.float32(0.0)
+        if columns[runtime.LEARNED_NORMAL] >= 0:
+            _add_bending(row, gradient, features, axes, wo, wi, columns, of_features)
+
+
+@compiled()
+def _add_bending(row, gradient, features, axes, wo, wi, columns, of_features):
+    """of_features += gradient of `learned_normal`, in LANES rows from `row` on."""
+    start, width = np.uintp(row), np.uintp(gradient.shape[1])
+    channels = np.uintp(features.shape[1])
+    at = start * width + np.uintp(columns[runtime.LEARNED_NORMAL])
+    n = unit(load_vectors(axes, start))
+    o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
+    bend = first_three(features, start * channels, channels, features.shape[1])
+    q, m, length = bent(n, bend, *halfway(o, l))
+    d = m[0] - q[0], m[1] - q[1], m[2] - q[2]
+    # Of q.m and of log2(1 - q.m + 1e-4) / 6, by q.m; then of q.m, by what q is the direction of.
+    of_gap = load_column(gradient, at + np.uintp(1), width)
+    slope = load_column(gradient, at, width) - of_gap * _OF_LOG / (0.5 * dot(d, d) + 1e-4)
+    slope = where(length < SHORTEST, 0.0, slope * BEND / length)
+    along = dot(d, q)
+    for c in range(min(3, features.shape[1])):
+        place = start * channels + np.uintp(c)
+        value = load_column(of_features, place, channels) + slope * (d[c] - along * q[c])
+        store_column(of_features, place, channels, value)

@@ -6,6 +6,7 @@ import torch
 from torch import Tensor, nn
 
 from rna_export.training.emission import EmissionDecoder
+from rna_export.training.feature_network import FeatureNetwork
 from rna_export.training.inputs import Points, assemble
 from rna_export.training.layers import through
 from rna_export.training.presets import ModelConfig
@@ -29,8 +30,11 @@ class NeuralAsset(nn.Module):
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
         self.config = config
-        texture = {"triplane": Triplane, "uv": UvTexture}[config.texture]
-        self.triplane = texture(config.resolution, config.channels, bounds[0], bounds[1])
+        if config.texture == "network":
+            self.triplane = FeatureNetwork(config.width, config.channels, *bounds)
+        else:
+            texture = {"triplane": Triplane, "uv": UvTexture}[config.texture]
+            self.triplane = texture(config.resolution, config.channels, *bounds)
         width, layers = config.width, []
         columns = query_width(config.inputs, config.channels)
         for _ in range(config.hidden_layers):
@@ -54,8 +58,9 @@ class NeuralAsset(nn.Module):
 
     @property
     def multiply_adds(self) -> int:
-        """Of the decoder, a query."""
-        return sum(m.weight.numel() for m in self.decoder if isinstance(m, nn.Linear))
+        """Of all matrix products, a query; not of the decoder of emission."""
+        layers = [*self.decoder, *self.triplane.modules()]
+        return sum(m.weight.numel() for m in layers if isinstance(m, nn.Linear))
 
     def forward(self, at: Points, blur: float = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
@@ -65,7 +70,10 @@ class NeuralAsset(nn.Module):
         """What the decoder is asked, (k, K)."""
         grid, position = self.triplane, at["position"]
         p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
-        features = grid(at["uv"] if self.config.texture == "uv" else position, blur)
+        if self.config.texture == "network":
+            features = grid(position, at["wo"], at["wi"])
+        else:
+            features = grid(at["uv"] if self.config.texture == "uv" else position, blur)
         return assemble(self.config.inputs, features, p, at)
 
     def colours(self, y: Tensor) -> Tensor:

@@ -29,6 +29,9 @@ class PlaneAdam(torch.optim.Optimizer):
             "exp_avg_sq": torch.zeros_like(planes),
         }
 
+    def zero_grad(self, set_to_none: bool = True) -> None:
+        """`step` has done it; the gradient stays where backward passes add to it."""
+
     @torch.no_grad()
     def step(self, closure: None = None) -> None:
         """One step."""

@@ -37,8 +37,10 @@ class ModelConfig(BaseModel):
     visibility_hint: bool = Field(
         True, description="outputs of their own where light is shadowed; False only to compare"
     )
-    texture: Literal["triplane", "uv"] = Field(
-        "triplane", description="where features are kept; uv only to compare, packages have none"
+    texture: Literal["triplane", "uv", "network"] = Field(
+        "triplane",
+        description="where features come from; all but the triplane only to compare, packages "
+        "have none",
     )
 
     emission_inputs: tuple[str, ...] = Field(

@@ -134,7 +134,7 @@ def _unit(run: Run, table: SampleTable, earlier: dict[str, Any] | None) -> float
 
 def _steps(earlier: dict[str, Any]) -> int:
     """That led to a checkpoint."""
-    return int(earlier["progress"]["step"]) + int(earlier["record"].get("steps_before", 0))
+    return int(earlier["progress"]["step"]) + int(earlier["record"]["steps_before"])
 
 
 def _validations(run: Run, pace: Pace) -> int:

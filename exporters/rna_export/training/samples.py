@@ -13,6 +13,7 @@ from torch import Tensor
 from torch.utils.data import IterableDataset
 
 _DIM = 0.02  # of the mean of what an asset emits
+_GATHERED = 32  # batches at once: random rows of a large table come from memory one by one
 
 
 class SampleTable(IterableDataset):
@@ -77,14 +78,15 @@ class SampleTable(IterableDataset):
 
     def __iter__(self) -> Iterator[Tensor]:
         generator = torch.Generator().manual_seed(self._seed)
-        starts = range(0, len(self.rows) - self._batch + 1, self._batch)
-        epochs, batches = divmod(self._done, len(starts))
+        whole = len(self.rows) // self._batch * self._batch  # of an epoch
+        epochs, done = divmod(self._done * self._batch, whole)
         for epoch in itertools.count():
             order = torch.randperm(len(self.rows), generator=generator).to(self.rows.device)
             if epoch < epochs:
                 continue
-            for first in starts[batches if epoch == epochs else 0 :]:
-                yield self.rows[order[first : first + self._batch]]
+            left = order[done if epoch == epochs else 0 : whole]
+            for gathered in left.split(_GATHERED * self._batch):
+                yield from self.rows[gathered].split(self._batch)
 
 
 def _median(values: Tensor) -> float:

@@ -55,7 +55,7 @@ def short_grid(kind: str, steps: int = SHORT_STEPS) -> list[Trial]:
         ours(kind, 32, 2, planes=planes[0]),  # the preset `tiny`
         ours(kind, 128, 2),
     ]
-    paper = [paper_model(kind, 4, 64), paper_model(kind, 4, 512)]
+    paper = [paper_model(kind, 4, 64), paper_model(kind, 4, 512), nrhints(kind)]
     return _with_steps([*shapes, *paper, *ablations(kind, (64,))], steps)
 
 
@@ -89,6 +89,19 @@ def paper_model(kind: str, layers: int, width: int, channels: int = 8) -> Trial:
     usual = {(4, 64, 8): "paper-small", (4, 512, 8): "paper-hq"}
     name = usual.get((*shape, channels), f"paper-{name_of(preset)}")
     return _trial("paper", preset, name, *tables)
+
+
+def nrhints(kind: str) -> Trial:
+    """The paper's opponent with known geometry: our queries and hint, NRHints' network and rate.
+
+    Its features and its decoder take as many multiply-adds as `paper-hq`, 0.8 M.
+    """
+    paper = PRESETS[kind]["paper-hq"]
+    inputs = ("features", "position", *paper.model.inputs[1:])
+    preset = paper.with_model(
+        inputs=inputs, width=256, resolution=1, channels=304, texture="network"
+    ).with_training(learning_rate=5e-4, plane_learning_rate=5e-4, schedule="cosine")
+    return _trial("opponent", preset, "nrhints").model_copy(update={"cost_as": "paper-hq"})
 
 
 def ablations(kind: str, widths: tuple[int, ...]) -> list[Trial]:

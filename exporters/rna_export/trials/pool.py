@@ -131,7 +131,7 @@ class TrialWorker:
         pass
 
     def run(self, job: Job) -> Record:
-        """The trial's record; what was finished in its folder is not done again."""
+        """The trial's record; resumes, and skips what is complete in its folder."""
         from rna_export.trials.run import run_trial
 
         trial, folder = job

@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from rna_export.training.presets import Preset
 
-Family = Literal["ours", "paper", "ablation"]
+Family = Literal["ours", "paper", "opponent", "ablation"]
 
 
 class Trial(BaseModel):
@@ -17,7 +17,10 @@ class Trial(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     name: str = Field(pattern=r"^[a-z0-9][a-z0-9-]*$", description="unique in a grid; a folder")
-    family: Family = Field(description="ours: fit for use. paper: as published. ablation: neither")
+    family: Family = Field(
+        description="ours: fit for use. paper: as published. opponent: a network by others. "
+        "ablation: neither"
+    )
     preset: Preset
     tables: tuple[str, ...] = Field((), description="comparisons that it is a row of")
     cost_as: str | None = Field(

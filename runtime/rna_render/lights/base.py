@@ -34,9 +34,9 @@ class LightSamples:
 
 @dataclass(frozen=True, slots=True)
 class LightRow:
-    """A light as compiled code has it: its row of `lights.table.LightTable`.
+    """A light as compiled code has it.
 
-    kind: one of `table`'s. numbers: float64, as its kind has them. words: uint64, likewise;
+    kind: one of `kinds`. numbers: float64, as its kind has them. words: uint64, likewise;
     addresses among them are valid as long as the light.
     """
 

@@ -1,4 +1,4 @@
-"""How each kind of light is sampled, met and looked up, for compiled code: lights as a table.
+"""How each kind of light is sampled, met and looked up, for compiled code: by its row.
 
 A sample is (wi, distance, radiance, pdf, place): three float64, in the world; a float64; red, green
 and blue; a float64, 0 where nothing arrives; and for triangles, whose radiance is asked of
@@ -7,13 +7,9 @@ and blue; a float64, 0 where nothing arrives; and for triangles, whose radiance 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
-
 import numpy as np
 from numba import prange
 
-from rna_render.lights.base import Light
 from rna_render.lights.directional import look_up_sun, sample_directional, sample_sun
 from rna_render.lights.disk import disk_density, sample_disk
 from rna_render.lights.environment import (
@@ -28,8 +24,6 @@ from rna_render.lights.kinds import (
     IMAGE,
     POINT,
     RECTANGLE,
-    ROW_NUMBERS,
-    ROW_WORDS,
     SPHERE,
     SUN,
     TRIANGLES,
@@ -41,28 +35,6 @@ from rna_render.lights.rectangle import rectangle_density, sample_rectangle
 from rna_render.lights.sphere import sample_sphere, sphere_density
 from rna_render.vectors import vector_at
 from rna_sdk.compiled import compiled
-
-
-class LightTable(NamedTuple):
-    """The lights of a scene: k of them.
-
-    kind: (k,) int32. numbers: (k, 20) float64. words: (k, 8) uint64, addresses among them; the
-    lights have to be kept.
-    """
-
-    kind: np.ndarray
-    numbers: np.ndarray
-    words: np.ndarray
-
-
-def light_table(lights: Sequence[Light]) -> LightTable:
-    """The lights, in order."""
-    rows = [light.row for light in lights]
-    return LightTable(
-        np.array([row.kind for row in rows], np.int32),
-        np.array([row.numbers for row in rows], np.float64).reshape(-1, ROW_NUMBERS),
-        np.array([row.words for row in rows], np.uint64).reshape(-1, ROW_WORDS),
-    )
 
 
 @compiled(fastmath=())

@@ -11,6 +11,7 @@ from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.errors import joined_views, relative_error
 from rna_bench.stability.workshop import Workshop
+from rna_export.metrics import display
 
 FACTOR = 3.0  # the mark
 EDGES_DEG = (*range(0, 80, 10), 80, 85, 90)
@@ -37,21 +38,26 @@ def measure(workshop: Workshop) -> list[Row]:
 
 
 def binned(answers: Answers, samples: dict[str, np.ndarray], halves: np.ndarray) -> list[Row]:
-    """The relative error in each bin of the angle of wo, and of wi, to the axis.
+    """The error in each bin of the angle of wo, and of wi, to the axis.
 
-    That is the normal, where the light is visible and above the surface; for fibers the plane
-    across the tangent. 90 degrees are along the surface, or along the fiber.
+    `error` is relative to the bin's mean radiance, `of_all` to that of all bins: along a surface
+    there is next to no light, and a part of nothing is not seen. The axis is the normal, where the
+    light is visible and above the surface; for fibers the plane across the tangent. 90 degrees are
+    along the surface, or along the fiber.
     """
     radiance, rows = picked(answers, samples), []
     lit = samples["visible"].astype(bool)
+    mean = float(display(halves[:, lit]).mean())
     for direction in ("wo", "wi"):
         angle = _angle_deg(samples, direction)
         for low, high in pairwise(EDGES_DEG):
             inside = lit & (angle >= low) & (angle < high)
             if inside.sum() >= _FEWEST:
                 error = relative_error(radiance[inside], halves[:, inside])
+                share = float(display(halves[:, inside]).mean()) / mean
                 bin_ = {"low_deg": low, "high_deg": high, "samples": int(inside.sum())}
-                rows.append({"direction": direction, **bin_, "error": error})
+                errors = {"error": error, "of_all": error * share}
+                rows.append({"direction": direction, **bin_, **errors})
     return rows
 
 
@@ -73,8 +79,8 @@ def judge(rows: list[Row]) -> Verdict:
 
 def last_over_median(rows: list[Row], direction: str) -> float:
     """Error of the bin from 85 to 90 degrees over the median bin's."""
-    errors = values(rows, "error", direction=direction)
-    last = values(rows, "error", direction=direction, low_deg=85)
+    errors = values(rows, "of_all", direction=direction)
+    last = values(rows, "of_all", direction=direction, low_deg=85)
     return last[0] / max(float(np.median(errors)), 1e-6) if last else 0.0
 
 
@@ -84,10 +90,10 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
             where = {"model": model, "direction": direction}
             low, high = values(rows, "low_deg", **where), values(rows, "high_deg", **where)
             middle = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
-            axes.plot(middle, values(rows, "error", **where), "o-", label=model)
+            axes.plot(middle, values(rows, "of_all", **where), "o-", label=model)
         axes.set_yscale("log")
         axes.set_xlabel(f"angle of {direction}, degrees; 90: grazing")
-        axes.set_ylabel("relative error")
+        axes.set_ylabel("error over the mean radiance of all angles")
     axes.legend()
 
 

@@ -1,11 +1,13 @@
-"""How the parts of an asset share the minutes of a training."""
+"""How the parts of an asset share the minutes and the folder of a training."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 
+from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 
 _ALIKE = 0.5  # of the minutes, that all parts get as many of
@@ -24,3 +26,8 @@ def shared_minutes(minutes: float | None, parts: Sequence[DatasetPart]) -> dict[
         part.name: round(minutes * float(share), 3)
         for part, share in zip(parts, shares, strict=True)
     }
+
+
+def part_folder(folder: Path, dataset: Dataset, part: str) -> Path:
+    """Where a part's checkpoints are in the folder of a training: in it, if it is the only one."""
+    return folder if len(dataset.parts) == 1 else folder / part

@@ -1,0 +1,56 @@
+"""Features from a network: NRHints' in the place of the triplane, as the paper compares with it.
+
+Sizes are those that its authors published: Zeng et al., "Relighting Neural Radiance Fields with
+Shadow and Highlight Hints", 2023, github.com/iamNCJ/NRHints, `SDFNetConfig` and
+`ReflectanceNetConfig`. The decoder of such a model is their reflectance network, 4 layers of 256.
+"""
+
+from __future__ import annotations
+
+import math
+
+import torch
+from torch import Tensor, nn
+from torch.nn.utils.parametrizations import weight_norm
+
+_LAYERS, _SKIP = 8, 4
+_POSITION_OCTAVES, _DIRECTION_OCTAVES = 6, 4
+_SCALE = 3.0  # of positions, -1 to 1 in the bounds
+
+ENCODED_DIRECTIONS = 2 * 3 * 2 * _DIRECTION_OCTAVES
+"""Channels that are not of the network: encodings of wo and wi."""
+
+
+class FeatureNetwork(nn.Module):
+    """`channels` features: a network's of the position, then encodings of both directions.
+
+    width: of the hidden layers. `low` and `high` are the asset's box.
+    """
+
+    def __init__(self, width: int, channels: int, low: Tensor, high: Tensor):
+        super().__init__()
+        encoded = 3 + 3 * 2 * _POSITION_OCTAVES
+        columns, widths = [encoded, *[width] * _LAYERS], [width] * _LAYERS
+        widths[_SKIP - 1] -= encoded  # the layer after it has the encoded position beside
+        sizes = zip(columns, [*widths, channels - ENCODED_DIRECTIONS], strict=True)
+        self.layers = nn.ModuleList(weight_norm(nn.Linear(*size)) for size in sizes)
+        self.register_buffer("low", low.float())
+        self.register_buffer("high", high.float())
+
+    def forward(self, position: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
+        """Features (n, C) of points and directions, (n, 3) each."""
+        p = 2.0 * (position - self.low) / (self.high - self.low) - 1.0
+        encoded = torch.cat([_SCALE * p, _octaves(_SCALE * p, _POSITION_OCTAVES)], dim=1)
+        x = encoded
+        for k, layer in enumerate(self.layers[:-1]):
+            if k == _SKIP:
+                x = torch.cat([x, encoded], dim=1) / math.sqrt(2.0)
+            x = nn.functional.softplus(layer(x), beta=100.0)
+        directions = [_octaves(w, _DIRECTION_OCTAVES) for w in (wo, wi)]
+        return torch.cat([self.layers[-1](x), *directions], dim=1)
+
+
+def _octaves(x: Tensor, count: int) -> Tensor:
+    """Sines and cosines of x (n, 3) times 1, 2, 4, ...: (n, 6 count)."""
+    scaled = x[:, :, None] * 2.0 ** torch.arange(count, device=x.device)
+    return torch.cat([torch.sin(scaled), torch.cos(scaled)], dim=2).flatten(1)

@@ -1,0 +1,51 @@
+"""The tutorial on writing a host: its code runs, and shows what it says."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from rna_render.parts_scene import PartsScene
+from rna_render.surface import SurfacePoints
+from tests.conftest import REPOSITORY
+
+PAGE = REPOSITORY / "docs" / "your-own-host.md"
+
+
+@pytest.fixture(scope="module")
+def names() -> dict:
+    """What the page's code leaves behind."""
+    result: dict = {}
+    blocks = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.DOTALL)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(REPOSITORY)
+        exec("\n".join(blocks), result)
+    return result
+
+
+def mean(image) -> float:
+    return float(np.asarray(image, float).mean())
+
+
+def test_the_toy_is_in_the_picture(names: dict) -> None:
+    seen = np.asarray(names["right"]).any(axis=2)
+    assert 0.15 < seen.mean() < 0.7
+
+
+def test_breaking_the_rule_shows(names: dict) -> None:
+    """An asset that blocks its own light is dark from behind; without a ray light leaks."""
+    right = mean(names["by_the_rule"])
+    assert mean(names["asset_blocks_itself"]) < 0.6 * right
+    assert mean(names["no_ray"]) > 1.1 * right
+
+
+def test_its_visibility_is_the_renderers(names: dict) -> None:
+    mesh, b = names["mesh"], np.float32(names["b"][..., 0])
+    points = SurfacePoints.of(mesh, np.uint32(names["triangle"]), b[:, 1], b[:, 2])
+    wi = names["unit"](np.random.default_rng(1).normal(size=points.x.shape))
+    free = PartsScene([mesh]).visible(0, points, wi)
+    blocked = names["blocked"](*(names[k] for k in ("x", "n", "corners", "b")), wi)
+    assert 0.2 < free.mean() < 0.6
+    assert (free == blocked).mean() < 0.002  # edges and outlines, by rounding
