@@ -188,7 +188,8 @@ class Ours:
     def __init__(self, folder: Path, pair: Pair, size: tuple[int, int], samples: int) -> None:
         path = folder / "scene.yaml"
         scene = pair.ours | {"camera": pair.camera, "resolution": size, "samples": samples}
-        path.write_text(yaml.safe_dump(_plain(scene | {"max_depth": pair.max_depth})))
+        scene |= {"max_depth": pair.max_depth, "clamp_indirect": None}  # Mitsuba has no clamp
+        path.write_text(yaml.safe_dump(_plain(scene)))
         self._file = read_scene(path)
         world = load_world(self._file)
         self._integrator = make_integrator(self._file.scene, world, resolve=self._file.resolve)
