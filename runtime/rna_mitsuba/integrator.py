@@ -15,6 +15,7 @@ import mitsuba as mi
 from rna_mitsuba.shape import check_placed, shapes_of
 from rna_mitsuba.tracer import Path, Tracer, Vertex
 from rna_mitsuba.world import NOBODY, World
+from rna_sdk.errors import QueryError
 
 AOVS = (
     *("depth", "position.X", "position.Y", "position.Z"),
@@ -31,7 +32,10 @@ class RnaPath(mi.SamplingIntegrator):
     """
 
     def __init__(self, props: mi.Properties) -> None:
+        """Raises QueryError where `hide_emitters` is asked for."""
         super().__init__(props)
+        if self.hide_emitters:
+            raise QueryError("rna_path: hide_emitters: found true, expected false; it shows them")
         self.max_depth = int(props.get("max_depth", 6))
         self.rr_depth = int(props.get("rr_depth", 5))
         self._aovs = bool(props.get("aovs", False))

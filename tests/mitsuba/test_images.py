@@ -10,12 +10,12 @@ import pytest
 from tests.render.studio import one_thread
 from tests.render.test_second_opinion import assert_same_mean
 
-SIZE, BATCHES = (24, 16), 10
+SIZE, BATCHES = (24, 16), 16
 
 
 @pytest.mark.parametrize(
     ("name", "samples"),
-    [("sun", 64), ("environment and ground", 256), ("lamp and red wall", 256), ("curls", 768)],
+    [("sun", 32), ("environment and ground", 128), ("lamp and red wall", 160), ("curls", 2048)],
 )
 def test_both_show_the_same(name: str, samples: int, tmp_path: Path) -> None:
     from benchmarks.mitsuba_scenes import Ours, Theirs, pairs

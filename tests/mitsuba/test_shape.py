@@ -64,6 +64,15 @@ def test_mistakes_are_told(change: dict[str, Any], found: str) -> None:
         load(**{k: v for k, v in rna_mitsuba.asset(path, **arguments).items() if k != "type"})
 
 
+def test_emitters_cannot_be_hidden() -> None:
+    import mitsuba as mi
+
+    import rna_mitsuba  # noqa: F401
+
+    with pytest.raises(Exception, match="hide_emitters: found true, expected false"):
+        mi.load_dict({"type": "rna_path", "hide_emitters": True})
+
+
 def test_the_code_of_the_docs_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(TOY.parent)
     page = (REPOSITORY / "docs" / "mitsuba.md").read_text()
