@@ -27,7 +27,7 @@ def test_rays_without_a_lift_fail() -> None:
     from rna_mitsuba import points
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(points, "_SMOOTH_BELOW", 1e-9)
+        patch.setattr(points, "_SMOOTH_BELOW", -2.0)
         program = InProcess(visibility=reader.visibility)
         scores = run_levels(program, load_kit(KIT), ["visibility"])
         assert any("terminator" in score.note for score in scores if not score.passed)
