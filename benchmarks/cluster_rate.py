@@ -1,9 +1,10 @@
 """Rate of a capture and of frames on a Ray cluster of this machine, over that of its own pools.
 
-    python benchmarks/cluster_rate.py examples/quickstart/toy.py examples/quickstart/scene.yaml
+    python benchmarks/cluster_rate.py examples/quickstart/toy.py examples/quickstart/scene.yaml \
+        --out benchmarks/results/cluster-rate.json
 
-Both in one run, in turns, as often as asked, from when every worker has finished something: no
-start of Ray, Blender or a compiler counts.
+Both in one run, in turns, as often as there is time for, from when every worker has finished
+something: no start of Ray, Blender or a compiler counts.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from typing import Any
 from rna_export.capture import blender_env
 from rna_export.capture.gathered import Gathered
 from rna_export.capture.run import Crew, begin
+from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureJob, CaptureWorker
 from rna_export.capture.tasks import TrainingShard
@@ -32,6 +34,7 @@ from rna_render.output import Output
 from rna_render.scene_file import read_scene
 from rna_render.scene_model import Scene
 from rna_render.scene_sources import carried_scene
+from rna_sdk.cpu import processor
 from rna_work.places import Place, place
 from rna_work.pool import Pool
 
@@ -75,31 +78,55 @@ def frame_seconds(where: Place, scene: Path, folder: Path) -> float:
     return seconds(Pool(backend, partial(FrameWorker, job)), frames, 1)
 
 
+def one_round(
+    places: list[tuple[str, Place]], source: Source, scene: Path, workers: int
+) -> dict[str, float]:
+    """Seconds of a shard and of a frame in each place, in this order."""
+    found = {}
+    for name, where in places:
+        folder = Path(tempfile.mkdtemp())
+        try:
+            found[f"capture, {name}"] = capture_seconds(where, source, folder, workers)
+            found[f"frames, {name}"] = frame_seconds(where, scene, folder)
+        finally:
+            shutil.rmtree(folder)
+    return found
+
+
+def report(rounds: list[dict[str, float]]) -> dict[str, Any]:
+    """The rounds, and over them the medians of times and of ratios within a round."""
+    medians = {name: statistics.median(r[name] for r in rounds) for name in rounds[0]}
+    for kind in ("capture", "frames"):
+        ratios = [r[f"{kind}, here"] / r[f"{kind}, ray"] for r in rounds]
+        medians[f"{kind}, rate on Ray over rate here"] = statistics.median(ratios)
+    return {"machine": processor(), "seconds": rounds, "median": medians}
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("source", type=Path)
     parser.add_argument("scene", type=Path)
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--rounds", type=int, default=5, help="at most")
+    parser.add_argument("--minutes", type=float, default=5.5, help="at most, but for one round")
+    parser.add_argument("--out", type=Path, help="JSON to write")
     options = parser.parse_args()
-    os.environ["RAY_worker_niceness"] = "0"  # as that of the pools that it is compared with
+    started, longest = time.monotonic(), 0.0
     workers = len(os.sched_getaffinity(0))
     source = Source.captured(options.source, (), CaptureSettings())
-    found: dict[str, list[float]] = {}
+    rounds: list[dict[str, float]] = []
     with place(None) as here, place("local") as there:
-        for _ in range(options.rounds):
-            for name, where in (("here", here), ("ray", there)):
-                folder = Path(tempfile.mkdtemp())
-                shard = capture_seconds(where, source, folder, workers)
-                frame = frame_seconds(where, options.scene, folder)
-                found.setdefault(f"capture, {name}", []).append(shard)
-                found.setdefault(f"frames, {name}", []).append(frame)
-                shutil.rmtree(folder)
-    median = {name: statistics.median(values) for name, values in found.items()}
-    for kind in ("capture", "frames"):
-        median[f"{kind}, rate on Ray over rate here"] = (
-            median[f"{kind}, here"] / median[f"{kind}, ray"]
-        )
-    print(json.dumps({"seconds": found, "median": median}, indent=1))
+        places = [("here", here), ("ray", there)]
+        while len(rounds) < options.rounds:
+            begun = time.monotonic()
+            if rounds and begun - started + longest > 60.0 * options.minutes:
+                break
+            rounds.append(one_round(places, source, options.scene, workers))
+            places.reverse()
+            longest = max(longest, time.monotonic() - begun)
+    text = json.dumps(report(rounds), indent=1)
+    print(text)
+    if options.out is not None:
+        write_atomically(options.out, f"{text}\n".encode())
 
 
 if __name__ == "__main__":

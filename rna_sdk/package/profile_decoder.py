@@ -58,6 +58,16 @@ class ProfileDecoder:
     unit: float
     matrix: NDArray[np.float32] | None
 
+    @property
+    def is_int8(self) -> bool:
+        """Whether its layers are."""
+        return self.layers[0].unit is not None
+
+    @property
+    def width(self) -> int:
+        """Of the widest layer."""
+        return max(len(layer.bias) for layer in self.layers)
+
 
 def read_profile_decoder(model: bytes | memoryview, name: str) -> ProfileDecoder:
     """The decoder in the ONNX bytes of a valid package; arrays are views of them.
@@ -69,7 +79,8 @@ def read_profile_decoder(model: bytes | memoryview, name: str) -> ProfileDecoder
     outside = outside_profile(graph)
     if outside is not None:
         raise QueryError(f"{name}: decoder outside the decoder profile: {outside}")
-    constants = {tensor.name: _numbers(tensor) for tensor in graph.initializers}
+    read = {name for node in graph.nodes for name in node.inputs}  # others may be of any type
+    constants = {t.name: _numbers(t) for t in graph.initializers if t.name in read}
     return _Reader(list(graph.nodes), constants).read()
 
 

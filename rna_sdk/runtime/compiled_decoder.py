@@ -14,6 +14,7 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
+from rna_sdk.package.profile_decoder import ProfileDecoder
 from rna_sdk.runtime.lane_memory import load_lanes, store_column, store_lanes
 from rna_sdk.runtime.lane_vectors import between, exp
 from rna_sdk.runtime.lanes import LANES
@@ -26,7 +27,6 @@ from rna_sdk.runtime.layer_kernel import (
     packed_layer,
     register_lanes,
 )
-from rna_sdk.runtime.profile_layers import ProfileLayers
 
 Numbers = NDArray[np.float32]
 
@@ -39,25 +39,25 @@ _LARGEST_EXPONENT = 100.0
 
 
 class CompiledDecoder:
-    """Runs such a decoder; threads may share it.
+    """Runs such a decoder, whose layers are not in int8; threads may share it.
 
     Attributes:
         columns: of the queries.
     """
 
-    def __init__(self, model: ProfileLayers) -> None:
-        self.columns = len(model.layers[0][0])
-        matrices = list(model.layers)
+    def __init__(self, model: ProfileDecoder) -> None:
+        matrices = [(layer.weight, layer.bias) for layer in model.layers]
+        self.columns = len(matrices[0][0])
         self._relus = len(matrices) - 1
-        if model.colours is not None:
-            matrices.append((model.colours, np.zeros(model.colours.shape[1], np.float32)))
+        if model.matrix is not None:
+            matrices.append((model.matrix, np.zeros(model.matrix.shape[1], np.float32)))
         self._outputs = matrices[-1][0].shape[1]
         self._weights = np.concatenate([packed_layer(*matrix) for matrix in matrices])
         inputs = [len(weight) for weight, _ in matrices]
         outputs = [-(-weight.shape[1] // BLOCK) * BLOCK for weight, _ in matrices]
         self._sizes = np.array([inputs, outputs], np.int64)
         top = min(model.top, _LARGEST_EXPONENT)
-        self._limits = np.array([*model.limits, top, model.unit], np.float32)
+        self._limits = np.array([model.low, model.high, top, model.unit], np.float32)
         self._kernel = decoder_kernel(register_lanes())
 
     def run(self, queries: Numbers) -> Numbers:

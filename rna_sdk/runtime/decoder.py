@@ -8,11 +8,13 @@ import numpy as np
 import onnxruntime as ort
 from numpy.typing import NDArray
 
+from rna_sdk.package.decoder_profile import outside_profile
+from rna_sdk.package.onnx_model import read_model
+from rna_sdk.package.profile_decoder import read_profile_decoder
 from rna_sdk.runtime.agreement import TIES, close_rows
 from rna_sdk.runtime.compiled_decoder import CompiledDecoder
 from rna_sdk.runtime.decoder_graph import prepare_decoder
 from rna_sdk.runtime.int8_entry import Entry
-from rna_sdk.runtime.profile_layers import profile_layers
 
 _TILES = ((32_768, 4096), (131_072, 2048), (524_288, 1024))
 """(bytes of the model, rows): up to this size, so many rows a call run fastest.
@@ -102,9 +104,10 @@ class Graph:
 
 def _fast_form(original: bytes, largest_query: float) -> Graph | CompiledDecoder | None:
     """What runs faster than onnxruntime on the graph as it is; None where nothing does."""
-    layers = profile_layers(original)
-    if layers is not None and layers.width <= COMPILED_WIDTH:
-        return CompiledDecoder(layers)
+    if outside_profile(read_model(memoryview(original))) is None:
+        decoder = read_profile_decoder(original, "decoder")
+        if not decoder.is_int8 and decoder.width <= COMPILED_WIDTH:
+            return CompiledDecoder(decoder)
     data, entry = prepare_decoder(original, largest_query)
     return None if data is original else Graph(data, entry)
 

@@ -15,6 +15,8 @@ class Camera:
     model: where it stands and looks. resolution: width, height in pixels.
 
     to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up.
+    corner, step_x, step_y: (3,) float64, direction through the image's top left corner, and the
+    steps of a pixel.
     """
 
     def __init__(self, model: CameraModel, resolution: tuple[int, int]) -> None:
@@ -28,10 +30,9 @@ class Camera:
         self.to_world[:3] = np.stack([right, up, -forward, model.position], axis=1)
         half_height = self._half_height
         half_width = half_height * self.width / self.height
-        # Direction through the image's top left corner, and the steps of a pixel.
-        self._corner = forward - half_width * right + half_height * up
-        self._step_x = right * (2.0 * half_width / self.width)
-        self._step_y = -up * (2.0 * half_height / self.height)
+        self.corner = forward - half_width * right + half_height * up
+        self.step_x = right * (2.0 * half_width / self.width)
+        self.step_y = -up * (2.0 * half_height / self.height)
 
     def directions(self, pixels: np.ndarray, u: np.ndarray) -> np.ndarray:
         """Unit directions through points of pixels: (n, 3) float32.
@@ -40,7 +41,7 @@ class Camera:
         its top left corner; uniform points give a box filter one pixel wide.
         """
         result = np.empty((len(pixels), 3), np.float32)
-        _directions(pixels, u, self.width, self._corner, self._step_x, self._step_y, result)
+        _directions(pixels, u, self.width, self.corner, self.step_x, self.step_y, result)
         return result
 
     def heights(self, centres: np.ndarray, radii: np.ndarray) -> np.ndarray:

@@ -114,6 +114,12 @@ def _parser() -> argparse.ArgumentParser:
         type=_whole(1, 4096),
         help="threads to use, at most one a core (default: one a core)",
     )
+    add(
+        "--device",
+        metavar="NAME",
+        default="cpu",
+        help="what renders: cpu, or gpu with the extra `gpu` (docs/gpu.md) (default: cpu)",
+    )
     add_cluster_option(parser)
     add("--debug", action="store_true", help="show the traceback of an error (default: off)")
     return parser
@@ -161,6 +167,10 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
     for name in others:
         if getattr(options, name):
             parser.error(f"--{name} is {'not for' if options.preview else 'only for'} --preview")
+    if options.device != "cpu":
+        for name in ("preview", "frames", "cluster"):
+            if getattr(options, name):
+                parser.error(f"--{name} is not for --device {options.device}")
     if options.environments is not None and not options.environments.is_dir():
         parser.error(f"{options.environments}: no such folder")
     for path, suffix in ((options.out, ".exr"), (options.png, ".png")):
@@ -195,7 +205,7 @@ def _run(options: argparse.Namespace) -> int:
     denoiser = Denoiser(threads) if options.denoise else None
     output = Output(options.out, options.png, denoiser)
     if options.frames is None and options.cluster is None:
-        return _render_still(scene_file, output, threads)
+        return _render_still(scene_file, output, options.device)
     if options.frames is None:
         return _render_in_pieces(scene_file, output, options)
     numbers = frame_numbers(scene_file, *options.frames)
@@ -212,7 +222,7 @@ def _use_threads(count: int | None) -> int:
     return limit_kernel_threads(count)
 
 
-def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
+def _render_still(scene_file: SceneFile, output: Output, device: str) -> int:
     from rna_render.render import load_world
     from rna_render.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
 
@@ -220,13 +230,15 @@ def _render_still(scene_file: SceneFile, output: Output, threads: int) -> int:
     output.check()
     world = load_world(scene_file)
     tell_tiers(scene_file, world)
-    tell_costs(scene_file, world)
+    if device == "cpu":
+        tell_costs(scene_file, world)
     with Interrupt() as interrupt:
         film = render_with_bar(
             scene_file,
             world,
             interrupt.requested,
             first_rays=lambda: f"first rays traced after {time.perf_counter() - _START:.2f} s",
+            device=device,
         )
     if not film.samples:
         print("stopped before the first sample was finished; nothing was written", file=sys.stderr)
@@ -248,9 +260,17 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     from rna_work.places import place
 
     output.check()
-    with place(options.cluster) as where:
-        film = render_pieces(scene_file, where, options.threads)
+    folder = output.exr.with_name(f"{output.exr.name}.pieces")
+    try:
+        with place(options.cluster) as where:
+            film, kept = render_pieces(scene_file, where, options.threads, folder)
+    except KeyboardInterrupt:
+        print(
+            f"stopped; finished pieces are in {folder}; the same command goes on", file=sys.stderr
+        )
+        return INTERRUPTED
     output.write(scene_file.scene, film)
+    kept.remove()
     for path in output.paths():
         print(f"wrote {path}")
     return 0

@@ -103,6 +103,19 @@ class Film:
         self._squares[start:end] = part._squares
         self.samples = part.samples
 
+    def arrays(self) -> dict[str, np.ndarray]:
+        """What a film of the same pixels is made of again: see `of_arrays`."""
+        layers = {field.name: getattr(self._sum, field.name) for field in fields(Layers)}
+        return {**layers, "squares": self._squares, "samples": np.array([self.samples])}
+
+    @classmethod
+    def of_arrays(cls, arrays: dict[str, np.ndarray], groups: Sequence[str]) -> Film:
+        """The film of a row of pixels, from its `arrays`."""
+        film = cls((len(arrays["squares"]), 1), groups)
+        film._sum = Layers(**{field.name: arrays[field.name] for field in fields(Layers)})
+        film._squares, film.samples = arrays["squares"], int(arrays["samples"][0])
+        return film
+
     def channels(self) -> dict[str, np.ndarray]:
         """The image, (height, width) a channel; float32, but uint32 for assetId.
 

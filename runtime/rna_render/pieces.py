@@ -1,16 +1,16 @@
 """An image in pieces of pixels, each with all samples, rendered by workers wherever they are.
 
 A pixel's samples are added in the order in which one machine adds them, so the image is the same
-to the bit.
+to the bit. Finished pieces are kept in files, so an image that was stopped goes on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import closing
-from dataclasses import dataclass
 from functools import partial
 from math import prod
+from pathlib import Path
 
 import numpy as np
 
@@ -18,10 +18,11 @@ from rna_render.bands import SMALL_BAND, rendered_bands
 from rna_render.film import Film, Layers
 from rna_render.frame_worker import SceneWorker
 from rna_render.integrator import Integrator
+from rna_render.kept_pieces import KeptPieces, Piece, missing_pieces
 from rna_render.render import make_integrator
 from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
-from rna_render.scene_sources import carried_scene
+from rna_render.scene_sources import carried_scene, scene_key
 from rna_render.time_limit import SomePixels
 from rna_sdk.errors import SceneError
 from rna_work.places import Place
@@ -29,57 +30,73 @@ from rna_work.pool import Pool
 from rna_work.progress import Progress
 from rna_work.sources import Carried
 
-_PIECES_A_WORKER = 4  # so that none waits long for the last one
+_PIECES_A_WORKER = 16  # so that none waits long for the last one, and a stop loses little
 _MOST = 1 << 18  # pixels: of more, what comes back would be hundreds of megabytes
 
 
-@dataclass(frozen=True)
-class Piece:
-    """Pixels of an image in row-major order, from `start` to before `stop`."""
+def render_pieces(
+    scene_file: SceneFile, where: Place, threads: int | None, folder: Path
+) -> tuple[Film, KeptPieces]:
+    """The finished image, and what was kept of it, which its owner removes with the image written.
 
-    start: int
-    stop: int
-
-    @property
-    def pixels(self) -> int:
-        """How many."""
-        return self.stop - self.start
-
-    def __str__(self) -> str:
-        return f"piece of pixels {self.start} to {self.stop - 1}"
-
-
-def render_pieces(scene_file: SceneFile, where: Place, threads: int | None) -> Film:
-    """The finished image. Raises SceneError for a scene that limits the time of its image."""
+    folder: where finished pieces are kept; those that are there are not rendered again. Raises
+    SceneError for a scene that limits the time of its image.
+    """
     scene = scene_file.scene
     if scene.quality is not None and scene.quality.seconds is not None:
         raise scene_file.error(
             ("quality", "seconds"), "limits the time of one machine, expected none with --cluster"
         )
+    files = carried_scene(scene_file, where)
     backend, threads = where.whole_machines(threads)
-    make = partial(PieceWorker, scene_file, carried_scene(scene_file, where), threads)
-    count = prod(scene.resolution)
-    pieces = list(_pieces(count, backend.width(), threads))
-    film: Film | None = None
+    kept = KeptPieces(folder, scene_key(scene_file))
+    count, image = prod(scene.resolution), _Image(scene.resolution)
+    there = []
+    for piece, film in kept.found():
+        image.put(piece, film)
+        there.append(piece)
+    size = _size(count, backend.width(), threads, scene.samples)
+    pieces = list(_cut(missing_pieces(count, there), size))
+    done = sum(piece.pixels for piece in there)
+    rays, make = float(count * scene.samples), partial(PieceWorker, scene_file, files, threads)
     with (
-        Progress(float(count * scene.samples), "ray", "rendering") as progress,
+        Progress(rays, "ray", "rendering", float(done * scene.samples)) as progress,
         Pool(backend, make, tell=progress.tell) as pool,
         closing(pool.run(pieces)) as outcomes,
     ):
         for outcome in progress.of(pool, outcomes, lambda piece: piece.pixels * scene.samples):
-            part: Film = outcome.value()
-            film = film or Film(scene.resolution, part.groups)
-            film.put(outcome.item.start, part)
-    if film is None:
-        raise SceneError("no pixel was rendered")
-    return film
+            kept.keep(outcome.item, outcome.value())
+            image.put(outcome.item, outcome.value())
+    return image.whole(), kept
 
 
-def _pieces(count: int, workers: int, threads: int) -> Iterator[Piece]:
-    least = SMALL_BAND * threads
-    size = min(_MOST, max(least, -(-count // (_PIECES_A_WORKER * max(workers, 1)))))
-    for start in range(0, count, size):
-        yield Piece(start, min(start + size, count))
+class _Image:
+    """A film that is put together of pieces."""
+
+    def __init__(self, resolution: tuple[int, int]) -> None:
+        self._resolution = resolution
+        self._film: Film | None = None
+
+    def put(self, piece: Piece, part: Film) -> None:
+        self._film = self._film or Film(self._resolution, part.groups)
+        self._film.put(piece.start, part)
+
+    def whole(self) -> Film:
+        if self._film is None:
+            raise SceneError("no pixel was rendered")
+        return self._film
+
+
+def _size(count: int, workers: int, threads: int, samples: int) -> int:
+    """Pixels of a piece: its samples, or bands of one, keep all threads busy."""
+    least = SMALL_BAND * max(1, threads // samples)
+    return min(_MOST, max(least, -(-count // (_PIECES_A_WORKER * max(workers, 1)))))
+
+
+def _cut(pieces: Iterable[Piece], size: int) -> Iterator[Piece]:
+    for piece in pieces:
+        for start in range(piece.start, piece.stop, size):
+            yield Piece(start, min(start + size, piece.stop))
 
 
 class PieceWorker(SceneWorker):

@@ -98,11 +98,16 @@ def make_integrator(
     resolve: finds files that the scene names. Raises SceneError for an environment's image that
     cannot be used.
     """
-    without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
-    lights: list[Light] = [*world.lights, *(make_light(model, resolve) for model in without_shape)]
+    lights = all_lights(scene, world, resolve)
     camera = Camera(scene.camera, scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
     return Integrator(world, camera, lights, scene.max_depth, clamp, on_first_hits)
+
+
+def all_lights(scene: Scene, world: World, resolve: Callable[[Path], Path] = Path) -> list[Light]:
+    """Those of the world, then those without a shape; errors as of `make_integrator`."""
+    without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
+    return [*world.lights, *(make_light(model, resolve) for model in without_shape)]
 
 
 def render(

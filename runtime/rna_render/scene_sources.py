@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 from collections.abc import Iterator
@@ -11,6 +12,7 @@ from urllib.parse import unquote
 
 from pydantic import BaseModel
 
+import rna_sdk
 from rna_render.scene_file import SceneFile
 from rna_work.places import Place
 from rna_work.sources import Carried
@@ -23,14 +25,35 @@ def carried_scene(scene_file: SceneFile, where: Place) -> Carried:
     """
     if not where.far:
         return where.carry(scene_file.path)
-    relative, absolute = [], []
+    relative, absolute = _files(scene_file)
+    return where.carry(scene_file.path, relative, absolute)
+
+
+def scene_key(scene_file: SceneFile) -> str:
+    """The same for the same image alone: of the scene, and of the bytes of all that it reads.
+
+    Raises SceneError if a file is missing.
+    """
+    relative, absolute = _files(scene_file)
+    key = hashlib.sha256(f"{rna_sdk.__version__} {scene_file.scene.model_dump_json()}".encode())
+    for file in sorted({*relative, *absolute}):
+        with file.open("rb") as stream:
+            digest = hashlib.file_digest(stream, "sha256").hexdigest()
+        key.update(f"{file.name} {digest}".encode())
+    return key.hexdigest()
+
+
+def _files(scene_file: SceneFile) -> tuple[list[Path], list[Path]]:
+    """What the scene reads, by paths that are relative to it, and by absolute ones."""
+    relative: list[Path] = []
+    absolute: list[Path] = []
     for path in set(named_paths(scene_file.scene)):
         file = scene_file.resolve(path)
         if not file.is_file():
             raise scene_file.error((), f"no such file: {file}")
         files = [scene_file.path.parent / path, *read_with(scene_file.path.parent / path)]
         (absolute if path.is_absolute() else relative).extend(files)
-    return where.carry(scene_file.path, relative, absolute)
+    return relative, absolute
 
 
 def named_paths(value: object) -> Iterator[Path]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sys
 import warnings
-from contextlib import closing
+from collections.abc import Callable
+from contextlib import ExitStack, closing
 from functools import partial
 
 from rna_render.animation import frame_scene
@@ -16,6 +17,7 @@ from rna_render.scene_sources import carried_scene, named_paths
 from rna_sdk.console import INTERRUPTED
 from rna_work.places import Place
 from rna_work.pool import Pool
+from rna_work.progress import Progress
 from rna_work.shared import check_shared
 from rna_work.threads import HERE
 from rna_work.worker import Outcome
@@ -57,26 +59,34 @@ def render_sequence(
     files = carried_scene(scene_file, where)
     absolute = output.absolute() if where.far else output
     job = FrameJob(scene_file, files, numbers, absolute, threads, started)
-    seconds: list[float] = []
     try:
-        with (
-            Pool(backend, partial(FrameWorker, job), tell=print) as pool,
-            closing(pool.run(missing)) as outcomes,
-        ):
-            for outcome in outcomes:
-                frame = outcome.value()
-                seconds.append(frame.seconds)
-                for line in frame.warnings:
-                    warnings.warn(line, QualityWarning, stacklevel=1)
-                workers = max(1, pool.nodes().total())
-                left = (len(missing) - len(seconds)) / workers * sum(seconds) / len(seconds)
-                print(f"{_told(outcome, frame)}; about {_in_words(left)} left", flush=True)
+        with Pool(backend, partial(FrameWorker, job), tell=partial(print, flush=True)) as pool:
+            _take(pool, missing, where)
     except KeyboardInterrupt:
         print(
             "stopped; frames under way were not written; the same command goes on", file=sys.stderr
         )
         return INTERRUPTED
     return 0
+
+
+def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], where: Place) -> None:
+    """Say of each frame that it is finished; on a cluster below a bar of the whole."""
+    seconds: list[float] = []
+    with ExitStack() as stack:
+        outcomes = stack.enter_context(closing(pool.run(missing)))
+        tell: Callable[[str], None] = partial(print, flush=True)
+        if where.far:  # this machine's own worker has a bar for each frame
+            progress = stack.enter_context(Progress(len(missing), "frame", "frames"))
+            outcomes, tell = progress.of(pool, outcomes), progress.tell
+        for outcome in outcomes:
+            frame = outcome.value()
+            seconds.append(frame.seconds)
+            for line in frame.warnings:
+                warnings.warn(line, QualityWarning, stacklevel=1)
+            workers = max(1, pool.nodes().total())
+            left = (len(missing) - len(seconds)) / workers * sum(seconds) / len(seconds)
+            tell(f"{_told(outcome, frame)}; about {_in_words(left)} left")
 
 
 def _missing(scene_file: SceneFile, numbers: range, output: Output) -> list[Frame]:

@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 from tqdm import tqdm
 
+from rna_render.devices import CPU, find_renderer
 from rna_render.domain_watch import warn_of_extrapolation
 from rna_render.film import Film
 from rna_render.render import make_integrator, render
@@ -61,10 +62,12 @@ def render_with_bar(
     stop: Callable[[], bool],
     what: str = "rendering",
     first_rays: Callable[[], str] | None = None,
+    device: str = CPU,
 ) -> Film:
     """Render the scene, or fewer samples of it if `stop` says so.
 
-    what: stands before the bar. first_rays: what to print when the first rays are traced.
+    what: stands before the bar. first_rays: what to print when the first rays are traced. device:
+    where; see `devices`.
     """
     scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
@@ -75,8 +78,12 @@ def render_with_bar(
             bar.write(first_rays(), file=sys.stderr)
 
     with bar:
-        integrator = make_integrator(scene, world, report_start, scene_file.resolve)
-        film = render(scene, integrator, stop=stop, progress=bar.update)
+        if device == CPU:
+            integrator = make_integrator(scene, world, report_start, scene_file.resolve)
+            film = render(scene, integrator, stop=stop, progress=bar.update)
+        else:
+            renderer = find_renderer(device)
+            film = renderer(scene_file, world, stop, bar.update, report_start)
     warn_of_extrapolation(world.things)
     if film.samples < scene.samples and not stop():
         print(f"{what}: time for {film.samples} of {scene.samples} samples", file=sys.stderr)

@@ -74,6 +74,7 @@ class World:
 
     Attributes:
         things: those of `placements`.
+        placements: those given, in the order of the instances.
         scene: all instances, in Embree.
         number: (k,) int32, for each instance its place in `placements`, counted from 1.
         scale: (k,) float32, world units an object unit.
@@ -92,6 +93,7 @@ class World:
         order = [index for group in groups.values() for index in group]
         ordered = [placements[index] for index in order]
         self.things = [placement.thing for placement in placements]
+        self.placements = ordered
         self._bodies = [make_body(placements[group[0]].thing) for group in groups.values()]
         self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1

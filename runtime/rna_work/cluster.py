@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import socket
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,11 +11,13 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from rna_sdk.errors import RnaError, WorkError
+from rna_work.addresses import prepare
+from rna_work.cached import content_hash
 from rna_work.places import Needs
 from rna_work.processes import portable
 from rna_work.ray_slots import RayWorkers
 from rna_work.sources import Carried
-from rna_work.travelling import Travelling, check_elsewhere, content_hash
+from rna_work.travelling import Travelling, check_elsewhere
 
 Answer = TypeVar("Answer")
 
@@ -29,14 +30,15 @@ def connected(address: str) -> Iterator[RayCluster]:
 
     Raises WorkError where Ray is not installed, or where no cluster answers.
     """
+    if address != "local":
+        prepare(address)
     ray = imported_ray()
-    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # read by the nodes that are started here
-    options: dict[str, Any] = {"log_to_driver": False, "logging_level": "ERROR"}
-    if address == "local":
+    # Read by the nodes that are started here. Workers of this machine's pools are not nice either.
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+    os.environ.setdefault("RAY_worker_niceness", "0")
+    options: dict[str, Any] = {"address": address, "log_to_driver": False, "logging_level": "ERROR"}
+    if address == "local":  # even where a cluster runs on this machine
         options |= {"include_dashboard": False}
-    else:
-        options |= {"address": address}
-        _check_port(address)
     begun_here = not ray.is_initialized()
     if begun_here:
         try:
@@ -49,17 +51,6 @@ def connected(address: str) -> Iterator[RayCluster]:
     finally:
         if begun_here:
             ray.shutdown()
-
-
-def _check_port(address: str) -> None:
-    """Raises WorkError where nobody listens; Ray itself would try for minutes."""
-    host, colon, port = address.rpartition("://")[2].rpartition(":")
-    if not colon or not port.isdigit():
-        return  # such as `auto`
-    try:
-        socket.create_connection((host, int(port)), timeout=10.0).close()
-    except OSError as error:
-        raise WorkError(f"--cluster {address}: no cluster answers: {error}") from error
 
 
 def imported_ray() -> Any:
@@ -143,5 +134,7 @@ def node_name(node: dict[str, Any]) -> str:
 
 
 def first_line(error: BaseException) -> str:
-    """Of its message."""
-    return next(iter(str(error).strip().splitlines()), type(error).__name__)
+    """Of its message, and the next one that is no detail: there Ray says why an actor died."""
+    lines = str(error).strip().splitlines() or [type(error).__name__]
+    more = (line for line in lines[1:] if line and not line[0].isspace())
+    return f"{lines[0]} {next(more, '')}".strip()

@@ -36,6 +36,11 @@ class Needs:
     memory: int = 0  # bytes
     resource: str | None = None  # of a cluster: only nodes that have it, if any node does
 
+    def __str__(self) -> str:
+        gpus = f", {self.gpus:g} GPU" if self.gpus else ""
+        memory = f", {self.memory / 1e9:.1f} GB" if self.memory else ""
+        return f"{self.cpus:g} CPU{gpus}{memory}"
+
 
 class Place(Protocol):
     """This machine, or a cluster.

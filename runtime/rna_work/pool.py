@@ -174,7 +174,9 @@ class Pool(Generic[Item, Result]):
         if self._ready or (self._starting and self._room):
             self._without = monotonic()
         elif monotonic() - self._without > _NO_ROOM:
-            raise WorkError(f"no node has had room for a worker for {_NO_ROOM:.0f} s")
+            raise WorkError(
+                f"no node has had room for a worker ({self._backend}) for {_NO_ROOM:.0f} s"
+            )
 
     def _started(self, member: _Member, future: Future[Any]) -> None:
         self._starting.remove(member)

@@ -25,7 +25,8 @@ class Progress:
         done: float = 0.0,
         bars: Callable[..., Any] = tqdm,
     ) -> None:
-        scaled = {"unit_scale": True, "smoothing": 0.05}
+        scaled = {"unit_scale": total >= 1000, "smoothing": 0.05}
+        self._is_spread = False  # over nodes, or was
         self._bar = bars(total=total, initial=done, unit=unit, desc=what, **scaled)
 
     def __enter__(self) -> Progress:
@@ -46,12 +47,15 @@ class Progress:
     ) -> Iterator[Outcome[Any, Any]]:
         """The outcomes, while the bar follows them."""
         for outcome in outcomes:
-            nodes = pool.nodes()
-            if len(nodes) > 1:
-                self._bar.set_postfix_str(who(nodes), refresh=False)
-            if outcome.failure is None:
-                self._bar.update(cost(outcome.item))
+            self.advance(pool.nodes(), cost(outcome.item) if outcome.failure is None else 0.0)
             yield outcome
+
+    def advance(self, nodes: dict[str, int], cost: float = 1.0) -> None:
+        """An item of a cost is finished. nodes: how many workers each has."""
+        self._is_spread = self._is_spread or len(nodes) > 1
+        if self._is_spread:
+            self._bar.set_postfix_str(who(nodes), refresh=False)
+        self._bar.update(cost)
 
 
 def who(nodes: dict[str, int]) -> str:

@@ -29,6 +29,9 @@ class RayWorkers:
     count: int | None
     losses = _LOSSES
 
+    def __str__(self) -> str:
+        return str(self.needs)
+
     def width(self) -> int:
         from rna_work.cluster import alive_nodes
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,17 @@ from uuid import uuid4
 from rna_sdk.errors import WorkError
 
 _INSTALL = {"s3": "s3fs", "gs": "gcsfs", "gcs": "gcsfs", "abfs": "adlfs", "az": "adlfs"}
+
+
+def add_store_option(parser: argparse.ArgumentParser, what: str) -> None:
+    """The option `--store`, for what workers put there."""
+    parser.add_argument(
+        "--store",
+        type=Store,
+        metavar="URL",
+        help=f"where the nodes of a cluster put {what}, if they share no folder with this machine, "
+        "such as s3://bucket/folder (address, default: they share it)",
+    )
 
 
 @dataclass(frozen=True)
@@ -42,6 +54,16 @@ class Store:
             raise self._failed(name, error) from error
         finally:
             temporary.unlink(missing_ok=True)
+
+    def remove(self, name: str) -> None:
+        """Remove a file, if it is there. Raises WorkError if that fails."""
+        system, root = self._opened()
+        try:
+            system.rm_file(f"{root}/{name}")
+        except FileNotFoundError:
+            pass
+        except Exception as error:
+            raise self._failed(name, error) from error
 
     def names(self) -> set[str]:
         """Of all files."""

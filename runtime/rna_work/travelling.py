@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import os
-import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from uuid import uuid4
 
 from rna_sdk.errors import WorkError
-from rna_work.locks import locked
+from rna_work.cached import cached, content_hash
 
 
 @dataclass(frozen=True)
@@ -47,31 +45,15 @@ class Travelling:
 
     def here(self) -> Path:
         """The path on this machine, where the files are written unless they are there."""
-        folder = cache_folder() / self.sha256
-        if not folder.is_dir():
-            with locked(folder.with_name(self.sha256 + ".lock")):
-                if not folder.is_dir():
-                    self._write(folder)
-        return folder / self.names[0]
+        return cached(self.sha256, self._write) / self.names[0]
 
     def _write(self, folder: Path) -> None:
         import ray
 
-        temporary = folder.with_name(f"{folder.name}.{uuid4().hex[:8]}.part")
-        try:
-            for name, data in zip(self.names, ray.get(self.contents), strict=True):
-                file = temporary / name
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_bytes(data)
-            temporary.rename(folder)
-        finally:
-            shutil.rmtree(temporary, ignore_errors=True)
-
-
-def cache_folder() -> Path:
-    """Where a machine keeps sources."""
-    cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
-    return cache / "rna-sdk" / "sources"
+        for name, data in zip(self.names, ray.get(self.contents), strict=True):
+            file = folder / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(data)
 
 
 def check_elsewhere(source: Path, hashes: dict[Path, str]) -> None:
@@ -84,9 +66,3 @@ def check_elsewhere(source: Path, hashes: dict[Path, str]) -> None:
             "has no such file, or another one: name it by a path relative to the source, and it "
             "travels"
         )
-
-
-def content_hash(path: Path) -> str:
-    """SHA-256 of a file."""
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -22,6 +22,16 @@ from typing import Any
 
 INSTALL = "no Chromium; on Debian: apt-get install chromium"
 
+NO_GPU = ("--disable-gpu",)
+SOFTWARE_GPU = (
+    "--enable-unsafe-webgpu",
+    "--enable-features=Vulkan",
+    "--use-vulkan=swiftshader",
+    "--use-angle=swiftshader",
+    "--ignore-gpu-blocklist",
+)
+"""WebGPU and WebGL2 by SwiftShader, which Chromium brings. Compute alone needs the first three."""
+
 
 def find_chromium() -> str | None:
     """The program's path."""
@@ -79,7 +89,7 @@ class Page:
 
     def _next_message(self) -> dict[str, Any]:
         while b"\0" not in self._read:
-            ready, _, _ = select.select([self._answers], [], [], 60)
+            ready, _, _ = select.select([self._answers], [], [], 300)
             data = os.read(self._answers, 1 << 20) if ready else b""
             assert data, "Chromium has ended, or says nothing"
             self._read += data
@@ -88,13 +98,15 @@ class Page:
 
 
 @contextmanager
-def open_page(chromium: str, width: int = 1280, height: int = 720) -> Iterator[Page]:
-    """An empty page of that size in a Chromium of its own."""
+def open_page(
+    chromium: str, width: int = 1280, height: int = 720, gpu: tuple[str, ...] = NO_GPU
+) -> Iterator[Page]:
+    """An empty page of that size in a Chromium of its own. gpu: NO_GPU or SOFTWARE_GPU."""
     theirs_in, commands = _pipe()
     answers, theirs_out = _pipe()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         options = ["--headless=new", "--remote-debugging-pipe", f"--user-data-dir={profile}"]
-        options += ["--no-first-run", "--disable-gpu", "--hide-scrollbars"]
+        options += ["--no-first-run", *gpu, "--hide-scrollbars"]
         options += [f"--window-size={width},{height}"]
         if os.geteuid() == 0:
             options += ["--no-sandbox"]  # which root cannot have

@@ -10,18 +10,22 @@ import onnx
 import pytest
 from onnx import helper, numpy_helper
 
+from rna_sdk.package.profile_decoder import ProfileDecoder, ProfileLayer, read_profile_decoder
 from rna_sdk.runtime.compiled_decoder import CompiledDecoder
-from rna_sdk.runtime.decoder import COMPILED_WIDTH, Decoder, Graph
-from rna_sdk.runtime.profile_layers import ProfileLayers, profile_layers
+from rna_sdk.runtime.decoder import COMPILED_WIDTH, Decoder, Graph, _fast_form
 from tests.package.builders import make_decoder_model, make_int8_decoder_model
 
 SIZES = [(22, 16, 4), (25, 32, 4), (36, 64, 3), (3, 8, 1), (16, 12, 2), (17, 24, 2), (48, 6, 1)]
 
 
 def compiled(model: onnx.ModelProto) -> CompiledDecoder:
-    layers = profile_layers(model.SerializeToString())
-    assert layers is not None
-    return CompiledDecoder(layers)
+    return CompiledDecoder(read_profile_decoder(model.SerializeToString(), "decoder"))
+
+
+def of_layers(*layers: tuple[np.ndarray, np.ndarray]) -> CompiledDecoder:
+    """Queries between -2 and 3, and no bound of the exponents."""
+    read = tuple(ProfileLayer(*layer, 0.0, None, k == 0) for k, layer in enumerate(layers))
+    return CompiledDecoder(ProfileDecoder(-2.0, 3.0, None, None, read, 1e9, 1.0, None))
 
 
 def plain(model: onnx.ModelProto, queries: np.ndarray) -> np.ndarray:
@@ -103,23 +107,25 @@ def test_registers_of_either_width_give_the_same_bits(monkeypatch: pytest.Monkey
 def test_queries_are_clipped_and_results_may_be_infinite() -> None:
     weight = np.float32([[1.0, 0, 0, 0], [0, 1.0, 0, 0]])
     layers = [(weight, np.zeros(4, np.float32)), (np.eye(4, dtype=np.float32), np.zeros(4, "f4"))]
-    decoder = CompiledDecoder(ProfileLayers((-2.0, 3.0), layers, 1e9, 1.0, None))
+    decoder = of_layers(*layers)
     queries = np.float32([[5, -5], [1, 0.5], [0, 1e-6], [3, 2]])
     expected = np.expm1([[3, 0], [1, 0.5], [0, 1e-6], [3, 2]])
     np.testing.assert_allclose(decoder.run(queries)[:, :2], expected, rtol=1e-6, atol=1e-7)
     layers[1] = (np.float32(1000) * np.eye(4, dtype=np.float32), np.zeros(4, np.float32))
-    decoder = CompiledDecoder(ProfileLayers((-2.0, 3.0), layers, 1e9, 1.0, None))
+    decoder = of_layers(*layers)
     found = decoder.run(np.float32([[1, 0.05], [0.088, 0.0887]]))
     assert found[0, 0] == np.inf
     np.testing.assert_allclose(found[1, 0], np.exp(np.float64(np.float32(0.088)) * 1000), rtol=1e-5)
 
 
 def test_other_graphs_are_none_of_its() -> None:
-    assert profile_layers(make_int8_decoder_model(22, 16, 2, opset=19).SerializeToString()) is None
+    int8 = make_int8_decoder_model(22, 16, 2, opset=19)
     model = make_decoder_model(22, 16, 2)
     relu = next(node for node in model.graph.node if node.op_type == "Relu")
     relu.op_type = "Sigmoid"
-    assert profile_layers(model.SerializeToString()) is None
+    for other in (int8, model):
+        form = _fast_form(other.SerializeToString(), 1.0)
+        assert not isinstance(form, CompiledDecoder)
 
 
 def test_constants_that_nothing_reads_may_be_of_any_type() -> None:
@@ -140,7 +146,8 @@ def test_narrow_decoders_run_in_it_and_wide_ones_do_not() -> None:
 
 def test_later_processes_find_the_kernels_on_disk() -> None:
     program = (
-        "from rna_sdk.runtime.compiled_decoder import decoder_kernel, register_lanes\n"
+        "from rna_sdk.package.profile_decoder import ProfileDecoder, ProfileLayer, read_profile_decoder
+from rna_sdk.runtime.compiled_decoder import decoder_kernel, register_lanes\n"
         "from rna_sdk.runtime.query_kernel import query_kernel\n"
         "kernels = decoder_kernel(register_lanes()), query_kernel('surface', 8, 'float16')\n"
         "print(*(sum(kernel.stats.cache_hits.values()) for kernel in kernels))"

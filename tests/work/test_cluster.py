@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from rna_export.trials.pool import Crew
 from rna_sdk.errors import WorkError
 from rna_work.patience import Patience
 from rna_work.places import Needs, Place, place
@@ -95,3 +98,57 @@ def test_no_cluster_is_one_line() -> None:
         place("127.0.0.1:1"),
     ):
         pass
+
+
+def test_workers_share_a_gpu(cluster: Any, where: Place) -> None:
+    """Ray believes what a node says of its GPUs; whether CUDA works there is not seen here."""
+    node = cluster.add_node(num_cpus=2, num_gpus=1)
+    try:
+        while not where.gpus():
+            time.sleep(0.1)
+        crew = Crew.usual("auto", 2, where)
+        assert crew.device == "cuda"
+        with Pool(crew.backend(), Doubling) as pool:
+            found = [o.value() for o in pool.run(["gpus"] * 8)]
+            assert pool.nodes().total() == 2
+        assert found == ["0"] * 8
+        whole = Crew.usual("cuda", None, where).backend()
+        assert whole.width() == 1 and whole.options()["num_gpus"] == 1.0
+        assert Crew.usual("cuda", 4, where).backend().options()["num_gpus"] == 0.25
+    finally:
+        cluster.remove_node(node)
+
+
+def test_workers_go_where_there_is_memory(cluster: Any, where: Place) -> None:
+    node = cluster.add_node(num_cpus=1, memory=1 << 40)
+    try:
+        needs = Needs("processes", memory=1 << 39)
+        backend = where.workers(needs, None)
+        while not backend.width():
+            time.sleep(0.1)
+        assert backend.width() == 1
+        with Pool(backend, Doubling) as pool:
+            assert [o.value() for o in pool.run([1])] == [2]
+    finally:
+        cluster.remove_node(node)
+
+
+def test_local_is_a_cluster_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without an address Ray takes one that runs on this machine."""
+    seen: dict[str, object] = {}
+    ray = SimpleNamespace(
+        is_initialized=lambda: False, init=lambda **o: seen.update(o), shutdown=seen.clear
+    )
+    monkeypatch.setattr("rna_work.cluster.imported_ray", lambda: ray)
+    with place("local"):
+        assert seen["address"] == "local"
+    assert not seen
+
+
+def test_ray_s_reason_of_a_death_is_told() -> None:
+    from rna_work.cluster import first_line
+
+    message = "The actor died.\n\tpid: 3\nThe actor is dead because its node has died.\n\tmore"
+    expected = "The actor died. The actor is dead because its node has died."
+    assert first_line(RuntimeError(message)) == expected
+    assert first_line(RuntimeError()) == "RuntimeError"

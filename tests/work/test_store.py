@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -18,8 +17,7 @@ from rna_sdk.errors import WorkError
 from rna_work.store import Store
 from tests.exporters.test_capture_time import WithoutBlender
 from tests.exporters.test_capture_time import dataset as dataset
-
-HAS_MOTO = all(map(importlib.util.find_spec, ("moto", "s3fs", "flask")))
+from tests.work.stores import s3
 
 
 @pytest.fixture(params=["memory", "s3"])
@@ -27,24 +25,8 @@ def store(request: pytest.FixtureRequest) -> Iterator[Store]:
     if request.param == "memory":
         yield Store(f"memory://{uuid4().hex}")
         return
-    if not HAS_MOTO:
-        pytest.skip("no stand-in for S3: pip install s3fs 'moto[server]'")
-    from moto.server import ThreadedMotoServer
-
-    server = ThreadedMotoServer(port=0)
-    server.start()
-    host, port = server.get_host_and_port()
-    address = {"AWS_ENDPOINT_URL": f"http://{host}:{port}", "AWS_ACCESS_KEY_ID": "none"}
-    with pytest.MonkeyPatch.context() as patch:
-        for name, value in {**address, "AWS_SECRET_ACCESS_KEY": "none"}.items():
-            patch.setenv(name, value)
-        import s3fs
-
-        s3fs.S3FileSystem.clear_instance_cache()
-        bucket = f"bucket-{uuid4().hex[:8]}"
-        s3fs.S3FileSystem().mkdir(bucket)
-        yield Store(f"s3://{bucket}/captures")
-    server.stop()
+    with s3() as bucket:
+        yield bucket
 
 
 pytestmark = pytest.mark.filterwarnings("ignore")  # of moto and its requirements

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from rna_work.places import Place, add_cluster_option, place
+from rna_work.store import add_store_option
 
 NAME = "frontier"
 SENTENCE = "Train and measure a grid of models on one dataset, and chart cost against accuracy."
@@ -59,6 +60,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
         help="trainings side by side (int, default: one a core, one for a GPU)",
     )
     add_cluster_option(p)
+    add_store_option(p, "checkpoints")
 
 
 def run(args: argparse.Namespace) -> None:

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field
-from tqdm import tqdm
 
 from rna_bench.frontier.chart import draw
 from rna_bench.frontier.cycles import CyclesCurve, render_curve
@@ -33,6 +32,7 @@ from rna_export.trials.unwrap import check_unwrapping
 from rna_sdk.errors import TrainingError
 from rna_sdk.package import Package
 from rna_work.places import Place
+from rna_work.progress import Progress
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -58,7 +58,7 @@ class Study:
         dataset = Dataset(args.dataset).only
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.kind, args.steps or usual)
-        crew = Crew.usual(args.device, args.workers, where)
+        crew = Crew.usual(args.device, args.workers, where, args.store, dataset.folder)
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew)
 
     def folder(self, trial: Trial) -> Path:
@@ -79,13 +79,15 @@ class Study:
             return
         check_unwrapping(todo)
         with (
-            tqdm(total=len(self.chosen), initial=len(self.chosen) - len(todo), unit="model") as bar,
-            TrialPool(self.dataset.folder, self.crew) as pool,
+            Progress(
+                len(self.chosen), "model", "training", len(self.chosen) - len(todo)
+            ) as progress,
+            TrialPool(self.dataset.folder, self.crew, progress.tell) as pool,
         ):
             for record in pool.run([(trial, self.folder(trial)) for trial in todo]):
                 scores = next(iter(record.points.values())).scores
-                bar.update()
-                bar.write(
+                progress.advance(pool.nodes())
+                progress.tell(
                     f"{record.trial.name}: PSNR {scores.psnr:.2f} dB, FLIP {scores.flip:.4f}, "
                     f"{record.seconds:.0f} s of training"
                 )

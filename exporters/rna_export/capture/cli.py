@@ -22,7 +22,7 @@ from rna_export.memory import keep_freed_memory
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
 from rna_work.places import add_cluster_option, place
-from rna_work.store import Store
+from rna_work.store import add_store_option
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset import Dataset
@@ -136,12 +136,7 @@ def add_workers(p: argparse.ArgumentParser) -> None:
         f"{default_workers()})",
     )
     add_cluster_option(p)
-    p.add_argument(
-        "--store",
-        metavar="URL",
-        help="where the nodes of a cluster put rays, if they share no folder with this machine, "
-        "such as s3://bucket/captures (address, default: they share it)",
-    )
+    add_store_option(p, "rays")
 
 
 def _usual(name: str) -> str:
@@ -212,8 +207,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     begun = (args.out / "manifest.json").is_file()
     try:
         with place(args.cluster) as where:
-            store = None if args.store is None else Store(args.store)
-            crew = Crew(python, scratch, args.workers, where, store)
+            crew = Crew(python, scratch, args.workers, where, args.store)
             if begun:
                 dataset = _continue(args.out, args.source, arguments, asked)
                 _check_scene(dataset, for_scene)

@@ -44,6 +44,9 @@ class TrainingShard:
     index: int
     guide: int | None = None
 
+    def __str__(self) -> str:
+        return f"training shard {self.index}"
+
     def path(self, dataset: Dataset) -> Path:
         return dataset.train_path(self.index)
 
@@ -86,6 +89,9 @@ class ValidationHalf:
     half: int
     emission: bool = False  # of what the asset emits, instead of a light
 
+    def __str__(self) -> str:
+        return f"{'emission' if self.emission else 'validation'} image {self.view}-{self.half}"
+
     def path(self, dataset: Dataset) -> Path:
         path = dataset.emission_image_path if self.emission else dataset.validation_path
         return path(self.view, self.half)
@@ -118,6 +124,9 @@ class EmissionShard:
     """Samples of what the asset emits, as many as in a training shard."""
 
     index: int
+
+    def __str__(self) -> str:
+        return f"emission shard {self.index}"
 
     def path(self, dataset: Dataset) -> Path:
         return dataset.emission_path(self.index)

@@ -12,6 +12,7 @@ from rna_export.export.credit import add_credit
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_work.places import Place, add_cluster_option, place
+from rna_work.store import add_store_option
 
 if TYPE_CHECKING:
     from rna_export.fit.goal import Goal
@@ -69,6 +70,7 @@ def parser() -> argparse.ArgumentParser:
         help="trainings side by side (int, default: one a core, one for a GPU)",
     )
     add_cluster_option(p)
+    add_store_option(p, "checkpoints")
     add_credit(p)
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
@@ -112,7 +114,7 @@ def _run(args: argparse.Namespace, where: Place) -> None:
     if args.steps < 16:
         raise TrainingError(f"--steps: found {args.steps}, expected at least 16")
     dataset = Dataset(args.dataset).only
-    crew = Crew.usual(args.device, args.workers, where)
+    crew = Crew.usual(args.device, args.workers, where, args.store, dataset.folder)
     grid = args.grid or ("full" if crew.device == "cuda" else "short")
     models = {"full": full_grid, "short": short_grid}[grid](dataset.kind, args.steps)
     ours = [trial for trial in models if trial.family == "ours"]

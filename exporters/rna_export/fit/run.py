@@ -55,7 +55,7 @@ def fit(
     """
     candidates, costs = _with_costs(dataset, trials, work, say)
     records: dict[Path, Record] = {}
-    with TrialPool(dataset.folder, crew) as pool:
+    with TrialPool(dataset.folder, crew, say) as pool:
 
         def train(wanted: list[Candidate], rung: int) -> None:
             folders = {c.trial.name: work / str(rung) / c.trial.name for c in wanted}

@@ -24,7 +24,6 @@ from rna_export.export.credit import add_credit
 from rna_export.training.presets import PRESETS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_work.places import place
-from rna_work.store import Store
 
 if TYPE_CHECKING:
     from rna_export.fit.goal import Goal
@@ -184,7 +183,6 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     device, python = chosen_device(args.device), find_python()
     try:
-        store = None if args.store is None else Store(args.store)
         with place(args.cluster) as where:
             order = Order(
                 source=source,
@@ -197,7 +195,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 steps=args.steps,
                 seed=args.seed,
                 device=device,
-                crew=Crew(python, scratch, args.workers, where, store),
+                crew=Crew(python, scratch, args.workers, where, args.store),
             )
             made = Make(order, asked, begun, print).run()
         manifest = export(made, args.out, args.source, args.license)

@@ -44,6 +44,7 @@ class Run:
     validations: int = 10  # over the run; the best checkpoint is one of as many
     start: Path | None = None  # `last.ckpt` of a run of the same model that this one goes on from
     steps_before: int = 0  # that led to `start`; `train` finds them
+    after_checkpoint: Callable[[], None] = lambda: None
 
 
 def train(
@@ -121,6 +122,7 @@ def _fit(
         pace.validated()
         progress = {"step": done, "fitting": fitting.state(), "pace": pace.state()}
         save_checkpoint(run.out / "last.ckpt", fitting.model, record, progress)
+        run.after_checkpoint()
         bar.set_postfix(psnr=f"{row['psnr']:.2f} dB")
     return report.brightness
 

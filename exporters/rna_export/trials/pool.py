@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
-import traceback
-from collections.abc import Iterator
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from collections import Counter
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-from rna_export.capture.dataset import Dataset
-from rna_export.training.samples import SampleTable
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
+from rna_export.trials.worker import Job, TrialWorker
 from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend
 from rna_work.places import Needs, Place, this_machine
 from rna_work.pool import Pool
 from rna_work.shared import check_shared
+from rna_work.sources import Carried, InPlace
+from rna_work.store import Store
+from rna_work.stored import StoredFolder
 
-Job = tuple[Trial, Path]
-"""A trial and its folder."""
+_OWN_BYTES = 1_000_000_000  # of a worker without samples
 
 
 @dataclass(frozen=True)
@@ -29,18 +30,30 @@ class Crew:
     """Who trains.
 
     workers: how many side by side; None for all that there is room for. threads: of each.
+    store: through which dataset and trainings go to workers and back; None if they see the folders.
+    memory: of each, bytes, that a node of a cluster has to have.
     """
 
     workers: int | None
     threads: int
     device: str
     place: Place = field(default_factory=this_machine)
+    store: Store | None = None
+    memory: int = 0
 
     @classmethod
-    def usual(cls, device: str, workers: int | None = None, place: Place | None = None) -> Crew:
+    def usual(
+        cls,
+        device: str,
+        workers: int | None = None,
+        place: Place | None = None,
+        store: Store | None = None,
+        dataset: Path | None = None,
+    ) -> Crew:
         """A worker for each core of a CPU, or one for a GPU; a machine's cores are shared evenly.
 
-        device: `auto` is the GPU if there is one. Raises `TrainingError` for `cuda` without one.
+        device: `auto` is the GPU if there is one. dataset: that each worker of a cluster
+        holds. Raises `TrainingError` for `cuda` without one.
         """
         place = place or this_machine()
         gpus = place.gpus()
@@ -48,29 +61,48 @@ class Crew:
             raise TrainingError("--device cuda: there is no CUDA device")
         device = "cuda" if gpus and device != "cpu" else "cpu"
         if place.far:
-            return cls(workers, 1, device, place)
+            memory = 0 if dataset is None else memory_for(dataset)
+            return cls(workers, 1, device, place, store, memory)
         cores = len(os.sched_getaffinity(0))
         count = workers or (1 if device == "cuda" else cores)
-        return cls(count, max(1, cores // count), device, place)
+        return cls(count, max(1, cores // count), device, place, store)
 
     def backend(self) -> Backend:
-        """The place's room for workers."""
-        gpus = 1.0 if self.device == "cuda" else 0.0
-        return self.place.workers(Needs("processes", self.threads, gpus), self.workers)
+        """The place's room for workers, which share its GPUs evenly if there are more of them."""
+        gpus = 0.0
+        if self.device == "cuda":
+            gpus = min(1.0, self.place.gpus() / self.workers) if self.workers else 1.0
+        needs = Needs("processes", self.threads, gpus, self.memory)
+        return self.place.workers(needs, self.workers)
+
+
+def memory_for(dataset: Path) -> int:
+    """Bytes that a worker with a dataset takes, about: its samples twice, while it reads them."""
+    shards = sum(path.stat().st_size for path in (dataset / "train").glob("*.safetensors"))
+    return _OWN_BYTES + 2 * shards
 
 
 class TrialPool:
     """Runs trials with the workers of a crew; a context.
 
     A worker loads the dataset once, before its first trial. What a trial prints is in `log.txt`
-    of its folder.
+    of its folder. tell: gets a line for each trial that is run again.
     """
 
-    def __init__(self, dataset: Path, crew: Crew):
-        check_shared(crew.place, dataset)
-        make = partial(TrialWorker, dataset.resolve(), crew.threads, crew.device)
-        self._place = crew.place
-        self._pool: Pool[Job, Record] = Pool(crew.backend(), make)
+    def __init__(self, dataset: Path, crew: Crew, tell: Callable[[str], None] = print):
+        self._place, self._store = crew.place, crew.store
+        carried = self._carried(dataset.resolve() / "manifest.json")
+        self._pool: Pool[Job, Record] = Pool(
+            crew.backend(), partial(TrialWorker, carried, crew.threads, crew.device), tell=tell
+        )
+
+    def _carried(self, manifest: Path) -> Carried:
+        if self._store is None:
+            check_shared(self._place, manifest.parent)
+            return InPlace(manifest)
+        self._place.on_every_node(self._store.check)
+        self._dataset = StoredFolder.of(manifest, self._store.below("datasets"))
+        return self._dataset
 
     def __enter__(self) -> TrialPool:
         return self
@@ -78,23 +110,36 @@ class TrialPool:
     def __exit__(self, *exception: object) -> None:
         self._pool.__exit__(*exception)
 
-    def run(self, trials: list[Job]) -> Iterator[Record]:
+    def nodes(self) -> Counter[str]:
+        """How many workers each node has."""
+        return self._pool.nodes()
+
+    def run(self, trials: list[tuple[Trial, Path]]) -> Iterator[Record]:
         """Records of trials, each with its folder, as they are finished.
 
         One that fails does not keep the others from running: `TrainingError` names all of them
-        at the end.
+        at the end, with the last lines of their logs.
         """
-        if trials:
+        if trials and self._store is None:
             check_shared(self._place, trials[0][1].parent)
         failures = []
-        for outcome in self._pool.run([(trial, folder.resolve()) for trial, folder in trials]):
-            trial, folder = outcome.item
+        for outcome in self._pool.run([self._job(*given) for given in trials]):
+            job = outcome.item
+            job.fetch()
             if outcome.failure is None:
                 yield outcome.value()
             else:
-                failures.append(f"{trial.name}: {outcome.failure} (see {folder / 'log.txt'})")
+                failures.append(f"{job}: {outcome.failure}; {job.last_words()}")
         if failures:
             raise TrainingError("\n".join(failures))
+
+    def _job(self, trial: Trial, folder: Path) -> Job:
+        folder = folder.resolve()
+        if self._store is None:
+            return Job(trial, folder)
+        named = f"{self._dataset.sha256} {trial.model_dump_json()}"
+        name = f"{trial.name}-{hashlib.sha256(named.encode()).hexdigest()[:12]}"
+        return Job(trial, folder, self._store.below(f"trials/{name}"))
 
 
 def largest_first(trials: list[Trial]) -> list[Trial]:
@@ -106,51 +151,3 @@ def largest_first(trials: list[Trial]) -> list[Trial]:
         return trial.preset.training.steps * (decoder + m.resolution**2)
 
     return sorted(trials, key=numbers, reverse=True)
-
-
-class TrialWorker:
-    """Trains trials of a dataset, one after the other: see `rna_work.worker.Worker`."""
-
-    def __init__(self, dataset: Path, threads: int, device: str, name: str) -> None:
-        self._folder, self._threads, self._device = dataset, threads, device
-        self._table: SampleTable | None = None
-
-    def __enter__(self) -> TrialWorker:
-        import torch
-
-        from rna_export.memory import keep_freed_memory
-        from rna_sdk.kernel_threads import limit_kernel_threads
-
-        keep_freed_memory()
-        torch.set_num_threads(self._threads)
-        limit_kernel_threads(self._threads)
-        self._dataset = Dataset(self._folder).only
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        pass
-
-    def run(self, job: Job) -> Record:
-        """The trial's record; resumes, and skips what is complete in its folder."""
-        from rna_export.trials.run import run_trial
-
-        trial, folder = job
-        folder.mkdir(parents=True, exist_ok=True)
-        with _log(folder / "log.txt"):
-            if self._table is None:
-                self._table = SampleTable(self._dataset.training_samples(), device=self._device)
-            return run_trial(trial, self._dataset, folder, self._device, self._table)
-
-    def kill(self) -> None:
-        """The worker is a process, and is ended with it."""
-
-
-@contextmanager
-def _log(path: Path) -> Iterator[None]:
-    """What is printed inside, and the traceback of a failure, goes to a file."""
-    with path.open("a") as file, redirect_stdout(file), redirect_stderr(file):
-        try:
-            yield
-        except Exception:
-            traceback.print_exc()
-            raise

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -25,13 +26,19 @@ _VALIDATED_EVERY = 5_000  # steps; a stopped trial goes on from there
 
 
 def run_trial(
-    trial: Trial, dataset: DatasetPart, folder: Path, device: str, table: SampleTable | None = None
+    trial: Trial,
+    dataset: DatasetPart,
+    folder: Path,
+    device: str,
+    table: SampleTable | None = None,
+    after_checkpoint: Callable[[], None] = lambda: None,
 ) -> Record:
     """Train, export and measure what is not finished yet in `folder`; returns the record.
 
     A finished training without some of `PRECISIONS` gets those alone. table: the dataset's
-    samples on the device, to share between trials. Raises `TrainingError` when the folder belongs
-    to another trial, `ExportError` when the model cannot be exported.
+    samples on the device, to share between trials. after_checkpoint: called with each. Raises
+    `TrainingError` when the folder belongs to another trial, `ExportError` when the model cannot be
+    exported.
     """
     source = dataset.manifest.source_sha256
     record = read_record(folder, trial, source)
@@ -40,7 +47,11 @@ def run_trial(
     folder.mkdir(parents=True, exist_ok=True)
     if not trial.packageable:
         dataset, table = UnwrappedPart(dataset), None
-    seconds = record.seconds if record else _train(trial, dataset, folder, device, table)
+    seconds = (
+        record.seconds
+        if record
+        else _finish(_run(trial, dataset, folder, device, after_checkpoint), table)
+    )
     trained = load_checkpoint(folder / "best.ckpt")
     if trial.packageable:
         points = dict(record.points) if record else {}
@@ -69,14 +80,14 @@ def missing_precisions(record: Record) -> tuple[str, ...]:
     return tuple(p for p in PRECISIONS if p not in record.points)
 
 
-def _train(
-    trial: Trial, dataset: DatasetPart, folder: Path, device: str, table: SampleTable | None
-) -> float:
-    """Train to the end; returns the seconds that it took, with those of stopped calls."""
-    finished = folder / "seconds.txt"
-    if finished.is_file():
-        return float(finished.read_text())
-    run = Run(
+def _run(
+    trial: Trial,
+    dataset: DatasetPart,
+    folder: Path,
+    device: str,
+    after_checkpoint: Callable[[], None],
+) -> Run:
+    return Run(
         dataset,
         trial.preset,
         trial.name,
@@ -84,16 +95,24 @@ def _train(
         trial.seed,
         device=device,
         validations=max(1, trial.preset.training.steps // _VALIDATED_EVERY),
+        after_checkpoint=after_checkpoint,
     )
-    before = steps_done(folder)
-    clock = time.perf_counter if device == "cuda" else time.process_time
+
+
+def _finish(run: Run, table: SampleTable | None) -> float:
+    """Train to the end; returns the seconds that it took, with those of stopped calls."""
+    finished = run.out / "seconds.txt"
+    if finished.is_file():
+        return float(finished.read_text())
+    before = steps_done(run.out)
+    clock = time.perf_counter if run.device == "cuda" else time.process_time
     start = clock()
     train(run, table)
-    total = steps_done(folder)
+    total = steps_done(run.out)
     if total == before:
         # It was stopped between its last step and the file that says how long it took.
-        (folder / "last.ckpt").unlink()
-        return _train(trial, dataset, folder, device, table)
+        (run.out / "last.ckpt").unlink()
+        return _finish(run, table)
     seconds = (clock() - start) * total / (total - before)
     write_atomically(finished, f"{seconds:.1f}\n".encode())
     return seconds

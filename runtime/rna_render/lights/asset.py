@@ -82,8 +82,10 @@ class AssetEmission(TriangleLight):
 class AssetLight(ShapeLight):
     """The emission of one instance of an asset.
 
-    world_from_object: (4, 4), a similarity. factor: on all that it emits. Raises QueryError for
-    another matrix.
+    world_from_object: (4, 4), a similarity. Raises QueryError for another matrix.
+
+    Attributes:
+        factor: on all that it emits.
     """
 
     delta = False
@@ -92,7 +94,7 @@ class AssetLight(ShapeLight):
     def __init__(
         self, emission: AssetEmission, world_from_object: np.ndarray, factor: float = 1.0
     ) -> None:
-        self._emission, self._factor = emission, np.float32(factor)
+        self._emission, self.factor = emission, np.float32(factor)
         transform = Transform(world_from_object)
         self._scale, self._place = np.float32(transform.scale), transform.matrix[:3, 3]
         rotation = transform.matrix[:3, :3] / transform.scale
@@ -101,17 +103,17 @@ class AssetLight(ShapeLight):
 
     def power(self, scene_radius: float) -> float:
         size = scene_radius / float(self._scale)
-        return float(self._factor * self._scale**2) * self._emission.power(size)
+        return float(self.factor * self._scale**2) * self._emission.power(size)
 
     def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
-        return self._factor * self._emission.sent(place, d_world @ self._rotation)
+        return self.factor * self._emission.sent(place, d_world @ self._rotation)
 
     def met(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         lines = self._in_object(x_world), d_world @ self._rotation
         radiance, pdf = self._emission.met(*lines, hits, hits.ng)
-        return self._factor * radiance, pdf
+        return self.factor * radiance, pdf
 
     def _in_object(self, x_world: np.ndarray) -> np.ndarray:
         moved = vectors("x_world", x_world) - self._place

@@ -47,6 +47,11 @@ class EnvironmentImageLight(InfiniteLight):
         self._scale = np.asarray(model.radiance, np.float32)
         self.row = light_row(IMAGE, self._scale, self._image.numbers, self._image.words)
 
+    @property
+    def image(self) -> EquirectangularImage:
+        """The image, at its angle."""
+        return self._image
+
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * self._image.total * luminance(self._scale))
 

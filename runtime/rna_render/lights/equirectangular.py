@@ -79,6 +79,13 @@ class EquirectangularImage:
         self.numbers = self.numbers.copy()
         self.numbers[TURN_COSINE], self.numbers[TURN_SINE] = np.cos(angle), np.sin(angle)
 
+    @property
+    def tables(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """What directions are chosen with, for other devices: texels (h, w, 3) float32, heights of
+        rows (h + 1,), running sums of rows (h + 2,) and of each row's cells (h + 1, w + 1)."""
+        texels, heights, rows, _, columns, _ = self._held
+        return texels, heights, rows, columns
+
     def turned(self, angle: float) -> EquirectangularImage:
         """The same image, sharing its memory, at another angle."""
         result = copy(self)

@@ -1,0 +1,27 @@
+"""Relightable neural assets on any GPU, by WGSL and `wgpu`.
+
+>>> asset = rna_gpu.load("toy.rna")
+>>> visible, shadowed = asset.evaluate(positions, normals, wo, wi)
+
+The calls are those of `rna_sdk.runtime`; `asset.evaluate_on_gpu` works on buffers that stay on the
+GPU. The shaders in `wgsl/` are also those of the web viewer.
+"""
+
+from rna_gpu.asset import GpuAsset, GpuFiber, GpuPart, GpuSurface
+from rna_gpu.device import Device, open_device
+from rna_gpu.errors import DeviceLostError, GpuError
+from rna_gpu.evaluator import GpuRows
+from rna_gpu.loading import load
+
+__all__ = [
+    "Device",
+    "DeviceLostError",
+    "GpuAsset",
+    "GpuError",
+    "GpuFiber",
+    "GpuPart",
+    "GpuRows",
+    "GpuSurface",
+    "load",
+    "open_device",
+]

@@ -1,0 +1,143 @@
+"""Assets on the GPU, asked like those of `rna_sdk.runtime`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.decoder_packing import PackedDecoder, pack_decoder
+from rna_gpu.device import Device
+from rna_gpu.evaluator import Evaluator, GpuRows
+from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights
+from rna_sdk.errors import QueryError
+from rna_sdk.package import Package, Tier, read_profile_decoder
+
+Rows = NDArray[np.float32]
+
+
+class GpuPart:
+    """One part of a tier on the GPU: a `GpuSurface` or a `GpuFiber`.
+
+    Attributes:
+        name: the part's, or the asset's where it is the only one.
+        kind: "surface" or "fiber".
+        tier_part: the part's record in the tier.
+        transport: rows in, (visible, shadowed) out, also without leaving the GPU.
+        emitter: rows in, emitted radiance out; None where the part does not emit.
+        multiply_adds: of a query of transport.
+        bytes: that it takes on the GPU.
+    """
+
+    def __init__(self, device: Device, package: Package, tier: Tier, part: int, name: str) -> None:
+        """Raises: QueryError: a decoder outside the profile; GpuError: it does not fit."""
+        record, own = package.manifest.parts[part], tier.parts[part]
+        self.name, self.kind, self.tier_part, self.device = name, record.kind, own, device
+        stored = package.planes(tier.name, part)
+        planes = upload_planes(device, stored, name)
+
+        def evaluator(model: memoryview, inputs: tuple[str, ...], colours: int) -> Evaluator:
+            decoder = _packed(model, inputs, own.channels, f"{name}, tier {tier.name}")
+            uniform = part_uniform(decoder, own, record.bounds, stored)
+            buffers = [
+                device.upload(uniform, "UNIFORM", what=f"{name}: record"),
+                upload_weights(device, decoder, name),
+                *planes,
+            ]
+            self.multiply_adds = decoder.multiply_adds
+            return Evaluator(device, decoder, record.kind, colours, buffers)
+
+        emission = package.emission_decoder(tier.name, part)
+        self.emitter: Evaluator | None = None
+        if emission is not None and own.emission is not None:
+            self.emitter = evaluator(emission, own.emission.inputs, 1)
+        self.transport = evaluator(package.decoder(tier.name, part), own.inputs, 2)
+
+    @property
+    def emits(self) -> bool:
+        """Whether the part emits light."""
+        return self.emitter is not None
+
+    def new_rows(self, capacity: int) -> GpuRows:
+        """Buffers for so many rows of transport, for `evaluate_on_gpu`."""
+        return self.transport.new_rows(capacity)
+
+    def evaluate_on_gpu(self, rows: GpuRows, most: int) -> None:
+        """Evaluate rows that shaders of the caller wrote; the results stay in `rows.results`.
+
+        most: no fewer than `rows.count` says, and no more than the buffers hold.
+        """
+        self.transport.dispatch(rows, most)
+
+    def _evaluate(self, positions: Rows, axes: Rows, h: object, wo: Rows, wi: Rows) -> Any:
+        transport = self.transport.run(_rows(positions, axes, h, wo, wi))
+        return np.ascontiguousarray(transport[:, 0]), np.ascontiguousarray(transport[:, 1])
+
+    def _emission(self, positions: Rows, axes: Rows, h: object, wo: Rows) -> Rows:
+        if self.emitter is None:
+            return np.zeros((len(positions), 3), np.float32)
+        return np.ascontiguousarray(self.emitter.run(_rows(positions, axes, h, wo, wo))[:, 0])
+
+
+class GpuSurface(GpuPart):
+    """A part whose geometry is a mesh."""
+
+    def evaluate(self, positions: Rows, normals: Rows, wo: Rows, wi: Rows) -> tuple[Rows, Rows]:
+        """As `rna_sdk.runtime.SurfaceAsset.evaluate`, within the spec's agreement (8.2)."""
+        return self._evaluate(positions, normals, 0, wo, wi)
+
+    def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
+        """As `rna_sdk.runtime.SurfaceAsset.emission`."""
+        return self._emission(positions, normals, 0, wo)
+
+
+class GpuFiber(GpuPart):
+    """A part whose geometry is curves."""
+
+    def evaluate(
+        self, positions: Rows, tangents: Rows, h: Rows, wo: Rows, wi: Rows
+    ) -> tuple[Rows, Rows]:
+        """As `rna_sdk.runtime.FiberAsset.evaluate`, within the spec's agreement (8.2)."""
+        return self._evaluate(positions, tangents, h, wo, wi)
+
+    def emission(self, positions: Rows, tangents: Rows, h: Rows, wo: Rows) -> Rows:
+        """As `rna_sdk.runtime.FiberAsset.emission`."""
+        return self._emission(positions, tangents, h, wo)
+
+
+class GpuAsset:
+    """One tier of a package on the GPU; make one with `load`.
+
+    Attributes:
+        name, tier: as of `rna_sdk.runtime.Asset`.
+        parts: what is evaluated, in the manifest's order.
+        device: where it is.
+    """
+
+    def __init__(self, name: str, tier: Tier, parts: tuple[GpuPart, ...], device: Device) -> None:
+        self.name, self.tier, self.parts, self.device = name, tier, parts, device
+
+
+def _packed(model: memoryview, inputs: tuple[str, ...], channels: int, name: str) -> PackedDecoder:
+    return pack_decoder(read_profile_decoder(model, name), inputs, channels, name)
+
+
+def _rows(positions: Rows, axes: Rows, h: object, wo: Rows, wi: Rows) -> Rows:
+    """(n, 16) float32. Raises QueryError: an argument is no float32 array of n rows."""
+    count = len(positions)
+    rows = np.zeros((count, 4, 4), np.float32)
+    names = "positions", "normals or tangents", "wo", "wi"
+    for k, (name, values) in enumerate(zip(names, (positions, axes, wo, wi), strict=True)):
+        _check(name, values, (count, 3))
+        rows[:, k, :3] = values
+    if isinstance(h, np.ndarray):
+        _check("h", h, (count,))
+    rows[:, 0, 3] = h
+    return rows.reshape(count, 16)
+
+
+def _check(name: str, value: object, shape: tuple[int, ...]) -> None:
+    if not isinstance(value, np.ndarray) or value.dtype != np.float32 or value.shape != shape:
+        found = f"{value.shape} {value.dtype}" if isinstance(value, np.ndarray) else repr(value)
+        raise QueryError(f"{name}: expected a {shape} float32 array, found {found}")

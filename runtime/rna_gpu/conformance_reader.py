@@ -1,0 +1,50 @@
+"""The GPU as a reader program: `rna-conform -- python -m rna_gpu.conformance_reader`."""
+
+from __future__ import annotations
+
+import sys
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.asset import GpuFiber, GpuPart, GpuSurface
+from rna_gpu.device import Device, open_device
+from rna_gpu.loading import load
+from rna_sdk.conformance.reader_program import run_reader
+
+Rows = NDArray[np.float32]
+
+
+def evaluate(package: str, tier: str, part: int, queries: Rows) -> Rows:
+    """(n, 6) for (n, 13) queries."""
+    position, axis, h, wo, wi = np.split(queries, (3, 6, 7, 10), axis=1)
+    own = _part(package, tier, part)
+    if isinstance(own, GpuSurface):
+        return np.hstack(own.evaluate(position, axis, wo, wi))
+    assert isinstance(own, GpuFiber)
+    return np.hstack(own.evaluate(position, axis, h[:, 0], wo, wi))
+
+
+def emission(package: str, tier: str, part: int, queries: Rows) -> Rows:
+    """(n, 3) for (n, 10) queries."""
+    position, axis, h, wo = np.split(queries, (3, 6, 7), axis=1)
+    own = _part(package, tier, part)
+    if isinstance(own, GpuSurface):
+        return own.emission(position, axis, wo)
+    assert isinstance(own, GpuFiber)
+    return own.emission(position, axis, h[:, 0], wo)
+
+
+@cache
+def _device() -> Device:
+    return open_device()
+
+
+def _part(package: str, tier: str, part: int) -> GpuPart:
+    asset = load(package, tier, _device())
+    return asset if isinstance(asset, GpuPart) else asset.parts[part]
+
+
+if __name__ == "__main__":
+    sys.exit(run_reader(evaluate=evaluate, emission=emission))

@@ -1,0 +1,143 @@
+"""A GPU that is open for compute work."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+import wgpu
+from numpy.typing import NDArray
+
+from rna_gpu.errors import DeviceLostError, GpuError
+
+_WANTED = (
+    "max-storage-buffer-binding-size",
+    "max-buffer-size",
+    "max-storage-buffers-per-shader-stage",
+)
+"""Limits that are raised to what the adapter has; all others stay at WebGPU's guaranteed values."""
+
+
+class Device:
+    """A GPU, its limits and what is compiled for it.
+
+    Attributes:
+        name: of the adapter, for a person.
+        wgpu: the device of the `wgpu` package.
+        limits: of the device, by WebGPU's names with hyphens.
+    """
+
+    def __init__(self, adapter: Any) -> None:
+        """adapter: a `wgpu.GPUAdapter`. Raises GpuError: it gives no device."""
+        self.name = f"{adapter.info.get('device') or 'GPU'} ({adapter.info.get('backend_type')})"
+        limits = {name: adapter.limits[name] for name in _WANTED}
+        try:
+            self.wgpu = adapter.request_device_sync(required_limits=limits)
+        except Exception as error:  # wgpu's own errors are plain exceptions
+            raise GpuError(f"{self.name}: no device: {_one_line(error)}") from error
+        self.limits: dict[str, int] = dict(self.wgpu.limits)
+        self._pipelines: dict[tuple[Any, ...], Any] = {}
+
+    def pipeline(self, source: str, entry: str, layouts: Sequence[Any] = ()) -> Any:
+        """The compute pipeline of a WGSL module, compiled once.
+
+        layouts: of its groups; without them they are what the module uses.
+        """
+        key = source, entry, tuple(map(id, layouts))
+        if key not in self._pipelines:
+            module = self.wgpu.create_shader_module(code=source)
+            layout = "auto"
+            if layouts:
+                layout = self.wgpu.create_pipeline_layout(bind_group_layouts=list(layouts))
+            self._pipelines[key] = self.wgpu.create_compute_pipeline(
+                layout=layout, compute={"module": module, "entry_point": entry}
+            )
+        return self._pipelines[key]
+
+    def buffer(self, size: int, *usages: str, what: str) -> Any:
+        """A new buffer of `size` bytes; usages: names of `wgpu.BufferUsage`.
+
+        Raises:
+            GpuError: the device takes no such buffer; `what` says what it is for.
+        """
+        limit = self.limits["max-buffer-size"]
+        if "STORAGE" in usages:
+            limit = min(limit, self.limits["max-storage-buffer-binding-size"])
+        if size > limit:
+            raise GpuError(f"{what}: {size:,} bytes, and {self.name} takes {limit:,} in a buffer")
+        usage = wgpu.BufferUsage.COPY_DST | wgpu.BufferUsage.COPY_SRC
+        for name in usages:
+            usage |= getattr(wgpu.BufferUsage, name)
+        try:
+            return self.wgpu.create_buffer(size=max(_rounded(size), 16), usage=usage)
+        except Exception as error:
+            raise GpuError(f"{what}: {size:,} bytes: {_one_line(error)}") from error
+
+    def upload(self, values: NDArray[Any], *usages: str, what: str) -> Any:
+        """A new buffer with these bytes."""
+        data = np.ascontiguousarray(values).reshape(-1).view(np.uint8)
+        buffer = self.buffer(len(data), *usages, what=what)
+        self.write(buffer, data)
+        return buffer
+
+    @contextmanager
+    def working(self) -> Iterator[None]:
+        """Around work on the device.
+
+        Raises:
+            DeviceLostError: the device went away.
+            GpuError: it refused something.
+        """
+        try:
+            yield
+        except (wgpu.GPUError, RuntimeError) as error:
+            kind = DeviceLostError if "lost" in str(error).lower() else GpuError
+            raise kind(f"{self.name}: {_one_line(error)}") from error
+
+    def write(self, buffer: Any, values: NDArray[Any]) -> None:
+        """Bytes from the buffer's start on; errors as of `working`."""
+        data = np.ascontiguousarray(values).reshape(-1).view(np.uint8)
+        if len(data):
+            with self.working():
+                self.wgpu.queue.write_buffer(buffer, 0, np.pad(data, (0, -len(data) % 4)))
+
+    def read(self, buffer: Any, size: int) -> NDArray[np.uint8]:
+        """The first `size` bytes; waits for the work before. Errors as of `working`."""
+        with self.working():
+            return np.frombuffer(self.wgpu.queue.read_buffer(buffer, 0, size), np.uint8)
+
+    def groups(self, threads: int, size: int = 64) -> tuple[int, int, int]:
+        """Workgroups for so many threads, in two dimensions: one takes 65,535 at most."""
+        count = max(-(-threads // size), 1)
+        most = self.limits["max-compute-workgroups-per-dimension"]
+        rows = -(-count // most)
+        return -(-count // rows), rows, 1
+
+
+def open_device(prefer: str | None = None) -> Device:
+    """The fastest GPU of this machine; software drivers where there is none.
+
+    prefer: part of an adapter's name to take instead.
+
+    Raises:
+        GpuError: there is no adapter.
+    """
+    if prefer is None:
+        adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
+        found = [adapter] if adapter else []
+    else:
+        adapters = wgpu.gpu.enumerate_adapters_sync()
+        found = [one for one in adapters if prefer.lower() in one.summary.lower()]
+    if not found:
+        raise GpuError("no GPU found; on Debian `mesa-vulkan-drivers` brings a software one")
+    return Device(found[0])
+
+
+def _rounded(size: int) -> int:
+    return -(-size // 4) * 4
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split())[:300]

@@ -1,0 +1,123 @@
+"""A decoder of a part on the GPU: rows in, colours out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.decoder_packing import PackedDecoder
+from rna_gpu.device import Device
+from rna_gpu.part_buffers import weights_file
+from rna_gpu.shaders import compose
+
+ROW_BYTES = 64
+_COLOUR_BYTES = 16
+_WORK = 1 << 31
+"""Multiply-adds of a dispatch: some 10 ms of a small GPU, so that a desktop stays usable."""
+
+_LARGEST_BATCH = 1 << 18  # rows: 16 MiB of them
+
+
+@dataclass(frozen=True, eq=False)
+class GpuRows:
+    """Rows and their results on the GPU.
+
+    Attributes:
+        rows: (capacity, 4, 4) float32: (position, h), (n or t, free), (wo, free), (wi, free).
+        results: (capacity, 2, 4) float32: visible and shadowed RGB; of emission (capacity, 1, 4).
+        count: uint32 whose first number is how many rows there are; a shader may write it.
+        capacity: rows that the buffers have room for.
+    """
+
+    rows: Any
+    results: Any
+    count: Any
+    capacity: int
+
+
+class Evaluator:
+    """Transport or emission of one part, in one pipeline.
+
+    Attributes:
+        colours: 2 of transport, 1 of emission.
+        batch: rows that one dispatch should have at most.
+    """
+
+    def __init__(
+        self,
+        device: Device,
+        decoder: PackedDecoder,
+        kind: str,
+        colours: int,
+        buffers: list[Any],
+    ) -> None:
+        """buffers: uniform, weights and the three planes."""
+        self.colours = colours
+        self.batch = min(max(_WORK // decoder.multiply_adds // 64 * 64, 64), _LARGEST_BATCH)
+        self._device = device
+        constants = {"RNA_GROUPS": decoder.groups, "RNA_COLOURS": colours}
+        source = compose(constants, weights_file(decoder), kind, "evaluate")
+        self._pipeline = device.pipeline(source, "rna_evaluate")
+        self._part = self._bind(0, buffers)
+        self._own: GpuRows | None = None
+
+    def run(self, rows: NDArray[np.float32]) -> NDArray[np.float32]:
+        """(n, colours, 3) float32 of (n, 16) float32 rows."""
+        results = np.empty((len(rows), self.colours, 3), np.float32)
+        for start in range(0, len(rows), self.batch):
+            some = rows[start : start + self.batch]
+            own = self._buffers(len(some))
+            self._device.write(own.rows, some)
+            self._device.write(own.count, np.array([len(some)], np.uint32))
+            self.dispatch(own, len(some))
+            data = self._device.read(own.results, len(some) * self.colours * _COLOUR_BYTES)
+            whole = data.view(np.float32).reshape(len(some), self.colours, 4)
+            results[start : start + len(some)] = whole[..., :3]
+        return results
+
+    def dispatch(self, rows: GpuRows, most: int) -> None:
+        """Evaluate rows that are on the GPU; most: no more of them than this, which must fit."""
+        with self._device.working():
+            encoder = self._device.wgpu.create_command_encoder()
+            step = encoder.begin_compute_pass()
+            self.record(step, self.bind(rows), most)
+            step.end()
+            self._device.wgpu.queue.submit([encoder.finish()])
+
+    def bind(self, rows: GpuRows) -> Any:
+        """What `record` takes: group 1 of the shader."""
+        return self._bind(1, [rows.rows, rows.results, rows.count])
+
+    def record(self, step: Any, bound: Any, most: int) -> None:
+        """Add the evaluation of up to `most` rows to a compute pass."""
+        step.set_pipeline(self._pipeline)
+        step.set_bind_group(0, self._part)
+        step.set_bind_group(1, bound)
+        step.dispatch_workgroups(*self._device.groups(most))
+
+    def new_rows(self, capacity: int) -> GpuRows:
+        """Buffers for so many rows.
+
+        Raises:
+            GpuError: they do not fit.
+        """
+        sizes = capacity * ROW_BYTES, capacity * self.colours * _COLOUR_BYTES, 4
+        names = "rows", "results", "count of rows"
+        buffers = (
+            self._device.buffer(size, "STORAGE", what=name)
+            for size, name in zip(sizes, names, strict=True)
+        )
+        return GpuRows(*buffers, capacity)
+
+    def _buffers(self, count: int) -> GpuRows:
+        if self._own is None or self._own.capacity < count:
+            self._own = self.new_rows(count)
+        return self._own
+
+    def _bind(self, group: int, buffers: list[Any]) -> Any:
+        entries = [{"binding": k, "resource": {"buffer": b}} for k, b in enumerate(buffers)]
+        layout = self._pipeline.get_bind_group_layout(group)
+        return self._device.wgpu.create_bind_group(layout=layout, entries=entries)

@@ -1,0 +1,192 @@
+"""Meshes and curves for `wgsl/geometry.wgsl`: bodies with a tree each, and instances of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.bvh import NODE, build_tree
+from rna_sdk.package import Curves
+
+INSTANCE_WORDS = 32  # of 4 bytes: RNA_INSTANCE vec4f
+
+
+@dataclass(frozen=True, eq=False)
+class Triangles:
+    """A mesh whose triangles are of surfaces of the scene.
+
+    Attributes:
+        positions, normals: (v, 3) float32.
+        triangles: (t, 3) corners.
+        surface: (t,) number of each triangle's surface.
+        uvs: (v, 2) float32, or None.
+    """
+
+    positions: NDArray[np.float32]
+    normals: NDArray[np.float32]
+    triangles: NDArray[Any]
+    surface: NDArray[Any]
+    uvs: NDArray[np.float32] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Strands:
+    """Curves of one surface of the scene."""
+
+    curves: Curves
+    surface: int
+
+
+Shape = Triangles | Strands
+
+
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """An instance. world_from_object: (4, 4), a similarity; rays: bits of those that meet it."""
+
+    body: int
+    world_from_object: NDArray[np.float64]
+    rays: int
+
+
+@dataclass(frozen=True, eq=False)
+class Geometry:
+    """What the bindings of group 2 hold, and the points' normals.
+
+    Attributes:
+        nodes: of dtype NODE. primitives: (p, 4) uint32. points, normals: (v, 4) float32; their
+            last numbers are the radius of curves' points, and u and v of meshes'.
+        instances: (k, 8, 4) float32, some of them bits.
+        order: (k,) number of each stored instance in what was given.
+        extents: largest coordinate of each body.
+    """
+
+    nodes: NDArray[Any]
+    primitives: NDArray[np.uint32]
+    points: NDArray[np.float32]
+    normals: NDArray[np.float32]
+    instances: NDArray[np.float32]
+    order: NDArray[np.int64]
+    extents: list[float]
+
+
+def build_geometry(bodies: Sequence[Sequence[Shape]], placed: Sequence[Placed]) -> Geometry:
+    """All bodies, each of one or more shapes, and their instances."""
+    pieces = [_Body(shapes) for shapes in bodies]
+    boxes = np.array([_world_box(pieces[p.body], p.world_from_object) for p in placed], np.float32)
+    top, order = build_tree(boxes)
+    roots, nodes, at = [], [top], len(top)
+    first_point, first_primitive, primitives = 0, 0, []
+    for piece in pieces:
+        roots.append(at)
+        leaf = piece.nodes["count"] > 0
+        moved = piece.nodes.copy()
+        moved["child"] += np.where(leaf, first_primitive, at).astype(np.uint32)
+        nodes.append(moved)
+        primitives.append(piece.primitives_at(first_point))
+        at += len(moved)
+        first_point += len(piece.points)
+        first_primitive += len(piece.primitives)
+    records = [_instance(placed[k], roots[placed[k].body], pieces[placed[k].body]) for k in order]
+    return Geometry(
+        np.concatenate(nodes).astype(NODE),
+        np.concatenate(primitives),
+        np.concatenate([piece.points for piece in pieces]),
+        np.concatenate([piece.normals for piece in pieces]),
+        np.array(records, np.float32).reshape(-1, 8, 4),
+        order,
+        [piece.extent for piece in pieces],
+    )
+
+
+class _Body:
+    """Shapes in one space, with a tree."""
+
+    def __init__(self, shapes: Sequence[Shape]) -> None:
+        points, normals, primitives, boxes = [], [], [], []
+        start = strand = 0
+        for shape in shapes:
+            if isinstance(shape, Strands):
+                made = _segments(shape, start, strand)
+                strand += len(shape.curves.offsets) - 1
+            else:
+                made = _triangles(shape, start)
+            start += len(made[0])
+            for values, added in zip((points, normals, primitives, boxes), made, strict=True):
+                values.append(added)
+        self.points, self.normals = np.concatenate(points), np.concatenate(normals)
+        self.nodes, order = build_tree(np.concatenate(boxes))
+        self.primitives = np.concatenate(primitives)[order]
+        self.extent = max(map(_extent, shapes))
+        self.box = self.nodes["low"][0], self.nodes["high"][0]
+
+    def primitives_at(self, first_point: int) -> NDArray[np.uint32]:
+        """The primitives, where the body's points begin at that place."""
+        moved = self.primitives.copy()
+        is_segment = (moved[:, 3] & 1).astype(bool)
+        moved[:, 0] += np.uint32(first_point)
+        moved[~is_segment, 1:3] += np.uint32(first_point)
+        return moved
+
+
+def _extent(shape: Shape) -> float:
+    """Largest absolute coordinate; of a point of curves, with its radius."""
+    if isinstance(shape, Strands):
+        return float((np.abs(shape.curves.points).max(axis=1) + shape.curves.radii).max())
+    return float(np.abs(shape.positions).max())
+
+
+def _triangles(shape: Triangles, start: int) -> tuple[NDArray[Any], ...]:
+    count = len(shape.positions)
+    points, normals = np.zeros((2, count, 4), np.float32)
+    points[:, :3], normals[:, :3] = shape.positions, shape.normals
+    if shape.uvs is not None:
+        points[:, 3], normals[:, 3] = shape.uvs.T
+    primitives = np.empty((len(shape.triangles), 4), np.uint32)
+    primitives[:, :3] = shape.triangles + np.uint32(start)
+    primitives[:, 3] = 2 * np.asarray(shape.surface, np.uint32)
+    corners = shape.positions[shape.triangles]
+    return points, normals, primitives, np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
+
+
+def _segments(shape: Strands, start: int, strand: int) -> tuple[NDArray[Any], ...]:
+    curves = shape.curves
+    points, normals = np.zeros((2, len(curves.points), 4), np.float32)
+    points[:, :3], points[:, 3] = curves.points, curves.radii
+    first = curves.segments().astype(np.int64)
+    number = np.searchsorted(curves.offsets, first, side="right") - 1
+    primitives = np.empty((len(first), 4), np.uint32)
+    primitives[:, 0] = first + start
+    has_before = first > curves.offsets[number]
+    has_after = first + 2 < curves.offsets[number + 1]
+    primitives[:, 1] = has_before + 2 * has_after
+    primitives[:, 2] = number + strand
+    primitives[:, 3] = 2 * shape.surface + 1
+    ends = np.stack([curves.points[first], curves.points[first + 1]])
+    radii = np.stack([curves.radii[first], curves.radii[first + 1]])[..., None]
+    boxes = np.stack([(ends - radii).min(axis=0), (ends + radii).max(axis=0)], axis=1)
+    return points, normals, primitives, boxes
+
+
+def _world_box(body: _Body, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    low, high = (corner.astype(np.float64) for corner in body.box)
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    world = (low + corners * (high - low)) @ matrix[:3, :3].T + matrix[:3, 3]
+    margin = 1e-5 * np.abs(world).max()
+    return np.stack([world.min(axis=0) - margin, world.max(axis=0) + margin])
+
+
+def _instance(placed: Placed, root: int, body: _Body) -> NDArray[np.float32]:
+    matrix = placed.world_from_object
+    scale = float(np.cbrt(abs(np.linalg.det(matrix[:3, :3]))))
+    record = np.zeros((8, 4), np.float32)
+    record[:3] = np.linalg.inv(matrix)[:3]
+    record[3:6, :3] = matrix[:3, :3] / scale
+    record[6, :3], record[6, 3] = matrix[:3, 3], scale
+    record[7, :2] = np.array([root, placed.rays], np.uint32).view(np.float32)
+    record[7, 2] = body.extent
+    return record

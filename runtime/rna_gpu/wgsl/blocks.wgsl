@@ -1,0 +1,42 @@
+// Input blocks that surfaces and fibers share: spec/RNA.md, 6.3 Input blocks. Each block starts at
+// a group of 4 columns of its own; the packer has spread the rows of the first matrix likewise.
+
+fn rna_put(slot: u32, values: vec4f) {
+    if slot != RNA_NONE {
+        rna_values[slot] = values;
+    }
+}
+
+// Writes `features`, `position`, `wo` and `wi`; returns the first three features.
+fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
+    let p = rna_relative(x);
+    let texels = rna_texels(p);
+    let first = rna_features(texels, 0u);
+    let slot = rna_part.slots[0].x;
+    if slot != RNA_NONE {
+        rna_values[slot] = first;
+        for (var group = 1u; group < rna_part.channel_groups; group++) {
+            rna_values[slot + group] = rna_features(texels, group);
+        }
+    }
+    rna_put(rna_part.slots[0].y, vec4f(2.0 * p - 1.0, 0.0));
+    rna_put(rna_part.slots[1].y, vec4f(wo, 0.0));
+    rna_put(rna_part.slots[1].z, vec4f(wi, 0.0));
+    return first.xyz;
+}
+
+// Halfway between wo and wi, `instead` where they are opposite ("In float32": the difference of
+// their lengths goes).
+fn rna_halfway(wo: vec3f, wi: vec3f, instead: vec3f) -> vec3f {
+    var s = wi + wo;
+    let e = wi - wo;
+    let square = dot(e, e);
+    if dot(s, s) < square {
+        s -= e * (dot(s, e) / square);
+    }
+    let size = length(s);
+    if size < 1e-6 {
+        return instead;
+    }
+    return s / size;
+}

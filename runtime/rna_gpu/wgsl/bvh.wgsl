@@ -1,0 +1,157 @@
+// Closest and any hits: a tree over instances, and one in each body's object space. Loops take
+// their lengths from the data.
+
+// Nodes to come back to: of the tree over instances, then of a body's. Private, since a function's own
+// array would be set to 0 at every call.
+var<private> rna_stack: array<u32, 2u * RNA_STACK>;
+
+fn rna_inverse(d: vec3f) -> vec3f {
+    let tiny = select(vec3f(1e-20), vec3f(-1e-20), d < vec3f(0.0));
+    return vec3f(1.0) / select(d, tiny, abs(d) < vec3f(1e-20));
+}
+
+// Where the ray enters a node's box; RNA_FAR where it does not.
+fn rna_enter_node(node: u32, origin: vec3f, inverse: vec3f, near: f32, far: f32) -> f32 {
+    let a = (rna_nodes[2u * node].xyz - origin) * inverse;
+    let b = (rna_nodes[2u * node + 1u].xyz - origin) * inverse;
+    let lower = min(a, b);
+    let upper = max(a, b);
+    let enter = max(max(lower.x, lower.y), max(lower.z, near));
+    let leave = min(min(upper.x, upper.y), min(upper.z, far));
+    return select(RNA_FAR, enter, enter <= leave * 1.0000005);
+}
+
+// The next node down, nearer child first; RNA_NOTHING where none is met.
+fn rna_descend(
+    node: u32, ray: RnaRay, inverse: vec3f, far: f32, top: ptr<function, u32>,
+) -> u32 {
+    let left = node + 1u;
+    let right = bitcast<u32>(rna_nodes[2u * node].w);
+    let to_left = rna_enter_node(left, ray.origin, inverse, ray.near, far);
+    let to_right = rna_enter_node(right, ray.origin, inverse, ray.near, far);
+    if to_left >= RNA_FAR && to_right >= RNA_FAR {
+        return RNA_NOTHING;
+    }
+    if to_left >= RNA_FAR {
+        return right;
+    }
+    if to_right >= RNA_FAR {
+        return left;
+    }
+    let left_first = to_left <= to_right;
+    rna_stack[*top] = select(left, right, left_first);
+    *top += 1u;
+    return select(right, left, left_first);
+}
+
+// Tests a primitive; whether it is met, nearer than `hit`, which then becomes it.
+fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, RnaHit>) -> bool {
+    let record = rna_primitives[primitive];
+    let line = RnaRay(ray.origin, ray.near, ray.direction, (*hit).t);
+    if (record.w & 1u) == 0u {
+        let found = rna_meet_triangle(
+            line, rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz,
+        );
+        if found.x >= RNA_FAR {
+            return false;
+        }
+        *hit = RnaHit(found.x, (*hit).instance, primitive, found.y, found.z, vec3f(0.0));
+        return true;
+    }
+    if record.z == own_strand {
+        return false;
+    }
+    let entry = rna_meet_segment(line, record);
+    if entry.t >= RNA_FAR {
+        return false;
+    }
+    *hit = RnaHit(entry.t, (*hit).instance, primitive, 0.0, 0.0, entry.normal);
+    return true;
+}
+
+// The closest hit of a body below `root`, ray in its object space, nearer than `hit`; with `any`
+// the first that is found.
+fn rna_trace_body(
+    root: u32, ray: RnaRay, own_strand: u32, any: bool, hit: ptr<function, RnaHit>,
+) -> bool {
+    var top = RNA_STACK;
+    var node = root;
+    var found = false;
+    let inverse = rna_inverse(ray.direction);
+    loop {
+        let count = bitcast<u32>(rna_nodes[2u * node + 1u].w);
+        var next = RNA_NOTHING;
+        if count == 0u {
+            next = rna_descend(node, ray, inverse, (*hit).t, &top);
+        }
+        let first = bitcast<u32>(rna_nodes[2u * node].w);
+        for (var k = 0u; k < count; k++) {
+            if rna_meet(first + k, ray, own_strand, hit) {
+                found = true;
+                if any {
+                    return true;
+                }
+            }
+        }
+        if next == RNA_NOTHING {
+            if top == RNA_STACK {
+                break;
+            }
+            top -= 1u;
+            next = rna_stack[top];
+        }
+        node = next;
+    }
+    return found;
+}
+
+// Tests an instance, world ray; `own` is passed through, and so is what `rays` has no bit of.
+fn rna_trace_instance(
+    instance: u32, ray: RnaRay, own: u32, rays: u32, any: bool, hit: ptr<function, RnaHit>,
+) -> bool {
+    let record = rna_instances[RNA_INSTANCE * instance + 7u];
+    if instance == own || (bitcast<u32>(record.y) & rays) == 0u {
+        return false;
+    }
+    let scale = rna_instances[RNA_INSTANCE * instance + 6u].w;
+    let local = rna_to_object(ray, instance);
+    var nearest = *hit;
+    nearest.t = min((*hit).t / scale, RNA_FAR);
+    if !rna_trace_body(bitcast<u32>(record.x), local, RNA_NOTHING, any, &nearest) {
+        return false;
+    }
+    nearest.t *= scale;
+    nearest.instance = instance;
+    *hit = nearest;
+    return true;
+}
+
+// The closest hit in the world, or with `any` some hit.
+fn rna_trace(ray: RnaRay, own: u32, rays: u32, any: bool) -> RnaHit {
+    var hit = rna_miss(ray.far);
+    var top = 0u;
+    var node = 0u;
+    let inverse = rna_inverse(ray.direction);
+    loop {
+        let count = bitcast<u32>(rna_nodes[2u * node + 1u].w);
+        var next = RNA_NOTHING;
+        if count == 0u {
+            next = rna_descend(node, ray, inverse, hit.t, &top);
+        }
+        let first = bitcast<u32>(rna_nodes[2u * node].w);
+        for (var k = 0u; k < count; k++) {
+            if rna_trace_instance(first + k, ray, own, rays, any, &hit) && any {
+                return hit;
+            }
+        }
+        if next == RNA_NOTHING {
+            if top == 0u {
+                break;
+            }
+            top -= 1u;
+            next = rna_stack[top];
+        }
+        node = next;
+    }
+    return hit;
+}

@@ -1,0 +1,103 @@
+// The decoder: spec/RNA.md, 6.4 Decoder profile. All loops take their lengths from RnaPart: shaders
+// that are unrolled take minutes to compile.
+
+struct RnaTransport {
+    visible: vec3f, // of emission: what is emitted
+    shadowed: vec3f,
+}
+
+// Clip, and gain and offset of an int8 decoder.
+fn rna_prepare_queries() {
+    for (var k = 0u; k < rna_part.query_groups; k++) {
+        var x = clamp(rna_values[k], vec4f(rna_part.query_low), vec4f(rna_part.query_high));
+        if rna_part.gain != RNA_NONE {
+            x = x * rna_weight(rna_part.gain + k)
+                + rna_weight(rna_part.gain + rna_part.query_groups + k);
+        }
+        rna_values[k] = x;
+    }
+}
+
+// QuantizeLinear: whole numbers from 0 to 255, halves to even.
+fn rna_quantize(layer: RnaLayer, source: u32) {
+    for (var k = 0u; k < layer.inputs; k++) {
+        let x = rna_values[source + k] / layer.int8_step;
+        rna_values[source + k] = clamp(round(x), vec4f(0.0), vec4f(255.0));
+    }
+}
+
+// What a group of columns adds to the sums of an output group, with its block at `at`.
+fn rna_block(x: vec4f, at: u32) -> vec4f {
+    return x.x * rna_weight(at) + x.y * rna_weight(at + 1u)
+        + x.z * rna_weight(at + 2u) + x.w * rna_weight(at + 3u);
+}
+
+fn rna_finish(layer: RnaLayer, o: u32, sums: vec4f, place: u32) {
+    var y = sums + rna_weight(layer.bias + o);
+    if layer.int8_step != 0.0 {
+        y *= rna_weight(layer.units + o);
+    }
+    if layer.relu == 1u {
+        y = max(y, vec4f(0.0));
+    }
+    rna_values[place + o] = y;
+}
+
+// Four output groups at a time: a value is read once for 16 sums. Sums of int8 layers are whole
+// and below 2^24: exact.
+fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
+    if layer.int8_step != 0.0 {
+        rna_quantize(layer, source);
+    }
+    let stride = 4u * layer.inputs;
+    var o = 0u;
+    for (; o + 4u <= layer.outputs; o += 4u) {
+        var a = vec4f(0.0);
+        var b = vec4f(0.0);
+        var c = vec4f(0.0);
+        var d = vec4f(0.0);
+        var at = layer.weights + o * stride;
+        for (var k = 0u; k < layer.inputs; k++) {
+            let x = rna_values[source + k];
+            a += rna_block(x, at);
+            b += rna_block(x, at + stride);
+            c += rna_block(x, at + 2u * stride);
+            d += rna_block(x, at + 3u * stride);
+            at += 4u;
+        }
+        rna_finish(layer, o, a, place);
+        rna_finish(layer, o + 1u, b, place);
+        rna_finish(layer, o + 2u, c, place);
+        rna_finish(layer, o + 3u, d, place);
+    }
+    for (; o < layer.outputs; o++) {
+        var sums = vec4f(0.0);
+        for (var k = 0u; k < layer.inputs; k++) {
+            sums += rna_block(rna_values[source + k], layer.weights + o * stride + 4u * k);
+        }
+        rna_finish(layer, o, sums, place);
+    }
+}
+
+// The colours for the queries in rna_values.
+fn rna_decode() -> RnaTransport {
+    rna_prepare_queries();
+    var source = 0u;
+    for (var k = 0u; k < rna_part.layer_count; k++) {
+        rna_run_layer(rna_part.layers[k], source, RNA_GROUPS - source);
+        source = RNA_GROUPS - source;
+    }
+    let last = rna_part.layers[rna_part.layer_count - 1u].outputs;
+    for (var k = 0u; k < last; k++) {
+        let x = clamp(rna_values[source + k], vec4f(0.0), vec4f(rna_part.top));
+        rna_values[source + k] = (exp(x) - 1.0) * rna_part.unit;
+    }
+    if rna_part.matrix.inputs != 0u {
+        rna_run_layer(rna_part.matrix, source, RNA_GROUPS - source);
+        source = RNA_GROUPS - source;
+    }
+    let first = rna_values[source];
+    let second = rna_values[source + 1u];
+    let visible = max(first.xyz, vec3f(0.0));
+    return RnaTransport(visible, max(vec3f(first.w, second.xy), vec3f(0.0)));
+}

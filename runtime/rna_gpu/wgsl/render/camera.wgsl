@@ -1,0 +1,27 @@
+// The first rays, and sums of 0.
+
+@compute @workgroup_size(64)
+fn camera(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths {
+        return;
+    }
+    let pixel = frame.first_pixel + k;
+    let u = square(pixel, 0u, frame.sample);
+    let x = f32(pixel % frame.width) + u.x;
+    let y = f32(pixel / frame.width) + u.y;
+    var path: Path;
+    path.origin = frame.camera;
+    path.pixel = pixel;
+    path.direction = normalize(frame.corner + x * frame.step_x + y * frame.step_y);
+    path.beta = vec3f(1.0);
+    path.state = ALIVE;
+    path.own = NONE;
+    paths[k] = path;
+    pendings[k].part = NONE;
+    for (var slot = 0u; slot < frame.sums; slot++) {
+        sums[frame.sums * k + slot] = vec4f(0.0);
+    }
+}

@@ -1,0 +1,100 @@
+// The light that rays have met, and what the camera sees; ends paths that met no scatterer.
+
+fn add_met(k: u32, path: Path, light: u32, met: Met) {
+    var weight = path.beta;
+    if frame.depth > 0u {
+        weight *= share(path.pdf, light_probability(light, frame.depth) * met.pdf);
+    }
+    add_light(k, light, clamped(weight * met.radiance));
+}
+
+fn collect_sky(k: u32, path: Path) {
+    for (var light = 0u; light < frame.light_count; light++) {
+        let kind = light_kind(light);
+        let seen = frame.depth > 0u || (light_flags(light) & 1u) != 0u;
+        if seen && (kind == IMAGE || kind == UNIFORM || kind == SUN) {
+            add_met(k, path, light, escaped(light, path.direction));
+            if frame.depth == 0u {
+                sums[frame.sums * k].w = 1.0;
+            }
+        }
+    }
+}
+
+fn collect_shape(k: u32, path: Path) {
+    let light = path.instance & ~IS_LIGHT;
+    if frame.depth == 0u {
+        sums[frame.sums * k].w = 1.0;
+    }
+    let pdf = shape_pdf(light, path.origin, path.direction);
+    let radiance = select(vec3f(0.0), light_vector(light, 0u), pdf > 0.0);
+    add_met(k, path, light, Met(radiance, pdf));
+}
+
+// Asks what an asset emits itself: times the factor of its instance.
+fn ask_emission(k: u32, path: Path, v: Vertex) {
+    let weight = path.beta * rna_instances[RNA_INSTANCE * v.instance + 7u].w;
+    pendings[k] = Pending(v.x, v.h, v.axis, v.part, v.wo, 1.0, v.wo, NONE, weight, 0u);
+}
+
+fn describe(k: u32, v: Vertex) {
+    let at = frame.sums * k;
+    sums[at].w = 1.0;
+    sums[at + 1u] = vec4f(v.n_world, 1.0);
+    sums[at + 2u] = vec4f(v.x_world, thing_of(v.instance).x);
+}
+
+// What shows behind a shadow catcher.
+fn behind_catcher(k: u32, path: Path) {
+    let at = frame.sums * k;
+    sums[at + 1u].w = 2.0;
+    for (var light = 0u; light < frame.light_count; light++) {
+        let kind = light_kind(light);
+        let is_sky = kind == IMAGE || kind == UNIFORM || kind == SUN;
+        if is_sky && (light_flags(light) & 1u) != 0u {
+            let radiance = vec4f(escaped(light, path.direction).radiance * path.beta, 0.0);
+            sums[at + 4u] = vec4f((sums[at + 4u] + radiance).xyz, 1.0);
+            let group = bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].y);
+            if group != NONE {
+                sums[at + 6u + 2u * group] += radiance;
+            }
+        }
+    }
+}
+
+@compute @workgroup_size(64)
+fn collect(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths || paths[k].state == DEAD {
+        return;
+    }
+    let path = paths[k];
+    pendings[k].part = NONE;
+    let meets = frame.depth == 0u || (frame.flags & RAYS_MEET_LIGHTS) != 0u;
+    if path.instance == RNA_NOTHING {
+        paths[k].state = DEAD;
+        if meets {
+            collect_sky(k, path);
+        }
+    } else if (path.instance & IS_LIGHT) != 0u {
+        paths[k].state = DEAD;
+        if meets {
+            collect_shape(k, path);
+        }
+    } else if thing_of(path.instance).y == SCATTERS {
+        let emits = surface_emits(rna_primitives[path.primitive].w >> 1u);
+        if emits || frame.depth == 0u {
+            let v = vertex_of(path);
+            if frame.depth == 0u {
+                describe(k, v);
+            }
+            if emits {
+                ask_emission(k, path, v);
+            }
+        }
+    } else if frame.depth == 0u {
+        behind_catcher(k, path);
+    }
+}

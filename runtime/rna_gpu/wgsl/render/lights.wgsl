@@ -1,0 +1,303 @@
+// Lights: samples of them, and what rays that meet them find. They are those of rna_render.lights.
+
+// A light is LIGHT_SIZE vec4f: kind, group, flags (1 camera sees it, 2 delta); 20 numbers; samples
+// at a point of depth 1, 2 and later; places in `images`.
+const DIRECTIONAL: u32 = 0u;
+const SUN: u32 = 1u;
+const POINT: u32 = 2u;
+const RECTANGLE: u32 = 3u;
+const DISK: u32 = 4u;
+const SPHERE: u32 = 5u;
+const UNIFORM: u32 = 6u;
+const IMAGE: u32 = 7u;
+const SPHERE_PDF: f32 = 1.0 / (4.0 * PI);
+const MAX_PDF: f32 = 1e18;
+const MIN_SOLID_ANGLE: f32 = 1e-3; // float32 knows no smaller one to 1e-3 of itself
+
+struct LightSample {
+    wi: vec3f,
+    distance: f32,
+    radiance: vec3f,
+    pdf: f32,
+}
+
+struct Met {
+    radiance: vec3f,
+    pdf: f32,
+}
+
+fn light_kind(light: u32) -> u32 {
+    return bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].x);
+}
+
+fn light_flags(light: u32) -> u32 {
+    return bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].z);
+}
+
+fn light_number(light: u32, k: u32) -> f32 {
+    return table[frame.lights + LIGHT_SIZE * light + 1u + k / 4u][k % 4u];
+}
+
+fn light_vector(light: u32, k: u32) -> vec3f {
+    return vec3f(light_number(light, k), light_number(light, k + 1u), light_number(light, k + 2u));
+}
+
+// Samples that a light gets at a point, on average.
+fn light_probability(light: u32, depth: u32) -> f32 {
+    return table[frame.lights + LIGHT_SIZE * light + 6u][min(depth, 3u) - 1u];
+}
+
+// Of points of a plane: per_area, seen along d; 0 from behind.
+fn flat_pdf(point: vec3f, normal: vec3f, per_area: f32, x: vec3f, d: vec3f) -> f32 {
+    let cosine = -dot(d, normal);
+    let height = dot(x - point, normal);
+    if cosine <= 0.0 || height <= 0.0 {
+        return 0.0;
+    }
+    let t = height / cosine;
+    let pdf = per_area * t * t / cosine;
+    return select(0.0, pdf, pdf < MAX_PDF);
+}
+
+// Of a placed shape: rows of its frame, (3, 4), are numbers 3 to 14.
+fn shape_place(light: u32) -> vec3f {
+    return vec3f(light_number(light, 6u), light_number(light, 10u), light_number(light, 14u));
+}
+
+fn shape_axis(light: u32, k: u32) -> vec3f {
+    return vec3f(
+        light_number(light, 3u + k), light_number(light, 7u + k), light_number(light, 11u + k),
+    );
+}
+
+fn edge_angle(x: f32, y: f32, sign: f32, height: f32) -> f32 {
+    return atan2(height * sqrt(x * x + y * y + height * height), sign * x * y);
+}
+
+// Solid angle of a rectangle from (x0, y0) to (x1, y1), and the sum k of Ureña, Fajardo and King,
+// An Area-Preserving Parametrization for Spherical Rectangles (EGSR 2013), section 5.
+fn solid_angle(e: vec4f, height: f32) -> vec2f {
+    let k = 2.0 * PI - edge_angle(e.x, e.w, 1.0, height) - edge_angle(e.x, e.z, -1.0, height);
+    let right = edge_angle(e.y, e.z, 1.0, height) + edge_angle(e.y, e.w, -1.0, height);
+    return vec2f(right - k, k);
+}
+
+// Edges x0, x1, y0, y1 of a rectangle as seen from x.
+fn rectangle_edges(light: u32, from_place: vec3f) -> vec4f {
+    let a = dot(from_place, shape_axis(light, 0u));
+    let b = dot(from_place, shape_axis(light, 1u));
+    let half = vec2f(light_number(light, 15u), light_number(light, 16u));
+    return vec4f(-half.x - a, half.x - a, -half.y - b, half.y - b);
+}
+
+fn rectangle_pdf(light: u32, x: vec3f, d: vec3f) -> f32 {
+    let per_area = 0.25 / (light_number(light, 15u) * light_number(light, 16u));
+    let place = shape_place(light);
+    let flat = flat_pdf(place, shape_axis(light, 2u), per_area, x, d);
+    let height = dot(x - place, shape_axis(light, 2u));
+    let angle = solid_angle(rectangle_edges(light, x - place), max(height, 1e-30)).x;
+    if flat == 0.0 || angle < MIN_SOLID_ANGLE {
+        return flat;
+    }
+    return 1.0 / angle;
+}
+
+fn rectangle_point(e: vec4f, height: f32, u: vec2f) -> vec2f {
+    let angle = solid_angle(e, height);
+    if angle.x < MIN_SOLID_ANGLE {
+        return mix(e.xz, e.yw, u);
+    }
+    let b0 = -e.z / sqrt(height * height + e.z * e.z);
+    let b1 = e.w / sqrt(height * height + e.w * e.w);
+    let turn = u.x * angle.x + angle.y;
+    let sine = sin(turn);
+    let f = (cos(turn) * b0 - b1) / select(sine, 1e-20, abs(sine) < 1e-20);
+    let c = clamp(select(-1.0, 1.0, f >= 0.0) / sqrt(f * f + b0 * b0), -1.0, 1.0);
+    let x = clamp(c * height / sqrt(max(1.0 - c * c, 1e-20)), e.x, e.y);
+    let squared = x * x + height * height;
+    let h0 = e.z / sqrt(squared + e.z * e.z);
+    let h1 = e.w / sqrt(squared + e.w * e.w);
+    let h = h0 + u.y * (h1 - h0);
+    let y = h * sqrt(squared / max(1.0 - h * h, 1e-20));
+    return vec2f(x, clamp(y, e.z, e.w));
+}
+
+// Shirley and Chiu, A Low Distortion Map Between Disk and Square (JGT 2(3), 1997).
+fn concentric(u: vec2f) -> vec2f {
+    let a = 2.0 * u - 1.0;
+    if a.x == 0.0 && a.y == 0.0 {
+        return vec2f(0.0);
+    }
+    if abs(a.x) > abs(a.y) {
+        let phi = PI / 4.0 * (a.y / a.x);
+        return a.x * vec2f(cos(phi), sin(phi));
+    }
+    let phi = PI / 2.0 - PI / 4.0 * (a.x / a.y);
+    return a.y * vec2f(cos(phi), sin(phi));
+}
+
+// 1 - cos of the angular radius of a sphere light; 0 from within.
+fn sphere_cone(light: u32, x: vec3f) -> f32 {
+    let to_centre = light_vector(light, 3u) - x;
+    let radius = light_number(light, 6u);
+    let squared = dot(to_centre, to_centre);
+    if squared <= radius * radius {
+        return 0.0;
+    }
+    let sin2 = radius * radius / squared;
+    return sin2 / (1.0 + sqrt(1.0 - sin2));
+}
+
+fn shape_pdf(light: u32, x: vec3f, d: vec3f) -> f32 {
+    let kind = light_kind(light);
+    if kind == RECTANGLE {
+        return rectangle_pdf(light, x, d);
+    }
+    if kind == DISK {
+        let radius = light_number(light, 15u);
+        let per_area = 1.0 / (PI * radius * radius);
+        return flat_pdf(shape_place(light), shape_axis(light, 2u), per_area, x, d);
+    }
+    let cone = sphere_cone(light, x);
+    return select(0.0, 1.0 / (2.0 * PI * max(cone, 1e-18)), cone > 0.0);
+}
+
+// A point of a shape, relative to x.
+fn shape_point(light: u32, x: vec3f, u: vec2f) -> vec3f {
+    let kind = light_kind(light);
+    let place = shape_place(light);
+    if kind == RECTANGLE {
+        let height = dot(x - place, shape_axis(light, 2u));
+        if height <= 0.0 {
+            return place - x;
+        }
+        let p = rectangle_point(rectangle_edges(light, x - place), height, u);
+        return p.x * shape_axis(light, 0u) + p.y * shape_axis(light, 1u)
+            - height * shape_axis(light, 2u);
+    }
+    if kind == DISK {
+        let p = light_number(light, 15u) * concentric(u);
+        return place + p.x * shape_axis(light, 0u) + p.y * shape_axis(light, 1u) - x;
+    }
+    let to_centre = light_vector(light, 3u) - x;
+    let wi = cone_direction(normalize(to_centre), sphere_cone(light, x), u);
+    let along = dot(to_centre, wi);
+    let rest = to_centre - along * wi;
+    let radius = light_number(light, 6u);
+    return (along - sqrt(max(0.0, radius * radius - dot(rest, rest)))) * wi;
+}
+
+fn point_light(light: u32, x: vec3f) -> LightSample {
+    let way = light_vector(light, 3u) - x;
+    let r = length(way);
+    if r <= 0.0 {
+        return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
+    }
+    let wi = way / r;
+    let cosine = -dot(wi, light_vector(light, 6u));
+    let inner = light_number(light, 9u);
+    let outer = light_number(light, 10u);
+    var factor = 1.0;
+    if cosine < inner {
+        let t = clamp((cosine - outer) / max(inner - outer, 1e-20), 0.0, 1.0);
+        factor = t * t * (3.0 - 2.0 * t);
+    }
+    let pdf = select(0.0, 1.0, factor > 0.0);
+    return LightSample(wi, r, factor / (r * r) * light_vector(light, 0u), pdf);
+}
+
+fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
+    let kind = light_kind(light);
+    let colour = light_vector(light, 0u);
+    let axis = light_vector(light, 3u);
+    if kind == IMAGE {
+        return sample_image(light, u);
+    }
+    if kind == UNIFORM {
+        return LightSample(
+            cone_direction(vec3f(0.0, 0.0, 1.0), 2.0, u), RNA_FAR, colour, SPHERE_PDF,
+        );
+    }
+    if kind == SUN {
+        let cone = light_number(light, 6u);
+        return LightSample(cone_direction(axis, cone, u), RNA_FAR, colour, 1.0 / (2.0 * PI * cone));
+    }
+    if kind == DIRECTIONAL {
+        return LightSample(axis, RNA_FAR, colour, 1.0);
+    }
+    if kind == POINT {
+        return point_light(light, x);
+    }
+    let way = shape_point(light, x, u);
+    let r = length(way);
+    if r <= 0.0 {
+        return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
+    }
+    return LightSample(way / r, r, colour, shape_pdf(light, x, way / r));
+}
+
+// What a ray along d that leaves the scene finds.
+fn escaped(light: u32, d: vec3f) -> Met {
+    let kind = light_kind(light);
+    let colour = light_vector(light, 0u);
+    if kind == IMAGE {
+        return look_up_image(light, d);
+    }
+    if kind == UNIFORM {
+        return Met(colour, SPHERE_PDF);
+    }
+    if kind == SUN {
+        let off = d - light_vector(light, 3u);
+        let cone = light_number(light, 6u);
+        if dot(off, off) <= 2.0 * cone {
+            return Met(colour, 1.0 / (2.0 * PI * cone));
+        }
+    }
+    return Met(vec3f(0.0), 0.0);
+}
+
+// Where a ray meets the shape of a light; RNA_FAR where it does not.
+fn meet_light(light: u32, ray: RnaRay) -> f32 {
+    let kind = light_kind(light);
+    var t = RNA_FAR;
+    if kind == SPHERE {
+        let centre = light_vector(light, 3u);
+        let radius = light_number(light, 6u);
+        t = rna_enter_sphere(ray.origin, ray.direction, centre, radius);
+        let from_centre = ray.origin - centre;
+        if dot(from_centre, from_centre) < radius * radius && t < RNA_FAR {
+            t = -t - 2.0 * dot(from_centre, ray.direction);
+        }
+    } else if kind == RECTANGLE || kind == DISK {
+        let place = shape_place(light);
+        let down = dot(ray.direction, shape_axis(light, 2u));
+        if abs(down) < 1e-20 {
+            return RNA_FAR;
+        }
+        t = dot(place - ray.origin, shape_axis(light, 2u)) / down;
+        let p = ray.origin + t * ray.direction - place;
+        let at = vec2f(dot(p, shape_axis(light, 0u)), dot(p, shape_axis(light, 1u)));
+        let a = light_number(light, 15u);
+        let inside = select(
+            dot(at, at) <= a * a,
+            abs(at.x) <= a && abs(at.y) <= light_number(light, 16u),
+            kind == RECTANGLE,
+        );
+        t = select(RNA_FAR, t, inside);
+    }
+    return select(RNA_FAR, t, t >= ray.near && t < ray.far);
+}
+
+// The closest hit of bodies and of lights with a shape.
+fn trace(ray: RnaRay, own: u32, any: bool) -> RnaHit {
+    var hit = rna_trace(ray, own, frame.rays, any);
+    for (var light = 0u; light < frame.light_count; light++) {
+        let hidden = frame.rays == 1u && (light_flags(light) & 1u) == 0u;
+        let t = meet_light(light, RnaRay(ray.origin, ray.near, ray.direction, hit.t));
+        if !hidden && t < RNA_FAR && (hit.instance == RNA_NOTHING || t < hit.t) {
+            hit = rna_miss(t);
+            hit.instance = IS_LIGHT | light;
+        }
+    }
+    return hit;
+}

@@ -1,0 +1,92 @@
+// Directions for rays that leave a neural asset: the mixtures of rna_render.neural_sampling, which
+// says why. Shares: uniform, cosine, mirror, cone, forward.
+
+struct LobeFrame {
+    o: vec3f,
+    normal: vec3f, // turned to the viewer
+    tangent: vec3f,
+    mirror: vec3f,
+}
+
+fn unit_or_up(v: vec3f) -> vec3f {
+    let size = length(v);
+    if size <= 0.5 {
+        return vec3f(0.0, 1.0, 0.0);
+    }
+    return v / size;
+}
+
+fn lobe_frame(n: vec3f, tangent: vec3f, o: vec3f) -> LobeFrame {
+    var normal = unit_or_up(n);
+    if dot(normal, o) < 0.0 {
+        normal = -normal;
+    }
+    return LobeFrame(o, normal, unit_or_up(tangent), 2.0 * dot(normal, o) * normal - o);
+}
+
+// Cosine to the axis of a von Mises-Fisher direction.
+fn fisher_cosine(u: f32, kappa: f32) -> f32 {
+    return max(-1.0, 1.0 + log(u + (1.0 - u) * exp(-2.0 * kappa)) / kappa);
+}
+
+fn fisher_pdf(cosine: f32, kappa: f32) -> f32 {
+    return kappa * exp(kappa * (cosine - 1.0)) / (2.0 * PI * (1.0 - exp(-2.0 * kappa)));
+}
+
+fn logistic(x: f32) -> f32 {
+    return 1.0 / (1.0 + exp(-x));
+}
+
+fn lobe_cone_sine(u: f32, middle: f32) -> f32 {
+    let low = logistic((-1.0 - middle) / CONE_SCALE);
+    let high = logistic((1.0 - middle) / CONE_SCALE);
+    let p = clamp(low + u * (high - low), 1e-7, 1.0 - 1e-7);
+    return clamp(middle + CONE_SCALE * log(p / (1.0 - p)), -1.0, 1.0);
+}
+
+fn lobe_cone_pdf(sine: f32, middle: f32) -> f32 {
+    let low = logistic((-1.0 - middle) / CONE_SCALE);
+    let high = logistic((1.0 - middle) / CONE_SCALE);
+    let p = logistic((sine - middle) / CONE_SCALE);
+    return p * (1.0 - p) / (CONE_SCALE * (high - low) * 2.0 * PI);
+}
+
+fn along_axis(axis: vec3f, cosine: f32, turns: f32) -> vec3f {
+    return about(axis, sqrt(max(0.0, 1.0 - cosine * cosine)), cosine, turns);
+}
+
+fn lobe_sample(at: LobeFrame, is_fiber: bool, u: vec3f) -> vec3f {
+    let shares = lobe_shares(is_fiber);
+    if u.z < shares.x {
+        return normalize(along_axis(at.normal, 1.0 - 2.0 * u.x, u.y));
+    }
+    if !is_fiber {
+        if u.z < shares.x + shares.y {
+            return normalize(along_axis(at.normal, sqrt(1.0 - u.x), u.y));
+        }
+        return normalize(along_axis(at.mirror, fisher_cosine(u.x, MIRROR_KAPPA), u.y));
+    }
+    if u.z < shares.x + shares.y {
+        let sine = lobe_cone_sine(u.x, -dot(at.tangent, at.o));
+        return normalize(along_axis(at.tangent, sine, u.y));
+    }
+    return normalize(along_axis(-at.o, fisher_cosine(u.x, FORWARD_KAPPA), u.y));
+}
+
+// Of surfaces: uniform, cosine, mirror; of fibers: uniform, cone, forward.
+fn lobe_shares(is_fiber: bool) -> vec3f {
+    return select(SURFACE_SHARES, FIBER_SHARES, is_fiber);
+}
+
+fn lobe_density(at: LobeFrame, is_fiber: bool, w: vec3f) -> f32 {
+    let shares = lobe_shares(is_fiber);
+    var second = max(0.0, dot(at.normal, w)) / PI;
+    var third = 0.0;
+    if is_fiber {
+        second = lobe_cone_pdf(dot(at.tangent, w), -dot(at.tangent, at.o));
+        third = fisher_pdf(-dot(at.o, w), FORWARD_KAPPA);
+    } else {
+        third = fisher_pdf(dot(at.mirror, w), MIRROR_KAPPA);
+    }
+    return shares.x * SPHERE_PDF + shares.y * second + shares.z * third;
+}

@@ -1,0 +1,59 @@
+// The ray that continues each path, in a direction of its body's choice.
+
+@compute @workgroup_size(64)
+fn scatter(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths || paths[k].state == DEAD {
+        return;
+    }
+    pendings[k].part = NONE;
+    let path = paths[k];
+    let thing = thing_of(path.instance);
+    if thing.y == CATCHES {
+        paths[k].state = DEAD;
+        return;
+    }
+    var beta = path.beta;
+    if frame.depth >= 2u {
+        let survival = min(max(beta.x, max(beta.y, beta.z)), 1.0);
+        if at_point(path.pixel, ROULETTE).x >= survival {
+            paths[k].state = DEAD;
+            return;
+        }
+        beta /= max(survival, 1e-30);
+    }
+    let v = vertex_of(path);
+    let u = vec3f(at_point(path.pixel, DIRECTION), at_point(path.pixel, CHOICES).y);
+    var wi = vec3f(0.0);
+    var pdf = 0.0;
+    if v.kind == OF_MATERIAL {
+        let b = bsdf_of(v);
+        let m = turned_normal(v.n, v.ng, v.wo);
+        wi = bsdf_sample(b, m, v.wo, u);
+        pdf = bsdf_density(b, m, v.wo, wi);
+        let value = bsdf_value(b, m, v.ng, v.wo, wi);
+        beta *= select(vec3f(0.0), value / max(pdf, 1e-30), pdf > 0.0);
+        if all(beta <= vec3f(0.0)) {
+            paths[k].state = DEAD;
+            return;
+        }
+    } else {
+        let is_fiber = v.kind == OF_FIBERS;
+        let at = lobe_frame(v.shading, select(vec3f(0.0), v.axis, is_fiber), v.wo);
+        wi = lobe_sample(at, is_fiber, u);
+        pdf = lobe_density(at, is_fiber, wi);
+        let own = trace_own(v, own_ray(v, wi, RNA_FAR), false);
+        paths[k].self_t = min(own.t * instance_scale(v), RNA_FAR);
+        let weight = beta / max(pdf, 1e-30);
+        pendings[k] = Pending(v.x, v.h, v.axis, v.part, v.wo, 1.0, wi, NONE, weight, 0u);
+        beta = vec3f(0.0); // until the decoder has answered
+    }
+    let wi_world = normalize(rna_world_direction(wi, v.instance));
+    paths[k].origin = origin_of(v, wi_world);
+    paths[k].direction = wi_world;
+    paths[k].pdf = pdf;
+    paths[k].beta = beta;
+    paths[k].own = select(NONE, v.instance, thing.w == 1.0);
+}

@@ -1,0 +1,175 @@
+// The point that a path has come to, from its hit.
+
+@group(2) @binding(4) var<storage, read> normals: array<vec4f>;
+
+const SCATTERS: f32 = 0.0; // roles of things
+const CATCHES: f32 = 1.0;
+
+const OF_MATERIAL: u32 = 0u; // kinds of surfaces
+const OF_NEURAL: u32 = 1u;
+const OF_FIBERS: u32 = 2u;
+
+struct Vertex {
+    x: vec3f, // object space, as all that is not said otherwise
+    kind: u32,
+    n: vec3f, // interpolated normal, or that of a segment
+    surface: u32,
+    ng: vec3f,
+    part: u32,
+    lift: vec3f,
+    h: f32,
+    axis: vec3f, // what a decoder is asked with: mapped normal or tangent
+    strand: u32,
+    wo: vec3f,
+    instance: u32,
+    x_world: vec3f,
+    shading: vec3f, // mapped normal of meshes, n of strands
+    n_world: vec3f, // the same
+    uv: vec2f,
+    ng_world: vec3f,
+}
+
+// number, role, step off the surface, 1 where rays that start on it pass through it
+fn thing_of(instance: u32) -> vec4f {
+    return table[frame.things + instance];
+}
+
+const SURFACE_SIZE: u32 = 4u; // vec4f: kind, part, 1 where it emits; base colour, roughness; metallic, F0, coat's
+                              // weight, which textures are sRGB; place and size of two textures
+
+fn surface_kind(surface: u32) -> u32 {
+    return bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * surface].x);
+}
+
+fn surface_emits(surface: u32) -> bool {
+    return bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * surface].z) == 1u;
+}
+
+// Place in `images`, and rows * 65536 + columns, 0 for none: of normals or base colour, and of
+// metallic and roughness.
+fn texture_of(surface: u32, k: u32) -> vec2<u32> {
+    let record = bitcast<vec4<u32>>(table[frame.surfaces + SURFACE_SIZE * surface + 3u]);
+    return select(record.xy, record.zw, k == 1u);
+}
+
+fn texture_size(record: vec2<u32>) -> vec2<u32> {
+    return vec2<u32>(record.y & 0xffffu, record.y >> 16u);
+}
+
+// Of a normal map: a u32 a texel, whose first two bytes are its numbers.
+fn rna_map_texel(map: u32, row: u32, column: u32) -> vec2f {
+    let word = images[map + 1u + row * images[map] + column];
+    return vec2f(f32(word & 255u), f32((word >> 8u) & 255u));
+}
+
+fn corner_uv(point: u32) -> vec2f {
+    return vec2f(rna_points[point].w, normals[point].w);
+}
+
+fn triangle_vertex(path: Path, record: vec4<u32>) -> Vertex {
+    var v: Vertex;
+    let b = vec3f(1.0 - path.b1 - path.b2, path.b1, path.b2);
+    let p = mat3x3f(
+        rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz,
+    );
+    let n = mat3x3f(normals[record.x].xyz, normals[record.y].xyz, normals[record.z].xyz);
+    v.x = p[0] + path.b1 * (p[1] - p[0]) + path.b2 * (p[2] - p[0]);
+    let mixed = n * b;
+    v.n = select(vec3f(0.0), mixed / max(length(mixed), 1e-30), dot(mixed, mixed) > 0.0);
+    let area = cross(p[1] - p[0], p[2] - p[0]);
+    let largest = max(abs(area.x), max(abs(area.y), abs(area.z)));
+    if largest > 0.0 {
+        v.ng = normalize(area / largest);
+    }
+    v.lift = rna_lift(v.x, b, p, n);
+    let uv = mat3x2f(corner_uv(record.x), corner_uv(record.y), corner_uv(record.z));
+    v.uv = uv * b;
+    v.shading = v.n;
+    let map = texture_of(record.w >> 1u, 0u);
+    if surface_kind(record.w >> 1u) == OF_NEURAL && map.y != 0u {
+        v.shading = rna_mapped_normal(map.x, texture_size(map), v.n, p, uv, b);
+    }
+    v.axis = v.shading;
+    v.strand = RNA_NOTHING;
+    return v;
+}
+
+fn segment_vertex(path: Path, record: vec4<u32>, wo: vec3f) -> Vertex {
+    var v: Vertex;
+    let cone = rna_cone(record.x);
+    let way = cone.b - cone.a;
+    let size = max(abs(way.x), max(abs(way.y), abs(way.z)));
+    v.axis = normalize(way / size);
+    v.n = path.normal;
+    v.ng = path.normal;
+    v.x = path.t * rna_object_direction(path.direction, path.instance)
+        / rna_instances[RNA_INSTANCE * path.instance + 6u].w
+        + rna_object_point(path.origin, path.instance);
+    v.x = on_cone(cone, v.x, v.n);
+    let across = cross(v.axis, wo);
+    let width = length(across);
+    if width > 1e-6 {
+        v.h = clamp(dot(v.n, across) / width, -1.0, 1.0);
+    }
+    v.shading = v.n;
+    v.strand = record.z;
+    return v;
+}
+
+// The point of the surface of normal n near x: that of the sphere which touches it there. The error
+// of x is that of its ray's length.
+fn on_cone(cone: RnaCone, x: vec3f, n: vec3f) -> vec3f {
+    let way = cone.b - cone.a;
+    let radius = dot(x - cone.a, n);
+    let along = dot(x - cone.a - clamp(radius, 0.0, max(cone.ra, cone.rb)) * n, way);
+    let u = clamp(along / dot(way, way), 0.0, 1.0);
+    return mix(cone.a, cone.b, u) + mix(cone.ra, cone.rb, u) * n;
+}
+
+fn vertex_of(path: Path) -> Vertex {
+    let record = rna_primitives[path.primitive];
+    let wo = rna_object_direction(-path.direction, path.instance);
+    var v: Vertex;
+    if (record.w & 1u) == 0u {
+        v = triangle_vertex(path, record);
+    } else {
+        v = segment_vertex(path, record, wo);
+    }
+    v.surface = record.w >> 1u;
+    v.kind = surface_kind(v.surface);
+    v.part = bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * v.surface].y);
+    v.wo = wo;
+    v.instance = path.instance;
+    v.x_world = rna_world_point(v.x, path.instance);
+    v.n_world = rna_world_direction(v.shading, path.instance);
+    v.ng_world = rna_world_direction(v.ng, path.instance);
+    return v;
+}
+
+// Where rays along wi start in the world: on materials a step off the surface.
+fn origin_of(v: Vertex, wi_world: vec3f) -> vec3f {
+    let step = thing_of(v.instance).z;
+    return v.x_world + select(step, -step, dot(v.ng_world, wi_world) < 0.0) * v.ng_world;
+}
+
+// The ray along wi that asks whether the asset itself is in the way.
+fn own_ray(v: Vertex, wi: vec3f, far: f32) -> RnaRay {
+    if v.kind == OF_FIBERS {
+        return RnaRay(v.x, 0.0, wi, far);
+    }
+    let extent = rna_instances[RNA_INSTANCE * v.instance + 7u].z;
+    return RnaRay(rna_leaving_origin(v.x, v.n, v.ng, v.lift, wi, extent), 0.0, wi, far);
+}
+
+fn trace_own(v: Vertex, ray: RnaRay, any: bool) -> RnaHit {
+    var hit = rna_miss(ray.far);
+    let root = bitcast<u32>(rna_instances[RNA_INSTANCE * v.instance + 7u].x);
+    if rna_trace_body(root, ray, v.strand, any, &hit) {
+        hit.instance = v.instance;
+    }
+    return hit;
+}
+
+fn instance_scale(v: Vertex) -> f32 {
+    return rna_instances[RNA_INSTANCE * v.instance + 6u].w;
+}

@@ -1,0 +1,13 @@
+// Transport, or emission, at a point of a surface: spec/RNA.md, 7 Light.
+
+// x: object space, metres. n, wo, wi: unit, away from the surface; all finite. An emission decoder
+// reads no wi.
+fn rna_surface(x: vec3f, n: vec3f, wo: vec3f, wi: vec3f) -> RnaTransport {
+    let features = rna_common_blocks(x, wo, wi);
+    rna_surface_blocks(n, features, wo, wi);
+    return rna_decode();
+}
+
+fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+    return rna_surface(x, axis, wo, wi);
+}

@@ -1,0 +1,42 @@
+// Input blocks of surfaces alone: spec/RNA.md, 6.3 Input blocks and "In float32".
+
+// log2(1 - min(n.m, 1) + 1e-4) / 6
+fn rna_log_gap(n: vec3f, m: vec3f) -> f32 {
+    let gap = n - m;
+    return log2(0.5 * dot(gap, gap) + 1e-4) / 6.0;
+}
+
+fn rna_half_vector(slot: u32, n: vec3f, m: vec3f, wo: vec3f, wi: vec3f) {
+    if slot != RNA_NONE {
+        rna_values[slot] = vec4f(dot(n, m), rna_log_gap(n, m), dot(n, wi), dot(n, wo));
+        rna_values[slot + 1u] = vec4f(dot(wi, m), 0.0, 0.0, 0.0);
+    }
+}
+
+fn rna_highlight(slot: u32, n: vec3f, m: vec3f) {
+    let aside = cross(n, m);
+    rna_put(slot, vec4f(log2(dot(aside, aside) + 1e-8) / 12.0, 0.0, 0.0, 0.0));
+}
+
+fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+    if slot == RNA_NONE {
+        return;
+    }
+    var q = n + 0.1 * features;
+    let size = length(q);
+    if size < 1e-6 {
+        q = n;
+    } else {
+        q = q / size;
+    }
+    let m = rna_halfway(wo, wi, q);
+    rna_values[slot] = vec4f(dot(q, m), rna_log_gap(q, m), 0.0, 0.0);
+}
+
+fn rna_surface_blocks(n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+    rna_put(rna_part.slots[0].z, vec4f(n, 0.0));
+    let m = rna_halfway(wo, wi, n);
+    rna_half_vector(rna_part.slots[1].w, n, m, wo, wi);
+    rna_highlight(rna_part.slots[2].x, n, m);
+    rna_learned_normal(rna_part.slots[2].y, n, features, wo, wi);
+}

@@ -1,0 +1,99 @@
+"""Finished pieces of an image, kept in a folder beside it until the image is whole."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from uuid import uuid4
+
+from safetensors import SafetensorError, safe_open
+from safetensors.numpy import save_file
+
+from rna_render.film import Film
+from rna_sdk.errors import SceneError
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Pixels of an image in row-major order, from `start` to before `stop`."""
+
+    start: int
+    stop: int
+
+    @property
+    def pixels(self) -> int:
+        """How many."""
+        return self.stop - self.start
+
+    def __str__(self) -> str:
+        return f"piece of pixels {self.start} to {self.stop - 1}"
+
+
+@dataclass(frozen=True)
+class KeptPieces:
+    """Pieces in a folder, a file each.
+
+    key: of the image that they are of; pieces of another one are removed.
+    """
+
+    folder: Path
+    key: str
+
+    def found(self) -> Iterator[tuple[Piece, Film]]:
+        """Those of this very image, by their first pixels."""
+        for path in sorted(self.folder.glob("*.safetensors")):
+            film = self._read(path)
+            if film is None:
+                path.unlink()
+            else:
+                yield _piece_of(path), film
+
+    def keep(self, piece: Piece, film: Film) -> None:
+        """Write a piece, whole or not at all. Raises SceneError if that cannot be."""
+        path = self.folder / f"{piece.start:010d}-{piece.stop:010d}.safetensors"
+        temporary = path.with_suffix(f".{uuid4().hex[:8]}.part")
+        metadata = {"image": self.key, "groups": json.dumps(film.groups)}
+        try:
+            self.folder.mkdir(exist_ok=True)
+            save_file(film.arrays(), temporary, metadata)
+            temporary.replace(path)
+        except (OSError, SafetensorError) as error:
+            with suppress(OSError):
+                temporary.unlink()
+            raise SceneError(f"cannot be written: {error}", file=path) from error
+
+    def remove(self) -> None:
+        """The image is written: nothing of it is needed any more."""
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def _read(self, path: Path) -> Film | None:
+        """None for a piece of another image, and for a damaged file."""
+        try:
+            with safe_open(path, "np") as file:
+                metadata = file.metadata() or {}
+                if metadata.get("image") != self.key:
+                    return None
+                arrays = {name: file.get_tensor(name) for name in file.keys()}
+                return Film.of_arrays(arrays, json.loads(metadata["groups"]))
+        except (OSError, SafetensorError, KeyError, ValueError):
+            return None
+
+
+def missing_pieces(count: int, there: list[Piece]) -> Iterator[Piece]:
+    """What is left of `count` pixels beside pieces that are in order and apart."""
+    start = 0
+    for piece in there:
+        if piece.start > start:
+            yield Piece(start, piece.start)
+        start = piece.stop
+    if start < count:
+        yield Piece(start, count)
+
+
+def _piece_of(path: Path) -> Piece:
+    start, _, stop = path.stem.partition("-")
+    return Piece(int(start), int(stop))

@@ -1,0 +1,1 @@
+"""`rna-view`: an asset in a browser page, served from here or exported for any web server."""

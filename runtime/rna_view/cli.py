@@ -1,0 +1,70 @@
+"""`rna-view`: an asset or a scene in a browser page."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import webbrowser
+from collections.abc import Sequence
+from pathlib import Path
+
+from rna_sdk.console import command_parser, run_command
+from rna_view.page_server import PageServer
+from rna_view.site_export import SERVE_NOTE, export_site
+from rna_view.site_files import Site, site_for
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; returns the exit status."""
+    options = _parser().parse_args(arguments)
+    return run_command(lambda: _run(options), options.debug, "the page has ended", extra="render")
+
+
+def _run(options: argparse.Namespace) -> None:
+    site = site_for(options.source, options.tier, options.env)
+    for note in site.notes:
+        print(f"note: {note}", file=sys.stderr)
+    if options.export is not None:
+        written = export_site(site, options.export)
+        size = sum(path.stat().st_size for path in written) / 1e6
+        print(f"wrote {options.export}: {len(written)} files, {size:.2f} MB; {SERVE_NOTE}")
+        print(f"try it: python3 -m http.server --bind 127.0.0.1 --directory {options.export}")
+        return
+    _serve(site, options)
+
+
+def _serve(site: Site, options: argparse.Namespace) -> None:
+    with PageServer(site, options.host, options.port) as server:
+        print(f"{options.source} at {server.url}\nCtrl-C ends it", flush=True)
+        if not server.is_local:
+            print("from other machines plain HTTP has no WebGPU: they get WebGL2", flush=True)
+        if not options.no_browser:
+            webbrowser.open(server.url)
+        try:
+            server.serve_forever()
+        except KeyboardInterrupt:
+            print("\nthe page has ended")
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = command_parser(
+        "rna-view", "Show a .rna package, or a scene file, in a browser page.", "rna-view asset.rna"
+    )
+    parser.add_argument("source", type=Path, metavar="FILE", help="package or scene file (path)")
+    parser.add_argument("--tier", help="tier to show first (name; default: the first)")
+    parser.add_argument("--env", type=Path, help="environment image, .hdr or .exr (path)")
+    parser.add_argument(
+        "--export",
+        type=Path,
+        metavar="FOLDER",
+        help="write a folder for any web server, and serve nothing (path)",
+    )
+    parser.add_argument("--host", default="127.0.0.1", help="address to listen on (127.0.0.1)")
+    parser.add_argument("--port", type=int, default=0, help="port (int; default: any free one)")
+    parser.add_argument("--no-browser", action="store_true", help="open no browser (default: open)")
+    parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,6251 @@
+(()=>{var yh=Object.defineProperty;var Jo=(s,e)=>{for(var t in e)yh(s,t,{get:e[t],enumerable:!0})};var fa=1;var da=3;var ps=0,ms=1,gs=2,_s=3,vs=4,xs=5,ys=6,ws=7,pa=0,ma=1,ga=2;var Fs=1,Bs=2,zs=3,ks=4,Gs=5,Hs=6,Vs=7;var Ws=300;var _a=302;var Ss=1e3,an=1001,bs=1002,Ms=1003;var ht=1006;var Xs=1008;var va=1009;var ft=1015,dt=1016;var wt=1023;var Nn=1028;var fn=1030;var ui=2300,tr=2301,ji=2302,Es=2303,As=2400,Ts=2401,Rs=2402;var qs="",rt="srgb",Ke="srgb-linear",Cs="linear",Qi="srgb";var xa=35044;var hi=2e3,Is=2001;function wh(s){for(let e=s.length-1;e>=0;--e)if(s[e]>=65535)return!0;return!1}function Sh(s){return ArrayBuffer.isView(s)&&!(s instanceof DataView)}function Ps(s){return document.createElementNS("http://www.w3.org/1999/xhtml",s)}var Ko={},nr=null;function ya(s){let e=s[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=s[1];t&&t.isStackTrace?s[0]+=" "+t.getLocation():s[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return s}function Ae(...s){s=ya(s);let e="THREE."+s.shift();if(nr)nr("warn",e,...s);else{let t=s[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...s)}}function ye(...s){s=ya(s);let e="THREE."+s.shift();if(nr)nr("error",e,...s);else{let t=s[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...s)}}function er(...s){let e=s.join(" ");e in Ko||(Ko[e]=!0,Ae(...s))}var bh={[ps]:ps,[gs]:ys,[vs]:vs,[_s]:xs,[ms]:ms,[ys]:gs,[ws]:ws,[xs]:_s},ln=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let i=n[e];if(i!==void 0){let r=i.indexOf(t);r!==-1&&i.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let i=n.slice(0);for(let r=0,o=i.length;r<o;r++)i[r].call(this,e);e.target=null}}},Fe=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var c0=Math.PI/180,Mh=180/Math.PI;function yr(){let s=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|0;return(Fe[s&255]+Fe[s>>8&255]+Fe[s>>16&255]+Fe[s>>24&255]+"-"+Fe[e&255]+Fe[e>>8&255]+"-"+Fe[e>>16&15|64]+Fe[e>>24&255]+"-"+Fe[t&63|128]+Fe[t>>8&255]+"-"+Fe[t>>16&255]+Fe[t>>24&255]+Fe[n&255]+Fe[n>>8&255]+Fe[n>>16&255]+Fe[n>>24&255]).toLowerCase()}function ce(s,e,t){return Math.max(e,Math.min(t,s))}function Eh(s,e){return(s%e+e)%e}function rs(s,e,t){return(1-t)*s+t*e}function $s(s){switch(s.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function Ah(s,e){if(e.constructor===Float32Array)return s;let t=$s(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(s/t,-1)}function Th(s,e){if(e.constructor===Float32Array)return s;let t=$s(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(s*t)}var Ge=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,n=this.y,i=e.elements;return this.x=i[0]*t+i[3]*n+i[6],this.y=i[1]*t+i[4]*n+i[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=ce(this.x,e.x,t.x),this.y=ce(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=ce(this.x,e,t),this.y=ce(this.y,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(ce(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(ce(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y;return t*t+n*n}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),i=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.x=r*n-o*i+e.x,this.y=r*i+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Ot=class{constructor(e=0,t=0,n=0,i=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=i}static slerpFlat(e,t,n,i,r,o,a){let l=n[i+0],c=n[i+1],u=n[i+2],f=n[i+3],d=r[o+0],m=r[o+1],_=r[o+2],v=r[o+3];if(f!==v||l!==d||c!==m||u!==_){let b=l*d+c*m+u*_+f*v;b<0&&(d=-d,m=-m,_=-_,v=-v,b=-b);let M=1-a;if(b<.9995){let A=Math.acos(b),N=Math.sin(A);M=Math.sin(M*A)/N,a=Math.sin(a*A)/N,l=l*M+d*a,c=c*M+m*a,u=u*M+_*a,f=f*M+v*a}else{l=l*M+d*a,c=c*M+m*a,u=u*M+_*a,f=f*M+v*a;let A=1/Math.sqrt(l*l+c*c+u*u+f*f);l*=A,c*=A,u*=A,f*=A}}e[t]=l,e[t+1]=c,e[t+2]=u,e[t+3]=f}static multiplyQuaternionsFlat(e,t,n,i,r,o){let a=n[i],l=n[i+1],c=n[i+2],u=n[i+3],f=r[o],d=r[o+1],m=r[o+2],_=r[o+3];return e[t]=a*_+u*f+l*m-c*d,e[t+1]=l*_+u*d+c*f-a*m,e[t+2]=c*_+u*m+a*d-l*f,e[t+3]=u*_-a*f-l*d-c*m,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,n,i){return this._x=e,this._y=t,this._z=n,this._w=i,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let n=e._x,i=e._y,r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(n/2),u=a(i/2),f=a(r/2),d=l(n/2),m=l(i/2),_=l(r/2);switch(o){case"XYZ":this._x=d*u*f+c*m*_,this._y=c*m*f-d*u*_,this._z=c*u*_+d*m*f,this._w=c*u*f-d*m*_;break;case"YXZ":this._x=d*u*f+c*m*_,this._y=c*m*f-d*u*_,this._z=c*u*_-d*m*f,this._w=c*u*f+d*m*_;break;case"ZXY":this._x=d*u*f-c*m*_,this._y=c*m*f+d*u*_,this._z=c*u*_+d*m*f,this._w=c*u*f-d*m*_;break;case"ZYX":this._x=d*u*f-c*m*_,this._y=c*m*f+d*u*_,this._z=c*u*_-d*m*f,this._w=c*u*f+d*m*_;break;case"YZX":this._x=d*u*f+c*m*_,this._y=c*m*f+d*u*_,this._z=c*u*_-d*m*f,this._w=c*u*f-d*m*_;break;case"XZY":this._x=d*u*f-c*m*_,this._y=c*m*f-d*u*_,this._z=c*u*_+d*m*f,this._w=c*u*f+d*m*_;break;default:Ae("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let n=t/2,i=Math.sin(n);return this._x=e.x*i,this._y=e.y*i,this._z=e.z*i,this._w=Math.cos(n),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,n=t[0],i=t[4],r=t[8],o=t[1],a=t[5],l=t[9],c=t[2],u=t[6],f=t[10],d=n+a+f;if(d>0){let m=.5/Math.sqrt(d+1);this._w=.25/m,this._x=(u-l)*m,this._y=(r-c)*m,this._z=(o-i)*m}else if(n>a&&n>f){let m=2*Math.sqrt(1+n-a-f);this._w=(u-l)/m,this._x=.25*m,this._y=(i+o)/m,this._z=(r+c)/m}else if(a>f){let m=2*Math.sqrt(1+a-n-f);this._w=(r-c)/m,this._x=(i+o)/m,this._y=.25*m,this._z=(l+u)/m}else{let m=2*Math.sqrt(1+f-n-a);this._w=(o-i)/m,this._x=(r+c)/m,this._y=(l+u)/m,this._z=.25*m}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let n=e.dot(t)+1;return n<1e-8?(n=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=n):(this._x=0,this._y=-e.z,this._z=e.y,this._w=n)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=n),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(ce(this.dot(e),-1,1)))}rotateTowards(e,t){let n=this.angleTo(e);if(n===0)return this;let i=Math.min(1,t/n);return this.slerp(e,i),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let n=e._x,i=e._y,r=e._z,o=e._w,a=t._x,l=t._y,c=t._z,u=t._w;return this._x=n*u+o*a+i*c-r*l,this._y=i*u+o*l+r*a-n*c,this._z=r*u+o*c+n*l-i*a,this._w=o*u-n*a-i*l-r*c,this._onChangeCallback(),this}slerp(e,t){let n=e._x,i=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(n=-n,i=-i,r=-r,o=-o,a=-a);let l=1-t;if(a<.9995){let c=Math.acos(a),u=Math.sin(c);l=Math.sin(l*c)/u,t=Math.sin(t*c)/u,this._x=this._x*l+n*t,this._y=this._y*l+i*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this._onChangeCallback()}else this._x=this._x*l+n*t,this._y=this._y*l+i*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this.normalize();return this}slerpQuaternions(e,t,n){return this.copy(e).slerp(t,n)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),n=Math.random(),i=Math.sqrt(1-n),r=Math.sqrt(n);return this.set(i*Math.sin(e),i*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},q=class{static{this.prototype.isVector3=!0}constructor(e=0,t=0,n=0){this.x=e,this.y=t,this.z=n}set(e,t,n){return n===void 0&&(n=this.z),this.x=e,this.y=t,this.z=n,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(jo.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(jo.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,i=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*i,this.y=r[1]*t+r[4]*n+r[7]*i,this.z=r[2]*t+r[5]*n+r[8]*i,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,n=this.y,i=this.z,r=e.elements,o=1/(r[3]*t+r[7]*n+r[11]*i+r[15]);return this.x=(r[0]*t+r[4]*n+r[8]*i+r[12])*o,this.y=(r[1]*t+r[5]*n+r[9]*i+r[13])*o,this.z=(r[2]*t+r[6]*n+r[10]*i+r[14])*o,this}applyQuaternion(e){let t=this.x,n=this.y,i=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*i-a*n),u=2*(a*t-r*i),f=2*(r*n-o*t);return this.x=t+l*c+o*f-a*u,this.y=n+l*u+a*c-r*f,this.z=i+l*f+r*u-o*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,n=this.y,i=this.z,r=e.elements;return this.x=r[0]*t+r[4]*n+r[8]*i,this.y=r[1]*t+r[5]*n+r[9]*i,this.z=r[2]*t+r[6]*n+r[10]*i,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=ce(this.x,e.x,t.x),this.y=ce(this.y,e.y,t.y),this.z=ce(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=ce(this.x,e,t),this.y=ce(this.y,e,t),this.z=ce(this.z,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(ce(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this.z=e.z+(t.z-e.z)*n,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let n=e.x,i=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=i*l-r*a,this.y=r*o-n*l,this.z=n*a-i*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let n=e.dot(this)/t;return this.copy(e).multiplyScalar(n)}projectOnPlane(e){return ss.copy(this).projectOnVector(e),this.sub(ss)}reflect(e){return this.sub(ss.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(ce(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y,i=this.z-e.z;return t*t+n*n+i*i}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,n){let i=Math.sin(t)*e;return this.x=i*Math.sin(n),this.y=Math.cos(t)*e,this.z=i*Math.cos(n),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,n){return this.x=e*Math.sin(t),this.y=n,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),n=this.setFromMatrixColumn(e,1).length(),i=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=n,this.z=i,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},ss=new q,jo=new Ot,oe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,i,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,i,r,o,a,l,c)}set(e,t,n,i,r,o,a,l,c){let u=this.elements;return u[0]=e,u[1]=i,u[2]=a,u[3]=t,u[4]=r,u[5]=l,u[6]=n,u[7]=o,u[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,i=t.elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],u=n[4],f=n[7],d=n[2],m=n[5],_=n[8],v=i[0],b=i[3],M=i[6],A=i[1],N=i[4],D=i[7],O=i[2],Y=i[5],X=i[8];return r[0]=o*v+a*A+l*O,r[3]=o*b+a*N+l*Y,r[6]=o*M+a*D+l*X,r[1]=c*v+u*A+f*O,r[4]=c*b+u*N+f*Y,r[7]=c*M+u*D+f*X,r[2]=d*v+m*A+_*O,r[5]=d*b+m*N+_*Y,r[8]=d*M+m*D+_*X,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],i=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8];return t*o*u-t*a*c-n*r*u+n*a*l+i*r*c-i*o*l}invert(){let e=this.elements,t=e[0],n=e[1],i=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],f=u*o-a*c,d=a*l-u*r,m=c*r-o*l,_=t*f+n*d+i*m;if(_===0)return this.set(0,0,0,0,0,0,0,0,0);let v=1/_;return e[0]=f*v,e[1]=(i*c-u*n)*v,e[2]=(a*n-i*o)*v,e[3]=d*v,e[4]=(u*t-i*l)*v,e[5]=(i*r-a*t)*v,e[6]=m*v,e[7]=(n*l-c*t)*v,e[8]=(o*t-n*r)*v,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,i,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.set(n*l,n*c,-n*(l*o+c*a)+o+e,-i*c,i*l,-i*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return er("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(os.makeScale(e,t)),this}rotate(e){return er("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(os.makeRotation(-e)),this}translate(e,t){return er("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(os.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,n,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let i=0;i<9;i++)if(t[i]!==n[i])return!1;return!0}fromArray(e,t=0){for(let n=0;n<9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},os=new oe,Qo=new oe().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),ea=new oe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function Rh(){let s={enabled:!0,workingColorSpace:Ke,spaces:{},convert:function(i,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Qi&&(i.r=Dt(i.r),i.g=Dt(i.g),i.b=Dt(i.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(i.applyMatrix3(this.spaces[r].toXYZ),i.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===Qi&&(i.r=In(i.r),i.g=In(i.g),i.b=In(i.b))),i},workingToColorSpace:function(i,r){return this.convert(i,this.workingColorSpace,r)},colorSpaceToWorking:function(i,r){return this.convert(i,r,this.workingColorSpace)},getPrimaries:function(i){return this.spaces[i].primaries},getTransfer:function(i){return i===qs?Cs:this.spaces[i].transfer},getToneMappingMode:function(i){return this.spaces[i].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(i,r=this.workingColorSpace){return i.fromArray(this.spaces[r].luminanceCoefficients)},define:function(i){Object.assign(this.spaces,i)},_getMatrix:function(i,r,o){return i.copy(this.spaces[o].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(i){return this.spaces[i].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(i=this.workingColorSpace){return this.spaces[i].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return s.define({[Ke]:{primaries:e,whitePoint:n,transfer:Cs,toXYZ:Qo,fromXYZ:ea,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:rt},outputColorSpaceConfig:{drawingBufferColorSpace:rt}},[rt]:{primaries:e,whitePoint:n,transfer:Qi,toXYZ:Qo,fromXYZ:ea,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:rt}}}),s}var it=Rh();function Dt(s){return s<.04045?s*.0773993808:Math.pow(s*.9478672986+.0521327014,2.4)}function In(s){return s<.0031308?s*12.92:1.055*Math.pow(s,.41666)-.055}var wn,ir=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{wn===void 0&&(wn=Ps("canvas")),wn.width=e.width,wn.height=e.height;let i=wn.getContext("2d");e instanceof ImageData?i.putImageData(e,0,0):i.drawImage(e,0,0,e.width,e.height),n=wn}return n.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=Ps("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let i=n.getImageData(0,0,e.width,e.height),r=i.data;for(let o=0;o<r.length;o++)r[o]=Dt(r[o]/255)*255;return n.putImageData(i,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(Dt(t[n]/255)*255):t[n]=Dt(t[n]);return{data:t,width:e.width,height:e.height}}else return Ae("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},Ch=0,rr=class{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:Ch++}),this.uuid=yr(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},i=this.data;if(i!==null){let r;if(Array.isArray(i)){r=[];for(let o=0,a=i.length;o<a;o++)i[o].isDataTexture?r.push(as(i[o].image)):r.push(as(i[o]))}else r=as(i);n.url=r}return t||(e.images[this.uuid]=n),n}};function as(s){return typeof HTMLImageElement<"u"&&s instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&s instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&s instanceof ImageBitmap?ir.getDataURL(s):s.data?{data:Array.from(s.data),width:s.width,height:s.height,type:s.data.constructor.name}:(Ae("Texture: Unable to serialize Texture."),{})}var Ih=0,ls=new q,cn=class s extends ln{constructor(e=s.DEFAULT_IMAGE,t=s.DEFAULT_MAPPING,n=an,i=an,r=ht,o=Xs,a=wt,l=va,c=s.DEFAULT_ANISOTROPY,u=qs){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:Ih++}),this.uuid=yr(),this.name="",this.source=new rr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=n,this.wrapT=i,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new Ge(0,0),this.repeat=new Ge(1,1),this.center=new Ge(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new oe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=u,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(ls).x}get height(){return this.source.getSize(ls).y}get depth(){return this.source.getSize(ls).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let n=e[t];if(n===void 0){Ae(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let i=this[t];if(i===void 0){Ae(`Texture.setValues(): property '${t}' does not exist.`);continue}i&&n&&i.isVector2&&n.isVector2||i&&n&&i.isVector3&&n.isVector3||i&&n&&i.isMatrix3&&n.isMatrix3?i.copy(n):this[t]=n}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let n={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(n.userData=this.userData),t||(e.textures[this.uuid]=n),n}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==Ws)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case Ss:e.x=e.x-Math.floor(e.x);break;case an:e.x=e.x<0?0:1;break;case bs:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case Ss:e.y=e.y-Math.floor(e.y);break;case an:e.y=e.y<0?0:1;break;case bs:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};cn.DEFAULT_IMAGE=null;cn.DEFAULT_MAPPING=Ws;cn.DEFAULT_ANISOTROPY=1;var Ns=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,n=0,i=1){this.x=e,this.y=t,this.z=n,this.w=i}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,n,i){return this.x=e,this.y=t,this.z=n,this.w=i,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,n=this.y,i=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*i+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*i+o[13]*r,this.z=o[2]*t+o[6]*n+o[10]*i+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*i+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,i,r,l=e.elements,c=l[0],u=l[4],f=l[8],d=l[1],m=l[5],_=l[9],v=l[2],b=l[6],M=l[10];if(Math.abs(u-d)<.01&&Math.abs(f-v)<.01&&Math.abs(_-b)<.01){if(Math.abs(u+d)<.1&&Math.abs(f+v)<.1&&Math.abs(_+b)<.1&&Math.abs(c+m+M-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let N=(c+1)/2,D=(m+1)/2,O=(M+1)/2,Y=(u+d)/4,X=(f+v)/4,U=(_+b)/4;return N>D&&N>O?N<.01?(n=0,i=.707106781,r=.707106781):(n=Math.sqrt(N),i=Y/n,r=X/n):D>O?D<.01?(n=.707106781,i=0,r=.707106781):(i=Math.sqrt(D),n=Y/i,r=U/i):O<.01?(n=.707106781,i=.707106781,r=0):(r=Math.sqrt(O),n=X/r,i=U/r),this.set(n,i,r,t),this}let A=Math.sqrt((b-_)*(b-_)+(f-v)*(f-v)+(d-u)*(d-u));return Math.abs(A)<.001&&(A=1),this.x=(b-_)/A,this.y=(f-v)/A,this.z=(d-u)/A,this.w=Math.acos((c+m+M-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=ce(this.x,e.x,t.x),this.y=ce(this.y,e.y,t.y),this.z=ce(this.z,e.z,t.z),this.w=ce(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=ce(this.x,e,t),this.y=ce(this.y,e,t),this.z=ce(this.z,e,t),this.w=ce(this.w,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(ce(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this.z=e.z+(t.z-e.z)*n,this.w=e.w+(t.w-e.w)*n,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}};var st=class s{static{this.prototype.isMatrix4=!0}constructor(e,t,n,i,r,o,a,l,c,u,f,d,m,_,v,b){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,n,i,r,o,a,l,c,u,f,d,m,_,v,b)}set(e,t,n,i,r,o,a,l,c,u,f,d,m,_,v,b){let M=this.elements;return M[0]=e,M[4]=t,M[8]=n,M[12]=i,M[1]=r,M[5]=o,M[9]=a,M[13]=l,M[2]=c,M[6]=u,M[10]=f,M[14]=d,M[3]=m,M[7]=_,M[11]=v,M[15]=b,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new s().fromArray(this.elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),n.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),n.setFromMatrixColumn(this,2),this)}makeBasis(e,t,n){return this.set(e.x,t.x,n.x,0,e.y,t.y,n.y,0,e.z,t.z,n.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,n=e.elements,i=1/Sn.setFromMatrixColumn(e,0).length(),r=1/Sn.setFromMatrixColumn(e,1).length(),o=1/Sn.setFromMatrixColumn(e,2).length();return t[0]=n[0]*i,t[1]=n[1]*i,t[2]=n[2]*i,t[3]=0,t[4]=n[4]*r,t[5]=n[5]*r,t[6]=n[6]*r,t[7]=0,t[8]=n[8]*o,t[9]=n[9]*o,t[10]=n[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,n=e.x,i=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),l=Math.cos(i),c=Math.sin(i),u=Math.cos(r),f=Math.sin(r);if(e.order==="XYZ"){let d=o*u,m=o*f,_=a*u,v=a*f;t[0]=l*u,t[4]=-l*f,t[8]=c,t[1]=m+_*c,t[5]=d-v*c,t[9]=-a*l,t[2]=v-d*c,t[6]=_+m*c,t[10]=o*l}else if(e.order==="YXZ"){let d=l*u,m=l*f,_=c*u,v=c*f;t[0]=d+v*a,t[4]=_*a-m,t[8]=o*c,t[1]=o*f,t[5]=o*u,t[9]=-a,t[2]=m*a-_,t[6]=v+d*a,t[10]=o*l}else if(e.order==="ZXY"){let d=l*u,m=l*f,_=c*u,v=c*f;t[0]=d-v*a,t[4]=-o*f,t[8]=_+m*a,t[1]=m+_*a,t[5]=o*u,t[9]=v-d*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let d=o*u,m=o*f,_=a*u,v=a*f;t[0]=l*u,t[4]=_*c-m,t[8]=d*c+v,t[1]=l*f,t[5]=v*c+d,t[9]=m*c-_,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let d=o*l,m=o*c,_=a*l,v=a*c;t[0]=l*u,t[4]=v-d*f,t[8]=_*f+m,t[1]=f,t[5]=o*u,t[9]=-a*u,t[2]=-c*u,t[6]=m*f+_,t[10]=d-v*f}else if(e.order==="XZY"){let d=o*l,m=o*c,_=a*l,v=a*c;t[0]=l*u,t[4]=-f,t[8]=c*u,t[1]=d*f+v,t[5]=o*u,t[9]=m*f-_,t[2]=_*f-m,t[6]=a*u,t[10]=v*f+d}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(Ph,e,Nh)}lookAt(e,t,n){let i=this.elements;return Ze.subVectors(e,t),Ze.lengthSq()===0&&(Ze.z=1),Ze.normalize(),Ht.crossVectors(n,Ze),Ht.lengthSq()===0&&(Math.abs(n.z)===1?Ze.x+=1e-4:Ze.z+=1e-4,Ze.normalize(),Ht.crossVectors(n,Ze)),Ht.normalize(),Wi.crossVectors(Ze,Ht),i[0]=Ht.x,i[4]=Wi.x,i[8]=Ze.x,i[1]=Ht.y,i[5]=Wi.y,i[9]=Ze.y,i[2]=Ht.z,i[6]=Wi.z,i[10]=Ze.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,i=t.elements,r=this.elements,o=n[0],a=n[4],l=n[8],c=n[12],u=n[1],f=n[5],d=n[9],m=n[13],_=n[2],v=n[6],b=n[10],M=n[14],A=n[3],N=n[7],D=n[11],O=n[15],Y=i[0],X=i[4],U=i[8],L=i[12],k=i[1],F=i[5],B=i[9],te=i[13],W=i[2],j=i[6],ie=i[10],we=i[14],ke=i[3],ve=i[7],Ce=i[11],vt=i[15];return r[0]=o*Y+a*k+l*W+c*ke,r[4]=o*X+a*F+l*j+c*ve,r[8]=o*U+a*B+l*ie+c*Ce,r[12]=o*L+a*te+l*we+c*vt,r[1]=u*Y+f*k+d*W+m*ke,r[5]=u*X+f*F+d*j+m*ve,r[9]=u*U+f*B+d*ie+m*Ce,r[13]=u*L+f*te+d*we+m*vt,r[2]=_*Y+v*k+b*W+M*ke,r[6]=_*X+v*F+b*j+M*ve,r[10]=_*U+v*B+b*ie+M*Ce,r[14]=_*L+v*te+b*we+M*vt,r[3]=A*Y+N*k+D*W+O*ke,r[7]=A*X+N*F+D*j+O*ve,r[11]=A*U+N*B+D*ie+O*Ce,r[15]=A*L+N*te+D*we+O*vt,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[4],i=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],u=e[2],f=e[6],d=e[10],m=e[14],_=e[3],v=e[7],b=e[11],M=e[15],A=l*m-c*d,N=a*m-c*f,D=a*d-l*f,O=o*m-c*u,Y=o*d-l*u,X=o*f-a*u;return t*(v*A-b*N+M*D)-n*(_*A-b*O+M*Y)+i*(_*N-v*O+M*X)-r*(_*D-v*Y+b*X)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],i=e[8],r=e[1],o=e[5],a=e[9],l=e[2],c=e[6],u=e[10];return t*(o*u-a*c)-n*(r*u-a*l)+i*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let i=this.elements;return e.isVector3?(i[12]=e.x,i[13]=e.y,i[14]=e.z):(i[12]=e,i[13]=t,i[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],i=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],f=e[9],d=e[10],m=e[11],_=e[12],v=e[13],b=e[14],M=e[15],A=t*a-n*o,N=t*l-i*o,D=t*c-r*o,O=n*l-i*a,Y=n*c-r*a,X=i*c-r*l,U=u*v-f*_,L=u*b-d*_,k=u*M-m*_,F=f*b-d*v,B=f*M-m*v,te=d*M-m*b,W=A*te-N*B+D*F+O*k-Y*L+X*U;if(W===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let j=1/W;return e[0]=(a*te-l*B+c*F)*j,e[1]=(i*B-n*te-r*F)*j,e[2]=(v*X-b*Y+M*O)*j,e[3]=(d*Y-f*X-m*O)*j,e[4]=(l*k-o*te-c*L)*j,e[5]=(t*te-i*k+r*L)*j,e[6]=(b*D-_*X-M*N)*j,e[7]=(u*X-d*D+m*N)*j,e[8]=(o*B-a*k+c*U)*j,e[9]=(n*k-t*B-r*U)*j,e[10]=(_*Y-v*D+M*A)*j,e[11]=(f*D-u*Y-m*A)*j,e[12]=(a*L-o*F-l*U)*j,e[13]=(t*F-n*L+i*U)*j,e[14]=(v*N-_*O-b*A)*j,e[15]=(u*O-f*N+d*A)*j,this}scale(e){let t=this.elements,n=e.x,i=e.y,r=e.z;return t[0]*=n,t[4]*=i,t[8]*=r,t[1]*=n,t[5]*=i,t[9]*=r,t[2]*=n,t[6]*=i,t[10]*=r,t[3]*=n,t[7]*=i,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],i=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,i))}makeTranslation(e,t,n){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,0,n,0,0,1,0,0,-n,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),i=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.z,c=r*o,u=r*a;return this.set(c*o+n,c*a-i*l,c*l+i*a,0,c*a+i*l,u*a+n,u*l-i*o,0,c*l-i*a,u*l+i*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,i,r,o){return this.set(1,n,r,0,e,1,o,0,t,i,1,0,0,0,0,1),this}compose(e,t,n){let i=this.elements,r=t._x,o=t._y,a=t._z,l=t._w,c=r+r,u=o+o,f=a+a,d=r*c,m=r*u,_=r*f,v=o*u,b=o*f,M=a*f,A=l*c,N=l*u,D=l*f,O=n.x,Y=n.y,X=n.z;return i[0]=(1-(v+M))*O,i[1]=(m+D)*O,i[2]=(_-N)*O,i[3]=0,i[4]=(m-D)*Y,i[5]=(1-(d+M))*Y,i[6]=(b+A)*Y,i[7]=0,i[8]=(_+N)*X,i[9]=(b-A)*X,i[10]=(1-(d+v))*X,i[11]=0,i[12]=e.x,i[13]=e.y,i[14]=e.z,i[15]=1,this}decompose(e,t,n){let i=this.elements;e.x=i[12],e.y=i[13],e.z=i[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Sn.set(i[0],i[1],i[2]).length(),a=Sn.set(i[4],i[5],i[6]).length(),l=Sn.set(i[8],i[9],i[10]).length();r<0&&(o=-o),lt.copy(this);let c=1/o,u=1/a,f=1/l;return lt.elements[0]*=c,lt.elements[1]*=c,lt.elements[2]*=c,lt.elements[4]*=u,lt.elements[5]*=u,lt.elements[6]*=u,lt.elements[8]*=f,lt.elements[9]*=f,lt.elements[10]*=f,t.setFromRotationMatrix(lt),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,i,r,o,a=hi,l=!1){let c=this.elements,u=2*r/(t-e),f=2*r/(n-i),d=(t+e)/(t-e),m=(n+i)/(n-i),_,v;if(l)_=r/(o-r),v=o*r/(o-r);else if(a===hi)_=-(o+r)/(o-r),v=-2*o*r/(o-r);else if(a===Is)_=-o/(o-r),v=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=d,c[12]=0,c[1]=0,c[5]=f,c[9]=m,c[13]=0,c[2]=0,c[6]=0,c[10]=_,c[14]=v,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,i,r,o,a=hi,l=!1){let c=this.elements,u=2/(t-e),f=2/(n-i),d=-(t+e)/(t-e),m=-(n+i)/(n-i),_,v;if(l)_=1/(o-r),v=o/(o-r);else if(a===hi)_=-2/(o-r),v=-(o+r)/(o-r);else if(a===Is)_=-1/(o-r),v=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=0,c[12]=d,c[1]=0,c[5]=f,c[9]=0,c[13]=m,c[2]=0,c[6]=0,c[10]=_,c[14]=v,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let i=0;i<16;i++)if(t[i]!==n[i])return!1;return!0}fromArray(e,t=0){for(let n=0;n<16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Sn=new q,lt=new st,Ph=new q(0,0,0),Nh=new q(1,1,1),Ht=new q,Wi=new q,Ze=new q,ta=new st,na=new Ot,fi=class s{constructor(e=0,t=0,n=0,i=s.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=n,this._order=i}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,i=this._order){return this._x=e,this._y=t,this._z=n,this._order=i,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,n=!0){let i=e.elements,r=i[0],o=i[4],a=i[8],l=i[1],c=i[5],u=i[9],f=i[2],d=i[6],m=i[10];switch(t){case"XYZ":this._y=Math.asin(ce(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-u,m),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(d,c),this._z=0);break;case"YXZ":this._x=Math.asin(-ce(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(a,m),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-f,r),this._z=0);break;case"ZXY":this._x=Math.asin(ce(d,-1,1)),Math.abs(d)<.9999999?(this._y=Math.atan2(-f,m),this._z=Math.atan2(-o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-ce(f,-1,1)),Math.abs(f)<.9999999?(this._x=Math.atan2(d,m),this._z=Math.atan2(l,r)):(this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(ce(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-u,c),this._y=Math.atan2(-f,r)):(this._x=0,this._y=Math.atan2(a,m));break;case"XZY":this._z=Math.asin(-ce(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(d,c),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-u,m),this._y=0);break;default:Ae("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,n){return ta.makeRotationFromQuaternion(e),this.setFromRotationMatrix(ta,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return na.setFromEuler(this),this.setFromQuaternion(na,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};fi.DEFAULT_ORDER="XYZ";var sr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},Lh=0,ia=new q,bn=new Ot,It=new st,Xi=new q,oi=new q,Dh=new q,Oh=new Ot,ra=new q(1,0,0),sa=new q(0,1,0),oa=new q(0,0,1),aa={type:"added"},Uh={type:"removed"},Mn={type:"childadded",child:null},cs={type:"childremoved",child:null},hn=class s extends ln{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:Lh++}),this.uuid=yr(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=s.DEFAULT_UP.clone();let e=new q,t=new fi,n=new Ot,i=new q(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,enumerable:!0,value:i},modelViewMatrix:{value:new st},normalMatrix:{value:new oe}}),this.matrix=new st,this.matrixWorld=new st,this.matrixAutoUpdate=s.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=s.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new sr,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return bn.setFromAxisAngle(e,t),this.quaternion.multiply(bn),this}rotateOnWorldAxis(e,t){return bn.setFromAxisAngle(e,t),this.quaternion.premultiply(bn),this}rotateX(e){return this.rotateOnAxis(ra,e)}rotateY(e){return this.rotateOnAxis(sa,e)}rotateZ(e){return this.rotateOnAxis(oa,e)}translateOnAxis(e,t){return ia.copy(e).applyQuaternion(this.quaternion),this.position.add(ia.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(ra,e)}translateY(e){return this.translateOnAxis(sa,e)}translateZ(e){return this.translateOnAxis(oa,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(It.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?Xi.copy(e):Xi.set(e,t,n);let i=this.parent;this.updateWorldMatrix(!0,!1),oi.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?It.lookAt(oi,Xi,this.up):It.lookAt(Xi,oi,this.up),this.quaternion.setFromRotationMatrix(It),i&&(It.extractRotation(i.matrixWorld),bn.setFromRotationMatrix(It),this.quaternion.premultiply(bn.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(ye("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(aa),Mn.child=e,this.dispatchEvent(Mn),Mn.child=null):ye("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(Uh),cs.child=e,this.dispatchEvent(cs),cs.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),It.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),It.multiply(e.parent.matrixWorld)),e.applyMatrix4(It),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(aa),Mn.child=e,this.dispatchEvent(Mn),Mn.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,i=this.children.length;n<i;n++){let o=this.children[n].getObjectByProperty(e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let i=this.children;for(let r=0,o=i.length;r<o;r++)i[r].getObjectsByProperty(e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(oi,e,Dh),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(oi,Oh,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.children;for(let n=0,i=t.length;n<i;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,i=t.length;n<i;n++)t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let e=this.pivot;if(e!==null){let t=e.x,n=e.y,i=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*n-r[8]*i,r[13]+=n-r[1]*t-r[5]*n-r[9]*i,r[14]+=i-r[2]*t-r[6]*n-r[10]*i}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let n=0,i=t.length;n<i;n++)t[n].updateMatrixWorld(e)}updateWorldMatrix(e,t,n=!1){let i=this.parent;if(e===!0&&i!==null&&i.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||n)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,n=!0),t===!0){let r=this.children;for(let o=0,a=r.length;o<a;o++)r[o].updateWorldMatrix(!1,!0,n)}}toJSON(e){let t=e===void 0||typeof e=="string",n={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},n.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let i={};i.uuid=this.uuid,i.type=this.type,i.name=this.name,i.castShadow=this.castShadow,i.receiveShadow=this.receiveShadow,i.visible=this.visible,i.frustumCulled=this.frustumCulled,i.renderOrder=this.renderOrder,i.static=this.static,i.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(i.userData=this.userData),i.layers=this.layers.mask,i.matrix=this.matrix.toArray(),i.up=this.up.toArray(),this.pivot!==null&&(i.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(i.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(i.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(i.type="InstancedMesh",i.count=this.count,i.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(i.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(i.type="BatchedMesh",i.perObjectFrustumCulled=this.perObjectFrustumCulled,i.sortObjects=this.sortObjects,i.drawRanges=this._drawRanges,i.reservedRanges=this._reservedRanges,i.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),i.instanceInfo=this._instanceInfo.map(a=>({...a})),i.availableInstanceIds=this._availableInstanceIds.slice(),i.availableGeometryIds=this._availableGeometryIds.slice(),i.nextIndexStart=this._nextIndexStart,i.nextVertexStart=this._nextVertexStart,i.geometryCount=this._geometryCount,i.maxInstanceCount=this._maxInstanceCount,i.maxVertexCount=this._maxVertexCount,i.maxIndexCount=this._maxIndexCount,i.geometryInitialized=this._geometryInitialized,i.matricesTexture=this._matricesTexture.toJSON(e),i.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(i.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(i.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(i.boundingBox=this.boundingBox.toJSON()));function r(a,l){return a[l.uuid]===void 0&&(a[l.uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?i.background=this.background.toJSON():this.background.isTexture&&(i.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(i.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){i.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let l=a.shapes;if(Array.isArray(l))for(let c=0,u=l.length;c<u;c++){let f=l[c];r(e.shapes,f)}else r(e.shapes,l)}}if(this.isSkinnedMesh&&(i.bindMode=this.bindMode,i.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),i.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(e.materials,this.material[l]));i.material=a}else i.material=r(e.materials,this.material);if(this.children.length>0){i.children=[];for(let a=0;a<this.children.length;a++)i.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){i.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];i.animations.push(r(e.animations,l))}}if(t){let a=o(e.geometries),l=o(e.materials),c=o(e.textures),u=o(e.images),f=o(e.shapes),d=o(e.skeletons),m=o(e.animations),_=o(e.nodes);a.length>0&&(n.geometries=a),l.length>0&&(n.materials=l),c.length>0&&(n.textures=c),u.length>0&&(n.images=u),f.length>0&&(n.shapes=f),d.length>0&&(n.skeletons=d),m.length>0&&(n.animations=m),_.length>0&&(n.nodes=_)}return n.object=i,n;function o(a){let l=[];for(let c in a){let u=a[c];delete u.metadata,l.push(u)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let i=e.children[n];this.add(i.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};hn.DEFAULT_UP=new q(0,1,0);hn.DEFAULT_MATRIX_AUTO_UPDATE=!0;hn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var wa={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},Vt={h:0,s:0,l:0},qi={h:0,s:0,l:0};function hs(s,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?s+(e-s)*6*t:t<1/2?e:t<2/3?s+(e-s)*6*(2/3-t):s}var Le=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let i=e;i&&i.isColor?this.copy(i):typeof i=="number"?this.setHex(i):typeof i=="string"&&this.setStyle(i)}else this.setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=rt){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,it.colorSpaceToWorking(this,t),this}setRGB(e,t,n,i=it.workingColorSpace){return this.r=e,this.g=t,this.b=n,it.colorSpaceToWorking(this,i),this}setHSL(e,t,n,i=it.workingColorSpace){if(e=Eh(e,1),t=ce(t,0,1),n=ce(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=hs(o,r,e+1/3),this.g=hs(o,r,e),this.b=hs(o,r,e-1/3)}return it.colorSpaceToWorking(this,i),this}setStyle(e,t=rt){function n(r){r!==void 0&&parseFloat(r)<1&&Ae("Color: Alpha component of "+e+" will be ignored.")}let i;if(i=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=i[1],a=i[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:Ae("Color: Unknown color model "+e)}}else if(i=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=i[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.setHex(parseInt(r,16),t);Ae("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=rt){let n=wa[e.toLowerCase()];return n!==void 0?this.setHex(n,t):Ae("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=Dt(e.r),this.g=Dt(e.g),this.b=Dt(e.b),this}copyLinearToSRGB(e){return this.r=In(e.r),this.g=In(e.g),this.b=In(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=rt){return it.workingToColorSpace(Be.copy(this),e),Math.round(ce(Be.r*255,0,255))*65536+Math.round(ce(Be.g*255,0,255))*256+Math.round(ce(Be.b*255,0,255))}getHexString(e=rt){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=it.workingColorSpace){it.workingToColorSpace(Be.copy(this),t);let n=Be.r,i=Be.g,r=Be.b,o=Math.max(n,i,r),a=Math.min(n,i,r),l,c,u=(a+o)/2;if(a===o)l=0,c=0;else{let f=o-a;switch(c=u<=.5?f/(o+a):f/(2-o-a),o){case n:l=(i-r)/f+(i<r?6:0);break;case i:l=(r-n)/f+2;break;case r:l=(n-i)/f+4;break}l/=6}return e.h=l,e.s=c,e.l=u,e}getRGB(e,t=it.workingColorSpace){return it.workingToColorSpace(Be.copy(this),t),e.r=Be.r,e.g=Be.g,e.b=Be.b,e}getStyle(e=rt){it.workingToColorSpace(Be.copy(this),e);let t=Be.r,n=Be.g,i=Be.b;return e!==rt?`color(${e} ${t.toFixed(3)} ${n.toFixed(3)} ${i.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(n*255)},${Math.round(i*255)})`}offsetHSL(e,t,n){return this.getHSL(Vt),this.setHSL(Vt.h+e,Vt.s+t,Vt.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,n){return this.r=e.r+(t.r-e.r)*n,this.g=e.g+(t.g-e.g)*n,this.b=e.b+(t.b-e.b)*n,this}lerpHSL(e,t){this.getHSL(Vt),e.getHSL(qi);let n=rs(Vt.h,qi.h,t),i=rs(Vt.s,qi.s,t),r=rs(Vt.l,qi.l,t);return this.setHSL(n,i,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,n=this.g,i=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*i,this.g=r[1]*t+r[4]*n+r[7]*i,this.b=r[2]*t+r[5]*n+r[8]*i,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},Be=new Le;Le.NAMES=wa;var Te=class{constructor(e=new q(1/0,1/0,1/0),t=new q(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(ct.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,n=e.count;t<n;t++)this.expandByPoint(ct.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let n=ct.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(n),this.max.copy(e).add(n),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let n=e.geometry;if(n!==void 0){let r=n.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,ct):ct.fromBufferAttribute(r,o),ct.applyMatrix4(e.matrixWorld),this.expandByPoint(ct);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),$i.copy(e.boundingBox)):(n.boundingBox===null&&n.computeBoundingBox(),$i.copy(n.boundingBox)),$i.applyMatrix4(e.matrixWorld),this.union($i)}let i=e.children;for(let r=0,o=i.length;r<o;r++)this.expandByObject(i[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,ct),ct.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,n;return e.normal.x>0?(t=e.normal.x*this.min.x,n=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(ai),Yi.subVectors(this.max,ai),En.subVectors(e.a,ai),An.subVectors(e.b,ai),Tn.subVectors(e.c,ai),Wt.subVectors(An,En),Xt.subVectors(Tn,An),sn.subVectors(En,Tn);let t=[0,-Wt.z,Wt.y,0,-Xt.z,Xt.y,0,-sn.z,sn.y,Wt.z,0,-Wt.x,Xt.z,0,-Xt.x,sn.z,0,-sn.x,-Wt.y,Wt.x,0,-Xt.y,Xt.x,0,-sn.y,sn.x,0];return!us(t,En,An,Tn,Yi)||(t=[1,0,0,0,1,0,0,0,1],!us(t,En,An,Tn,Yi))?!1:(Zi.crossVectors(Wt,Xt),t=[Zi.x,Zi.y,Zi.z],us(t,En,An,Tn,Yi))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,ct).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(ct).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(Pt[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),Pt[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),Pt[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),Pt[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),Pt[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),Pt[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),Pt[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),Pt[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(Pt),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},Pt=[new q,new q,new q,new q,new q,new q,new q,new q],ct=new q,$i=new Te,En=new q,An=new q,Tn=new q,Wt=new q,Xt=new q,sn=new q,ai=new q,Yi=new q,Zi=new q,on=new q;function us(s,e,t,n,i){for(let r=0,o=s.length-3;r<=o;r+=3){on.fromArray(s,r);let a=i.x*Math.abs(on.x)+i.y*Math.abs(on.y)+i.z*Math.abs(on.z),l=e.dot(on),c=t.dot(on),u=n.dot(on);if(Math.max(-Math.max(l,c,u),Math.min(l,c,u))>a)return!1}return!0}var Lt=Fh();function Fh(){let s=new ArrayBuffer(4),e=new Float32Array(s),t=new Uint32Array(s),n=new Uint32Array(512),i=new Uint32Array(512);for(let l=0;l<256;++l){let c=l-127;c<-27?(n[l]=0,n[l|256]=32768,i[l]=24,i[l|256]=24):c<-14?(n[l]=1024>>-c-14,n[l|256]=1024>>-c-14|32768,i[l]=-c-1,i[l|256]=-c-1):c<=15?(n[l]=c+15<<10,n[l|256]=c+15<<10|32768,i[l]=13,i[l|256]=13):c<128?(n[l]=31744,n[l|256]=64512,i[l]=24,i[l|256]=24):(n[l]=31744,n[l|256]=64512,i[l]=13,i[l|256]=13)}let r=new Uint32Array(2048),o=new Uint32Array(64),a=new Uint32Array(64);for(let l=1;l<1024;++l){let c=l<<13,u=0;for(;(c&8388608)===0;)c<<=1,u-=8388608;c&=-8388609,u+=947912704,r[l]=c|u}for(let l=1024;l<2048;++l)r[l]=939524096+(l-1024<<13);for(let l=1;l<31;++l)o[l]=l<<23;o[31]=1199570944,o[32]=2147483648;for(let l=33;l<63;++l)o[l]=2147483648+(l-32<<23);o[63]=3347054592;for(let l=1;l<64;++l)l!==32&&(a[l]=1024);return{floatView:e,uint32View:t,baseTable:n,shiftTable:i,mantissaTable:r,exponentTable:o,offsetTable:a}}function Bh(s){Math.abs(s)>65504&&Ae("DataUtils.toHalfFloat(): Value out of range."),s=ce(s,-65504,65504),Lt.floatView[0]=s;let e=Lt.uint32View[0],t=e>>23&511;return Lt.baseTable[t]+((e&8388607)>>Lt.shiftTable[t])}function zh(s){let e=s>>10;return Lt.uint32View[0]=Lt.mantissaTable[Lt.offsetTable[e]+(s&1023)]+Lt.exponentTable[e],Lt.floatView[0]}var G=class{static toHalfFloat(e){return Bh(e)}static fromHalfFloat(e){return zh(e)}},Ee=new q,Ji=new Ge,kh=0,ut=class extends ln{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:kh++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=n,this.usage=xa,this.updateRanges=[],this.gpuType=ft,this.version=0,this._normalizationScale=e!==void 0?$s(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,n){e*=this.itemSize,n*=t.itemSize;for(let i=0,r=this.itemSize;i<r;i++)this.array[e+i]=t.array[n+i];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,n=this.count;t<n;t++)Ji.fromBufferAttribute(this,t),Ji.applyMatrix3(e),this.setXY(t,Ji.x,Ji.y);else if(this.itemSize===3)for(let t=0,n=this.count;t<n;t++)Ee.fromBufferAttribute(this,t),Ee.applyMatrix3(e),this.setXYZ(t,Ee.x,Ee.y,Ee.z);return this}applyMatrix4(e){for(let t=0,n=this.count;t<n;t++)Ee.fromBufferAttribute(this,t),Ee.applyMatrix4(e),this.setXYZ(t,Ee.x,Ee.y,Ee.z);return this}applyNormalMatrix(e){for(let t=0,n=this.count;t<n;t++)Ee.fromBufferAttribute(this,t),Ee.applyNormalMatrix(e),this.setXYZ(t,Ee.x,Ee.y,Ee.z);return this}transformDirection(e){for(let t=0,n=this.count;t<n;t++)Ee.fromBufferAttribute(this,t),Ee.transformDirection(e),this.setXYZ(t,Ee.x,Ee.y,Ee.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let n=this.array[e*this.itemSize+t];return this.normalized&&(n=this._denormalize(n)),n}setComponent(e,t,n){return this.normalized&&(n=this._normalize(n)),this.array[e*this.itemSize+t]=n,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,n){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n)),this.array[e+0]=t,this.array[e+1]=n,this}setXYZ(e,t,n,i){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n),i=this._normalize(i)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=i,this}setXYZW(e,t,n,i,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),n=this._normalize(n),i=this._normalize(i),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=i,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):Ah(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):Th(e,this.array)}};var or=class extends ut{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var ar=class extends ut{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var lr=class extends ut{constructor(e,t,n){super(new Float32Array(e),t,n)}},Gh=new Te,li=new q,fs=new q,cr=class{constructor(e=new q,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):Gh.setFromPoints(e).getCenter(n);let i=0;for(let r=0,o=e.length;r<o;r++)i=Math.max(i,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(i),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let n=this.center.distanceToSquared(e);return t.copy(e),n>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;li.subVectors(e,this.center);let t=li.lengthSq();if(t>this.radius*this.radius){let n=Math.sqrt(t),i=(n-this.radius)*.5;this.center.addScaledVector(li,i/n),this.radius+=i}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(fs.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(li.copy(e.center).add(fs)),this.expandByPoint(li.copy(e.center).sub(fs))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},Hh=0,nt=new st,ds=new hn,Rn=new q,Je=new Te,ci=new Te,Ne=new q,di=class s extends ln{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:Hh++}),this.uuid=yr(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(wh(e)?ar:or)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==void 0){let r=new oe().getNormalMatrix(e);n.applyNormalMatrix(r),n.needsUpdate=!0}let i=this.attributes.tangent;return i!==void 0&&(i.transformDirection(e),i.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return nt.makeRotationFromQuaternion(e),this.applyMatrix4(nt),this}rotateX(e){return nt.makeRotationX(e),this.applyMatrix4(nt),this}rotateY(e){return nt.makeRotationY(e),this.applyMatrix4(nt),this}rotateZ(e){return nt.makeRotationZ(e),this.applyMatrix4(nt),this}translate(e,t,n){return nt.makeTranslation(e,t,n),this.applyMatrix4(nt),this}scale(e,t,n){return nt.makeScale(e,t,n),this.applyMatrix4(nt),this}lookAt(e){return ds.lookAt(e),ds.updateMatrix(),this.applyMatrix4(ds.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(Rn).negate(),this.translate(Rn.x,Rn.y,Rn.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let n=[];for(let i=0,r=e.length;i<r;i++){let o=e[i];n.push(o.x,o.y,o.z||0)}this.setAttribute("position",new lr(n,3))}else{let n=Math.min(e.length,t.count);for(let i=0;i<n;i++){let r=e[i];t.setXYZ(i,r.x,r.y,r.z||0)}e.length>t.count&&Ae("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Te);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){ye("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new q(-1/0,-1/0,-1/0),new q(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let n=0,i=t.length;n<i;n++){let r=t[n];Je.setFromBufferAttribute(r),this.morphTargetsRelative?(Ne.addVectors(this.boundingBox.min,Je.min),this.boundingBox.expandByPoint(Ne),Ne.addVectors(this.boundingBox.max,Je.max),this.boundingBox.expandByPoint(Ne)):(this.boundingBox.expandByPoint(Je.min),this.boundingBox.expandByPoint(Je.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&ye('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new cr);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){ye("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new q,1/0);return}if(e){let n=this.boundingSphere.center;if(Je.setFromBufferAttribute(e),t)for(let r=0,o=t.length;r<o;r++){let a=t[r];ci.setFromBufferAttribute(a),this.morphTargetsRelative?(Ne.addVectors(Je.min,ci.min),Je.expandByPoint(Ne),Ne.addVectors(Je.max,ci.max),Je.expandByPoint(Ne)):(Je.expandByPoint(ci.min),Je.expandByPoint(ci.max))}Je.getCenter(n);let i=0;for(let r=0,o=e.count;r<o;r++)Ne.fromBufferAttribute(e,r),i=Math.max(i,n.distanceToSquared(Ne));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,u=a.count;c<u;c++)Ne.fromBufferAttribute(a,c),l&&(Rn.fromBufferAttribute(e,c),Ne.add(Rn)),i=Math.max(i,n.distanceToSquared(Ne))}this.boundingSphere.radius=Math.sqrt(i),isNaN(this.boundingSphere.radius)&&ye('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){ye("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let n=t.position,i=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new ut(new Float32Array(4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let L=0;L<n.count;L++)a[L]=new q,l[L]=new q;let u=new q,f=new q,d=new q,m=new Ge,_=new Ge,v=new Ge,b=new q,M=new q;function A(L,k,F){c[L]=c[k]=c[F]=1,u.fromBufferAttribute(n,L),f.fromBufferAttribute(n,k),d.fromBufferAttribute(n,F),m.fromBufferAttribute(r,L),_.fromBufferAttribute(r,k),v.fromBufferAttribute(r,F),f.sub(u),d.sub(u),_.sub(m),v.sub(m);let B=1/(_.x*v.y-v.x*_.y);isFinite(B)&&(b.copy(f).multiplyScalar(v.y).addScaledVector(d,-_.y).multiplyScalar(B),M.copy(d).multiplyScalar(_.x).addScaledVector(f,-v.x).multiplyScalar(B),a[L].add(b),a[k].add(b),a[F].add(b),l[L].add(M),l[k].add(M),l[F].add(M))}let N=this.groups;N.length===0&&(N=[{start:0,count:e.count}]);for(let L=0,k=N.length;L<k;++L){let F=N[L],B=F.start,te=F.count;for(let W=B,j=B+te;W<j;W+=3)A(e.getX(W+0),e.getX(W+1),e.getX(W+2))}let D=new q,O=new q,Y=new q,X=new q;function U(L){Y.fromBufferAttribute(i,L),X.copy(Y);let k=a[L];D.copy(k),D.sub(Y.multiplyScalar(Y.dot(k))).normalize(),O.crossVectors(X,k);let B=O.dot(l[L])<0?-1:1;o.setXYZW(L,D.x,D.y,D.z,B)}for(let L=0,k=n.count;L<k;++L)c[L]&&U(L);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===void 0||n.count!==t.count)n=new ut(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let d=0,m=n.count;d<m;d++)n.setXYZ(d,0,0,0);let i=new q,r=new q,o=new q,a=new q,l=new q,c=new q,u=new q,f=new q;if(e)for(let d=0,m=e.count;d<m;d+=3){let _=e.getX(d+0),v=e.getX(d+1),b=e.getX(d+2);i.fromBufferAttribute(t,_),r.fromBufferAttribute(t,v),o.fromBufferAttribute(t,b),u.subVectors(o,r),f.subVectors(i,r),u.cross(f),a.fromBufferAttribute(n,_),l.fromBufferAttribute(n,v),c.fromBufferAttribute(n,b),a.add(u),l.add(u),c.add(u),n.setXYZ(_,a.x,a.y,a.z),n.setXYZ(v,l.x,l.y,l.z),n.setXYZ(b,c.x,c.y,c.z)}else for(let d=0,m=t.count;d<m;d+=3)i.fromBufferAttribute(t,d+0),r.fromBufferAttribute(t,d+1),o.fromBufferAttribute(t,d+2),u.subVectors(o,r),f.subVectors(i,r),u.cross(f),n.setXYZ(d+0,u.x,u.y,u.z),n.setXYZ(d+1,u.x,u.y,u.z),n.setXYZ(d+2,u.x,u.y,u.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<n;t++)Ne.fromBufferAttribute(e,t),Ne.normalize(),e.setXYZ(t,Ne.x,Ne.y,Ne.z)}toNonIndexed(){function e(a,l){let c=a.array,u=a.itemSize,f=a.normalized,d=new c.constructor(l.length*u),m=0,_=0;for(let v=0,b=l.length;v<b;v++){a.isInterleavedBufferAttribute?m=l[v]*a.data.stride+a.offset:m=l[v]*u;for(let M=0;M<u;M++)d[_++]=c[m++]}return new ut(d,u,f)}if(this.index===null)return Ae("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new s,n=this.index.array,i=this.attributes;for(let a in i){let l=i[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let u=0,f=c.length;u<f;u++){let d=c[u],m=e(d,n);l.push(m)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let n=this.attributes;for(let l in n){let c=n[l];e.data.attributes[l]=c.toJSON(e.data)}let i={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],u=[];for(let f=0,d=c.length;f<d;f++){let m=c[f];u.push(m.toJSON(e.data))}u.length>0&&(i[l]=u,r=!0)}r&&(e.data.morphAttributes=i,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let n=e.index;n!==null&&this.setIndex(n.clone());let i=e.attributes;for(let c in i){let u=i[c];this.setAttribute(c,u.clone(t))}let r=e.morphAttributes;for(let c in r){let u=[],f=r[c];for(let d=0,m=f.length;d<m;d++)u.push(f[d].clone(t));this.morphAttributes[c]=u}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,u=o.length;c<u;c++){let f=o[c];this.addGroup(f.start,f.count,f.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var pi=class extends cn{constructor(e=null,t=1,n=1,i,r,o,a,l,c=Ms,u=Ms,f,d){super(null,o,a,l,c,u,i,r,f,d),this.isDataTexture=!0,this.image={data:e,width:t,height:n},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};function Sa(s){let e={};for(let t in s){e[t]={};for(let n in s[t]){let i=s[t][n];if(la(i))i.isRenderTargetTexture?(Ae("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=i.clone();else if(Array.isArray(i))if(la(i[0])){let r=[];for(let o=0,a=i.length;o<a;o++)r[o]=i[o].clone();e[t][n]=r}else e[t][n]=i.slice();else e[t][n]=i}}return e}function He(s){let e={};for(let t=0;t<s.length;t++){let n=Sa(s[t]);for(let i in n)e[i]=n[i]}return e}function la(s){return s&&(s.isColor||s.isMatrix3||s.isMatrix4||s.isVector2||s.isVector3||s.isVector4||s.isTexture||s.isQuaternion)}function Cn(s,e){return!s||s.constructor===e?s:typeof e.BYTES_PER_ELEMENT=="number"?new e(s):Array.prototype.slice.call(s)}function Ki(s){return s!==void 0&&s.inTangents!==void 0&&s.outTangents!==void 0}var qt=class{constructor(e,t,n,i){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=i!==void 0?i:new t.constructor(n),this.sampleValues=t,this.valueSize=n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,i=t[n],r=t[n-1];n:{e:{let o;t:{i:if(!(e<i)){for(let a=n+2;;){if(i===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===a)break;if(r=i,i=t[++n],e<i)break e}o=t.length;break t}if(!(e>=r)){let a=t[1];e<a&&(n=2,r=a);for(let l=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===l)break;if(i=r,r=t[--n-1],e>=r)break e}o=n,n=0;break t}break n}for(;n<o;){let a=n+o>>>1;e<t[a]?o=a:n=a+1}if(i=t[n],r=t[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(i===void 0)return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,i)}return this.interpolate_(n,r,e,i)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,n=this.sampleValues,i=this.valueSize,r=e*i;for(let o=0;o!==i;++o)t[o]=n[r+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},hr=class extends qt{constructor(e,t,n,i){super(e,t,n,i),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:As,endingEnd:As}}intervalChanged_(e,t,n){let i=this.parameterPositions,r=e-2,o=e+1,a=i[r],l=i[o];if(a===void 0)switch(this.getSettings_().endingStart){case Ts:r=e,a=2*t-n;break;case Rs:r=i.length-2,a=t+i[r]-i[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case Ts:o=e,l=2*n-t;break;case Rs:o=1,l=n+i[1]-i[0];break;default:o=e-1,l=t}let c=(n-t)*.5,u=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*u,this._offsetNext=o*u}interpolate_(e,t,n,i){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this._offsetPrev,f=this._offsetNext,d=this._weightPrev,m=this._weightNext,_=(n-t)/(i-t),v=_*_,b=v*_,M=-d*b+2*d*v-d*_,A=(1+d)*b+(-1.5-2*d)*v+(-.5+d)*_+1,N=(-1-m)*b+(1.5+m)*v+.5*_,D=m*b-m*v;for(let O=0;O!==a;++O)r[O]=M*o[u+O]+A*o[c+O]+N*o[l+O]+D*o[f+O];return r}},ur=class extends qt{constructor(e,t,n,i){super(e,t,n,i)}interpolate_(e,t,n,i){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=(n-t)/(i-t),f=1-u;for(let d=0;d!==a;++d)r[d]=o[c+d]*f+o[l+d]*u;return r}},fr=class extends qt{constructor(e,t,n,i){super(e,t,n,i)}interpolate_(e){return this.copySampleValue_(e-1)}},dr=class extends qt{interpolate_(e,t,n,i){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this.inTangents,f=this.outTangents;if(!u||!f){let _=(n-t)/(i-t),v=1-_;for(let b=0;b!==a;++b)r[b]=o[c+b]*v+o[l+b]*_;return r}let d=a*2,m=e-1;for(let _=0;_!==a;++_){let v=o[c+_],b=o[l+_],M=m*d+_*2,A=f[M],N=f[M+1],D=e*d+_*2,O=u[D],Y=u[D+1],X=Wh(n,t,A,O,i);r[_]=ba(X,v,N,Y,b)}return r}};function ba(s,e,t,n,i){let r=1-s;return r*r*r*e+3*r*r*s*t+3*r*s*s*n+s*s*s*i}function Vh(s,e,t,n,i){let r=1-s;return 3*r*r*(t-e)+6*r*s*(n-t)+3*s*s*(i-n)}function Wh(s,e,t,n,i){let r=(s-e)/(i-e);for(let o=0;o<8;o++){let a=ba(r,e,t,n,i)-s;if(Math.abs(a)<1e-10)break;let l=Vh(r,e,t,n,i);if(Math.abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var je=class{constructor(e,t,n,i){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Cn(t,this.TimeBufferType),this.values=Cn(n,this.ValueBufferType),this.setInterpolation(i||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.toJSON(e);else{n={name:e.name,times:Cn(e.times,Array),values:Cn(e.values,Array)};let i=e.getInterpolation();i!==e.DefaultInterpolation&&(n.interpolation=i),Ki(e.settings)&&(n.settings={inTangents:Cn(e.settings.inTangents,Array),outTangents:Cn(e.settings.outTangents,Array)})}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){return new fr(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new ur(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new hr(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new dr(this.times,this.values,this.getValueSize(),e);return this.settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case ui:t=this.InterpolantFactoryMethodDiscrete;break;case tr:t=this.InterpolantFactoryMethodLinear;break;case ji:t=this.InterpolantFactoryMethodSmooth;break;case Es:t=this.InterpolantFactoryMethodBezier;break}if(t===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return Ae("KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return ui;case this.InterpolantFactoryMethodLinear:return tr;case this.InterpolantFactoryMethodSmooth:return ji;case this.InterpolantFactoryMethodBezier:return Es}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,i=t.length;n!==i;++n)t[n]+=e;Ki(this.settings)&&(ca(this.settings.inTangents,e),ca(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;for(let n=0,i=t.length;n!==i;++n)t[n]*=e;Ki(this.settings)&&(ha(this.settings.inTangents,e),ha(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,i=n.length,r=0,o=i-1;for(;r!==i&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!==0||o!==i){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=n.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(ye("KeyframeTrack: Invalid value size in track.",this),e=!1);let n=this.times,i=this.values,r=n.length;r===0&&(ye("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=n[a];if(typeof l=="number"&&isNaN(l)){ye("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){ye("KeyframeTrack: Out of order keys.",this,a,l,o),e=!1;break}o=l}if(i!==void 0&&Sh(i))for(let a=0,l=i.length;a!==l;++a){let c=i[a];if(isNaN(c)){ye("KeyframeTrack: Value is not a valid number.",this,a,c),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),i=this.getInterpolation()===ji,r=e.length-1,o=1;for(let a=1;a<r;++a){let l=!1,c=e[a],u=e[a+1];if(c!==u&&(a!==1||c!==e[0]))if(i)l=!0;else{let f=a*n,d=f-n,m=f+n;for(let _=0;_!==n;++_){let v=t[f+_];if(v!==t[d+_]||v!==t[m+_]){l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let f=a*n,d=o*n;for(let m=0;m!==n;++m)t[d+m]=t[f+m]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),n=this.constructor,i=new n(this.name,e,t);return i.createInterpolant=this.createInterpolant,Ki(this.settings)&&(i.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),i}};function ca(s,e){for(let t=0,n=s.length;t!==n;t+=2)s[t]+=e}function ha(s,e){for(let t=0,n=s.length;t!==n;t+=2)s[t]*=e}je.prototype.ValueTypeName="";je.prototype.TimeBufferType=Float32Array;je.prototype.ValueBufferType=Float32Array;je.prototype.DefaultInterpolation=tr;var $t=class extends je{constructor(e,t,n){super(e,t,n)}};$t.prototype.ValueTypeName="bool";$t.prototype.ValueBufferType=Array;$t.prototype.DefaultInterpolation=ui;$t.prototype.InterpolantFactoryMethodLinear=void 0;$t.prototype.InterpolantFactoryMethodSmooth=void 0;var pr=class extends je{constructor(e,t,n,i){super(e,t,n,i)}};pr.prototype.ValueTypeName="color";var mr=class extends je{constructor(e,t,n,i){super(e,t,n,i)}};mr.prototype.ValueTypeName="number";var gr=class extends qt{constructor(e,t,n,i){super(e,t,n,i)}interpolate_(e,t,n,i){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(i-t),c=e*a;for(let u=c+a;c!==u;c+=4)Ot.slerpFlat(r,0,o,c-a,o,c,l);return r}},mi=class extends je{constructor(e,t,n,i){super(e,t,n,i)}InterpolantFactoryMethodLinear(e){return new gr(this.times,this.values,this.getValueSize(),e)}};mi.prototype.ValueTypeName="quaternion";mi.prototype.InterpolantFactoryMethodSmooth=void 0;var Yt=class extends je{constructor(e,t,n){super(e,t,n)}};Yt.prototype.ValueTypeName="string";Yt.prototype.ValueBufferType=Array;Yt.prototype.DefaultInterpolation=ui;Yt.prototype.InterpolantFactoryMethodLinear=void 0;Yt.prototype.InterpolantFactoryMethodSmooth=void 0;var _r=class extends je{constructor(e,t,n,i){super(e,t,n,i)}};_r.prototype.ValueTypeName="vector";var Ls={enabled:!1,files:{},add:function(s,e){this.enabled!==!1&&(ua(s)||(this.files[s]=e))},get:function(s){if(this.enabled!==!1&&!ua(s))return this.files[s]},remove:function(s){delete this.files[s]},clear:function(){this.files={}}};function ua(s){try{let e=s.slice(s.indexOf(":")+1);return new URL(e).protocol==="blob:"}catch{return!1}}var vr=class{constructor(e,t,n){let i=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.itemStart=function(u){a++,r===!1&&i.onStart!==void 0&&i.onStart(u,o,a),r=!0},this.itemEnd=function(u){o++,i.onProgress!==void 0&&i.onProgress(u,o,a),o===a&&(r=!1,i.onLoad!==void 0&&i.onLoad())},this.itemError=function(u){i.onError!==void 0&&i.onError(u)},this.resolveURL=function(u){return u=u.normalize("NFC"),l?l(u):u},this.setURLModifier=function(u){return l=u,this},this.addHandler=function(u,f){return c.push(u,f),this},this.removeHandler=function(u){let f=c.indexOf(u);return f!==-1&&c.splice(f,2),this},this.getHandler=function(u){for(let f=0,d=c.length;f<d;f+=2){let m=c[f],_=c[f+1];if(m.global&&(m.lastIndex=0),m.test(u))return _}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},Ma=new vr,Pn=class{constructor(e){this.manager=e!==void 0?e:Ma,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(i,r){n.load(e,i,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Pn.DEFAULT_MATERIAL_NAME="__DEFAULT";var Nt={},Ds=class extends Error{constructor(e,t){super(e),this.response=t}},xr=class extends Pn{constructor(e){super(e),this.mimeType="",this.responseType="",this._abortController=new AbortController}load(e,t,n,i){e===void 0&&(e=""),this.path!==void 0&&(e=this.path+e),e=this.manager.resolveURL(e);let r=Ls.get(`file:${e}`);if(r!==void 0){this.manager.itemStart(e),setTimeout(()=>{t&&t(r),this.manager.itemEnd(e)},0);return}if(Nt[e]!==void 0){Nt[e].push({onLoad:t,onProgress:n,onError:i});return}Nt[e]=[],Nt[e].push({onLoad:t,onProgress:n,onError:i});let o=new Request(e,{headers:new Headers(this.requestHeader),credentials:this.withCredentials?"include":"same-origin",priority:this.priority,cache:this.cache,signal:typeof AbortSignal.any=="function"?AbortSignal.any([this._abortController.signal,this.manager.abortController.signal]):this._abortController.signal}),a=this.mimeType,l=this.responseType;fetch(o).then(c=>{if(c.status===200||c.status===0){if(c.status===0&&Ae("FileLoader: HTTP Status 0 received."),typeof ReadableStream>"u"||c.body===void 0||c.body.getReader===void 0)return c;let u=Nt[e],f=c.body.getReader(),d=c.headers.get("X-File-Size")||c.headers.get("Content-Length"),m=d?parseInt(d):0,_=m!==0,v=0,b=new ReadableStream({start(M){A();function A(){f.read().then(({done:N,value:D})=>{if(N)M.close();else{v+=D.byteLength;let O=new ProgressEvent("progress",{lengthComputable:_,loaded:v,total:m});for(let Y=0,X=u.length;Y<X;Y++){let U=u[Y];U.onProgress&&U.onProgress(O)}M.enqueue(D),A()}},N=>{M.error(N)})}}});return new Response(b)}else throw new Ds(`fetch for "${c.url}" responded with ${c.status}: ${c.statusText}`,c)}).then(c=>{switch(l){case"arraybuffer":return c.arrayBuffer();case"blob":return c.blob();case"document":return c.text().then(u=>new DOMParser().parseFromString(u,a));case"json":return c.json();default:if(a==="")return c.text();{let f=/charset="?([^;"\s]*)"?/i.exec(a),d=f&&f[1]?f[1].toLowerCase():void 0,m=new TextDecoder(d);return c.arrayBuffer().then(_=>m.decode(_))}}}).then(c=>{Ls.add(`file:${e}`,c);let u=Nt[e];delete Nt[e];for(let f=0,d=u.length;f<d;f++){let m=u[f];m.onLoad&&m.onLoad(c)}}).catch(c=>{let u=Nt[e];if(u===void 0)throw this.manager.itemError(e),c;delete Nt[e];for(let f=0,d=u.length;f<d;f++){let m=u[f];m.onError&&m.onError(c)}this.manager.itemError(e)}).finally(()=>{this.manager.itemEnd(e)}),this.manager.itemStart(e)}setResponseType(e){return this.responseType=e,this}setMimeType(e){return this.mimeType=e,this}abort(){return this._abortController.abort(),this._abortController=new AbortController,this}};var un=class extends Pn{constructor(e){super(e)}load(e,t,n,i){let r=this,o=new pi,a=new xr(this.manager);return a.setPriority(this.priority),a.setCache(this.cache),a.setResponseType("arraybuffer"),a.setRequestHeader(this.requestHeader),a.setPath(this.path),a.setWithCredentials(r.withCredentials),a.load(e,function(l){let c;try{c=r.parse(l)}catch(u){i!==void 0?i(u):ye(u);return}r._applyTexData(o,c),t&&t(o,c)},n,i),o}createDataTexture(e){let t=new pi;return this._applyTexData(t,this.parse(e)),t}_applyTexData(e,t){t.image!==void 0?e.image=t.image:t.data!==void 0&&(e.image.width=t.width,e.image.height=t.height,e.image.data=t.data),e.wrapS=t.wrapS!==void 0?t.wrapS:an,e.wrapT=t.wrapT!==void 0?t.wrapT:an,e.magFilter=t.magFilter!==void 0?t.magFilter:ht,e.minFilter=t.minFilter!==void 0?t.minFilter:ht,e.anisotropy=t.anisotropy!==void 0?t.anisotropy:1,t.colorSpace!==void 0&&(e.colorSpace=t.colorSpace),t.flipY!==void 0&&(e.flipY=t.flipY),t.format!==void 0&&(e.format=t.format),t.type!==void 0&&(e.type=t.type),t.mipmaps!==void 0&&(e.mipmaps=t.mipmaps,e.minFilter=Xs),t.mipmapCount===1&&(e.minFilter=ht),t.generateMipmaps!==void 0&&(e.generateMipmaps=t.generateMipmaps),e.needsUpdate=!0}};var Ys="\\[\\]\\.:\\/",Xh=new RegExp("["+Ys+"]","g"),Zs="[^"+Ys+"]",qh="[^"+Ys.replace("\\.","")+"]",$h=/((?:WC+[\/:])*)/.source.replace("WC",Zs),Yh=/(WCOD+)?/.source.replace("WCOD",qh),Zh=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",Zs),Jh=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",Zs),Kh=new RegExp("^"+$h+Yh+Zh+Jh+"$"),jh=["material","materials","bones","map"],Os=class{constructor(e,t,n){let i=n||xe.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,i)}getValue(e,t){this.bind();let n=this._targetGroup.nCachedObjects_,i=this._bindings[n];i!==void 0&&i.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let i=this._targetGroup.nCachedObjects_,r=n.length;i!==r;++i)n[i].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},xe=class s{constructor(e,t,n){this.path=t,this.parsedPath=n||s.parseTrackName(t),this.node=s.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){return e&&e.isAnimationObjectGroup?new s.Composite(e,t,n):new s(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Xh,"")}static parseTrackName(e){let t=Kh.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},i=n.nodeName&&n.nodeName.lastIndexOf(".");if(i!==void 0&&i!==-1){let r=n.nodeName.substring(i+1);jh.indexOf(r)!==-1&&(n.nodeName=n.nodeName.substring(0,i),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=n(a.children);if(l)return l}return null},i=n(e.children);if(i)return i}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let n=this.resolvedProperty;for(let i=0,r=n.length;i!==r;++i)e[t++]=n[i]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let n=this.resolvedProperty;for(let i=0,r=n.length;i!==r;++i)n[i]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let n=this.resolvedProperty;for(let i=0,r=n.length;i!==r;++i)n[i]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let n=this.resolvedProperty;for(let i=0,r=n.length;i!==r;++i)n[i]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,n=t.objectName,i=t.propertyName,r=t.propertyIndex;if(e||(e=s.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){Ae("PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let c=t.objectIndex;switch(n){case"materials":if(!e.material){ye("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){ye("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){ye("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let u=0;u<e.length;u++)if(e[u].name===c){c=u;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){ye("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){ye("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[n]===void 0){ye("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[n]}if(c!==void 0){if(e[c]===void 0){ye("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[c]}}let o=e[i];if(o===void 0){let c=t.nodeName;ye("PropertyBinding: Trying to update property for track: "+c+"."+i+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(i==="morphTargetInfluences"){if(!e.geometry){ye("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){ye("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=i;this.getValue=this.GetterByBindingType[l],this.setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};xe.Composite=Os;xe.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};xe.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};xe.prototype.GetterByBindingType=[xe.prototype._getValue_direct,xe.prototype._getValue_array,xe.prototype._getValue_arrayElement,xe.prototype._getValue_toArray];xe.prototype.SetterByBindingTypeAndVersioning=[[xe.prototype._setValue_direct,xe.prototype._setValue_direct_setNeedsUpdate,xe.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[xe.prototype._setValue_array,xe.prototype._setValue_array_setNeedsUpdate,xe.prototype._setValue_array_setMatrixWorldNeedsUpdate],[xe.prototype._setValue_arrayElement,xe.prototype._setValue_arrayElement_setNeedsUpdate,xe.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[xe.prototype._setValue_fromArray,xe.prototype._setValue_fromArray_setNeedsUpdate,xe.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var h0=new Float32Array(1);var Us=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,i){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,i)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,i){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=i,this}};typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?Ae("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");var Qh=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,eu=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,tu=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,nu=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,iu=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,ru=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,su=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,ou=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,au=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,lu=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,cu=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,hu=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,uu=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,fu=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,du=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,pu=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,mu=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,gu=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,_u=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,vu=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,xu=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,yu=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,wu=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,Su=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,bu=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,Mu=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,Eu=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,Au=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,Tu=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,Ru="gl_FragColor = linearToOutputTexel( gl_FragColor );",Cu=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,Iu=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,Pu=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,Nu=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,Lu=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,Du=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,Ou=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,Uu=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,Fu=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,Bu=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,zu=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,ku=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,Gu=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,Hu=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,Vu=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,Wu=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,Xu=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,qu=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,$u=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,Yu=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,Zu=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,Ju=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,Ku=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,ju=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,Qu=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,ef=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,tf=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,nf=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,rf=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,sf=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,of=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,af=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,lf=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,cf=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,hf=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,uf=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,ff=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,df=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,pf=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,mf=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,gf=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,_f=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,vf=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,xf=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,yf=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,wf=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,Sf=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,bf=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,Mf=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,Ef=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,Af=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,Tf=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,Rf=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,Cf=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,If=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,Pf=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,Nf=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,Lf=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,Df=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,Of=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,Uf=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,Ff=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,Bf=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,zf=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,kf=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,Gf=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,Hf=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,Vf=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,Wf=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,Xf=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,qf=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,$f=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,Yf=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,Zf=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Jf=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Kf=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,jf=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,Qf=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,ed=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,td=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,nd=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,id=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,rd=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,sd=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,od=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,ad=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,ld=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,cd=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,hd=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,ud=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,fd=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,dd=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,pd=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,md=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,gd=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,_d=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,vd=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,xd=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,yd=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,wd=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,Sd=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,bd=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,Md=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,Ed=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,Ad=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,Td=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,Rd=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,Cd=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,Id=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,Pd=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,Nd=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,he={alphahash_fragment:Qh,alphahash_pars_fragment:eu,alphamap_fragment:tu,alphamap_pars_fragment:nu,alphatest_fragment:iu,alphatest_pars_fragment:ru,aomap_fragment:su,aomap_pars_fragment:ou,batching_pars_vertex:au,batching_vertex:lu,begin_vertex:cu,beginnormal_vertex:hu,bsdfs:uu,iridescence_fragment:fu,bumpmap_pars_fragment:du,clipping_planes_fragment:pu,clipping_planes_pars_fragment:mu,clipping_planes_pars_vertex:gu,clipping_planes_vertex:_u,color_fragment:vu,color_pars_fragment:xu,color_pars_vertex:yu,color_vertex:wu,common:Su,defaultnormal_vertex:bu,displacementmap_pars_vertex:Mu,displacementmap_vertex:Eu,emissivemap_fragment:Au,emissivemap_pars_fragment:Tu,colorspace_fragment:Ru,colorspace_pars_fragment:Cu,envmap_fragment:Iu,envmap_common_pars_fragment:Pu,envmap_pars_fragment:Nu,envmap_pars_vertex:Lu,envmap_physical_pars_fragment:Wu,envmap_vertex:Du,fog_vertex:Ou,fog_pars_vertex:Uu,fog_fragment:Fu,fog_pars_fragment:Bu,gradientmap_pars_fragment:zu,lightmap_pars_fragment:ku,lights_lambert_fragment:Gu,lights_lambert_pars_fragment:Hu,lights_pars_begin:Vu,lights_toon_fragment:Xu,lights_toon_pars_fragment:qu,lights_phong_fragment:$u,lights_phong_pars_fragment:Yu,lights_physical_fragment:Zu,lights_physical_pars_fragment:Ju,lights_fragment_begin:Ku,lights_fragment_maps:ju,lights_fragment_end:Qu,lightprobes_pars_fragment:ef,logdepthbuf_fragment:tf,logdepthbuf_pars_fragment:nf,logdepthbuf_pars_vertex:rf,logdepthbuf_vertex:sf,map_fragment:of,map_pars_fragment:af,map_particle_fragment:lf,map_particle_pars_fragment:cf,metalnessmap_fragment:hf,metalnessmap_pars_fragment:uf,morphinstance_vertex:ff,morphcolor_vertex:df,morphnormal_vertex:pf,morphtarget_pars_vertex:mf,morphtarget_vertex:gf,normal_fragment_begin:_f,normal_fragment_maps:vf,normal_pars_fragment:xf,normal_pars_vertex:yf,normal_vertex:wf,normalmap_pars_fragment:Sf,clearcoat_normal_fragment_begin:bf,clearcoat_normal_fragment_maps:Mf,clearcoat_pars_fragment:Ef,iridescence_pars_fragment:Af,opaque_fragment:Tf,packing:Rf,premultiplied_alpha_fragment:Cf,project_vertex:If,dithering_fragment:Pf,dithering_pars_fragment:Nf,roughnessmap_fragment:Lf,roughnessmap_pars_fragment:Df,shadowmap_pars_fragment:Of,shadowmap_pars_vertex:Uf,shadowmap_vertex:Ff,shadowmask_pars_fragment:Bf,skinbase_vertex:zf,skinning_pars_vertex:kf,skinning_vertex:Gf,skinnormal_vertex:Hf,specularmap_fragment:Vf,specularmap_pars_fragment:Wf,tonemapping_fragment:Xf,tonemapping_pars_fragment:qf,transmission_fragment:$f,transmission_pars_fragment:Yf,uv_pars_fragment:Zf,uv_pars_vertex:Jf,uv_vertex:Kf,worldpos_vertex:jf,background_vert:Qf,background_frag:ed,backgroundCube_vert:td,backgroundCube_frag:nd,cube_vert:id,cube_frag:rd,depth_vert:sd,depth_frag:od,distance_vert:ad,distance_frag:ld,equirect_vert:cd,equirect_frag:hd,linedashed_vert:ud,linedashed_frag:fd,meshbasic_vert:dd,meshbasic_frag:pd,meshlambert_vert:md,meshlambert_frag:gd,meshmatcap_vert:_d,meshmatcap_frag:vd,meshnormal_vert:xd,meshnormal_frag:yd,meshphong_vert:wd,meshphong_frag:Sd,meshphysical_vert:bd,meshphysical_frag:Md,meshtoon_vert:Ed,meshtoon_frag:Ad,points_vert:Td,points_frag:Rd,shadow_vert:Cd,shadow_frag:Id,sprite_vert:Pd,sprite_frag:Nd},Z={common:{diffuse:{value:new Le(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new oe},alphaMap:{value:null},alphaMapTransform:{value:new oe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new oe}},envmap:{envMap:{value:null},envMapRotation:{value:new oe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new oe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new oe}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new oe},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new oe},normalScale:{value:new Ge(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new oe},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new oe}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new oe}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new oe}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new Le(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new Le(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new oe},alphaTest:{value:0},uvTransform:{value:new oe}},sprite:{diffuse:{value:new Le(16777215)},opacity:{value:1},center:{value:new Ge(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new oe},alphaMap:{value:null},alphaMapTransform:{value:new oe},alphaTest:{value:0}}},Ea={basic:{uniforms:He([Z.common,Z.specularmap,Z.envmap,Z.aomap,Z.lightmap,Z.fog]),vertexShader:he.meshbasic_vert,fragmentShader:he.meshbasic_frag},lambert:{uniforms:He([Z.common,Z.specularmap,Z.envmap,Z.aomap,Z.lightmap,Z.emissivemap,Z.bumpmap,Z.normalmap,Z.displacementmap,Z.fog,Z.lights,{emissive:{value:new Le(0)},envMapIntensity:{value:1}}]),vertexShader:he.meshlambert_vert,fragmentShader:he.meshlambert_frag},phong:{uniforms:He([Z.common,Z.specularmap,Z.envmap,Z.aomap,Z.lightmap,Z.emissivemap,Z.bumpmap,Z.normalmap,Z.displacementmap,Z.fog,Z.lights,{emissive:{value:new Le(0)},specular:{value:new Le(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:he.meshphong_vert,fragmentShader:he.meshphong_frag},standard:{uniforms:He([Z.common,Z.envmap,Z.aomap,Z.lightmap,Z.emissivemap,Z.bumpmap,Z.normalmap,Z.displacementmap,Z.roughnessmap,Z.metalnessmap,Z.fog,Z.lights,{emissive:{value:new Le(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:he.meshphysical_vert,fragmentShader:he.meshphysical_frag},toon:{uniforms:He([Z.common,Z.aomap,Z.lightmap,Z.emissivemap,Z.bumpmap,Z.normalmap,Z.displacementmap,Z.gradientmap,Z.fog,Z.lights,{emissive:{value:new Le(0)}}]),vertexShader:he.meshtoon_vert,fragmentShader:he.meshtoon_frag},matcap:{uniforms:He([Z.common,Z.bumpmap,Z.normalmap,Z.displacementmap,Z.fog,{matcap:{value:null}}]),vertexShader:he.meshmatcap_vert,fragmentShader:he.meshmatcap_frag},points:{uniforms:He([Z.points,Z.fog]),vertexShader:he.points_vert,fragmentShader:he.points_frag},dashed:{uniforms:He([Z.common,Z.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:he.linedashed_vert,fragmentShader:he.linedashed_frag},depth:{uniforms:He([Z.common,Z.displacementmap]),vertexShader:he.depth_vert,fragmentShader:he.depth_frag},normal:{uniforms:He([Z.common,Z.bumpmap,Z.normalmap,Z.displacementmap,{opacity:{value:1}}]),vertexShader:he.meshnormal_vert,fragmentShader:he.meshnormal_frag},sprite:{uniforms:He([Z.sprite,Z.fog]),vertexShader:he.sprite_vert,fragmentShader:he.sprite_frag},background:{uniforms:{uvTransform:{value:new oe},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:he.background_vert,fragmentShader:he.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new oe}},vertexShader:he.backgroundCube_vert,fragmentShader:he.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:he.cube_vert,fragmentShader:he.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:he.equirect_vert,fragmentShader:he.equirect_frag},distance:{uniforms:He([Z.common,Z.displacementmap,{referencePosition:{value:new q},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:he.distance_vert,fragmentShader:he.distance_frag},shadow:{uniforms:He([Z.lights,Z.fog,{color:{value:new Le(0)},opacity:{value:1}}]),vertexShader:he.shadow_vert,fragmentShader:he.shadow_frag}};Ea.physical={uniforms:He([Ea.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new oe},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new oe},clearcoatNormalScale:{value:new Ge(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new oe},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new oe},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new oe},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new oe},sheen:{value:0},sheenColor:{value:new Le(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new oe},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new oe},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new oe},transmissionSamplerSize:{value:new Ge},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new oe},attenuationDistance:{value:0},attenuationColor:{value:new Le(0)},specularColor:{value:new Le(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new oe},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new oe},anisotropyVector:{value:new Ge},anisotropyMap:{value:null},anisotropyMapTransform:{value:new oe}}]),vertexShader:he.meshphysical_vert,fragmentShader:he.meshphysical_frag};var Ld=new oe;Ld.set(-1,0,0,0,1,0,0,0,1);var NS={[Fs]:"LINEAR_TONE_MAPPING",[Bs]:"REINHARD_TONE_MAPPING",[zs]:"CINEON_TONE_MAPPING",[ks]:"ACES_FILMIC_TONE_MAPPING",[Hs]:"AGX_TONE_MAPPING",[Vs]:"NEUTRAL_TONE_MAPPING",[Gs]:"CUSTOM_TONE_MAPPING"};var LS=new Float32Array(16),DS=new Float32Array(9),OS=new Float32Array(4);var US={[Fs]:"Linear",[Bs]:"Reinhard",[zs]:"Cineon",[ks]:"ACESFilmic",[Hs]:"AgX",[Vs]:"Neutral",[Gs]:"Custom"};var FS={[fa]:"SHADOWMAP_TYPE_PCF",[da]:"SHADOWMAP_TYPE_VSM"};var BS={[_a]:"ENVMAP_MODE_REFRACTION"};var zS={[pa]:"ENVMAP_BLENDING_MULTIPLY",[ma]:"ENVMAP_BLENDING_MIX",[ga]:"ENVMAP_BLENDING_ADD"};var Dd=new oe;Dd.set(-1,0,0,0,1,0,0,0,1);var kS=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]);var wr=Math.pow(2,-24),Js=Symbol("SKIP_GENERATION"),Sr={strategy:0,maxDepth:40,targetLeafSize:10,useSharedArrayBuffer:!1,setBoundingBox:!0,onProgress:null,indirect:!1,verbose:!0,range:null,[Js]:!1};function Ie(s,e,t){return t.min.x=e[s],t.min.y=e[s+1],t.min.z=e[s+2],t.max.x=e[s+3],t.max.y=e[s+4],t.max.z=e[s+5],t}function gi(s){let e=-1,t=-1/0;for(let n=0;n<3;n++){let i=s[n+3]-s[n];i>t&&(t=i,e=n)}return e}function Ks(s,e,t){for(let n=0;n<3;n++){let i=e[s+2*n],r=e[s+2*n+1],o=i-r,a=i+r;o<t[n]&&(t[n]=o),a>t[n+3]&&(t[n+3]=a)}}function br(s){let e=s[3]-s[0],t=s[4]-s[1],n=s[5]-s[2];return 2*(e*t+t*n+n*e)}function ze(s,e){return e[s+15]===65535}function qe(s,e){return e[s+6]}function ot(s,e){return e[s+14]}function Qe(s){return s+8}function et(s,e){let t=e[s+6];return s+t*8}function Aa(s,e){return e[s+7]}function Mr(s,e,t,n,i){let r=1/0,o=1/0,a=1/0,l=-1/0,c=-1/0,u=-1/0,f=1/0,d=1/0,m=1/0,_=-1/0,v=-1/0,b=-1/0,M=s.offset||0;for(let A=(e-M)*6,N=(e+t-M)*6;A<N;A+=6){let D=s[A+0],O=s[A+1],Y=D-O,X=D+O;Y<r&&(r=Y),X>l&&(l=X),D<f&&(f=D),D>_&&(_=D);let U=s[A+2],L=s[A+3],k=U-L,F=U+L;k<o&&(o=k),F>c&&(c=F),U<d&&(d=U),U>v&&(v=U);let B=s[A+4],te=s[A+5],W=B-te,j=B+te;W<a&&(a=W),j>u&&(u=j),B<m&&(m=B),B>b&&(b=B)}n[0]=r,n[1]=o,n[2]=a,n[3]=l,n[4]=c,n[5]=u,i[0]=f,i[1]=d,i[2]=m,i[3]=_,i[4]=v,i[5]=b}var bt=8,Qs=8,js=new Int32Array(bt),St=new Float32Array(bt*6),Ln=new Float32Array(bt*6),pt=new Float32Array(6),Er=new Float32Array(6),Zt=new Int32Array(Qs),Ra=new Float32Array(Qs*6);function Fd(s,e,t,n){for(let i=0;i<3;i++){let r=e[s+2*i],o=e[s+2*i+1],a=r-o,l=r+o;a<t[n+i]&&(t[n+i]=a),l>t[n+i+3]&&(t[n+i+3]=l)}}function Ca(s,e){let t=s[e+3]-s[e],n=s[e+4]-s[e+1],i=s[e+5]-s[e+2];return 2*(t*n+n*i+i*t)}function Na(s,e,t,n,i,r){let o=-1,a=0;if(r===0)o=gi(e),o!==-1&&(a=(e[o]+e[o+3])/2);else if(r===1)o=gi(s),o!==-1&&(a=Bd(t,n,i,o));else if(r===2){let l=br(s),c=1.25*i,u=t.offset||0,f=(n-u)*6,d=(n+i-u)*6;for(let m=0;m<3;m++){let _=e[m],M=(e[m+3]-_)/bt;if(i<Qs){for(let A=0;A<i;A++){let N=f+A*6,D=t[N+2*m],O=A;for(;O>0&&t[Zt[O-1]+2*m]>D;)Zt[O]=Zt[O-1],O--;Zt[O]=N}for(let A=0;A<3;A++)pt[A]=1/0,pt[A+3]=-1/0,Er[A]=1/0,Er[A+3]=-1/0;for(let A=i-1;A>=0;A--)Ks(Zt[A],t,Er),Ra.set(Er,A*6);for(let A=0;A<i-1;A++){Ks(Zt[A],t,pt);let N=t[Zt[A+1]+2*m];if(t[Zt[A]+2*m]===N)continue;let D=A+1,O=i-D,Y=br(pt)/l,X=Ca(Ra,D*6)/l,U=1+1.25*(Y*D+X*O);U<c&&(o=m,c=U,a=N)}}else{for(let D=0;D<bt;D++){js[D]=0;for(let O=0;O<3;O++)St[D*6+O]=1/0,St[D*6+O+3]=-1/0}for(let D=f;D<d;D+=6){let X=~~((t[D+2*m]-_)/M);X>=bt&&(X=bt-1),js[X]++,Fd(D,t,St,X*6)}let A=(bt-1)*6;for(let D=0;D<6;D++)Ln[A+D]=St[A+D];for(let D=bt-2;D>=0;D--){let O=D*6,Y=O+6;for(let X=0;X<3;X++)Ln[O+X]=Math.min(St[O+X],Ln[Y+X]),Ln[O+X+3]=Math.max(St[O+X+3],Ln[Y+X+3])}let N=0;for(let D=0;D<bt-1;D++){let O=D*6,Y=js[D];if(Y!==0)for(let F=0;F<3;F++)N===0?(pt[F]=St[O+F],pt[F+3]=St[O+F+3]):(pt[F]=Math.min(pt[F],St[O+F]),pt[F+3]=Math.max(pt[F+3],St[O+F+3]));N+=Y;let X=0,U=0;N!==0&&(X=br(pt)/l);let L=i-N;L!==0&&(U=Ca(Ln,O+6)/l);let k=1+1.25*(X*N+U*L);k<c&&(o=m,c=k,a=_+M+D*M)}}}}else console.warn(`BVH: Invalid build strategy value ${r} used.`);return{axis:o,pos:a}}function Bd(s,e,t,n){let i=0,r=s.offset;for(let o=e,a=e+t;o<a;o++)i+=s[(o-r)*6+n*2];return i/t}function La(s,e,t,n,i,r){let o=n,a=n+i-1,l=r.pos,c=r.axis*2,u=t.offset||0;for(;;){for(;o<=a&&t[(o-u)*6+c]<l;)o++;for(;o<=a&&t[(a-u)*6+c]>=l;)a--;if(o<a){for(let f=0;f<e;f++){let d=s[o*e+f];s[o*e+f]=s[a*e+f],s[a*e+f]=d}for(let f=0;f<6;f++){let d=o-u,m=a-u,_=t[d*6+f];t[d*6+f]=t[m*6+f],t[m*6+f]=_}o++,a--}else return o}}var zd=Math.pow(2,32),Dn=new Float32Array(6),Ar=new Float32Array(6);function kd(s,e,t,n,i,r){let{maxDepth:o,verbose:a,targetLeafSize:l,_strictLeafSize:c=1/0,strategy:u,onProgress:f,useSharedArrayBuffer:d=!1}=i,m=s.primitiveBuffer,_=s.primitiveBufferStride,v=d?SharedArrayBuffer:ArrayBuffer,b=new v(32*Math.max(1,2*Math.ceil(n)-1)),M=new Float32Array(b),A=new Uint32Array(b),N=new Uint16Array(b),D=0,O=!1;return Mr(e,t,n,Dn,Ar),U(t,n,0),b.slice(0,D*32);function Y(L){f&&f((L-r.offset)/r.count)}function X(L,k,F){let B=L*2;A[L+6]=k,N[B+14]=F,N[B+15]=65535,Y(k+F)}function U(L,k,F){let B=D++,te=B*8;M.set(Dn,te),!O&&F>=o&&(O=!0,a&&console.warn(`BVH: Max depth of ${o} reached when generating BVH. Consider increasing maxDepth.`));let W=k>c;if(k<=l&&!W||F>=o){X(te,L,k);return}let j=Na(Dn,Ar,e,L,k,u),ie=j.axis===-1?-1:La(m,_,e,L,k,j);if(j.axis===-1||ie===L||ie===L+k){if(!W){X(te,L,k);return}j.axis=Math.max(0,gi(Dn)),ie=L+Math.max(1,Math.floor(k/2))}A[te+7]=j.axis;let we=ie-L;Mr(e,L,we,Dn,Ar),U(L,we,F+1);let ke=D-B;if(ke>zd)throw new Error("MeshBVH: Cannot store relative child node offset greater than 32 bits.");A[te+6]=ke;let ve=k-we;Mr(e,ie,ve,Dn,Ar),U(ie,ve,F+1)}}function Da(s,e){let t=s.getRootRanges(e.range),n=t[0],i=t[t.length-1],r={offset:n.offset,count:i.offset+i.count-n.offset},o=new Float32Array(6*r.count);o.offset=r.offset,s.computePrimitiveBounds(r.offset,r.count,o),s._roots=t.map(a=>kd(s,o,a.offset,a.count,e,r))}var On=class{constructor(e){this._getNewPrimitive=e,this._primitives=[]}getPrimitive(){let e=this._primitives;return e.length===0?this._getNewPrimitive():e.pop()}releasePrimitive(e){this._primitives.push(e)}};var eo=class{constructor(){this.float32Array=null,this.uint16Array=null,this.uint32Array=null;let e=[],t=null;this.setBuffer=n=>{t&&e.push(t),t=n,this.float32Array=new Float32Array(n),this.uint16Array=new Uint16Array(n),this.uint32Array=new Uint32Array(n)},this.clearBuffer=()=>{t=null,this.float32Array=null,this.uint16Array=null,this.uint32Array=null,e.length!==0&&this.setBuffer(e.pop())}}},Ut=new eo;var Jt,Fn,Un=[],Tr=new On(()=>new Te);function Oa(s,e,t,n,i,r){Jt=Tr.getPrimitive(),Fn=Tr.getPrimitive(),Un.push(Jt,Fn),Ut.setBuffer(s._roots[e]);let o=to(0,s.geometry,t,n,i,r);Ut.clearBuffer(),Tr.releasePrimitive(Jt),Tr.releasePrimitive(Fn),Un.pop(),Un.pop();let a=Un.length;return a>0&&(Fn=Un[a-1],Jt=Un[a-2]),o}function to(s,e,t,n,i=null,r=0,o=0){let{float32Array:a,uint16Array:l,uint32Array:c}=Ut,u=s*2;if(ze(u,l)){let d=qe(s,c),m=ot(u,l);return Ie(s,a,Jt),n(d,m,!1,o,r+s/8,Jt)}else{let k=function(B){let{uint16Array:te,uint32Array:W}=Ut,j=B*2;for(;!ze(j,te);)B=Qe(B),j=B*2;return qe(B,W)},F=function(B){let{uint16Array:te,uint32Array:W}=Ut,j=B*2;for(;!ze(j,te);)B=et(B,W),j=B*2;return qe(B,W)+ot(j,te)},d=Qe(s),m=et(s,c),_=d,v=m,b,M,A,N;if(i&&(A=Jt,N=Fn,Ie(_,a,A),Ie(v,a,N),b=i(A),M=i(N),M<b)){_=m,v=d;let B=b;b=M,M=B,A=N}A||(A=Jt,Ie(_,a,A));let D=ze(_*2,l),O=t(A,D,b,o+1,r+_/8),Y;if(O===2){let B=k(_),W=F(_)-B;Y=n(B,W,!0,o+1,r+_/8,A)}else Y=O&&to(_,e,t,n,i,r,o+1);if(Y)return!0;N=Fn,Ie(v,a,N);let X=ze(v*2,l),U=t(N,X,M,o+1,r+v/8),L;if(U===2){let B=k(v),W=F(v)-B;L=n(B,W,!0,o+1,r+v/8,N)}else L=U&&to(v,e,t,n,i,r,o+1);return!!L}}var _i=new Ut.constructor,Rr=new Ut.constructor,Kt=new On(()=>new Te),Bn=new Te,zn=new Te,no=new Te,io=new Te,ro=!1;function Ua(s,e,t,n){if(ro)throw new Error("MeshBVH: Recursive calls to bvhcast not supported.");ro=!0;let i=s._roots,r=e._roots,o,a=0,l=0,c=new st().copy(t).invert();for(let u=0,f=i.length;u<f;u++){_i.setBuffer(i[u]),l=0;let d=Kt.getPrimitive();Ie(0,_i.float32Array,d),d.applyMatrix4(c);for(let m=0,_=r.length;m<_&&(Rr.setBuffer(r[m]),o=mt(0,0,t,c,n,a,l,0,0,d),Rr.clearBuffer(),l+=r[m].byteLength/32,!o);m++);if(Kt.releasePrimitive(d),_i.clearBuffer(),a+=i[u].byteLength/32,o)break}return ro=!1,o}function mt(s,e,t,n,i,r=0,o=0,a=0,l=0,c=null,u=!1){let f,d;u?(f=Rr,d=_i):(f=_i,d=Rr);let m=f.float32Array,_=f.uint32Array,v=f.uint16Array,b=d.float32Array,M=d.uint32Array,A=d.uint16Array,N=s*2,D=e*2,O=ze(N,v),Y=ze(D,A),X=!1;if(Y&&O)u?X=i(qe(e,M),ot(e*2,A),qe(s,_),ot(s*2,v),l,o+e/8,a,r+s/8):X=i(qe(s,_),ot(s*2,v),qe(e,M),ot(e*2,A),a,r+s/8,l,o+e/8);else if(Y){let U=Kt.getPrimitive();Ie(e,b,U),U.applyMatrix4(t);let L=Qe(s),k=et(s,_);Ie(L,m,Bn),Ie(k,m,zn);let F=U.intersectsBox(Bn),B=U.intersectsBox(zn);X=F&&mt(e,L,n,t,i,o,r,l,a+1,U,!u)||B&&mt(e,k,n,t,i,o,r,l,a+1,U,!u),Kt.releasePrimitive(U)}else{let U=Qe(e),L=et(e,M);Ie(U,b,no),Ie(L,b,io);let k=c.intersectsBox(no),F=c.intersectsBox(io);if(k&&F)X=mt(s,U,t,n,i,r,o,a,l+1,c,u)||mt(s,L,t,n,i,r,o,a,l+1,c,u);else if(k)if(O)X=mt(s,U,t,n,i,r,o,a,l+1,c,u);else{let B=Kt.getPrimitive();B.copy(no).applyMatrix4(t);let te=Qe(s),W=et(s,_);Ie(te,m,Bn),Ie(W,m,zn);let j=B.intersectsBox(Bn),ie=B.intersectsBox(zn);X=j&&mt(U,te,n,t,i,o,r,l,a+1,B,!u)||ie&&mt(U,W,n,t,i,o,r,l,a+1,B,!u),Kt.releasePrimitive(B)}else if(F)if(O)X=mt(s,L,t,n,i,r,o,a,l+1,c,u);else{let B=Kt.getPrimitive();B.copy(io).applyMatrix4(t);let te=Qe(s),W=et(s,_);Ie(te,m,Bn),Ie(W,m,zn);let j=B.intersectsBox(Bn),ie=B.intersectsBox(zn);X=j&&mt(L,te,n,t,i,o,r,l,a+1,B,!u)||ie&&mt(L,W,n,t,i,o,r,l,a+1,B,!u),Kt.releasePrimitive(B)}}return X}var Cr=new class{constructor(){let s=null,e=null,t=null,n=!1;this.root=null,this.buffer=null,this.uint32Array=null,this.uint16Array=null,this.setBVH=(r,o)=>{if(n)throw new Error("BVHTraversalHelper: cannot call setBVH during an active traversal.");this.root=o,this.buffer=s=r._roots[o],this.uint16Array=t=new Uint16Array(s),this.uint32Array=e=new Uint32Array(s)},this.reset=()=>{this.root=null,this.buffer=s=null,this.uint16Array=t=null,this.uint32Array=e=null},this.getRangeStart=r=>{let o=r*2;for(;!ze(o,t);)r=Qe(r),o=r*2;return qe(r,e)},this.getRangeEnd=r=>{let o=r*2;for(;!ze(o,t);)r=et(r,e),o=r*2;return qe(r,e)+ot(o,t)};let i=(r,o,a)=>{let l=o*2,c=ze(l,t);if(!r(a,c,o)&&!c){let f=Qe(o),d=et(o,e);i(r,f,a+1),i(r,d,a+1)}};this.traverseBuffer=r=>{if(n)throw new Error("BVHTraversalHelper: cannot start a traversal during an active traversal.");n=!0;try{i(r,0,0)}finally{n=!1}},this.traverse=r=>{this.traverseBuffer((o,a,l)=>{if(a){let c=l*2,u=e[l+6],f=t[c+14];return r(o,a,new Float32Array(s,l*4,6),u,f)}else{let c=Aa(l,e);return r(o,a,new Float32Array(s,l*4,6),c)}})}}};var Fa=new Te,kn=new Float32Array(6),Ir=class{constructor(){this._roots=null,this.primitiveBuffer=null,this.primitiveBufferStride=null}init(e){e={...Sr,...e},"maxLeafSize"in e&&(console.warn('BVH: "maxLeafSize" option has been deprecated. Use "targetLeafSize", instead.'),e={...e,targetLeafSize:e.maxLeafSize}),Da(this,e)}getRootRanges(){throw new Error("BVH: getRootRanges() not implemented")}writePrimitiveBounds(){throw new Error("BVH: writePrimitiveBounds() not implemented")}writePrimitiveRangeBounds(e,t,n,i){let r=1/0,o=1/0,a=1/0,l=-1/0,c=-1/0,u=-1/0;for(let f=e,d=e+t;f<d;f++){this.writePrimitiveBounds(f,kn,0);let[m,_,v,b,M,A]=kn;m<r&&(r=m),b>l&&(l=b),_<o&&(o=_),M>c&&(c=M),v<a&&(a=v),A>u&&(u=A)}return n[i+0]=r,n[i+1]=o,n[i+2]=a,n[i+3]=l,n[i+4]=c,n[i+5]=u,n}computePrimitiveBounds(e,t,n){let i=n.offset||0;for(let r=e,o=e+t;r<o;r++){this.writePrimitiveBounds(r,kn,0);let[a,l,c,u,f,d]=kn,m=(a+u)/2,_=(l+f)/2,v=(c+d)/2,b=(u-a)/2,M=(f-l)/2,A=(d-c)/2,N=(r-i)*6;n[N+0]=m,n[N+1]=b+(Math.abs(m)+b)*wr,n[N+2]=_,n[N+3]=M+(Math.abs(_)+M)*wr,n[N+4]=v,n[N+5]=A+(Math.abs(v)+A)*wr}return n}shiftPrimitiveOffsets(e){let t=this._indirectBuffer;if(t)for(let n=0,i=t.length;n<i;n++)t[n]+=e;else{let n=this._roots;for(let i=0;i<n.length;i++){let r=n[i],o=new Uint32Array(r),a=new Uint16Array(r),l=r.byteLength/32;for(let c=0;c<l;c++){let u=8*c,f=2*u;ze(f,a)&&(o[u+6]+=e)}}}}traverse(e,t=0){Cr.setBVH(this,t),Cr.traverse(e),Cr.reset()}refit(){let e=this._roots;for(let t=0,n=e.length;t<n;t++){let i=e[t],r=new Uint32Array(i),o=new Uint16Array(i),a=new Float32Array(i),l=i.byteLength/32;for(let c=l-1;c>=0;c--){let u=c*8,f=u*2;if(ze(f,o)){let m=qe(u,r),_=ot(f,o);this.writePrimitiveRangeBounds(m,_,kn,0),a.set(kn,u)}else{let m=Qe(u),_=et(u,r);for(let v=0;v<3;v++){let b=a[m+v],M=a[m+v+3],A=a[_+v],N=a[_+v+3];a[u+v]=b<A?b:A,a[u+v+3]=M>N?M:N}}}}}getBoundingBox(e){return e.makeEmpty(),this._roots.forEach(n=>{Ie(0,new Float32Array(n),Fa),e.union(Fa)}),e}shapecast(e){let{boundsTraverseOrder:t,intersectsBounds:n,intersectsRange:i,intersectsPrimitive:r,scratchPrimitive:o,iterate:a}=e;if(i&&r){let f=i;i=(d,m,_,v,b)=>f(d,m,_,v,b)?!0:a(d,m,this,r,_,v,o)}else i||(r?i=(f,d,m,_)=>a(f,d,this,r,m,_,o):i=(f,d,m)=>m);let l=!1,c=0,u=this._roots;for(let f=0,d=u.length;f<d;f++){let m=u[f];if(l=Oa(this,f,n,i,t,c),l)break;c+=m.byteLength/32}return l}bvhcast(e,t,n){let{intersectsRanges:i}=n;return Ua(this,e,t,i)}};function Ba(){return typeof SharedArrayBuffer<"u"}function za(s){return s.index?s.index.count:s.attributes.position.count}function Vd(s,e=ArrayBuffer){return s>65535?new Uint32Array(new e(4*s)):new Uint16Array(new e(2*s))}function ka(s,e){if(!s.index){let t=s.attributes.position.count,n=e.useSharedArrayBuffer?SharedArrayBuffer:ArrayBuffer,i=Vd(t,n);s.setIndex(new ut(i,1));for(let r=0;r<t;r++)i[r]=r}}function Wd(s,e,t){let n=za(s)/t,i=e||s.drawRange,r=i.start/t,o=(i.start+i.count)/t,a=Math.max(0,r),l=Math.min(n,o)-a;return{offset:Math.floor(a),count:Math.floor(l)}}function Xd(s,e){return s.groups.map(t=>({offset:t.start/e,count:t.count/e}))}function so(s,e,t){let n=Wd(s,e,t),i=Xd(s,t);if(!i.length)return[n];let r=[],o=n.offset,a=n.offset+n.count,l=za(s)/t,c=[];for(let d of i){let{offset:m,count:_}=d,v=m,b=isFinite(_)?_:l-m,M=m+b;v<a&&M>o&&(c.push({pos:Math.max(o,v),isStart:!0}),c.push({pos:Math.min(a,M),isStart:!1}))}c.sort((d,m)=>d.pos!==m.pos?d.pos-m.pos:d.type==="end"?-1:1);let u=0,f=null;for(let d of c){let m=d.pos;u!==0&&m!==f&&r.push({offset:f,count:m-f}),u+=d.isStart?1:-1,f=m}return r}function qd(s,e){let t=s[s.length-1],n=t.offset+t.count>2**16,i=s.reduce((c,u)=>c+u.count,0),r=n?4:2,o=e?new SharedArrayBuffer(i*r):new ArrayBuffer(i*r),a=n?new Uint32Array(o):new Uint16Array(o),l=0;for(let c=0;c<s.length;c++){let{offset:u,count:f}=s[c];for(let d=0;d<f;d++)a[l+d]=u+d;l+=f}return a}var Pr=class extends Ir{get indirect(){return!!this._indirectBuffer}get primitiveStride(){return null}get primitiveBufferStride(){return this.indirect?1:this.primitiveStride}set primitiveBufferStride(e){}get primitiveBuffer(){return this.indirect?this._indirectBuffer:this.geometry.index.array}set primitiveBuffer(e){}constructor(e,t={}){if(e.isBufferGeometry){if(e.index&&e.index.isInterleavedBufferAttribute)throw new Error("BVH: InterleavedBufferAttribute is not supported for the index attribute.")}else throw new Error("BVH: Only BufferGeometries are supported.");if(t.useSharedArrayBuffer&&!Ba())throw new Error("BVH: SharedArrayBuffer is not available.");super(),this.geometry=e,this.resolvePrimitiveIndex=t.indirect?n=>this._indirectBuffer[n]:n=>n,this.primitiveBuffer=null,this.primitiveBufferStride=null,this._indirectBuffer=null,t={...Sr,...t},t[Js]||this.init(t)}init(e){let{geometry:t,primitiveStride:n}=this;if(e.indirect){let i=so(t,e.range,n),r=qd(i,e.useSharedArrayBuffer);this._indirectBuffer=r}else ka(t,e);super.init(e),!t.boundingBox&&e.setBoundingBox&&(t.boundingBox=this.getBoundingBox(new Te))}getRootRanges(e){return this.indirect?[{offset:0,count:this._indirectBuffer.length}]:so(this.geometry,e,this.primitiveStride)}raycastObject3D(){throw new Error("BVH: raycastObject3D() not implemented")}};var $d=1e5,Yd=48,oo=class s extends Pr{constructor(e){let t=new di;t.setIndex({count:e.length/6,array:null}),s.boxes=e;let n=e.length/6;super(t,{indirect:!0,strategy:n>$d?0:2,maxDepth:Yd-2,targetLeafSize:4,setBoundingBox:!1,verbose:!1,range:{start:0,count:n}}),s.boxes=null}get primitiveStride(){return 1}writePrimitiveBounds(e,t,n){let i=s.boxes,r=6*this._indirectBuffer[e];for(let o=0;o<6;o++)t[n+o]=i[r+o];return t}};function Ga(s){let e=new oo(s);return{nodes:new Uint32Array(e._roots[0]),order:Uint32Array.from(e._indirectBuffer)}}var Zd=2147483648,Jd=1,Kd=2;function Nr(s){let e=s.map(jd),t=u=>e.reduce((f,d)=>f+d[u],0),n={primitives:new Uint32Array(4*t("primitives")),places:new Float32Array(4*t("vertices")),normals:new Float32Array(4*t("corners")),boxes:new Float32Array(6*t("primitives")),records:[],texels:[],parts:[],largest:0,strands:0},i={primitive:0,vertex:0},r=[...s.keys()].sort((u,f)=>(s[u].kind==="fiber")-(s[f].kind==="fiber"));for(let u of r){let f=s[u];n.parts[u]={first:i.primitive,count:e[u].primitives,fiber:f.kind==="fiber"},f.kind==="fiber"?np(n,f.curves,i):Qd(n,f,i),i={primitive:i.primitive+e[u].primitives,vertex:i.vertex+e[u].vertices}}let{nodes:o,order:a}=Ga(n.boxes),l=new Uint32Array(n.primitives.length);a.forEach((u,f)=>l.set(n.primitives.subarray(4*u,4*u+4),4*f));let c=new Uint32Array(a.length);return a.forEach((u,f)=>{c[u]=f}),{...n,boxes:null,primitives:l,nodes:o,where:c,texels:tp(n.texels),records:Uint32Array.from(n.records.flat()),recordCount:n.records.length,epsilon:n.largest*2**-18,box:ip(o)}}function jd({kind:s,mesh:e,curves:t}){if(s==="surface"){let i=e.positions.length/3;return{primitives:e.indices.length/3,vertices:i,corners:i}}let n=t.radii.length;return{primitives:n-(t.offsets.length-1),vertices:n,corners:0}}function Qd(s,{mesh:e,transmittance:t,normalMaps:n},{primitive:i,vertex:r}){let{positions:o,normals:a,uvs:l,indices:c}=e,{places:u,boxes:f,primitives:d}=s;for(let m=0;m<o.length/3;m++){let _=4*(r+m);for(let v=0;v<3;v++)u[_+v]=o[3*m+v],s.normals[_+v]=a[3*m+v],s.largest=Math.max(s.largest,Math.abs(o[3*m+v]));u[_+3]=l?l[2*m]:0,s.normals[_+3]=l?l[2*m+1]:0}for(let m=0;m<c.length/3;m++){let _=[0,1,2].map(v=>c[3*m+v]);d.set([..._.map(v=>v+r),i+m],4*(i+m));for(let v=0;v<3;v++){let b=_.map(M=>o[3*M+v]);f[6*(i+m)+v]=Math.min(...b),f[6*(i+m)+3+v]=Math.max(...b)}}for(let m of t)Ha(s,m,i,0);for(let m of n)Ha(s,m,i,1)}var Va=new Float32Array(1),ep=new Uint32Array(Va.buffer);function ao(s){return Va[0]=s,ep[0]}function Ha(s,{triangles:[e,t],texture:n,cutoff:i,ior:r},o,a){let l=s.texels.reduce((c,u)=>c+u.length,0);s.texels.push(n.values),s.records.push([a,o+e,o+e+t,l,n.width,n.height,n.channels,ao(i??-1),ao(r?.[0]??0),ao(r?.[1]??0),0,0])}function tp(s){let e=new Uint8Array(s.reduce((n,i)=>n+i.length,0)),t=0;for(let n of s)e.set(n,t),t+=n.length;return e}function np(s,{points:e,radii:t,offsets:n},{primitive:i,vertex:r}){let{places:o,boxes:a,primitives:l}=s;for(let u=0;u<t.length;u++){let[f,d,m]=e.subarray(3*u,3*u+3);o.set([f,d,m,t[u]],4*(r+u)),s.largest=Math.max(s.largest,Math.max(Math.abs(f),Math.abs(d),Math.abs(m))+t[u])}let c=i;for(let u=0;u+1<n.length;u++,s.strands++)for(let f=n[u];f+1<n[u+1];f++,c++){let d=(f>n[u]&&Jd)|(f+2<n[u+1]&&Kd);l.set([r+f,d,s.strands,(c|Zd)>>>0],4*c);for(let m=0;m<3;m++){let _=e[3*f+m],v=e[3*f+3+m],b=t[f]*1.0005,M=t[f+1]*1.0005;a[6*c+m]=Math.min(_-b,v-M),a[6*c+3+m]=Math.max(_+b,v+M)}}}function ip(s){let e=new Float32Array(s.buffer,0,6);return{min:[...e.subarray(0,3)],max:[...e.subarray(3,6)]}}var vi=class extends Error{constructor(e,t,n){super(`${t?t+": ":""}${n} [${e}]`),this.code=e,this.where=t}};function w(s,e,t){throw new vi(s,e,t)}var pe=class extends Error{};var jt=22,pn=46,xi=30,Wa=64,Xa=256,rp=/^[A-Za-z0-9_-][A-Za-z0-9._-]*(\/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$/,Gn="manifest.json",qa=2**20,wi=s=>new DataView(s.buffer,s.byteOffset,s.byteLength);async function Ya(s){let{size:e}=s;e===0&&w("FILE_EMPTY",s.name,"the file has no bytes"),e>2**32-2&&w("FILE_TOO_LARGE",s.name,`${e} bytes`);let{count:t,start:n}=await sp(s),i=await s.read(n,e-jt),r=ap(i,t,n,s.name);return cp(r,n,s.name),new Map(r.map(o=>[o.name,o]))}async function sp(s){let{size:e,name:t}=s,n=wi(await s.read(0,Math.min(4,e))),r=e>=4&&n.getUint32(0,!0)===67324752?"ZIP_TRUNCATED":"ZIP_NOT_ZIP";e<jt&&w(r,t,"shorter than the end record of a ZIP archive");let o=wi(await s.read(e-jt,e)),a=e===jt&&o.getUint32(0,!0)===101010256;o.getUint32(0,!0)!==101010256&&await op(s,r);let l=d=>o.getUint16(d,!0);[4,6,8,10].some(d=>l(d)===65535)&&w("ZIP_ZIP64",t,"a ZIP64 archive"),(l(4)||l(6))&&w("ZIP_ZIP64",t,"an archive of several disks");let c=l(10),u=o.getUint32(12,!0),f=o.getUint32(16,!0);return c>Xa&&w("ZIP_TOO_MANY",t,`${c} entries; at most ${Xa}`),(l(8)!==c||l(20)!==0||f+u!==e-jt)&&w("ZIP_DIRECTORY",t,"the end record does not fit the central directory"),(a||c===0)&&w("ZIP_ORDER",t,`${Gn} is not the first entry`),{count:c,start:f}}async function op(s,e){let t=await s.read(Math.max(0,s.size-jt-65535),s.size),n=wi(t);for(let i=t.length-jt;i>=0;i--)n.getUint32(i,!0)===101010256&&i+jt+n.getUint16(i+20,!0)===t.length&&w("ZIP_DIRECTORY",s.name,"the archive has a comment");w(e,s.name,"the file does not end with the end record of a ZIP archive")}function ap(s,e,t,n){let i=wi(s),r=[],o=new Set,a=0;for(let l=0;l<e;l++){(a+pn>s.length||i.getUint32(a,!0)!==33639248)&&w("ZIP_DIRECTORY",n,`the central directory has no header ${l}`);let c=i.getUint16(a+28,!0);(a+pn+c>s.length||i.getUint32(a+30,!0))&&w("ZIP_DIRECTORY",n,`header ${l} of the central directory is malformed`);let u=s.subarray(a+pn,a+pn+c),f=String.fromCharCode(...u);lp(i,a,f,n),(!rp.test(f)||f.includes(`
+`)||c>200)&&w("ZIP_NAME",n,`an entry is called ${JSON.stringify(f.slice(0,80))}`);let d=f.toLowerCase();o.has(d)&&w("ZIP_DUPLICATE",f,"the name is there twice"),o.add(d),r.push({name:f,size:i.getUint32(a+24,!0),crc:i.getUint32(a+16,!0),header:i.getUint32(a+42,!0),central:s.subarray(a,a+pn+c)}),a+=pn+c}a!==s.length&&w("ZIP_DIRECTORY",n,"bytes behind the last central header");for(let{name:l,header:c,size:u}of r)c+xi+l.length+u>t&&w("ZIP_TRUNCATED",l,`${u} bytes reach past the entries`);return r}function lp(s,e,t,n){let i=l=>s.getUint16(e+l,!0),r=l=>s.getUint32(e+l,!0),o=JSON.stringify(t.slice(0,80));(r(42)===4294967295||r(20)===4294967295||r(24)===4294967295)&&w("ZIP_ZIP64",n,`${o} needs ZIP64`),i(34)&&w("ZIP_ZIP64",n,`${o} is on another disk`),i(8)&1&&w("ZIP_ENCRYPTED",n,`${o} is encrypted`),([[4,20],[6,20],[8,0],[12,0],[14,33],[36,0]].some(([l,c])=>i(l)!==c)||r(38))&&w("ZIP_HEADER",n,`${o}: a version, flag, time or attribute is not the fixed one`),i(10)&&w("ZIP_COMPRESSED",n,`${o} is compressed`),r(20)!==r(24)&&w("ZIP_SIZE",n,`${o} has two sizes`)}function cp(s,e,t){let n=[...s].sort((o,a)=>o.header-a.header),i=0;n.forEach((o,a)=>{o.end=a+1<n.length?n[a+1].header:e,o.extra=o.end-o.header-xi-o.name.length-o.size,o.extra<0&&w("ZIP_OVERLAP",o.name,"shares bytes with the next entry"),o.header!==i&&w("ZIP_GAP",t,`bytes ${i} to ${o.header} are no entry's`),i=o.end});let r=n[0];r.name!==Gn&&w("ZIP_ORDER",t,`${Gn} is not the first entry`),r.size>qa&&w("MANIFEST_TOO_LARGE",Gn,`${r.size} bytes; at most ${qa}`)}function Za(s,e){let t=wi(e),{name:n}=s,i=s.name.length;e.length<s.end-s.header&&w("ZIP_TRUNCATED",n,"the file ends within it"),t.getUint32(0,!0)===67324752&&t.getUint16(26,!0)===i&&$a(e.subarray(4,26),s.central.subarray(6,28))&&$a(e.subarray(xi,xi+i),s.central.subarray(pn))||w("ZIP_LOCAL_HEADER",n,"local and central header differ");let o=t.getUint16(28,!0),a=xi+i;hp(e.subarray(a,a+o),o,n),(s.header+a+o)%Wa&&w("ZIP_ALIGNMENT",n,`data at byte ${s.header+a+o}, no multiple of ${Wa}`),o!==s.extra&&w(o>s.extra?"ZIP_OVERLAP":"ZIP_GAP",n,"its data does not end where the next entry starts");let l=e.subarray(a+o,a+o+s.size);return up(l)!==s.crc&&w("ZIP_CRC",n,"the bytes do not have the CRC-32 of the header"),l}function hp(s,e,t){if(e===0)return;e>=4&&s.length===e&&s[0]===82&&s[1]===78&&s[2]+256*s[3]===e-4&&s.subarray(4).every(i=>i===0)||w("ZIP_EXTRA",t,"the extra field is not zero padding")}var $a=(s,e)=>s.length===e.length&&s.every((t,n)=>t===e[n]),yi=Array.from({length:4},()=>new Uint32Array(256));for(let s=0;s<256;s++){let e=s;for(let t=0;t<8;t++)e=e&1?e>>>1^3988292384:e>>>1;yi[0][s]=e>>>0}for(let s=1;s<4;s++)for(let e=0;e<256;e++){let t=yi[s-1][e];yi[s][e]=t>>>8^yi[0][t&255]}function up(s){let[e,t,n,i]=yi,r=4294967295,o=0;for(;o+4<=s.length;o+=4)r^=s[o]|s[o+1]<<8|s[o+2]<<16|s[o+3]<<24,r=i[r&255]^n[r>>>8&255]^t[r>>>16&255]^e[r>>>24];for(;o<s.length;o++)r=e[(r^s[o])&255]^r>>>8;return(r^4294967295)>>>0}var fp=64,dp=/-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y,pp=/[ \t\n\r]*/y,mp=/[^"\\\u0000-\u001f]*/y,Ja={'"':'"',"\\":"\\","/":"/",b:"\b",f:"\f",n:`
+`,r:"\r",t:"	"};function Hn(s,e,t){let n;try{n=new TextDecoder("utf-8",{fatal:!0,ignoreBOM:!0}).decode(s)}catch{w(t,e,"no UTF-8")}let i=new lo(n,e,t);i.space(),n[i.at]!=="{"&&w(t,e,"not a JSON object");let r=i.value(1);return i.space(),i.at!==n.length&&i.bad(),r}var lo=class{constructor(e,t,n){Object.assign(this,{text:e,where:t,code:n,at:0})}bad(e="malformed JSON"){w(this.code,this.where,`${e} at character ${this.at}`)}match(e){e.lastIndex=this.at;let t=e.exec(this.text);return t&&(this.at=e.lastIndex),t}space(){this.match(pp)}take(e){return this.text.startsWith(e,this.at)?(this.at+=e.length,!0):!1}value(e){let t=this.text[this.at];if((t==="{"||t==="[")&&e>fp&&this.bad("nested too deep"),t==="{")return this.object(e);if(t==="[")return this.array(e);if(t==='"')return this.string();for(let[r,o]of[["true",!0],["false",!1],["null",null]])if(this.take(r))return o;/NaN|-?Infinity/y.test(this.text.slice(this.at,this.at+9))&&this.notFinite();let n=this.match(dp);n||this.bad();let i=Number(n[0]);return Number.isFinite(i)||this.notFinite(),i===0?0:i}notFinite(){w("JSON_NOT_FINITE",this.where,`no finite number at character ${this.at}`)}list(e,t){if(this.at+=1,this.space(),!this.take(e)){do this.space(),t(),this.space();while(this.take(","));this.take(e)||this.bad()}}array(e){let t=[];return this.list("]",()=>t.push(this.value(e+1))),t}object(e){let t=new Map;this.list("}",()=>{this.text[this.at]!=='"'&&this.bad();let i=this.string();t.has(i)&&w("JSON_DUPLICATE_KEY",this.where,`the key "${i}" twice`),this.space(),this.take(":")||this.bad(),this.space(),t.set(i,this.value(e+1))});let n=Object.create(null);for(let[i,r]of t)n[i]=r;return n}string(){let e="";for(this.at+=1;e+=this.match(mp)[0],!this.take('"');){this.take("\\")||this.bad();let t=this.text[this.at++];if(t==="u"){let n=this.match(/[0-9a-fA-F]{4}/y);n||this.bad(),e+=String.fromCharCode(parseInt(n[0],16))}else t in Ja?e+=Ja[t]:this.bad()}return e.isWellFormed()||this.bad("half of a surrogate pair"),e}};var Ka={F32:Float32Array,F16:Uint16Array,I8:Int8Array,U8:Uint8Array,U16:Uint16Array,I16:Int16Array,U32:Uint32Array,I32:Int32Array},gp=65536;function Vn(s,e,t,n){let i=e.byteOffset+t;return i%s.BYTES_PER_ELEMENT===0?new s(e.buffer,i,n):new s(e.slice(t,t+n*s.BYTES_PER_ELEMENT).buffer)}function Wn(s,e,t){s.length<8&&w(t,e,"shorter than a header");let n=new DataView(s.buffer,s.byteOffset).getBigUint64(0,!0);(n>gp||Number(n)>s.length-8)&&w(t,e,`a header of ${n} bytes`);let i=8+Number(n);s[8]!==123&&w(t,e,"the header does not start with {");let{__metadata__:r,...o}=Hn(s.subarray(8,i),e,t);return{tensors:o,metadata:r,data:i}}var Qa=s=>s!==null&&typeof s=="object"&&!Array.isArray(s),ja=s=>Number.isSafeInteger(s)&&s>=0;function Xn(s){return Qa(s)&&typeof s.dtype=="string"&&Array.isArray(s.shape)&&s.shape.every(ja)&&Array.isArray(s.data_offsets)&&s.data_offsets.length===2&&s.data_offsets.every(ja)}var qn=s=>s===void 0||Qa(s);function $n(s,{tensors:e,data:t},n,i,r){let o=0,a=n.map(l=>{let{dtype:c,shape:u,data_offsets:[f,d]}=e[l],m=u.reduce((_,v)=>_*v,1);return(f!==o||d-f!==m*Ka[c].BYTES_PER_ELEMENT||t+d>s.length)&&w(r,i,`the bytes of ${l} are not where they must be`),o=d,Vn(Ka[c],s,t+f,m)});return t+o!==s.length&&w(r,i,"bytes behind the last tensor"),a}var el=2**26,_p=2**25,vp=2**31,xp={points:[["F32"],2],radii:[["F32"],1],offsets:[["U32"],1]},yp={scales:[["F32"],1],origins:[["F32"],2],offsets:[["U32"],1],steps:[["I16","I32"],2],radii:[["U8","U16"],1]};function tl(s,e,t){let n=Wn(s,e,"GEOMETRY_CONTAINER"),{tensors:i}=n,r="steps"in i||"scales"in i,o=r?yp:xp,a=Object.keys(o);wp(n,o,a,e),r&&t&&w("VERSION_TOO_OLD",e,"quantised curves in a package for readers of 1.0");let l=Object.fromEntries(a.map(v=>[v,i[v].shape])),c=$n(s,n,a,e,"GEOMETRY_RANGE"),u=Object.fromEntries(a.map((v,b)=>[v,c[b]])),f=l.offsets[0]-1,d=l.radii[0];(!(r?l.origins[0]===f&&l.steps[0]===d-f&&l.scales[0]===2:l.points[0]===d)||f<1)&&w("GEOMETRY_ARRAY",e,"tensors whose shapes do not fit each other"),Sp(u.offsets,d,e);let _=r?bp(u,e):u;return Mp(_,e),_}function wp(s,e,t,n){let{tensors:i}=s,r="GEOMETRY_PROFILE",o=Object.keys(i);(o.length!==t.length||t.some(l=>!o.includes(l)))&&w(r,n,`found ${o.join(", ")||"no tensors"}, expected ${t.join(", ")}`),qn(s.metadata)||w(r,n,"__metadata__ is no object");for(let[l,[c,u]]of Object.entries(e)){let f=i[l];Xn(f)&&c.includes(f.dtype)&&f.shape.length===u&&(u===1||f.shape[1]===3)||w(r,n,`${l} is not ${c.join(" or ")} of ${u} dimensions`)}((i.points??i.radii).shape[0]>el||i.radii.shape[0]>el||i.offsets.shape[0]-1>_p)&&w(r,n,"more points or strands than allowed"),s.data%64&&w(r,n,"data does not start at a multiple of 64")}function Sp(s,e,t){let n=s[0]===0&&s.at(-1)===e;for(let i=1;i<s.length&&n;i++)n=s[i]>=s[i-1]+2;n||w("GEOMETRY_STRANDS",t,"the offsets do not part the points into strands")}function bp({scales:s,origins:e,offsets:t,steps:n,radii:i},r){let[o,a]=s;o>0&&Number.isFinite(o)||w("GEOMETRY_STEPS",r,"steps without length"),e.some(u=>!Number.isFinite(u))&&w("GEOMETRY_NOT_FINITE",r,"an origin is not finite"),(!(a>0&&Number.isFinite(a))||i.some(u=>u===0))&&w("GEOMETRY_RADIUS",r,"a radius that is not above 0");let l=new Float32Array(3*i.length),c=0;for(let u=0;u+1<t.length;u++){for(let f=0;f<3;f++){let d=e[3*u+f],m=0;l[3*t[u]+f]=d;for(let _=t[u]+1,v=c;_<t[u+1];_++,v++)m+=n[3*v+f],Math.abs(m)>vp&&w("GEOMETRY_STEPS",r,`strand ${u} goes too far`),l[3*_+f]=d+o*m}c+=t[u+1]-t[u]-1}return{points:l,radii:Float32Array.from(i,u=>u*a),offsets:t}}function Mp({points:s,radii:e,offsets:t},n){(s.some(i=>!Number.isFinite(i))||e.some(i=>!Number.isFinite(i)))&&w("GEOMETRY_NOT_FINITE",n,"a point or a radius is not finite");for(let i=0;i+1<t.length;i++)for(let r=t[i]+1;r<t[i+1];r++)s[3*r]===s[3*r-3]&&s[3*r+1]===s[3*r-2]&&s[3*r+2]===s[3*r-1]&&w("GEOMETRY_SEGMENT",n,`two equal points in strand ${i}`);e.some(i=>!(i>0))&&w("GEOMETRY_RADIUS",n,"a radius that is not above 0")}var Ep={1:Float32Array,2:Uint8Array,3:Int8Array,6:Int32Array},Ap=64*2**20,Tp=4096,Rp=2**18;function il(s,e){s.length>Ap&&w("DECODER_TOO_LARGE",e,`${s.length} bytes`);let t=l=>w("DECODER_NOT_ONNX",e,l),n=new co(t),i=n.message(s,{1:"one",7:"one",8:"many",20:"many",25:"many"});(!i[7]||!i[1])&&t("no graph, or no IR version"),(i[20].length||i[25].length)&&w("DECODER_NESTED",e,"functions or training information"),Cp(i,n,e);let r=n.message(i[7],{1:"many",5:"many",11:"many",12:"many",15:"many"});r[15].length&&w("DECODER_NESTED",e,"sparse tensors"),r[1].length>Tp&&w("DECODER_GRAPH",e,`${r[1].length} nodes`);let o=r[1].map(l=>Ip(n,l,e)),a=new Map;for(let l of r[5]){let c=rl(n,l,e);a.has(c.name)&&w("DECODER_GRAPH",e,`${c.name} is there twice`),a.set(c.name,c)}return{nodes:o,constants:a,inputs:r[11].map(l=>nl(n,l)),outputs:r[12].map(l=>nl(n,l))}}function Cp(s,e,t){let n=Number(s[1]);n>=7&&n<=10||w("DECODER_VERSION",t,`IR version ${n}`);let i=s[8].map(a=>e.message(a,{1:"one",2:"one"})),r=i.map(a=>e.text(a[1]));r.some(a=>a!==""&&a!=="ai.onnx")&&w("DECODER_DOMAIN",t,`operators of ${r.join(", ")}`);let o=Number(i[0]?.[2]??0);(i.length!==1||o<13||o>21)&&w("DECODER_VERSION",t,`operator set ${o}`)}function Ip(s,e,t){let n=s.message(e,{1:"many",2:"many",4:"one",5:"many",7:"one"}),i=s.text(n[7]);i!==""&&i!=="ai.onnx"&&w("DECODER_DOMAIN",t,`an operator of ${i}`);let r={};for(let o of n[5]){let{1:a,3:l,5:c,6:u,11:f}=s.message(o,{1:"one",3:"one",5:"one",6:"one",11:"many"});(u||f.length)&&w("DECODER_NESTED",t,"a graph within a node"),c&&rl(s,c,t),r[s.text(a)]=l===void 0?null:Number(BigInt.asIntN(64,l))}return{operator:s.text(n[4]),inputs:n[1].map(s.text),outputs:n[2].map(s.text),attributes:r}}function rl(s,e,t){let n=s.message(e,{1:"numbers",2:"one",8:"one",9:"one",13:"many",14:"one"});(n[13].length||n[14])&&w("DECODER_EXTERNAL",t,"data outside the file");let i=n[1].map(Number),r=Number(n[2]??0);(i.length>2||i.some(c=>c>8192)||![1,2,3,6,7,9,10].includes(r))&&w("DECODER_TENSOR",t,`a tensor of type ${r} and shape [${i}]`);let o=i.reduce((c,u)=>c*u,1),a=Ep[r],l=a&&n[9]instanceof Uint8Array&&n[9].length===o*a.BYTES_PER_ELEMENT;return{name:s.text(n[8]),type:r,dims:i,values:l?Vn(a,n[9],0,o):null}}function nl(s,e){let t=s.message(e,{1:"one",2:"one"}),n=s.message(t[2]??new Uint8Array,{1:"one"}),i=s.message(n[1]??new Uint8Array,{1:"one",2:"one"}),o=s.message(i[2]??new Uint8Array,{1:"many"})[1].map(a=>{let{1:l,2:c}=s.message(a,{1:"one",2:"one"});return c!==void 0&&s.text(c),l===void 0?null:Number(l)});return{name:s.text(t[1]),type:Number(i[1]??0),dims:o}}var co=class{constructor(e){this.wrong=e,this.fields=0,this.text=(t=new Uint8Array)=>{if(!(t instanceof Uint8Array))return e("a name that is no text");try{return new TextDecoder("utf-8",{fatal:!0,ignoreBOM:!0}).decode(t)}catch{return e("a name that is no UTF-8")}}}message(e,t){e instanceof Uint8Array||this.wrong("a message that is a number");let n={};for(let[i,r]of Object.entries(t))r!=="one"&&(n[i]=[]);for(let i=0;i<e.length;){++this.fields>Rp&&this.wrong("too many fields");let r,o;[r,i]=this.varint(e,i),[o,i]=this.value(e,i,Number(r&7n)),this.keep(n,Number(r>>3n),o,t)}return n}keep(e,t,n,i){let r=i[t];if(r==="many")e[t].push(n);else if(r==="one")e[t]!==void 0&&this.wrong(`the field ${t} twice`),e[t]=n;else if(r==="numbers"&&n instanceof Uint8Array)for(let o=0,a;o<n.length;)[a,o]=this.varint(n,o),e[t].push(a);else r==="numbers"&&e[t].push(n)}value(e,t,n){if(n===0)return this.varint(e,t);let i={1:8,5:4}[n];return n===2&&([i,t]=this.varint(e,t),i=Number(i)),(i===void 0||t+i>e.length)&&this.wrong("a field that is cut short"),[e.subarray(t,t+i),t+i]}varint(e,t){let n=0n;for(let i=0n;i<70n&&!(t>=e.length);i+=7n){let r=e[t++];if(n|=BigInt(r&127)<<i,r<128)return[BigInt.asUintN(64,n),t]}return this.wrong("a number that is cut short")}};var Ft=1,Pp=2,Np=3,Lp=6;function sl(s,{columns:e,outputs:t,output:n,precision:i},r){let o=il(s,r);Dp(o,e,t,n,r);let a=o.nodes.some(({operator:l})=>/^(De)?[qQ]uantizeLinear$/.test(l));return a!==(i==="int8")&&w("DECODER_PRECISION",r,`arithmetic that is not ${i}`),Up(o,r),new ho(o,e,t,a,r).decoder()}function Dp({inputs:s,outputs:e},t,n,i,r){let o=(a,l,c)=>a.length===1&&a[0].name===l&&a[0].type===Ft&&a[0].dims.length===2&&a[0].dims[0]===null&&a[0].dims[1]===c;o(s,"queries",t)||w("DECODER_INPUT",r,`not one input queries [N, ${t}]`),o(e,i,n)||w("DECODER_OUTPUT",r,`not one output ${i} [N, ${n}]`)}var Op=new Set(`Abs Add And Atan Cast Ceil Clip Concat Constant Cos DequantizeLinear Div Elu Equal Erf Exp
+Floor Gelu Gemm Greater GreaterOrEqual HardSigmoid HardSwish Identity IsInf IsNaN LayerNormalization LeakyRelu Less
+LessOrEqual Log MatMul Max Min Mish Mul Neg Not Or PRelu Pow QuantizeLinear Reciprocal Relu Selu Sigmoid Sign Sin Slice
+Softplus Softsign Split Sqrt Sub Sum Tanh ThresholdedRelu Where Xor`.split(/\s+/));function Up({nodes:s,constants:e},t){let n=s.find(({operator:r})=>!Op.has(r));n&&w("DECODER_OPERATOR",t,`the operator ${n.operator}`);let i=new Set(["queries",...e.keys()]);for(let r of s)(r.inputs.some(o=>o&&!i.has(o))||r.outputs.some(o=>i.has(o)))&&w("DECODER_GRAPH",t,"nodes out of order, or a value made twice"),r.outputs.forEach(o=>i.add(o))}var ho=class{constructor({nodes:e,constants:t},n,i,r,o){Object.assign(this,{constants:t,columns:n,outputs:i,int8:r,where:o,width:n,at:0,value:"queries"});let a=({operator:l,inputs:c})=>l==="DequantizeLinear"&&t.has(c[0]);this.dequantizers=new Map(e.filter(a).map(l=>[l.outputs[0],l])),this.chain=e.filter(l=>!a(l)),this.readers=new Map;for(let l of e.flatMap(c=>c.inputs))this.readers.set(l,(this.readers.get(l)??0)+1)}outside(e){throw new pe(`${this.where}: this viewer runs decoders of the profile (spec, 6.4) alone: ${e} [DECODER_PROFILE]`)}get operator(){return this.chain[this.at]?.operator}next(e){let t=this.chain[this.at];return(t?.operator!==e||t.inputs[0]!==this.value||t.outputs.length!==1)&&this.outside(`${t?.operator??"nothing"} where ${e} must be`),(this.readers.get(this.value)!==1||Object.keys(t.attributes).length)&&this.outside(`${e} with attributes, or a value that is read twice`),this.at+=1,this.value=t.outputs[0],t.inputs.slice(1)}constant(e,t,n){let i=this.constants.get(e);return(!i?.values||i.type!==t||i.dims.join()!==n.join())&&this.outside(`${e??"nothing"} is not of type ${t} and shape [${n}]`),i.values}take(e,...t){let n=this.next(e);return n.length!==t.length&&this.outside(`${e} of ${n.length+1} operands`),t.map(([i,r],o)=>this.constant(n[o],i,r))}decoder(){let e=[Ft,[]],t=[Ft,[this.columns]],[[n],[i]]=this.take("Clip",e,e),r=this.int8?this.take("Mul",t)[0]:null,o=this.int8?this.take("Add",t)[0]:null,a=this.layers(),[[l],[c]]=this.take("Clip",e,e);this.take("Exp");let[[u]]=this.take("Sub",e);(l!==0||u!==1)&&this.outside(`Clip from ${l}, Sub of ${u}`);let[f]=this.operator==="MatMul"?this.take("MatMul",[Ft,[this.width,this.outputs]]):this.take("Mul",e);(this.operator||this.dequantizers.size)&&this.outside("nodes behind the last one"),f.length===1&&this.width!==this.outputs&&w("DECODER_LOAD",this.where,`${this.width} values for ${this.outputs} outputs`);let d=f.length===1?{unit:f[0],matrix:null}:{unit:1,matrix:f};return{low:n,high:i,gain:r,offset:o,layers:a,top:c,...d,int8:this.int8,columns:this.columns,outputs:this.outputs}}layers(){let e=[];for(;;){let t=this.int8?this.quantized():null;if(e.push(this.gemm(t)),this.operator==="Clip")return e;this.int8||this.take("Relu")}}quantized(){let e=[[Ft,[]],[Pp,[]]],[[t],[n]]=this.take("QuantizeLinear",...e),[[i],[r]]=this.take("DequantizeLinear",...e);return(n||r||t!==i)&&this.outside("two scales, or a zero point"),t}gemm(e){let t=this.next("Gemm");t.length!==2&&this.outside(`Gemm of ${t.length+1} operands`);let n=d=>this.constants.get(d)?.dims.at(-1)??0,i=this.width;if(!this.int8){let d=n(t[0]);return this.width=d,{weight:this.fitting(t[0],Ft,i,d),bias:this.constant(t[1],Ft,[d]),rows:i,columns:d}}let[r,o]=this.dequantized(t[0],1),[a,l]=this.dequantized(t[1],0),c=n(r),u=this.constant(o,Ft,[c]);return this.constant(l,Ft,[c]).some((d,m)=>d!==Math.fround(e*u[m]))&&this.outside("a bias with a scale of its own"),this.width=c,{weight:this.fitting(r,Np,i,c),bias:this.constant(a,Lp,[c]),rows:i,columns:c,step:e,scales:u}}fitting(e,t,n,i){let r=this.constants.get(e)?.dims??[];return r.length===2&&r[0]!==n&&w("DECODER_LOAD",this.where,`weights for ${r[0]} values, of which there are ${n}`),this.constant(e,t,[n,i])}dequantized(e,t){let n=this.dequantizers.get(e);return this.dequantizers.delete(e),(n?.attributes.axis!==t||n.inputs.length!==2||this.readers.get(e)!==1)&&this.outside(`${e} is no DequantizeLinear of constants along axis ${t}`),n.inputs}};async function ol(s,{elementSize:e,distance:t,size:n},i){let r=await Fp(s,n,i),o=Math.floor(n/e),a=new Uint8Array(n);for(let l=0;l<e;l++){let c=l*o;for(let u=0;u<o;u++)a[u*e+l]=r[c+u]}if(a.set(r.subarray(o*e),o*e),t){let l={1:Uint8Array,2:Uint16Array,4:Uint32Array}[e],c=new l(a.buffer,0,o);for(let u=t;u<o;u++)c[u]+=c[u-t]}return a}async function Fp(s,e,t){let n=new Uint8Array(e),i=0;try{let r=new Blob([s]).stream().pipeThrough(new DecompressionStream("deflate")).getReader();for(;;){let{done:o,value:a}=await r.read();if(o)break;if(i+a.length>e)throw r.cancel().catch(()=>{}),new RangeError(`more than ${e} bytes`);n.set(a,i),i+=a.length}}catch(r){w("DEFLATE_STREAM",t,`no whole zlib stream of ${e} bytes (${r.message})`)}return i!==e&&w("DEFLATE_STREAM",t,`inflates to ${i} bytes, expected ${e}`),n}var al={$schema:"https://json-schema.org/draft/2020-12/schema",title:"RNA 1.1 manifest.json",type:"object",if:{required:["parts"]},then:{$ref:"#/$defs/Manifest"},else:{$ref:"#/$defs/ShortManifest"},$defs:{Agreement:{additionalProperties:!1,description:"Largest difference between the exported decoder and the trained model.",properties:{maxAbsolute:{minimum:0,type:"number"},maxRelative:{minimum:0,type:"number"}},required:["maxAbsolute","maxRelative"],title:"Agreement",type:"object"},Bounds:{additionalProperties:!1,description:"The box the triplane spans; readers round its numbers to float32.",properties:{min:{description:"Smallest x, y, z.",maxItems:3,minItems:3,prefixItems:[{maximum:1e18,minimum:-1e18,type:"number"},{maximum:1e18,minimum:-1e18,type:"number"},{maximum:1e18,minimum:-1e18,type:"number"}],type:"array"},max:{description:"Largest x, y, z; each greater than that of min.",maxItems:3,minItems:3,prefixItems:[{maximum:1e18,minimum:-1e18,type:"number"},{maximum:1e18,minimum:-1e18,type:"number"},{maximum:1e18,minimum:-1e18,type:"number"}],type:"array"}},required:["min","max"],title:"Bounds",type:"object"},Cone:{additionalProperties:!1,description:"Directions near an axis.",properties:{axis:{description:"Its middle, a unit vector.",maxItems:3,minItems:3,prefixItems:[{type:"number"},{type:"number"},{type:"number"}],type:"array"},halfAngle:{description:"From the axis to its edge, radians.",maximum:3.141592653589793,minimum:0,type:"number"}},required:["axis","halfAngle"],title:"Cone",type:"object"},Cost:{additionalProperties:!1,description:"What a query costs.",properties:{multiplyAdds:{description:"Multiply-adds of the decoder a query.",maximum:9007199254740991,minimum:0,type:"integer"},nsPerQuery:{description:"Nanoseconds a query, everything included.",minimum:0,type:"number"},threads:{description:"Threads used in the measurement.",maximum:9007199254740991,minimum:1,type:"integer"},machine:{description:"What it was measured on.",type:"string"}},required:["multiplyAdds","nsPerQuery","threads","machine"],title:"Cost",type:"object"},Domain:{additionalProperties:!1,description:"Where directions were trained, object space.",properties:{wo:{description:"View directions, from the surface to the eye.",oneOf:[{enum:["sphere","hemisphere"],type:"string"},{items:{$ref:"#/$defs/Cone"},maxItems:16,minItems:1,type:"array"}]},wi:{description:"Light directions, from the surface to the light.",oneOf:[{enum:["sphere","hemisphere"],type:"string"},{items:{$ref:"#/$defs/Cone"},maxItems:16,minItems:1,type:"array"}]}},required:["wo","wi"],title:"Domain",type:"object"},EntryRecord:{additionalProperties:!1,description:"Size and hash of one entry.",properties:{size:{description:"Bytes.",maximum:9007199254740991,minimum:0,type:"integer"},sha256:{description:"SHA-256, lower-case hex.",not:{pattern:`
+`},pattern:"^[0-9a-f]{64}$",type:"string"}},required:["size","sha256"],title:"EntryRecord",type:"object"},FlipAtHeight:{additionalProperties:!1,description:"Error of an asset that is seen small.",properties:{height:{description:"Height of the validation images, pixels.",maximum:9007199254740991,minimum:1,type:"integer"},flip:{description:"Mean FLIP at that height.",minimum:0,type:"number"}},required:["height","flip"],title:"FlipAtHeight",type:"object"},JsonValue:{},Manifest:{additionalProperties:!1,description:"manifest.json. `write_package` computes `entries` and the versions; leave them out.",properties:{format:{const:"rna",type:"string"},version:{description:"Version of the format it follows.",not:{pattern:`
+`},pattern:"^[1-9][0-9]{0,3}\\.(0|[1-9][0-9]{0,3})$",type:"string"},minReaderVersion:{description:"Oldest reader that can.",not:{pattern:`
+`},pattern:"^[1-9][0-9]{0,3}\\.(0|[1-9][0-9]{0,3})$",type:"string"},generator:{description:"What wrote the package, with its version.",type:"string"},name:{description:"The asset's name, for a person.",minLength:1,type:"string"},domain:{$ref:"#/$defs/Domain"},units:{$ref:"#/$defs/Units"},entries:{additionalProperties:{$ref:"#/$defs/EntryRecord"},description:"Every entry of the archive except manifest.json.",propertyNames:{maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$"},type:"object"},provenance:{$ref:"#/$defs/Provenance"},license:{description:"SPDX expression, or the terms.",minLength:1,type:"string"},extensionsUsed:{default:[],items:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},type:"array"},extensionsRequired:{default:[],items:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},type:"array"},extensions:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Data of extensions, by name; each in extensionsUsed.",propertyNames:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$"},type:"object"},extras:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Anything; readers ignore it.",type:"object"},parts:{description:"What the asset is made of.",items:{$ref:"#/$defs/Part"},maxItems:16,minItems:1,type:"array"},tiers:{items:{$ref:"#/$defs/Tier"},maxItems:16,minItems:1,type:"array"}},required:["format","version","minReaderVersion","units","entries","generator","name","domain","provenance","license","parts","tiers"],title:"Manifest",type:"object"},NormalMapRecord:{additionalProperties:!1,description:"Triangles with relief, and the map of it.",properties:{triangles:{description:"The first, and how many.",maxItems:2,minItems:2,prefixItems:[{maximum:9007199254740991,minimum:0,type:"integer"},{maximum:9007199254740991,minimum:1,type:"integer"}],type:"array"},texture:{description:"Entry with the map.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"}},required:["triangles","texture"],title:"NormalMapRecord",type:"object"},Part:{additionalProperties:!1,description:"One geometry with planes and decoders of its own.",properties:{name:{description:"Unique in the package.",maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},kind:{description:"What the geometry is: a mesh, or curves.",enum:["surface","fiber"],type:"string"},bounds:{$ref:"#/$defs/Bounds"},geometry:{description:"Entry with the mesh or the curves.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},transmittance:{default:[],description:"Holes and thin glass of a surface.",items:{$ref:"#/$defs/TransmittanceRecord"},maxItems:64,minItems:1,type:"array"},normalMaps:{default:[],description:"Relief of a surface.",items:{$ref:"#/$defs/NormalMapRecord"},maxItems:64,minItems:1,type:"array"}},required:["name","kind","bounds","geometry"],title:"Part",type:"object"},Provenance:{additionalProperties:!1,description:"Where the asset comes from.",properties:{source:{description:"The original model: name, author, address.",type:"string"},tool:{description:"What made the training data, with its version.",type:"string"},capture:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Capture settings.",type:"object"},training:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Training settings.",type:"object"}},required:["source","tool"],title:"Provenance",type:"object"},ShortManifest:{additionalProperties:!1,description:"manifest.json of one part that has nothing new since 1.0.",properties:{format:{const:"rna",type:"string"},version:{description:"Version of the format it follows.",not:{pattern:`
+`},pattern:"^[1-9][0-9]{0,3}\\.(0|[1-9][0-9]{0,3})$",type:"string"},minReaderVersion:{description:"Oldest reader that can.",not:{pattern:`
+`},pattern:"^[1-9][0-9]{0,3}\\.(0|[1-9][0-9]{0,3})$",type:"string"},generator:{description:"What wrote the package, with its version.",type:"string"},name:{description:"The asset's name, for a person.",minLength:1,type:"string"},domain:{$ref:"#/$defs/Domain"},units:{$ref:"#/$defs/Units"},entries:{additionalProperties:{$ref:"#/$defs/EntryRecord"},description:"Every entry of the archive except manifest.json.",propertyNames:{maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$"},type:"object"},provenance:{$ref:"#/$defs/Provenance"},license:{description:"SPDX expression, or the terms.",minLength:1,type:"string"},extensionsUsed:{default:[],items:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},type:"array"},extensionsRequired:{default:[],items:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},type:"array"},extensions:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Data of extensions, by name; each in extensionsUsed.",propertyNames:{maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$"},type:"object"},extras:{additionalProperties:{$ref:"#/$defs/JsonValue"},default:{},description:"Anything; readers ignore it.",type:"object"},kind:{description:"What the geometry is: a mesh, or curves.",enum:["surface","fiber"],type:"string"},bounds:{$ref:"#/$defs/Bounds"},geometry:{description:"Entry with the mesh or the curves.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},tiers:{items:{$ref:"#/$defs/ShortTier"},maxItems:16,minItems:1,type:"array"}},required:["format","version","minReaderVersion","units","entries","generator","name","domain","provenance","license","kind","bounds","geometry","tiers"],title:"ShortManifest",type:"object"},ShortTier:{additionalProperties:!1,description:"A tier of one part, planes and decoder in it.",properties:{planes:{description:"Entry with the triplane.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},decoder:{description:"Entry with the ONNX decoder.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},inputs:{description:"Input blocks, in the order of the columns of `queries`.",items:{enum:["features","position","normal","tangent","h","wo","wi","half_vector","highlight","learned_normal","fiber_angles","fiber_lobes"],type:"string"},minItems:1,type:"array",uniqueItems:!0},resolution:{description:"R, texels along a plane's side.",maximum:4096,minimum:1,type:"integer"},channels:{description:"C, features a texel.",maximum:64,minimum:1,type:"integer"},planePrecision:{description:"dtype of the planes.",enum:["int8","float16","float32"],type:"string"},decoderPrecision:{description:"Arithmetic of the decoder; int8 means quantised by QDQ nodes.",enum:["float32","int8"],type:"string"},agreement:{anyOf:[{$ref:"#/$defs/Agreement"},{type:"null"}],default:null},name:{description:"What hosts call the tier; unique in the package.",maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},validation:{anyOf:[{$ref:"#/$defs/Validation"},{type:"null"}],default:null},cost:{anyOf:[{$ref:"#/$defs/Cost"},{type:"null"}],default:null}},required:["planes","decoder","inputs","resolution","channels","planePrecision","decoderPrecision","name"],title:"ShortTier",type:"object"},Tier:{additionalProperties:!1,description:"One choice of speed and accuracy: planes and decoders of every part.",properties:{name:{description:"What hosts call the tier; unique in the package.",maxLength:64,not:{pattern:`
+`},pattern:"^[A-Za-z0-9][A-Za-z0-9._-]*$",type:"string"},parts:{description:"One for each part, in their order.",items:{$ref:"#/$defs/TierPart"},maxItems:16,minItems:1,type:"array"},validation:{anyOf:[{$ref:"#/$defs/Validation"},{type:"null"}],default:null},cost:{anyOf:[{$ref:"#/$defs/Cost"},{type:"null"}],default:null}},required:["name","parts"],title:"Tier",type:"object"},TierEmission:{additionalProperties:!1,description:"What a part emits: a decoder of its own, asked with features of the same planes.",properties:{decoder:{description:"Entry with the ONNX decoder of emission.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},inputs:{description:"Input blocks, in the order of the columns of `queries`.",items:{enum:["features","position","normal","tangent","h","wo","wi","half_vector","highlight","learned_normal","fiber_angles","fiber_lobes"],type:"string"},minItems:1,type:"array",uniqueItems:!0},decoderPrecision:{description:"Arithmetic of the decoder.",enum:["float32","int8"],type:"string"},agreement:{anyOf:[{$ref:"#/$defs/Agreement"},{type:"null"}],default:null}},required:["decoder","inputs","decoderPrecision"],title:"TierEmission",type:"object"},TierPart:{additionalProperties:!1,description:"What one part is evaluated with: planes and a decoder, and a decoder of emission.",properties:{planes:{description:"Entry with the triplane.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},decoder:{description:"Entry with the ONNX decoder.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},inputs:{description:"Input blocks, in the order of the columns of `queries`.",items:{enum:["features","position","normal","tangent","h","wo","wi","half_vector","highlight","learned_normal","fiber_angles","fiber_lobes"],type:"string"},minItems:1,type:"array",uniqueItems:!0},resolution:{description:"R, texels along a plane's side.",maximum:4096,minimum:1,type:"integer"},channels:{description:"C, features a texel.",maximum:64,minimum:1,type:"integer"},planePrecision:{description:"dtype of the planes.",enum:["int8","float16","float32"],type:"string"},decoderPrecision:{description:"Arithmetic of the decoder; int8 means quantised by QDQ nodes.",enum:["float32","int8"],type:"string"},agreement:{anyOf:[{$ref:"#/$defs/Agreement"},{type:"null"}],default:null},emission:{$ref:"#/$defs/TierEmission",default:null}},required:["planes","decoder","inputs","resolution","channels","planePrecision","decoderPrecision"],title:"TierPart",type:"object"},TransmittanceRecord:{additionalProperties:!1,description:"Triangles that let light through, and how much of it.",properties:{triangles:{description:"The first, and how many.",maxItems:2,minItems:2,prefixItems:[{maximum:9007199254740991,minimum:0,type:"integer"},{maximum:9007199254740991,minimum:1,type:"integer"}],type:"array"},texture:{description:"Entry with the texture.",maxLength:200,not:{pattern:`
+`},pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",type:"string"},cutoff:{default:null,description:"A hole where the texture is greater than this, else none.",exclusiveMaximum:1,exclusiveMinimum:0,type:"number"},ior:{default:null,description:"Relative indices of refraction, from the front and the back.",maxItems:2,minItems:2,prefixItems:[{maximum:100,minimum:.01,type:"number"},{maximum:100,minimum:.01,type:"number"}],type:"array"}},required:["triangles","texture"],title:"TransmittanceRecord",type:"object"},Units:{additionalProperties:!1,description:"Units of the package.",properties:{length:{const:"metre",type:"string"}},required:["length"],title:"Units",type:"object"},Validation:{additionalProperties:!1,description:"Error against reference images the training never saw.",properties:{psnr:{description:"Peak signal-to-noise ratio, dB.",type:"number"},flip:{description:"Mean FLIP.",minimum:0,type:"number"},relativeMse:{description:"Mean relative squared error.",minimum:0,type:"number"},images:{description:"Number of images compared.",maximum:9007199254740991,minimum:1,type:"integer"},definition:{description:"What exactly was compared, for a person.",type:"string"},flipAtHeight:{default:[],description:"`flip` of the images reduced to other heights, which the bounds fill; from the largest.",items:{$ref:"#/$defs/FlipAtHeight"},type:"array"}},required:["psnr","flip","relativeMse","images","definition"],title:"Validation",type:"object"}}};var uo={object:s=>s!==null&&typeof s=="object"&&!Array.isArray(s),array:Array.isArray,string:s=>typeof s=="string",number:s=>typeof s=="number",integer:s=>Number.isSafeInteger(s),boolean:s=>typeof s=="boolean",null:s=>s===null};function Yn(s,e,t=""){new po(s).check(s,e,t)}var po=class{constructor(e){this.root=e}fits(e,t){try{return this.check(e,t,""),!0}catch{return!1}}check(e,t,n){e.$ref&&this.check(this.root.$defs[e.$ref.split("/").pop()],t,n),e.if&&this.check(this.fits(e.if,t)?e.then:e.else,t,n);let i=r=>w("FIELD_VALUE",n,`found ${fo(t)}, expected ${r}`);e.type&&!uo[e.type](t)&&i(e.type),"const"in e&&t!==e.const&&i(fo(e.const)),e.enum&&!e.enum.includes(t)&&(e.enum.includes("features")&&w("INPUT_UNKNOWN",n,`no block ${fo(t)}`),i(e.enum.join(", ")));for(let r of[e.anyOf,e.oneOf])r&&!r.some(o=>this.fits(o,t))&&this.check(r.find(o=>uo[o.type]?.(t))??r[0],t,n);e.not&&this.fits(e.not,t)&&i("another value"),typeof t=="number"&&this.checkNumber(e,t,i),typeof t=="string"&&this.checkString(e,t,i),Array.isArray(t)?this.checkArray(e,t,n,i):uo.object(t)&&this.checkObject(e,t,n)}checkNumber(e,t,n){t<e.minimum&&n(`at least ${e.minimum}`),t>e.maximum&&n(`at most ${e.maximum}`),t<=e.exclusiveMinimum&&n(`more than ${e.exclusiveMinimum}`),t>=e.exclusiveMaximum&&n(`less than ${e.exclusiveMaximum}`)}checkString(e,t,n){t.length<e.minLength&&n(`${e.minLength} characters or more`),t.length>e.maxLength&&n(`at most ${e.maxLength} characters`),e.pattern&&!new RegExp(e.pattern,"u").test(t)&&n(e.pattern)}checkArray(e,t,n,i){t.length<e.minItems&&i(`${e.minItems} items or more`),t.length>e.maxItems&&i(`at most ${e.maxItems} items`),t.forEach((r,o)=>{let a=e.prefixItems?.[o]??e.items;a&&this.check(a,r,`${n}/${o}`)}),e.uniqueItems&&new Set(t).size!==t.length&&w("INPUT_UNKNOWN",n,"a name twice")}checkObject(e,t,n){let i=Object.keys(t),r=e.properties??{};for(let o of i)e.additionalProperties===!1&&!Object.hasOwn(r,o)&&w("FIELD_UNKNOWN",`${n}/${o}`,"no such member"),e.propertyNames&&this.check({type:"string",...e.propertyNames},o,`${n}/${o}`);for(let o of e.required??[])Object.hasOwn(t,o)||w("FIELD_MISSING",`${n}/${o}`,"missing");for(let o of i){let a=Object.hasOwn(r,o)?r[o]:e.additionalProperties;a&&this.check(a,t[o],`${n}/${o}`)}}};function fo(s){let e=JSON.stringify(s);return e.length>60?`${e.slice(0,57)}...`:e}var mo={type:"string",pattern:"^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$",maxLength:200},Si=(s,e=Number.MAX_SAFE_INTEGER)=>({type:"integer",minimum:s,maximum:e}),go={type:"number",minimum:0,maximum:1},mn=s=>({type:"object",properties:s,required:Object.keys(s),additionalProperties:!1}),cl=2**32-2,hl={RNA_deflate:mn({entries:{type:"object",propertyNames:mo,additionalProperties:mn({elementSize:{enum:[1,2,4]},distance:Si(0),size:Si(0,cl),sha256:{type:"string",pattern:"^[0-9a-f]{64}$"}})}}),RNA_poster:mn({image:mo,width:Si(1),height:Si(1)}),RNA_standin:mn({parts:{type:"array",minItems:1,maxItems:16,items:mn({baseColor:{type:"array",items:go,minItems:3,maxItems:3},roughness:go,metallic:go})}}),RNA_proxy:mn({parts:{type:"array",minItems:1,maxItems:16,items:{anyOf:[{type:"null"},{type:"array",minItems:1,maxItems:8,items:mn({geometry:mo,height:Si(1)})}]}}})},Lr=Object.keys(hl);function ul(s){let e=s.extensions??{};for(let t of Lr){let n=`/extensions/${t}`;if(!Object.hasOwn(e,t)){s.extensionsUsed?.includes(t)&&w("FIELD_MISSING",n,"its data is missing");continue}Yn(hl[t],e[t],n),zp[t](e[t],s,n)}}function _o(s,e,t){Object.hasOwn(s.entries,e)||w("REFERENCE_MISSING",t,`no entry ${e}`)}function ll(s,e,t){s.length!==e.parts.length&&w("PARTS_DIFFER",t,`found ${s.length} parts, expected ${e.parts.length}`)}var zp={RNA_deflate({entries:s},e,t){e.extensionsRequired?.includes("RNA_deflate")||w("EXTENSION_UNDECLARED",t,"RNA_deflate is not in extensionsRequired");let n=Object.values(s).reduce((i,{size:r})=>i+r,0);n>cl&&w("FIELD_VALUE",t,`${n} decoded bytes`);for(let i of Object.keys(s))_o(e,i,t)},RNA_poster({image:s},e,t){_o(e,s,t)},RNA_standin({parts:s},e,t){ll(s,e,t)},RNA_proxy({parts:s},e,t){ll(s,e,t),s.some(n=>n)||w("FIELD_VALUE",t,"a proxy of no part"),s.forEach((n,i)=>{let{transmittance:r,normalMaps:o}=e.parts[i];n&&(r||o)&&w("FIELD_VALUE",t,"a proxy of a part with textures"),(n??[]).forEach(({geometry:a,height:l},c)=>{_o(e,a,t),c&&l>=n[c-1].height&&w("FIELD_VALUE",t,"heights must descend")})})}};var fl=[1,1],kp=/^[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})$/,Gp=["normal","half_vector","highlight","learned_normal"],Hp=["tangent","h","fiber_angles","fiber_lobes"],Vp=["features","position","normal","tangent","h","wo"];function dl(s){let e=Hn(s,"manifest.json","MANIFEST_NOT_JSON");Wp(e),Yn(Xp(al,e),e);let t=qp(e);$p(t),Yp(t),Zp(t);let n=ml(pl(t.minReaderVersion),fl)<0;e.parts&&n&&w("VERSION_TOO_OLD","/minReaderVersion","1.0, with `parts`"),Jp(t),ul(t),Kp(t),jp(t),em(t);let i=(t.extensionsUsed??[]).filter(r=>!Lr.includes(r));return{...t,old:n,warnings:i.map(r=>`unknown extension ${r}`)}}var pl=s=>s.split(".").map(Number),ml=(s,e)=>s[0]-e[0]||s[1]-e[1];function Wp(s){"format"in s||w("FIELD_MISSING","/format","missing"),s.format!=="rna"&&w("FORMAT_UNKNOWN","/format","this is no RNA package");let e=s.minReaderVersion;typeof e=="string"&&kp.test(e)&&!e.endsWith(`
+`)&&ml(pl(e),fl)>0&&w("VERSION_TOO_NEW","/minReaderVersion",`the package needs a reader of version ${e}`);let t=Array.isArray(s.parts)?s.parts:[s];for(let n of t)n?.kind!==void 0&&!["surface","fiber"].includes(n.kind)&&w("KIND_UNSUPPORTED","/kind",`found ${JSON.stringify(n.kind)}, expected surface or fiber`);for(let n of Array.isArray(s.extensionsRequired)?s.extensionsRequired:[])typeof n=="string"&&!Lr.includes(n)&&w("EXTENSION_REQUIRED","/extensionsRequired",`this viewer does not know ${n}`)}function Xp(s,e){let t="parts"in e?"Manifest":"ShortManifest";return{...s.$defs[t],$defs:s.$defs}}function qp(s){if(s.parts)return s;let{kind:e,bounds:t,geometry:n,...i}=s,r=s.tiers.map(({name:o,validation:a,cost:l,...c})=>({name:o,validation:a,cost:l,parts:[c]}));return{...i,parts:[{name:"asset",kind:e,bounds:t,geometry:n}],tiers:r}}function $p(s){s.parts.forEach(({bounds:{min:e,max:t}},n)=>{e.forEach((i,r)=>{Math.fround(t[r])-Math.fround(i)>=1e-18||w("BOUNDS_EMPTY",`/parts/${n}/bounds`,`no extent along axis ${r}`)})});for(let e of["wo","wi"]){let t=s.domain[e];for(let{axis:n}of Array.isArray(t)?t:[])Math.abs(Math.hypot(...n)-1)>.001&&w("FIELD_VALUE",`/domain/${e}`,"an axis is no unit vector")}}function Yp(s){for(let[e,t]of[["tiers","TIER_DUPLICATE"],["parts","PART_DUPLICATE"]]){let n=s[e].map(({name:i})=>i);new Set(n).size!==n.length&&w(t,`/${e}`,"a name is there twice")}s.tiers.forEach(({validation:e},t)=>{(e?.flipAtHeight??[]).forEach(({height:n},i,r)=>{i&&n>=r[i-1].height&&w("FIELD_VALUE",`/tiers/${t}/validation/flipAtHeight/${i}`,"heights must descend")})})}function Zp(s){s.tiers.forEach((e,t)=>{e.parts.length!==s.parts.length&&w("PARTS_DIFFER",`/tiers/${t}/parts`,`found ${e.parts.length}, expected ${s.parts.length}`),e.parts.forEach((n,i)=>{!n.emission!=!s.tiers[0].parts[i].emission&&w("PARTS_DIFFER",`/tiers/${t}/parts/${i}`,"emission in some tiers alone")})})}function Jp(s){let e=s.extensionsUsed??[];for(let t of[...Object.keys(s.extensions??{}),...s.extensionsRequired??[]])e.includes(t)||w("EXTENSION_UNDECLARED","/extensionsUsed",`${t} is not there`)}function Kp(s){s.tiers.forEach((e,t)=>e.parts.forEach((n,i)=>{let r=s.parts[i].kind==="surface"?Hp:Gp,o=(a,l)=>{for(let c of a)l(c)||w("INPUT_KIND",`/tiers/${t}/parts/${i}/inputs`,`${c} is not for this part`)};o(n.inputs,a=>!r.includes(a)),o(n.emission?.inputs??[],a=>!r.includes(a)&&Vp.includes(a))}))}function jp(s){s.parts.forEach((e,t)=>{for(let[n,i]of[["transmittance","TRANSMITTANCE_RANGE"],["normalMaps","NORMAL_MAP_RANGE"]]){let r=`/parts/${t}/${n}`;e[n]&&e.kind!=="surface"&&w("FIELD_VALUE",r,`of a ${e.kind}`);let o=0;(e[n]??[]).forEach(({triangles:[a,l]},c)=>{a<o&&w(i,`${r}/${c}`,"ranges must ascend and not overlap"),o=a+l})}})}function*Qp(s){for(let[e,t]of s.parts.entries()){yield[`/parts/${e}/geometry`,t.geometry];for(let n of["transmittance","normalMaps"])for(let[i,r]of(t[n]??[]).entries())yield[`/parts/${e}/${n}/${i}`,r.texture]}for(let[e,t]of s.tiers.entries())for(let[n,i]of t.parts.entries()){let r=`/tiers/${e}/parts/${n}`;yield[`${r}/planes`,i.planes],yield[`${r}/decoder`,i.decoder],i.emission&&(yield[`${r}/emission/decoder`,i.emission.decoder])}}function em(s){let e=new Set;for(let[n,i]of Qp(s))Object.hasOwn(s.entries,i)||w("REFERENCE_MISSING",n,`no entry ${i}`),e.add(i);let t=(s.extensionsUsed??[]).map(n=>`extensions/${n}/`);for(let n of Object.keys(s.entries))!e.has(n)&&!t.some(i=>n.startsWith(i))&&w("ENTRY_UNREFERENCED","/entries",`nothing refers to ${n}`)}function gl(s,e){for(let t of e.keys())t!=="manifest.json"&&!Object.hasOwn(s.entries,t)&&w("ENTRY_UNDECLARED","/entries",`the archive holds ${t}`);for(let[t,{size:n}]of Object.entries(s.entries)){let i=e.get(t);(!i||t==="manifest.json")&&w("ENTRY_MISSING","/entries",`the archive lacks ${t}`),i.size!==n&&w("ENTRY_SIZE",`/entries/${t}`,`found ${i.size}, expected ${n}`)}}var Qt={type:"string"},_l={type:"array",items:{type:"number"}},Mt=s=>({type:"integer",minimum:s,maximum:2**32-1}),en=s=>({type:"array",minItems:1,maxItems:1,items:s}),Et=(s,e={})=>({type:"object",properties:{...s,...e},required:Object.keys(s),additionalProperties:!1}),vl={type:"array",minItems:3,maxItems:3,items:{type:"number"}},xl={const:"KHR_mesh_quantization"};function yl(s){let e=s?[5122,5123,5125,5126]:[5125,5126],t=Et({bufferView:Mt(0),componentType:{enum:e},count:Mt(1),type:{enum:["SCALAR","VEC2","VEC3"]}},{byteOffset:Mt(0),normalized:s?{type:"boolean"}:{const:!1},min:_l,max:_l,name:Qt}),n=Et({buffer:{const:0},byteLength:Mt(1)},{byteOffset:Mt(0),target:{enum:[34962,34963]},name:Qt,...s&&{byteStride:{enum:[4,8]}}}),i=Et({POSITION:Mt(0),NORMAL:Mt(0)},{TEXCOORD_0:Mt(0)}),r=Et({attributes:i,indices:Mt(0)},{mode:{const:4}});return Et({asset:Et({version:{const:"2.0"}},{generator:Qt,copyright:Qt}),scenes:en(Et({nodes:en({const:0})},{name:Qt})),nodes:en(Et({mesh:{const:0},...s&&{translation:vl,scale:vl}},{name:Qt})),meshes:en(Et({primitives:en(r)},{name:Qt})),buffers:en(Et({byteLength:Mt(1)},{name:Qt})),accessors:{type:"array",minItems:3,maxItems:4,items:t},bufferViews:{type:"array",minItems:1,maxItems:4,items:n},...s&&{extensionsUsed:en(xl),extensionsRequired:en(xl)}},{scene:{const:0},extras:{}})}var tm=yl(!1),nm=yl(!0);function wl(s,e){let t="extensionsUsed"in s||"extensionsRequired"in s;try{Yn(t?nm:tm,s)}catch(n){w("GEOMETRY_PROFILE",e,`${n.where}: not as meshes of packages are`)}return t&&im(s.nodes[0],e),rm(s,t,e),t}function im({scale:[s,e,t]},n){s>0&&s===e&&s===t||w("GEOMETRY_PROFILE",n,`the scale ${[s,e,t]}`)}function rm(s,e,t){let{attributes:n,indices:i}=s.meshes[0].primitives[0],r=e?{POSITION:[["VEC3"],[[5123,!1,8]]],NORMAL:[["VEC3"],[[5122,!0,8]]],TEXCOORD_0:[["VEC2"],[[5126,!1,void 0],[5123,!0,4]]],indices:[["SCALAR"],[[5123,!1,void 0],[5125,!1,void 0]]]}:{POSITION:[["VEC3"],[[5126,!1]]],NORMAL:[["VEC3"],[[5126,!1]]],TEXCOORD_0:[["VEC2"],[[5126,!1]]],indices:[["SCALAR"],[[5125,!1]]]};for(let[a,l]of[...Object.entries(n),["indices",i]]){let c=s.accessors[l],u=c&&s.bufferViews[c.bufferView];if(!u)continue;let[f,d]=r[a];f.includes(c.type)&&d.some(([_,v,b])=>c.componentType===_&&(c.normalized??!1)===v&&u.byteStride===b)||w("GEOMETRY_PROFILE",t,`the accessor of ${a}`)}s.accessors[i]?.componentType===5123&&s.accessors[n.POSITION]?.count>=65535&&w("GEOMETRY_PROFILE",t,"indices of 16 bits for too many vertices")}var sm={5122:Int16Array,5123:Uint16Array,5125:Uint32Array,5126:Float32Array},om={SCALAR:1,VEC2:2,VEC3:3};function Sl(s,e,t){let{json:n,bin:i}=am(s,e),r=wl(n,e);r&&t&&w("VERSION_TOO_OLD",e,"a quantised mesh in a package for readers of 1.0");let o=n.buffers[0].byteLength;(o>i.length||i.length-o>3)&&w("GEOMETRY_RANGE",e,`a buffer of ${o} bytes in a chunk of ${i.length}`);let a=n.meshes[0].primitives[0],l=f=>lm(n,i.subarray(0,o),f,e),c={positions:l(a.attributes.POSITION),normals:l(a.attributes.NORMAL),uvs:"TEXCOORD_0"in a.attributes?l(a.attributes.TEXCOORD_0):null,indices:l(a.indices)};cm(c,e),hm(n.accessors[a.attributes.POSITION],c.positions,r,e);let u=r?um(c,n.nodes[0]):c;return u.indices=Uint32Array.from(c.indices),fm(u,e),u}function am(s,e){let t="GEOMETRY_CONTAINER",n=new DataView(s.buffer,s.byteOffset,s.length);(s.length<20||n.getUint32(0,!0)!==1179937895||n.getUint32(4,!0)!==2)&&w(t,e,"no binary glTF 2.0"),n.getUint32(8,!0)!==s.length&&w(t,e,"the length in the header is not that of the entry");let i=[];for(let r=12;r<s.length;){r+8>s.length&&w(t,e,"a chunk is cut short");let o=n.getUint32(r,!0),a=n.getUint32(r+4,!0);(o%4||r+8+o>s.length)&&w(t,e,`a chunk of ${o} bytes`),i.push([a,s.subarray(r+8,r+8+o)]),r+=8+o}return i.map(([r])=>r).join()!==[1313821514,5130562].join()&&w(t,e,"not the chunks JSON and BIN"),i[0][1].length>65536&&w(t,e,"JSON of more than 64 KiB"),{json:Hn(i[0][1],e,t),bin:i[1][1]}}function lm(s,e,t,n){let i=s.accessors[t];i||w("GEOMETRY_RANGE",n,`no accessor ${t}`);let r=s.bufferViews[i.bufferView];r||w("GEOMETRY_RANGE",n,`no buffer view ${i.bufferView}`);let o=sm[i.componentType],a=om[i.type],l=o.BYTES_PER_ELEMENT*a,c=r.byteStride??l,u=(r.byteOffset??0)+(i.byteOffset??0),f=(i.byteOffset??0)+c*(i.count-1)+l;(f>r.byteLength||(r.byteOffset??0)+r.byteLength>e.length)&&w("GEOMETRY_RANGE",n,`accessor ${t} reaches past its bytes`),u%4&&w("GEOMETRY_PROFILE",n,`accessor ${t} is not aligned`);let d=c===l?Vn(o,e,u,a*i.count):new o(a*i.count);if(c!==l){let m=Vn(o,e,u,Math.floor(f-(i.byteOffset??0))/o.BYTES_PER_ELEMENT),_=c/o.BYTES_PER_ELEMENT;for(let v=0;v<i.count;v++)for(let b=0;b<a;b++)d[a*v+b]=m[_*v+b]}return Object.assign(d,{items:a})}function cm({positions:s,normals:e,uvs:t,indices:n},i){let r=s.length/3;(e.length!==s.length||t&&t.length!==2*r||!r)&&w("GEOMETRY_ARRAY",i,"attributes of different counts"),(n.length%3||!n.length)&&w("GEOMETRY_ARRAY",i,"part of a triangle")}function hm(s,e,t,n){["min","max"].every(r=>{if(s[r]?.length!==3)return!1;for(let o=0;o<3;o++){let a=e[o];for(let c=o;c<e.length;c+=3)(r==="min"?e[c]<a:e[c]>a)&&(a=e[c]);if((t?s[r][o]:Math.fround(s[r][o]))!==a&&Number.isFinite(a))return!1}return!0})||w("GEOMETRY_BOUNDS",n,"min and max of POSITION are not those of its values")}function um({positions:s,normals:e,uvs:t},{translation:n,scale:i}){return{positions:Float32Array.from(s,(r,o)=>n[o%3]+i[0]*r),normals:Float32Array.from(e,r=>Math.max(r/32767,-1)),uvs:t&&(t instanceof Uint16Array?Float32Array.from(t,r=>r/65535):t)}}function fm({positions:s,normals:e,uvs:t,indices:n},i){for(let o of[s,e,t??[]])for(let a=0;a<o.length;a++)Number.isFinite(o[a])||w("GEOMETRY_NOT_FINITE",i,"an attribute is not finite");let r=s.length/3;for(let o=0;o<n.length;o++)n[o]>=r&&w("GEOMETRY_INDEX",i,`vertex ${n[o]} of ${r}`);for(let o=0;o<e.length;o+=3){let a=Math.hypot(e[o],e[o+1],e[o+2]);Math.abs(a-1)>.001&&w("GEOMETRY_NORMAL",i,`a normal of length ${a}`)}}var dm={float16:"F16",float32:"F32",int8:"I8"},vo=1e18;function bl(s,{planePrecision:e,resolution:t,channels:n},i){let r=Wn(s,i,"PLANES_HEADER"),{tensors:o}=r,a=e==="int8",l=a?{scales:["F32",[3,n]],planes:["I8",[3,t,t,n]]}:{planes:[dm[e],[3,t,t,n]]},c=Object.keys(l),u=Object.keys(o);qn(r.metadata)||w("PLANES_TENSOR",i,"__metadata__ is no object"),(u.length!==c.length||c.some(_=>!u.includes(_)))&&w("PLANES_TENSOR",i,`found ${u.join(", ")||"no tensors"}, expected ${c.join(", ")}`);for(let _ of c)Xn(o[_])||w("PLANES_HEADER",i,`${_} is no tensor`);for(let _ of c){let[v,b]=l[_],M=o[_];M.dtype!==v&&w("PLANES_DTYPE",i,`${_}: found ${M.dtype}, expected ${v}`),M.shape.join()!==b.join()&&w("PLANES_SHAPE",i,`${_}: found [${M.shape}], expected [${b}]`)}let f=$n(s,r,c,i,"PLANES_HEADER");r.data%64&&w("PLANES_ALIGNMENT",i,"data does not start at a multiple of 64");let d=f.at(-1),m=a?f[0]:null;return pm(e,d,m,i),{values:d,scales:m,resolution:t,channels:n,precision:e}}function pm(s,e,t,n){let i=()=>w("PLANES_NOT_FINITE",n,`NaN, or a value beyond ${vo}`);if(s==="int8")t.some(r=>!(Math.abs(r)*128<=vo))&&i();else if(s==="float16")for(let r=0;r<e.length;r++)(e[r]&31744)===31744&&i();else for(let r=0;r<e.length;r++)Math.abs(e[r])<=vo||i()}var mm=8192;function Ml(s,e,t,n,i){let r=Wn(s,n,i),o=r.tensors[e];qn(r.metadata)||w(i,n,"__metadata__ is no object"),(Object.keys(r.tensors).join()!==e||!Xn(o))&&w(i,n,`not one tensor ${e}`);let[a,l,c]=o.shape,u=o.shape.length===3&&[a,l].every(d=>d>=1&&d<=mm);(o.dtype!=="U8"||!u||!t.includes(c))&&w(i,n,`found ${o.dtype} [${o.shape}], expected U8 [H, W, ${t.join(" or ")}]`),r.data%64&&w(i,n,"data does not start at a multiple of 64");let[f]=$n(s,r,[e],n,i);return{values:f,height:a,width:l,channels:c}}function El(s,e,t){let n="TRANSMITTANCE_TEXTURE",i=Ml(s,"transmittance",[1,3],t,n);return e.cutoff!==void 0&&i.channels!==1&&w(n,t,"a cutoff of a coloured texture"),i}function Al(s,e){return Ml(s,"normals",[2],e,"NORMAL_MAP_TEXTURE")}function xo({triangles:[s,e]},t,n,i,r){s+e>n.indices.length/3&&w(`${r}_RANGE`,i,`triangles ${s} to ${s+e} of ${n.indices.length/3}`),(r==="NORMAL_MAP"||t.width*t.height>1)&&!n.uvs&&w(`${r}_UV`,i,"the mesh has no texture coordinates")}var gm=65536,_m={position:3,normal:3,tangent:3,h:1,wo:3,wi:3,half_vector:5,highlight:1,learned_normal:2,fiber_angles:6,fiber_lobes:3},Zn=class s{static async open(e){let t=new s;return t.source=e,t.directory=await Ya(e),t.cache=new Map,t.manifest=dl(await t._stored(Gn)),gl(t.manifest,t.directory),t}get poster(){return this.manifest.extensions?.RNA_poster}tier(e){let t=e?this.manifest.tiers.find(n=>n.name===e):this.manifest.tiers[0];if(!t){let n=this.manifest.tiers.map(i=>i.name).join(", ");w("TIER_UNKNOWN",this.source.name,`no tier ${e}; there are ${n}`)}return t}bytesOf(e){return this._ranges(this._entriesOf(this.tier(e))).reduce((t,[n,i])=>t+i-n,0)}async load(e){let t=this.tier(e),n=this._entriesOf(t);await this._fetch(n);let i=new Map;for(let o of n)i.set(o,await this._data(o));let r=this.manifest.parts.map((o,a)=>this._part(o,t.parts[a],a,i));return{name:t.name,tier:t,parts:r}}async posterImage(){return this.poster?(await this._fetch([this.poster.image]),new Blob([await this._data(this.poster.image)],{type:"image/png"})):null}forget(){this.cache.clear()}_part(e,t,n,i){let{kind:r,bounds:o,geometry:a}=e,l=this.manifest.old,c=`/parts/${n}`,u=i.get(a),f={name:e.name,kind:r,bounds:vm(o),inputs:t.inputs};return r==="surface"?f.mesh=Sl(u,a,l):f.curves=tl(u,a,l),f.transmittance=(e.transmittance??[]).map(d=>{let m=El(i.get(d.texture),d,d.texture);return xo(d,m,f.mesh,c,"TRANSMITTANCE"),{...d,texture:m}}),f.normalMaps=(e.normalMaps??[]).map(d=>{let m=Al(i.get(d.texture),d.texture);return xo(d,m,f.mesh,c,"NORMAL_MAP"),{...d,texture:m}}),f.planes=bl(i.get(t.planes),t,t.planes),f.transport=Tl(i,t,t,"transport",6),f.emission=t.emission?{inputs:t.emission.inputs,...Tl(i,t,t.emission,"emission",3)}:null,f}_entriesOf(e){let t=[];for(let n of this.manifest.parts){t.push(n.geometry);for(let i of[...n.transmittance??[],...n.normalMaps??[]])t.push(i.texture)}for(let n of e.parts)t.push(n.planes,n.decoder),n.emission&&t.push(n.emission.decoder);return[...new Set(t)]}_ranges(e){let t=e.map(i=>this.directory.get(i)).sort((i,r)=>i.header-r.header),n=[];for(let{header:i,end:r}of t){let o=n.at(-1);o&&i-o[1]<=gm?o[1]=r:n.push([i,r])}return n}async _fetch(e){let t=e.filter(n=>!this.cache.has(n));this.source.expected=this.source.ranged?this.source.fetched+this._ranges(t).reduce((n,[i,r])=>n+r-i,0):this.source.size;for(let[n,i]of this._ranges(t)){let r=await this.source.read(n,i);for(let o of t){let a=this.directory.get(o);a.header>=n&&a.end<=i&&this.cache.set(o,r.subarray(a.header-n,a.end-n))}}}async _stored(e){let t=this.directory.get(e),n=this.cache.get(e)??await this.source.read(t.header,t.end);return Za(t,n)}async _data(e){let t=await this._stored(e);await Rl(t,this.manifest.entries[e].sha256,e);let n=this.manifest.extensions?.RNA_deflate?.entries[e];if(!n)return t;let i=await ol(t,n,e);return await Rl(i,n.sha256,e),i}};function Tl(s,e,t,n,i){let o={columns:t.inputs.reduce((a,l)=>a+(_m[l]??e.channels),0),outputs:i,output:n,precision:t.decoderPrecision};return sl(s.get(t.decoder),o,t.decoder)}function vm({min:s,max:e}){return{min:s.map(Math.fround),max:e.map(Math.fround)}}async function Rl(s,e,t){if(!globalThis.crypto?.subtle)return;[...new Uint8Array(await crypto.subtle.digest("SHA-256",s))].map(r=>r.toString(16).padStart(2,"0")).join("")!==e&&w("ENTRY_HASH",t,"the bytes do not have the declared SHA-256")}var Cl=65536,Jn=class{constructor(e,t){this.blob=e,this.name=t,this.size=e.size,this.ranged=!1,this.fetched=e.size}async read(e,t){return new Uint8Array(await this.blob.slice(e,t).arrayBuffer())}},Dr=class s{static async open(e,t=()=>{},n){let i=new s;Object.assign(i,{url:e,progress:t,signal:n,fetched:0,name:xm(e)});let r=await i._ask({Range:`bytes=0-${Cl-1}`}),o=/\/(\d+)$/.exec(r.headers.get("Content-Range")??"");i.ranged=r.status===206&&o!==null;let a=Number(r.headers.get("Content-Length"))||0;return i.expected=i.ranged?Cl:a,i.head=await i._collect(r),i.size=i.ranged?Number(o[1]):i.head.length,i}async read(e,t){if(t<=this.head.length)return this.head.subarray(e,t);if(!this.ranged)return this.head.subarray(e,Math.min(t,this.size));let n=await this._ask({Range:`bytes=${e}-${t-1}`});if(n.status!==206)throw new pe(`${this.name}: the server forgot about ranges`);return this._collect(n)}async _ask(e){let t;try{t=await fetch(this.url,{headers:e,signal:this.signal})}catch(n){if(n.name==="AbortError")throw n;let i=new URL(this.url,location.href).protocol==="file:";throw new pe(i?"a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the .rna file here":`cannot load ${this.url}: no answer, or the server does not allow other sites (CORS)`)}if(!t.ok&&t.status!==416)throw new pe(`cannot load ${this.url}: HTTP ${t.status}`);return t}async _collect(e){if(e.status===416||!e.body)return new Uint8Array;let t=[],n=0,i=e.body.getReader();for(;;){let{done:a,value:l}=await i.read();if(a)break;t.push(l),n+=l.length,this.fetched+=l.length,this.progress(this.fetched,this.expected)}let r=new Uint8Array(n),o=0;for(let a of t)r.set(a,o),o+=a.length;return r}};function xm(s){return decodeURIComponent(new URL(s,location.href).pathname.split("/").pop())||s}var bi={};Jo(bi,{evaluate:()=>Sm,mappedNormals:()=>Mm,visibility:()=>bm});function Or(s,e,t,n,i,r){let o=Math.ceil(i/256),a=new Float32Array(4*256*o);for(let l=0;l<i;l++)a.set(t.subarray(r*l+n,r*l+n+4),4*l);s.bindTexture(s.TEXTURE_2D,e.texture),s.texSubImage2D(s.TEXTURE_2D,0,0,0,256,o,s.RGBA,s.FLOAT,a)}function ym(s){let e=[4,8,12].map(n=>wm(s.subarray(n,n+3))),t=s.every(Number.isFinite)&&e.every(Boolean);e.forEach((n,i)=>s.set(t?n:[0,0,0],4+4*i)),t||s.set([0,0,0,0],0)}function wm(s){let e=Math.hypot(...s);return e>0&&Number.isFinite(e)?Array.from(s,t=>t/e):null}function Il(s,e){let t=Math.ceil(e/256);s.resize(256,t),s.span={rows:t,firstRow:0},s.frame={cameraAt:["3fv",[0,0,0]],height:["1i",t],firstRow:["1i",0],sampleNumber:["1ui",0]}}async function Sm(s,e,t,n,i=!0){let r=t==="transport"?2:1,o=n.length/16,a=new Float32Array(3*r*o),l=s.bandPixels;for(let c=0;c<o;c+=l){let u=Math.min(l,o-c),{gl:f}=s;Il(s,u);let d=n.slice(16*c,16*(c+u));for(let m=0;m<u;m++)ym(d.subarray(16*m,16*m+16)),d[16*m+7]=d[16*m+3],d[16*m+3]=e+1,d[16*m+15]=1;if([0,4,8].forEach((m,_)=>Or(f,s.rows.images[_],d,m,u,16)),Or(f,s.lit.images[0],d,12,u,16),s._decode(t),await s.done(),!!i)for(let m=0;m<r;m++){let _=s.answers.read(m);for(let v=0;v<u;v++)a.set(_.subarray(4*v,4*v+3),3*(r*(c+v)+m))}}return a}function Pl(s,e){let t=new Float32Array(16*e.length);e.forEach(({place:n,b1:i,b2:r,x:o,wi:a,part:l},c)=>{t.set([...o,l+1,0,0,0,i,0,0,0,n,1,1,1,r],16*c),e[c].own=a}),Il(s,e.length),[0,4,8,12].forEach((n,i)=>Or(s.gl,s.rows.images[i],t,n,e.length,16))}async function bm(s,e){Pl(s,e);let{gl:t}=s,n=s.answers.images[0],i=new Float32Array(4*e.length);return e.forEach((r,o)=>i.set(r.wi,4*o)),Or(t,n,i,0,e.length,4),s._light({kind:"given",colour:[1,1,1]},n),Nl(s.lit.read(1),e.length)}async function Mm(s,e){Pl(s,e);let[,t,n,i]=s.rows.images;return s._pass("normals",s.answers,{...s.asset,rows1:t,rows2:n,rows3:i},s.geometry),Nl(s.answers.read(0),e.length)}function Nl(s,e){return Float32Array.from({length:3*e},(t,n)=>s[4*Math.floor(n/3)+n%3])}var Ai={};Jo(Ai,{evaluate:()=>Tm,mappedNormals:()=>Cm,visibility:()=>Rm});var De=s=>document.getElementById(s);function gn(s){return s<1e6?`${Math.round(s/1e3)} kB`:`${(s/1e6).toFixed(s<1e7?2:1)} MB`}var Ur=class{constructor(e){this.app=e;let t=(i,r,o)=>De(i).addEventListener(r,a=>o(a.target));t("tier","change",({value:i})=>e.switchTier(i));let n=(i,r)=>{t(i,"input",({valueAsNumber:o})=>this._setLight(r,o,!0)),t(i,"change",({valueAsNumber:o})=>this._setLight(r,o,!1))};n("environment-intensity","strength"),n("sun-intensity","sun"),n("sun-height","sunHeight"),n("rotation","rotation"),t("environment","change",({value:i})=>this._setLight("choice",i,!1)),t("exposure","input",({valueAsNumber:i})=>e.setExposure(i)),t("exposure","change",()=>this.hasGround&&e.changed()),t("ground","change",()=>e.changed()),t("reset","click",()=>e.resetView()),t("screenshot","click",()=>this._save()),t("fullscreen","click",()=>this._fullScreen()),this.showLighting(e.lighting)}_setLight(e,t,n){(e==="sun"||e==="sunHeight")&&(this.app.lighting.suns=null),this.app.lighting[e]=t,this.app.changed(n)}get hasGround(){return De("ground").checked}setGround(e){De("ground").checked=e}showLighting({images:e,choice:t,strength:n,sun:i,sunHeight:r,rotation:o}){let a=[...e].map(([c,{label:u}])=>new Option(u,c,!1,c===t));De("environment").replaceChildren(...a);let l={"environment-intensity":n,"sun-intensity":i,"sun-height":r,rotation:o};for(let[c,u]of Object.entries(l))De(c).value=u}showEngine(e,t){De("api").textContent=[e,...t].join(": ")}showPackage({manifest:e,warnings:t=e.warnings,bytesOf:n,...i},{tier:r}){let o=this.app.opened;document.title=`${e.name} \u2013 RNA viewer`,De("name").textContent=e.name,De("tier").replaceChildren(...e.tiers.map(({name:c})=>new Option(c,c,!1,c===r.name)));let{validation:a,cost:l}=r;De("error").textContent=a?`${a.psnr.toFixed(1)} dB, FLIP ${a.flip.toFixed(3)}`:"not recorded",De("cost").textContent=l?`${l.multiplyAdds.toLocaleString("en")} multiply-adds`:"not recorded",De("size").textContent=gn(o.bytesOf(r.name)),t.length&&this.say(t.join("; "),!0)}showStats({ms:e,rounds:t,scale:n}){De("time").textContent=e?`${e<10?e.toFixed(1):Math.round(e)} ms`:"\u2013",De("rounds").textContent=n===1?String(t):`first look, 1/${n} of the size`}showProgress(e,t){if(De("loading").hidden=e===null,e===null)return;let n=De("bar");t?Object.assign(n,{max:Math.max(t,e),value:e}):n.removeAttribute("value"),De("bytes").textContent=t?`${gn(e)} of ${gn(Math.max(t,e))}`:gn(e)}showPoster(e){let t=De("poster");t.src&&URL.revokeObjectURL(t.src),t.hidden=!e,e?t.src=URL.createObjectURL(e):t.removeAttribute("src")}say(e,t=!1){let n=De("notice");n.hidden=!e,n.textContent=e??"",n.classList.toggle("calm",t)}async _save(){let e=document.createElement("a");e.href=URL.createObjectURL(await this.app.screenshot()),e.download=`${this.app.opened?.manifest.name??"rna"}.png`,e.click(),setTimeout(()=>URL.revokeObjectURL(e.href),1e3)}_fullScreen(){document.fullscreenElement?document.exitFullscreen():document.documentElement.requestFullscreen?.()}};var Em=["maxStorageBufferBindingSize","maxBufferSize"];async function Ll(){if(!navigator.gpu)throw new pe(isSecureContext?"this browser has no WebGPU":"WebGPU needs HTTPS, or a page from this machine");let s=await navigator.gpu.requestAdapter({powerPreference:"high-performance"});if(!s)throw new pe("WebGPU has no adapter here");let e=Object.fromEntries(Em.map(t=>[t,s.limits[t]]));return s.requestDevice({requiredLimits:e})}function Re(s,e,t=GPUBufferUsage.STORAGE,n="a buffer"){let i=typeof e=="number"?e:e.byteLength,r=Math.max(16,Math.ceil(i/16)*16),o=s.limits.maxStorageBufferBindingSize;if(r>o)throw new pe(`${n} takes ${gn(r)}; this GPU allows ${gn(o)}`);let a=s.createBuffer({size:r,usage:t|GPUBufferUsage.COPY_DST|GPUBufferUsage.COPY_SRC,mappedAtCreation:typeof e!="number"});if(typeof e!="number"){let l=new Uint8Array(e.buffer,e.byteOffset,e.byteLength);new Uint8Array(a.getMappedRange()).set(l),a.unmap()}return a}async function Mi(s,e){let t=s.createShaderModule({code:e}),{messages:n}=await t.getCompilationInfo(),i=n.find(({type:r})=>r==="error");if(i)throw new Error(`a shader does not compile, line ${i.lineNum}: ${i.message}`);return t}function Ei(s,e,t,n){let i=n.map((r,o)=>({binding:o,resource:r instanceof GPUBuffer?{buffer:r}:r}));return s.createBindGroup({layout:e.getBindGroupLayout(t),entries:i})}function At(s,e,t,n){let i=Math.max(1,Math.ceil(n/64)),r=Math.min(i,32768);s.setPipeline(e),t.forEach((o,a)=>s.setBindGroup(a,o)),s.dispatchWorkgroups(r,Math.ceil(i/r))}async function Kn(s,e,t){let n=s.createBuffer({size:Math.ceil(t/4)*4,usage:GPUBufferUsage.MAP_READ|GPUBufferUsage.COPY_DST}),i=s.createCommandEncoder();i.copyBufferToBuffer(e,0,n,0,n.size),s.queue.submit([i.finish()]),await n.mapAsync(GPUMapMode.READ);let r=n.getMappedRange().slice(0);return n.destroy(),r}var Am={position:[0,0,0],corner:[0,0,0],stepX:[0,0,0],stepY:[0,0,0]};async function Tm(s,e,t,n,i=!0){let r=s.parts[e][t],{device:o,queue:a,bandPixels:l}=s,c=t==="transport"?2:1,u=n.length/16,f=new Float32Array(3*c*u);for(let d=0;d<u;d+=l){let m=Math.min(l,u-d);if(o.queue.writeBuffer(a.rows,0,n,16*d,16*m),o.queue.writeBuffer(a.count,0,Uint32Array.of(m)),s._run(v=>r.run(v,a,m)),await s.done(),!i)continue;let _=new Float32Array(await Kn(o,a.answers,16*c*m));for(let v=0;v<c*m;v++)f.set(_.subarray(4*v,4*v+3),3*(c*d+v))}return f}function Dl(s,e){let t=new Float32Array(16*e.length),n=new Uint32Array(t.buffer);e.forEach(({place:i,b1:r,b2:o,x:a,wi:l,part:c},u)=>{t.set([...a,r],16*u),n[16*u+7]=c+1,n[16*u+11]=i,t.set([...l,o],16*u+12)}),s.resize(e.length,1),s.span={from:0,rows:1,pixels:e.length},s.device.queue.writeBuffer(s.band.rows,0,t),s._writeView(Am,0)}async function Rm(s,e){Dl(s,e),s._writeLight({kind:"given",colour:[1,1,1]},!0,!1),s._run(n=>At(n,s.kernels.light,s.groups.light,e.length));let t=new Float32Array(await Kn(s.device,s.band.lit,32*e.length));return Float32Array.from({length:3*e.length},(n,i)=>t[8*Math.floor(i/3)+i%3])}async function Cm(s,e){Dl(s,e);let{device:t,view:n,geometry:[,i,r,o],band:a}=s,l=await s.pipelines.get(s.raySources.hit,"find_normals"),c=(d,m)=>t.createBindGroup({layout:l.getBindGroupLayout(d),entries:m.map(([_,v])=>({binding:_,resource:{buffer:v}}))}),u=[c(0,[[0,n],[2,i],[3,r],[4,o]]),c(1,[[0,a.rows]])];s._run(d=>At(d,l,u,e.length));let f=new Float32Array(await Kn(s.device,s.band.rows,64*e.length));return Float32Array.from({length:3*e.length},(d,m)=>f[16*Math.floor(m/3)+4+m%3])}var yo=s=>Uint8Array.from(atob(s),e=>e.charCodeAt(0));function wo(s){let e=new Uint8Array(s.buffer,s.byteOffset,s.byteLength),t="";for(let n=0;n<e.length;n+=8192)t+=String.fromCharCode(...e.subarray(n,n+8192));return btoa(t)}var Fr=class{constructor(e){this.engine=e,this.answers=e.constructor.label==="WebGPU"?Ai:bi}async load(e,t){let n=await Zn.open(new Jn(new Blob([yo(e)]),"package"));this.shown=await n.load(t),this.arrays=Nr(this.shown.parts),await this.engine.setAsset(this.arrays,this.shown.parts),this.engine.resize(1,1)}async evaluate(e,t,n){let i=t==="transport"?13:10,r=new Float32Array(yo(n).buffer),o=new Float32Array(16*r.length/i);for(let a=0;16*a<o.length;a++){let l=r.subarray(i*a,i*(a+1)),c=l.subarray(7,10);o.set([...l.subarray(0,3),l[6],...l.subarray(3,6),0,...c,0,...i===13?l.subarray(10):c],16*a)}return wo(await this.answers.evaluate(this.engine,e,t,o))}async visibility(e){return wo(await this.answers.visibility(this.engine,this._hits(e)))}async normals(e){return wo(await this.answers.mappedNormals(this.engine,this._hits(e)))}_hits(e){let{buffer:t}=yo(e),n=new Uint32Array(t),i=new Float32Array(t),r=[];for(let o=0;o<n.length;o+=8){let a=n[o+7],{first:l,fiber:c}=this.arrays.parts[a],u=i.subarray(o,o+7),f=this.arrays.where[l+n[o]];r.push(c?{place:f,part:a,b1:0,b2:0,x:u.slice(1,4),wi:u.slice(4,7)}:{place:f,part:a,b1:u[1],b2:u[2],x:[0,0,0],wi:u.slice(3,6)})}return r}};var Im=`#version 300 es
+void main() {
+  gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
+}`;function Ol(s){let e=s.getContext("webgl2",{alpha:!1,antialias:!1,preserveDrawingBuffer:!0});if(!e)throw new pe("this browser has no WebGL2");if(!e.getExtension("EXT_color_buffer_float"))throw new pe("this device's WebGL2 cannot draw into float textures");return e}var jn=class{constructor(e,t){this.gl=e,this.program=e.createProgram();for(let[n,i]of[[e.VERTEX_SHADER,Im],[e.FRAGMENT_SHADER,`#version 300 es
+${t}`]]){let r=e.createShader(n);e.shaderSource(r,i),e.compileShader(r),e.attachShader(this.program,r),e.deleteShader(r)}e.linkProgram(this.program),this.places=new Map}check(){let{gl:e,program:t}=this;if(e.getProgramParameter(t,e.LINK_STATUS)||e.isContextLost())return;let n=e.getAttachedShaders(t).map(i=>e.getShaderInfoLog(i));throw new Error(`a shader does not compile: ${[e.getProgramInfoLog(t),...n].join(" ")}`)}_place(e){return this.places.has(e)||this.places.set(e,this.gl.getUniformLocation(this.program,e)),this.places.get(e)}set(e){for(let[t,[n,...i]]of Object.entries(e))this.gl[`uniform${n}`](this._place(t),...i)}textures(e){Object.entries(e).forEach(([t,n],i)=>{this.gl.activeTexture(this.gl.TEXTURE0+i),this.gl.bindTexture(n.target,n.texture),this.gl.uniform1i(this._place(t),i)})}delete(){this.gl.deleteProgram(this.program)}},Pm=2048;function Bt(s,e,t,n=Pm){let i={4:[[s.RGBA32F,s.RGBA,s.FLOAT],[s.RGBA32UI,s.RGBA_INTEGER,s.UNSIGNED_INT]],1:[null,[s.R8UI,s.RED_INTEGER,s.UNSIGNED_BYTE]]},[r,o,a]=i[t][e instanceof Float32Array?0:1],l=Math.max(1,Math.ceil(e.length/t)),c=Math.ceil(l/n);Nm(s,c);let u=new e.constructor(n*c*t);return u.set(e),Ti(s,n,c,r,o,a,u)}function Nm(s,e){let t=s.getParameter(s.MAX_TEXTURE_SIZE);if(e>t)throw new pe(`the asset needs textures of side ${e}; this device has ${t}`)}function Ti(s,e,t,n,i,r,o=null){let a=s.createTexture();return s.bindTexture(s.TEXTURE_2D,a),s.pixelStorei(s.UNPACK_ALIGNMENT,1),s.texImage2D(s.TEXTURE_2D,0,n,e,t,0,i,r,o),So(s,s.TEXTURE_2D),{target:s.TEXTURE_2D,texture:a,width:e,height:t}}function So(s,e){s.texParameteri(e,s.TEXTURE_MIN_FILTER,s.NEAREST),s.texParameteri(e,s.TEXTURE_MAG_FILTER,s.NEAREST),s.texParameteri(e,s.TEXTURE_WRAP_S,s.CLAMP_TO_EDGE),s.texParameteri(e,s.TEXTURE_WRAP_T,s.CLAMP_TO_EDGE)}var tn=class{constructor(e,t,n,i){if(Object.assign(this,{gl:e,width:t,height:n}),this.images=Array.from({length:i},()=>Ti(e,t,n,e.RGBA32F,e.RGBA,e.FLOAT)),this.frame=e.createFramebuffer(),e.bindFramebuffer(e.FRAMEBUFFER,this.frame),this.images.forEach(({texture:r},o)=>e.framebufferTexture2D(e.FRAMEBUFFER,e.COLOR_ATTACHMENT0+o,e.TEXTURE_2D,r,0)),e.drawBuffers(this.images.map((r,o)=>e.COLOR_ATTACHMENT0+o)),e.checkFramebufferStatus(e.FRAMEBUFFER)!==e.FRAMEBUFFER_COMPLETE&&!e.isContextLost())throw new pe("this device cannot draw into float textures")}read(e){let{gl:t,width:n,height:i}=this,r=new Float32Array(4*n*i);return t.bindFramebuffer(t.FRAMEBUFFER,this.frame),t.readBuffer(t.COLOR_ATTACHMENT0+e),t.readPixels(0,0,n,i,t.RGBA,t.FLOAT,r),r}delete(){this.gl.deleteFramebuffer(this.frame);for(let{texture:e}of this.images)this.gl.deleteTexture(e)}};function Br(s,e,t,{textures:n={},uniforms:i={},to:r}={}){let{width:o,height:a}=t??s.canvas;s.bindFramebuffer(s.FRAMEBUFFER,t?.frame??null),s.viewport(0,0,o,a),s.enable(s.SCISSOR_TEST),s.scissor(0,0,o,r??a),s.useProgram(e.program),e.set(i),e.textures(n),s.drawArrays(s.TRIANGLES,0,3)}async function Ul(s){let e=s.fenceSync(s.SYNC_GPU_COMMANDS_COMPLETE,0);for(s.flush();;){if(s.isContextLost())return;let t=s.clientWaitSync(e,0,0);if(t===s.ALREADY_SIGNALED||t===s.CONDITION_SATISFIED)break;await new Promise(n=>setTimeout(n,1))}s.deleteSync(e)}var Fl=`// Input blocks of a decoder (spec, 6.3), in the forms for float32.
+
+uniform sampler2DArray planes;  // three planes of \`groups\` layers of four channels
+uniform int resolution;
+uniform int channels;
+uniform vec4 scales[48];        // of int8: scale of each channel; else 1
+uniform vec3 boundsMin;
+uniform vec3 boundsMax;
+uniform int blockCount;
+uniform int blocks[12];         // in the order of the columns; see BLOCKS
+
+const int FEATURES = 0, POSITION = 1, AXIS = 2, H = 3, WO = 4, WI = 5, HALF_VECTOR = 6, HIGHLIGHT = 7,
+          LEARNED_NORMAL = 8, FIBER_ANGLES = 9, FIBER_LOBES = 10;
+
+float columns[COLUMNS];
+
+// Features are summed over the planes (spec, 5).
+vec4 featuresOf(int group, vec3 p) {
+  int groups = (channels + 3) / 4;
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 3; k++) {
+    vec2 at = clamp(vec2(p[k], p[(k + 1) % 3]) * float(resolution) - 0.5, 0.0, float(resolution - 1));
+    ivec2 low = ivec2(floor(at)), high = min(low + 1, resolution - 1);
+    vec2 f = at - floor(at);
+    int layer = k * groups + group;
+    vec4 lower = mix(texelFetch(planes, ivec3(low, layer), 0), texelFetch(planes, ivec3(high.x, low.y, layer), 0), f.x);
+    vec4 upper = mix(texelFetch(planes, ivec3(low.x, high.y, layer), 0), texelFetch(planes, ivec3(high, layer), 0), f.x);
+    sum += mix(lower, upper, f.y) * scales[layer];
+  }
+  return sum;
+}
+
+vec3 halfway(vec3 wo, vec3 wi, vec3 instead) {
+  vec3 s = wi + wo, e = wi - wo;
+  float apart = dot(e, e), together = dot(s, s);
+  if (together < 1e-12) return instead;
+  if (together < apart) s -= e * (dot(s, e) / apart);
+  return unit(s);
+}
+
+float gap(vec3 n, vec3 m) {
+  vec3 d = n - m;
+  return log2(0.5 * dot(d, d) + 1e-4) / 6.0;
+}
+
+void put(inout int at, float value) {
+  columns[at++] = value;
+}
+
+void put3(inout int at, vec3 v) {
+  put(at, v.x);
+  put(at, v.y);
+  put(at, v.z);
+}
+
+void putFeatures(inout int at, vec3 p) {
+  for (int group = 0; 4 * group < channels; group++) {
+    vec4 f = featuresOf(group, p);
+    for (int c = 0; c < 4 && 4 * group + c < channels; c++) put(at, f[c]);
+  }
+}
+
+void putFiber(inout int at, int block, vec3 t, float h, vec3 wo, vec3 wi) {
+  vec3 o = cross(t, wo), i = cross(t, wi);
+  float so = dot(t, wo), si = dot(t, wi), co = length(o), d = co * length(i), sum = so + si;
+  float cosPhi = 1.0, sinPhi = 0.0;
+  if (d >= 1e-6) {
+    cosPhi = clamp(dot(o, i) / d, -1.0, 1.0);
+    sinPhi = clamp(dot(t, cross(o, i)) / d, -1.0, 1.0);
+  }
+  if (block == FIBER_ANGLES) {
+    put3(at, vec3(si, so, sum));
+    put3(at, vec3(log2(sum * sum + 1e-3) / 6.0, cosPhi, sinPhi));
+    return;
+  }
+  // Phi_0 = 2 g_o; each inner segment turns by -2 g_t - pi. As cosine and sine.
+  float sinT = h * co / sqrt(1.55 * 1.55 - so * so);
+  vec2 lobe = vec2(1.0 - 2.0 * h * h, 2.0 * h * sqrt(max(0.0, 1.0 - h * h)));
+  vec2 turn = vec2(2.0 * sinT * sinT - 1.0, 2.0 * sinT * sqrt(max(0.0, 1.0 - sinT * sinT)));
+  for (int p = 0; p < 3; p++) {
+    put(at, cosPhi * lobe.x + sinPhi * lobe.y);
+    lobe = vec2(lobe.x * turn.x - lobe.y * turn.y, lobe.x * turn.y + lobe.y * turn.x);
+  }
+}
+
+// Fills \`columns\`. x: a position, axis: n or t; all directions unit.
+void fillColumns(vec3 x, vec3 axis, float h, vec3 wo, vec3 wi) {
+  vec3 p = clamp((x - boundsMin) / (boundsMax - boundsMin), 0.0, 1.0);
+  int at = 0;
+  for (int k = 0; k < blockCount; k++) {
+    int block = blocks[k];
+    if (block == FEATURES) putFeatures(at, p);
+    else if (block == POSITION) put3(at, 2.0 * p - 1.0);
+    else if (block == AXIS) put3(at, axis);
+    else if (block == H) put(at, h);
+    else if (block == WO) put3(at, wo);
+    else if (block == WI) put3(at, wi);
+    else if (block == HALF_VECTOR) {
+      vec3 m = halfway(wo, wi, axis);
+      put3(at, vec3(dot(axis, m), gap(axis, m), dot(axis, wi)));
+      put(at, dot(axis, wo));
+      put(at, dot(wi, m));
+    } else if (block == HIGHLIGHT) {
+      vec3 c = cross(axis, halfway(wo, wi, axis));
+      put(at, log2(dot(c, c) + 1e-8) / 12.0);
+    } else if (block == LEARNED_NORMAL) {
+      vec3 f = featuresOf(0, p).xyz * vec3(1.0, float(channels > 1), float(channels > 2));
+      vec3 bent = axis + 0.1 * f;
+      vec3 q = length(bent) < 1e-6 ? axis : unit(bent), m = halfway(wo, wi, q);
+      put(at, dot(q, m));
+      put(at, gap(q, m));
+    } else putFiber(at, block, axis, h, wo, wi);
+  }
+}
+`;var Bl=`// Adds what one light brings, or what the asset emits, to the picture.
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D before;
+uniform sampler2D rows0;
+uniform sampler2D rows3;
+uniform sampler2D lit0;
+uniform sampler2D lit1;
+uniform sampler2D lit2;
+uniform sampler2D first;
+uniform sampler2D second;
+uniform bool isEmission;
+uniform bool countsCoverage;  // once a round
+uniform bool isFirst;
+uniform int firstRow;
+out vec4 sum;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  sum = isFirst ? vec4(0.0) : texelFetch(before, pixel + ivec2(0, firstRow), 0);
+  float part = texelFetch(rows0, pixel, 0).w;
+  vec3 a = texelFetch(first, pixel, 0).xyz;
+  if (isEmission) {
+    if (part > 0.0) sum.xyz += texelFetch(rows3, pixel, 0).xyz * a;
+    return;
+  }
+  vec4 light = texelFetch(lit0, pixel, 0), v = texelFetch(lit1, pixel, 0);
+  vec3 radiance = texelFetch(lit2, pixel, 0).xyz;
+  if (light.w == 1.0) sum.xyz += radiance * mix(texelFetch(second, pixel, 0).xyz, a, v.xyz);
+  if (light.w == 2.0) sum.xyz += radiance;
+  if (countsCoverage) sum.w += v.w;
+}
+`;var zl=`// What the decoder of one part answers for the queries on it.
+uniform sampler2D rows0;
+uniform sampler2D rows1;
+uniform sampler2D rows2;
+uniform sampler2D lit0;
+uniform int part;
+uniform bool isFiber;
+uniform bool hasLight;
+
+layout(location = 0) out vec4 first;   // visible, or emitted
+layout(location = 1) out vec4 second;  // shadowed
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 row0 = texelFetch(rows0, pixel, 0);
+  vec4 light = texelFetch(lit0, pixel, 0);
+  if (int(row0.w) != part + 1 || (hasLight && light.w != 1.0)) discard;
+  vec4 row1 = texelFetch(rows1, pixel, 0);
+  vec3 wo = texelFetch(rows2, pixel, 0).xyz, wi = hasLight ? light.xyz : wo;
+  first = vec4(0.0, 0.0, 0.0, 1.0);
+  second = vec4(0.0, 0.0, 0.0, 1.0);
+  if (row1.xyz == vec3(0.0)) return;  // an argument was no direction (spec, 8.1)
+  float h = isFiber ? clamp(row1.w, -1.0, 1.0) : 0.0;
+  fillColumns(row0.xyz, row1.xyz, h, wo, wi);
+  vec3 a, b;
+  decode(COLUMNS, a, b);
+  first.xyz = a;
+  second.xyz = b;
+}
+`;var kl=`// The layers of a decoder (spec, 6.4). Values are in groups of four, weights in blocks of 4 x 4: four texels, one of
+// outputs for each of four inputs.
+
+uniform sampler2D weights;
+uniform int layerCount;
+uniform ivec4 layers[LAYERS];   // groups of inputs, groups of outputs, first texel of weights, of bias
+uniform vec2 steps[LAYERS];     // of int8: scale of the inputs; first texel of the outputs' scales
+uniform bool isInt8;
+uniform int gainAt;             // of int8: first texel of gains, then of offsets
+uniform vec3 limits;            // low and high of the first Clip, top of the second
+uniform int matrixAt;           // first texel of the matrix, or -1
+uniform float unitOf;
+uniform int outputs;
+
+vec4 values[GROUPS];
+vec4 next[GROUPS];
+
+vec4 weightAt(int k) {
+  return texelFetch(weights, ivec2(k & 1023, k >> 10), 0);
+}
+
+void runLayer(int k) {
+  ivec4 layer = layers[k];
+  bool last = k == layerCount - 1;
+  if (isInt8) {
+    // Products and their sums are whole numbers below 2^24 as long as layers are narrower than 512.
+    for (int i = 0; i < layer.x; i++) values[i] = clamp(roundEven(values[i] / steps[k].x), 0.0, 255.0);
+  }
+  for (int o = 0; o < layer.y; o++) {
+    vec4 sum = isInt8 ? vec4(0.0) : weightAt(layer.w + o);
+    int at = layer.z + 4 * layer.x * o;
+    for (int i = 0; i < layer.x; i++, at += 4) {
+      vec4 x = values[i];
+      sum += weightAt(at) * x.x + weightAt(at + 1) * x.y + weightAt(at + 2) * x.z + weightAt(at + 3) * x.w;
+    }
+    if (isInt8) sum = (sum + weightAt(layer.w + o)) * weightAt(int(steps[k].y) + o) * steps[k].x;
+    next[o] = last || isInt8 ? sum : max(sum, 0.0);
+  }
+  for (int o = 0; o < layer.y; o++) values[o] = next[o];
+}
+
+// Six numbers of \`columns\`, three and three.
+void decode(int width, out vec3 first, out vec3 second) {
+  int groups = layers[0].x;
+  for (int i = 0; i < groups; i++) {
+    vec4 value = vec4(0.0);
+    for (int c = 0; c < 4; c++) if (4 * i + c < width) value[c] = columns[4 * i + c];
+    value = clamp(value, limits.x, limits.y);
+    values[i] = isInt8 ? value * weightAt(gainAt + i) + weightAt(gainAt + groups + i) : value;
+  }
+  for (int k = 0; k < layerCount; k++) runLayer(k);
+  int last = layers[layerCount - 1].y;
+  float result[8];
+  for (int i = 0; i < 8; i++) result[i] = 0.0;
+  for (int i = 0; i < last; i++) values[i] = exp(clamp(values[i], 0.0, limits.z)) - 1.0;
+  if (matrixAt < 0) {
+    for (int i = 0; i < outputs; i++) result[i] = values[i / 4][i % 4] * unitOf;
+  } else {
+    for (int i = 0; i < last; i++) {
+      for (int c = 0; c < 4; c++) {
+        vec4 low = weightAt(matrixAt + 2 * (4 * i + c)), high = weightAt(matrixAt + 2 * (4 * i + c) + 1);
+        for (int o = 0; o < 4; o++) {
+          result[o] += values[i][c] * low[o];
+          result[4 + o] += values[i][c] * high[o];
+        }
+      }
+    }
+  }
+  first = max(vec3(result[0], result[1], result[2]), 0.0);
+  second = max(vec3(result[3], result[4], result[5]), 0.0);
+}
+`;var Gl=`// A ray from the camera through each pixel, to the query of its first hit.
+#include random
+
+uniform vec3 cameraAt;
+uniform vec3 corner;       // direction through the image's top left corner
+uniform vec3 stepX;        // of a pixel
+uniform vec3 stepY;
+uniform int height;        // of the picture
+uniform int firstRow;      // of the band
+uniform float jitter;      // 0: rays through the middles of pixels, 1: anywhere in them
+
+layout(location = 0) out vec4 row0;  // x; part + 1, or 0
+layout(location = 1) out vec4 row1;  // n or t; of a fiber h, of a surface b1
+layout(location = 2) out vec4 row2;  // wo; place of the primitive
+layout(location = 3) out vec4 row3;  // throughput; b2
+
+const int LAYERS_SEEN_THROUGH = 32;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy) + ivec2(0, firstRow);
+  pixel.y = height - 1 - pixel.y;  // rows from the top, as the random numbers of WebGPU have them
+  vec2 at = vec2(pixel) + mix(vec2(0.5), random(pixel, PLACE), jitter);
+  vec3 d = normalize(corner + at.x * stepX + at.y * stepY), origin = cameraAt, through = vec3(1.0);
+  row0 = vec4(0.0);
+  row1 = vec4(0.0);
+  row2 = vec4(-d, 0.0);
+  row3 = vec4(0.0);
+  for (int k = 0; k < LAYERS_SEEN_THROUGH; k++) {
+    Hit hit = nearest(origin, d);
+    if (hit.t == FAR) break;
+    uvec4 primitive = wordsAt(primitives, hit.place);
+    bool fiber = (hit.number & SEGMENT) != 0u;
+    vec3 tau = fiber ? vec3(0.0) : transmittance(primitive, hit, d);
+    float chance = max(tau.x, max(tau.y, tau.z));
+    // Straight on, or stopped here: chosen at random (spec, 4.4).
+    if (chance > 0.0 && random(pixel, STOPPED + uint(k)).x < chance) {
+      through *= tau / chance;
+      origin += d * (hit.t + 4.0 * epsilon);
+      continue;
+    }
+    if (chance > 0.0) through *= (1.0 - tau) / (1.0 - chance);
+    vec3 x = origin + hit.t * d;
+    float part = float(partOf(hit.number & ~SEGMENT) + 1);
+    if (fiber) {
+      vec3 t = tangentOf(primitive);
+      row1 = vec4(t, offsetAcross(hit.n, t, -d));
+    } else {
+      x = mixed(cornersOf(primitive).p, weightsOf(hit));
+      row1 = vec4(shadingNormal(primitive, hit), hit.b1);
+    }
+    row0 = vec4(x, part);
+    row2.w = float(hit.place);
+    row3.w = hit.b2;
+    break;
+  }
+  row3.xyz = through;
+}
+`;var Hl=`// Where a ray meets a triangle or a round segment (spec, 4.1 and 4.2).
+
+// Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): both sides.
+struct Shear {
+  ivec3 axes;
+  vec3 s;
+};
+
+Shear shearOf(vec3 d) {
+  vec3 a = abs(d);
+  int z = a.x > a.y ? 0 : 1;
+  if (a.z > a[z]) z = 2;
+  int x = (z + 1) % 3, y = (z + 2) % 3;
+  return Shear(ivec3(x, y, z), vec3(d[x], d[y], 1.0) / d[z]);
+}
+
+bool meetsTriangle(uvec4 primitive, vec3 origin, Shear shear, float far, inout Hit hit) {
+  vec3 v[3];
+  for (int k = 0; k < 3; k++) {
+    vec3 p = valuesAt(places, int(primitive[k])).xyz - origin;
+    vec3 q = vec3(p[shear.axes.x], p[shear.axes.y], p[shear.axes.z]);
+    v[k] = vec3(q.xy - shear.s.xy * q.z, q.z);
+  }
+  float u0 = v[2].x * v[1].y - v[2].y * v[1].x;
+  float u1 = v[0].x * v[2].y - v[0].y * v[2].x;
+  float u2 = v[1].x * v[0].y - v[1].y * v[0].x;
+  if (min(u0, min(u1, u2)) < 0.0 && max(u0, max(u1, u2)) > 0.0) return false;
+  float sum = u0 + u1 + u2;
+  if (sum == 0.0) return false;
+  float t = (u0 * v[0].z + u1 * v[1].z + u2 * v[2].z) * shear.s.z / sum;
+  if (!(t >= 0.0 && t < far)) return false;
+  hit.t = t;
+  hit.number = primitive.w;
+  hit.b1 = u1 / sum;
+  hit.b2 = u2 / sum;
+  return true;
+}
+
+struct Cone {
+  vec3 a, b;
+  float ra, rb;
+};
+
+Cone coneAt(int point) {
+  vec4 a = valuesAt(places, point), b = valuesAt(places, point + 1);
+  return Cone(a.xyz, b.xyz, a.w, b.w);
+}
+
+// The entry into a sphere, from a point near it.
+float entersSphere(vec3 origin, vec3 d, vec3 centre, float radius) {
+  vec3 between = origin - centre;
+  float along = dot(between, d);
+  vec3 across = between - along * d;
+  float h = radius * radius - dot(across, across);
+  return h > 0.0 ? -along - sqrt(h) : 1e30;
+}
+
+// The first of all points where the line enters one of the two spheres or the side between them.
+bool entersCone(Cone cone, vec3 origin, vec3 d, out float t, out vec3 n) {
+  vec3 axis = cone.b - cone.a;
+  // From the point of the line nearest to the segment, so that distances do not cancel.
+  float shift = dot(0.5 * (cone.a + cone.b) - origin, d);
+  vec3 near = (origin - cone.a) + shift * d;
+  float dr = cone.ra - cone.rb, length2 = dot(axis, axis), d2 = length2 - dr * dr;
+  float ta = entersSphere(near, d, vec3(0.0), cone.ra), tb = entersSphere(near, d, axis, cone.rb);
+  t = min(ta, tb);
+  n = near + t * d - (ta < tb ? vec3(0.0) : axis);
+  if (d2 > 0.0) {
+    float m1 = dot(axis, near), m2 = dot(axis, d), m3 = dot(d, near);
+    float k2 = d2 - m2 * m2, k1 = d2 * m3 - m1 * m2 + m2 * dr * cone.ra;
+    float k0 = d2 * dot(near, near) - m1 * m1 + 2.0 * m1 * dr * cone.ra - length2 * cone.ra * cone.ra;
+    float h = k1 * k1 - k0 * k2;
+    if (h >= 0.0 && k2 != 0.0) {
+      for (float way = -1.0; way < 2.0; way += 2.0) {
+        float side = (-k1 + way * sqrt(h)) / k2, y = m1 - cone.ra * dr + side * m2;
+        vec3 normal = d2 * (near + side * d) - axis * y;
+        if (y > 0.0 && y < d2 && side < t && dot(normal, d) < 0.0) {
+          t = side;
+          n = normal;
+        }
+      }
+    }
+  }
+  if (t > 1e29) return false;
+  t += shift;
+  n = unit(n);
+  return true;
+}
+
+// How far p is outside of the cone; negative inside.
+float distanceTo(Cone cone, vec3 p) {
+  vec3 axis = cone.b - cone.a, near = p - cone.a;
+  float dr = cone.ra - cone.rb, size = length(axis), y = dot(near, axis) / size, z = y - size;
+  float x = length(near - axis * (y / size));
+  float toA = length(vec2(x, y)) - cone.ra, toB = length(vec2(x, z)) - cone.rb;
+  if (size * size <= dr * dr) return dr > 0.0 ? toA : toB;
+  float slope = dr / size, lean = sqrt(1.0 - slope * slope), along = y * lean - x * slope;
+  if (along <= 0.0) return toA;
+  if (along >= size * lean) return toB;
+  return x * lean + y * slope - cone.ra;
+}
+
+// An entry inside the segment before or after is no surface.
+bool insideNeighbour(int point, uint neighbours, vec3 p) {
+  for (int k = 0; k < 2; k++) {
+    if ((neighbours & uint(1 + k)) == 0u) continue;
+    Cone cone = coneAt(point + (k == 0 ? -1 : 1));
+    if (distanceTo(cone, p) < -1e-4 * min(cone.ra, cone.rb)) return true;
+  }
+  return false;
+}
+
+bool meetsSegment(uvec4 primitive, vec3 origin, vec3 d, float far, inout Hit hit) {
+  int point = int(primitive.x);
+  float t;
+  vec3 n;
+  if (!entersCone(coneAt(point), origin, d, t, n)) return false;
+  if (!(t >= 0.0 && t < far)) return false;
+  if (insideNeighbour(point, primitive.y, origin + t * d)) return false;
+  hit.t = t;
+  hit.number = primitive.w;
+  hit.n = n;
+  return true;
+}
+`;var Vl=`// For each query a direction of one light, what arrives from there, and how much of it the asset lets through.
+#include random
+
+uniform sampler2D rows0;
+uniform sampler2D rows1;
+uniform sampler2D rows2;
+uniform sampler2D rows3;
+uniform sampler2D given;        // directions, of the conformance kit
+uniform int lightKind;          // 0: sun, 1: environment, 2: given directions
+uniform vec3 lightDirection;    // of a sun
+uniform vec3 lightColour;       // its irradiance, or a factor of the environment
+uniform sampler2D environment;  // radiance, row 0 at +y; w: the row's distribution along it
+uniform sampler2D marginal;     // distribution over rows
+uniform vec2 turn;              // cosine and sine of the environment's rotation
+uniform vec4 ground;            // height, 1 if there is one, middle x and z
+uniform vec3 groundColour;      // radiance of it in full light, over the light's irradiance
+uniform float groundSize;
+uniform vec3 cameraAt;
+uniform int height;
+uniform int firstRow;
+
+layout(location = 0) out vec4 lit0;  // wi; 0 nothing, 1 a query, 2 radiance in lit2
+layout(location = 1) out vec4 lit1;  // visibility; coverage
+layout(location = 2) out vec4 lit2;  // radiance over density, times the throughput
+
+const float PI = 3.14159265358979;
+
+int searched(sampler2D table, int row, int count, float u, int channel) {
+  int low = 0, high = count - 1;
+  while (low < high) {
+    int middle = (low + high) / 2;
+    if (texelFetch(table, ivec2(middle, row), 0)[channel] > u) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+vec3 environmentAt(vec2 st) {
+  ivec2 size = textureSize(environment, 0);
+  vec2 at = st * vec2(size) - 0.5, low = floor(at), f = at - low;
+  ivec2 a = ivec2(low), b = a + 1;
+  a.y = clamp(a.y, 0, size.y - 1);
+  b.y = clamp(b.y, 0, size.y - 1);
+  a.x = (a.x + size.x) % size.x;
+  b.x = b.x % size.x;
+  return mix(mix(texelFetch(environment, a, 0), texelFetch(environment, ivec2(b.x, a.y), 0), f.x),
+             mix(texelFetch(environment, ivec2(a.x, b.y), 0), texelFetch(environment, b, 0), f.x), f.y).xyz;
+}
+
+// A direction in proportion to the luminance of texels; radiance over density.
+vec3 sampleEnvironment(vec2 u, out vec3 wi) {
+  ivec2 size = textureSize(environment, 0);
+  int row = searched(marginal, 0, size.y, u.y, 0);
+  float before = row > 0 ? texelFetch(marginal, ivec2(row - 1, 0), 0).x : 0.0;
+  float chance = texelFetch(marginal, ivec2(row, 0), 0).x - before, v = (u.y - before) / chance;
+  int column = searched(environment, row, size.x, u.x, 3);
+  float left = column > 0 ? texelFetch(environment, ivec2(column - 1, row), 0).w : 0.0;
+  float width = texelFetch(environment, ivec2(column, row), 0).w - left;
+  vec2 st = (vec2(column, row) + vec2((u.x - left) / width, clamp(v, 0.0, 1.0))) / vec2(size);
+  float theta = PI * st.y, phi = 2.0 * PI * (st.x - 0.5), sine = sin(theta);
+  vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
+  wi = vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
+  float density = chance * width * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
+  return environmentAt(st) / density;
+}
+
+vec3 sampleLight(ivec2 pixel, out vec3 wi) {
+  ivec2 seen = ivec2(pixel.x, height - 1 - pixel.y - firstRow);
+  if (lightKind == 1) return lightColour * sampleEnvironment(random(seen, DIRECTION), wi);
+  wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
+  return lightColour;
+}
+
+// Where a ray to the light starts, and what it may bring.
+struct Start {
+  vec3 origin;
+  uint strand;  // that is no obstacle
+  vec3 weight;
+  float coverage;
+};
+
+const uint NO_STRAND = 0xffffffffu;
+
+Start startOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
+  int place = int(row2.w);
+  uvec4 primitive = wordsAt(primitives, place);
+  if ((primitive.w & SEGMENT) != 0u) return Start(row0.xyz, primitive.z, vec3(1.0), 1.0);
+  Hit hit = Hit(0.0, primitive.w, place, row1.w, b2, vec3(0.0));
+  return Start(liftedOrigin(primitive, hit, wi), NO_STRAND, vec3(1.0), 1.0);
+}
+
+// The ground shows the shadow, and fades with the distance.
+Start startOnGround(vec3 d, vec3 wi) {
+  if (ground.y == 0.0 || d.y * (cameraAt.y - ground.x) >= 0.0) return Start(vec3(0.0), NO_STRAND, vec3(0.0), 0.0);
+  vec3 x = cameraAt + d * ((ground.x - cameraAt.y) / d.y);
+  float fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - ground.zw) / groundSize);
+  return Start(x + vec3(0.0, epsilon, 0.0), NO_STRAND, fade * max(0.0, wi.y) * groundColour, fade);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 row0 = texelFetch(rows0, pixel, 0), row1 = texelFetch(rows1, pixel, 0);
+  vec4 row2 = texelFetch(rows2, pixel, 0), row3 = texelFetch(rows3, pixel, 0);
+  bool isQuery = row0.w != 0.0;
+  vec3 wi, radiance = row3.xyz * sampleLight(pixel, wi);
+  Start start;
+  if (isQuery) start = startOf(row0, row1, row2, row3.w, wi);
+  else start = startOnGround(-row2.xyz, wi);
+  bool needed = any(greaterThan(start.weight, vec3(0.0)));
+  vec3 passed = needed ? passes(start.origin, wi, start.strand) : vec3(0.0);
+  lit0 = vec4(wi, isQuery ? 1.0 : 2.0);
+  lit1 = vec4(passed, start.coverage);
+  lit2 = vec4(isQuery ? radiance : start.weight * passed * radiance, 0.0);
+}
+`;var Wl=`// The normals of hits whose place and barycentric coordinates are in the rows.
+uniform sampler2D rows1;
+uniform sampler2D rows2;
+uniform sampler2D rows3;
+layout(location = 0) out vec4 first;
+layout(location = 1) out vec4 second;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  int place = int(texelFetch(rows2, pixel, 0).w);
+  Hit hit = Hit(0.0, 0u, place, texelFetch(rows1, pixel, 0).w, texelFetch(rows3, pixel, 0).w, vec3(0.0));
+  first = vec4(shadingNormal(wordsAt(primitives, place), hit), 1.0);
+  second = vec4(0.0);
+}
+`;var Xl=`// What a hit is on: normals, relief, transmittance (spec, 4.1, 4.4, 4.5), and its own ray to the light (7.1).
+
+struct Corners {
+  vec3 p[3], n[3];
+  vec2 uv[3];
+};
+
+Corners cornersOf(uvec4 primitive) {
+  Corners corners;
+  for (int k = 0; k < 3; k++) {
+    vec4 place = valuesAt(places, int(primitive[k])), normal = valuesAt(normals, int(primitive[k]));
+    corners.p[k] = place.xyz;
+    corners.n[k] = normal.xyz;
+    corners.uv[k] = vec2(place.w, normal.w);
+  }
+  return corners;
+}
+
+vec3 weightsOf(Hit hit) {
+  return vec3(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2);
+}
+
+vec3 mixed(vec3 v[3], vec3 b) {
+  return b.x * v[0] + b.y * v[1] + b.z * v[2];
+}
+
+vec3 texelAt(uvec4 size, int offset, ivec2 place) {
+  ivec2 wide = ivec2(size.xy);
+  ivec2 at = place - wide * ivec2(floor(vec2(place) / vec2(wide)));
+  int first = offset + (at.y * wide.x + at.x) * int(size.z);
+  vec3 value = vec3(0.0);
+  for (int c = 0; c < int(size.z); c++) value[c] = float(wordsAt(texels, first + c).x);
+  return value;
+}
+
+// The bilinear lookup of 4.4, in values from 0 to 255; the texture repeats.
+vec3 lookUp(uvec4 size, int offset, vec2 uv) {
+  vec2 place = uv * vec2(size.xy) - 0.5, low = floor(place), f = place - low;
+  // Repeat before integers: coordinates may be large.
+  low -= vec2(size.xy) * floor(low / vec2(size.xy));
+  ivec2 at = ivec2(low);
+  vec3 lower = mix(texelAt(size, offset, at), texelAt(size, offset, at + ivec2(1, 0)), f.x);
+  vec3 upper = mix(texelAt(size, offset, at + ivec2(0, 1)), texelAt(size, offset, at + ivec2(1, 1)), f.x);
+  return mix(lower, upper, f.y);
+}
+
+// The record of this kind that the triangle is in, or -1.
+int recordOf(uint number, uint kind) {
+  for (int k = 0; k < recordCount; k++) {
+    uvec4 record = wordsAt(records, 3 * k);
+    if (record.x == kind && number >= record.y && number < record.z) return k;
+  }
+  return -1;
+}
+
+float fresnel(float index, float c) {
+  float g2 = index * index - 1.0 + c * c;
+  if (g2 <= 0.0) return 1.0;
+  float g = sqrt(g2), r = (g - c) / (g + c), s = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+  return clamp(0.5 * r * r * (1.0 + s * s), 0.0, 1.0);
+}
+
+vec3 transmittance(uvec4 primitive, Hit hit, vec3 d) {
+  int k = recordCount > 0 ? recordOf(primitive.w, 0u) : -1;
+  if (k < 0) return vec3(0.0);
+  uvec4 record = wordsAt(records, 3 * k), size = wordsAt(records, 3 * k + 1), indices = wordsAt(records, 3 * k + 2);
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit);
+  vec2 uv = b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
+  vec3 tau = lookUp(size, int(record.w), uv) / 255.0;
+  if (size.z == 1u) tau = tau.xxx;
+  float cutoff = uintBitsToFloat(size.w), front = uintBitsToFloat(indices.x);
+  if (cutoff > 0.0) tau = vec3(tau.x > cutoff ? 1.0 : 0.0);
+  if (front > 0.0) {
+    vec3 n = unit(mixed(corners.n, b)), ng = cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]);
+    float index = dot(d, ng) < 0.0 ? front : uintBitsToFloat(indices.y);
+    tau *= 1.0 - fresnel(index, abs(dot(n, d)));
+  }
+  return tau;
+}
+
+// The normal with relief, 4.5.
+vec3 mappedNormal(uint number, Corners corners, vec3 b, vec3 n) {
+  int k = recordCount > 0 ? recordOf(number, 1u) : -1;
+  if (k < 0) return n;
+  vec3 e1 = corners.p[1] - corners.p[0], e2 = corners.p[2] - corners.p[0];
+  vec2 a = corners.uv[1] - corners.uv[0], c = corners.uv[2] - corners.uv[0];
+  float area = a.x * c.y - c.x * a.y;
+  if (area == 0.0) return n;
+  vec3 u = (c.y * e1 - a.y * e2) * sign(area), v = (a.x * e2 - c.x * e1) * sign(area);
+  vec3 along = u - dot(u, n) * n;
+  if (length(along) <= 1e-6 * length(u)) return n;
+  vec3 t = unit(along), up = cross(n, t);
+  if (dot(up, v) > 0.0) up = -up;
+  vec2 uv = b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
+  uvec4 record = wordsAt(records, 3 * k), size = wordsAt(records, 3 * k + 1);
+  vec2 q = (lookUp(size, int(record.w), uv).xy - 127.0) / 127.0;
+  vec3 m = q.x * t + q.y * up + sqrt(max(0.0, 1.0 - dot(q, q))) * n;
+  return length(m) <= 1e-6 ? n : normalize(m);
+}
+
+vec3 shadingNormal(uvec4 primitive, Hit hit) {
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit);
+  return mappedNormal(primitive.w, corners, b, unit(mixed(corners.n, b)));
+}
+
+vec3 tangentOf(uvec4 primitive) {
+  return unit(valuesAt(places, int(primitive.x) + 1).xyz - valuesAt(places, int(primitive.x)).xyz);
+}
+
+// h of 4.2.
+float offsetAcross(vec3 n, vec3 t, vec3 wo) {
+  vec3 across = cross(t, wo);
+  float size = length(across);
+  return size > 1e-6 ? clamp(dot(n, across) / size, -1.0, 1.0) : 0.0;
+}
+
+// Where the visibility ray of a mesh starts.
+vec3 liftedOrigin(uvec4 primitive, Hit hit, vec3 wi) {
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit), x = mixed(corners.p, b), n = unit(mixed(corners.n, b));
+  vec3 ng = unit(cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]));
+  float side = dot(ng, wi) < 0.0 ? -1.0 : 1.0;
+  if (dot(n, wi) > 0.0 && dot(n, ng) > 0.0 && dot(ng, wi) < 0.1) {
+    vec3 lift = vec3(0.0);
+    for (int k = 0; k < 3; k++) lift += b[k] * max(0.0, dot(corners.p[k] - x, corners.n[k])) * corners.n[k];
+    x += (1.0 - max(0.0, dot(ng, wi)) / 0.1) * lift;
+    side = 1.0;
+  }
+  return x + side * epsilon * ng;
+}
+`;var ql=`// Numbers in [0, 1). Of a pixel's place and of the light: of each pixel a start of its own, and from there the additive
+// recurrence in four dimensions (Roberts 2018), so that the samples of a pixel are spread evenly. All others: hashed.
+
+uniform uint sampleNumber;
+
+uint hashed(uint x) {  // PCG; Jarzynski and Olano, "Hash Functions for GPU Rendering" (JCGT 2020)
+  uint state = x * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+const uint PLACE = 0u, DIRECTION = 1u, STOPPED = 2u;  // and those behind it
+
+vec2 random(ivec2 pixel, uint dimension) {
+  uint own = dimension >= STOPPED ? sampleNumber : 0u;
+  uint seed = hashed(uint(pixel.x) + hashed(uint(pixel.y) + hashed(dimension + hashed(own))));
+  vec2 start = vec2(seed >> 8u, hashed(seed) >> 8u) / 16777216.0;
+  if (dimension >= STOPPED) return start;
+  // In whole numbers: floats of later samples would lose digits.
+  uvec2 turn = dimension == DIRECTION ? uvec2(2700274805u, 2313257605u) : uvec2(3679390609u, 3152041523u);
+  return fract(start + vec2((turn * sampleNumber) >> 8u) / 16777216.0);
+}
+`;var bo=`// The asset's geometry in textures: see geometry/scene_arrays.js.
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp sampler2DArray;
+precision highp usampler2D;
+
+uniform usampler2D nodes;       // two texels a node
+uniform usampler2D primitives;  // one a primitive, in the order of the leaves
+uniform sampler2D places;       // position, and u or the radius
+uniform sampler2D normals;      // normal and v
+uniform usampler2D records;     // three texels a record
+uniform usampler2D texels;      // one byte of textures each
+uniform int recordCount;
+uniform int partCount;
+uniform int partFirst[16];      // number of its first primitive
+uniform bool partIsFiber[16];
+uniform float epsilon;          // the spec's e, 7.1
+
+const uint SEGMENT = 0x80000000u;
+
+uvec4 wordsAt(usampler2D table, int k) {
+  int width = textureSize(table, 0).x;
+  return texelFetch(table, ivec2(k % width, k / width), 0);
+}
+
+vec4 valuesAt(sampler2D table, int k) {
+  int width = textureSize(table, 0).x;
+  return texelFetch(table, ivec2(k % width, k / width), 0);
+}
+
+int partOf(uint number) {
+  // Parts stand in the order of their first primitives, but for meshes before strands.
+  int found = 0, first = -1;
+  for (int k = 0; k < partCount; k++) {
+    if (int(number) >= partFirst[k] && partFirst[k] > first) {
+      found = k;
+      first = partFirst[k];
+    }
+  }
+  return found;
+}
+
+struct Hit {
+  float t;
+  uint number;     // of the primitive, with SEGMENT; in \`place\` its place in the table
+  int place;
+  float b1, b2;    // barycentric coordinates
+  vec3 n;          // of a segment, outward
+};
+
+vec3 unit(vec3 v) {
+  vec3 size = abs(v);
+  float largest = max(size.x, max(size.y, size.z));
+  return largest > 0.0 ? normalize(v / largest) : vec3(0.0);
+}
+`;var $l=`// The picture on the page: mean of the samples, exposure, sRGB.
+precision highp float;
+precision highp sampler2D;
+uniform sampler2D picture;
+uniform float rounds;
+uniform float exposure;  // a factor
+uniform vec3 backdrop;   // linear light of the screen
+uniform vec2 size;       // of the canvas, pixels
+out vec4 colour;
+
+vec4 at(ivec2 place) {
+  return texelFetch(picture, clamp(place, ivec2(0), textureSize(picture, 0) - 1), 0);
+}
+
+void main() {
+  vec2 scale = vec2(textureSize(picture, 0)) / size;
+  vec2 place = gl_FragCoord.xy * scale - 0.5, low = floor(place), f = place - low;
+  ivec2 a = ivec2(low);
+  vec4 mean = mix(mix(at(a), at(a + ivec2(1, 0)), f.x), mix(at(a + ivec2(0, 1)), at(a + ivec2(1, 1)), f.x), f.y) / rounds;
+  vec3 linear = clamp(mean.xyz * exposure, 0.0, 1.0) + max(0.0, 1.0 - mean.w) * backdrop;
+  vec3 encoded = mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
+  colour = vec4(clamp(encoded, 0.0, 1.0), 1.0);
+}
+`;var Yl=`// Rays against the hierarchy: the nearest hit, and how much light passes (spec, 7.1).
+
+const int STACK = 48;
+const float FAR = 1e30;
+
+float entersBox(vec3 low, vec3 high, vec3 origin, vec3 inverse, float far) {
+  vec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
+  vec3 near3 = min(a, b), far3 = max(a, b);
+  float near = max(max(near3.x, near3.y), max(near3.z, 0.0));
+  float last = min(min(far3.x, far3.y), min(far3.z, far)) * 1.0000004;
+  return near <= last ? near : FAR;
+}
+
+// No axis is exactly parallel: 0 times infinity would be no number.
+vec3 inverseOf(vec3 d) {
+  vec3 tiny = vec3(1e-20);
+  return 1.0 / mix(d, tiny, lessThan(abs(d), tiny));
+}
+
+float boxAt(int node, vec3 origin, vec3 inverse, float far) {
+  uvec4 first = wordsAt(nodes, 2 * node);
+  uvec2 second = wordsAt(nodes, 2 * node + 1).xy;
+  vec4 a = uintBitsToFloat(first);
+  vec2 b = uintBitsToFloat(second);
+  return entersBox(a.xyz, vec3(a.w, b), origin, inverse, far);
+}
+
+// The nearest hit; t is FAR where there is none.
+Hit nearest(vec3 origin, vec3 d) {
+  Hit hit = Hit(FAR, 0u, 0, 0.0, 0.0, vec3(0.0));
+  vec3 inverse = inverseOf(d);
+  Shear shear = shearOf(d);
+  int stack[STACK];
+  int top = 0, node = 0;
+  if (boxAt(0, origin, inverse, FAR) == FAR) return hit;
+  for (;;) {
+    uvec4 words = wordsAt(nodes, 2 * node + 1);
+    if ((words.w >> 16) == 0xffffu) {
+      for (int k = int(words.z); k < int(words.z + (words.w & 0xffffu)); k++) {
+        uvec4 primitive = wordsAt(primitives, k);
+        bool met = (primitive.w & SEGMENT) != 0u ? meetsSegment(primitive, origin, d, hit.t, hit)
+                                                 : meetsTriangle(primitive, origin, shear, hit.t, hit);
+        if (met) hit.place = k;
+      }
+    } else {
+      int left = node + 1, right = node + int(words.z);
+      float a = boxAt(left, origin, inverse, hit.t), b = boxAt(right, origin, inverse, hit.t);
+      int nearer = a <= b ? left : right, farther = a <= b ? right : left;
+      if (max(a, b) < FAR) stack[top++] = farther;
+      if (min(a, b) < FAR) {
+        node = nearer;
+        continue;
+      }
+    }
+    if (top == 0) return hit;
+    node = stack[--top];
+  }
+}
+
+// The light that passes from origin along d to infinity, strand \`own\` being no obstacle.
+vec3 passes(vec3 origin, vec3 d, uint own) {
+  vec3 light = vec3(1.0), inverse = inverseOf(d);
+  Shear shear = shearOf(d);
+  int stack[STACK];
+  int top = 0, node = 0;
+  if (boxAt(0, origin, inverse, FAR) == FAR) return light;
+  for (;;) {
+    uvec4 words = wordsAt(nodes, 2 * node + 1);
+    if ((words.w >> 16) == 0xffffu) {
+      for (int k = int(words.z); k < int(words.z + (words.w & 0xffffu)); k++) {
+        uvec4 primitive = wordsAt(primitives, k);
+        Hit hit;
+        if ((primitive.w & SEGMENT) != 0u) {
+          if (primitive.z != own && meetsSegment(primitive, origin, d, FAR, hit)) return vec3(0.0);
+        } else if (meetsTriangle(primitive, origin, shear, FAR, hit)) {
+          light *= transmittance(primitive, hit, d);
+          if (light == vec3(0.0)) return light;
+        }
+      }
+    } else {
+      int left = node + 1, right = node + int(words.z);
+      bool first = boxAt(left, origin, inverse, FAR) < FAR, second = boxAt(right, origin, inverse, FAR) < FAR;
+      if (first && second) stack[top++] = right;
+      if (first || second) {
+        node = first ? left : right;
+        continue;
+      }
+    }
+    if (top == 0) return light;
+    node = stack[--top];
+  }
+}
+`;var Mo=[bo,Hl,Xl,Yl].join(`
+`),Zl=s=>s.replace("#include random",ql),zr={hit:Mo+Zl(Gl),light:Mo+Zl(Vl),normals:Mo+Wl,decode:[bo,Fl,kl,zl].join(`
+`),clear:"precision highp float; layout(location = 0) out vec4 a; layout(location = 1) out vec4 b; void main() { a = b = vec4(0.0); }",combine:Bl,show:$l};var qm={features:0,position:1,normal:2,tangent:2,h:3,wo:4,wi:5,half_vector:6,highlight:7,learned_normal:8,fiber_angles:9,fiber_lobes:10},Tt=s=>Math.ceil(s/4);function Jl(s,{values:e,scales:t,resolution:n,channels:i,precision:r}){let o=Tt(i),a=s.getParameter(s.MAX_TEXTURE_SIZE);if(n>a)throw new pe(`planes of ${n} texels a side; this device has ${a}`);let l=r==="float32",c=s.createTexture();s.bindTexture(s.TEXTURE_2D_ARRAY,c),s.pixelStorei(s.UNPACK_ALIGNMENT,1),s.texStorage3D(s.TEXTURE_2D_ARRAY,1,l?s.RGBA32F:s.RGBA16F,n,n,3*o),So(s,s.TEXTURE_2D_ARRAY);let u=r==="float16"?s.HALF_FLOAT:s.FLOAT,f=r==="float16"?Uint16Array:Float32Array,d=new f(4*n*n),m=n*n;for(let v=0;v<3*o;v++){let b=Math.floor(v/o),M=4*(v%o),A=Math.min(4,i-M);for(let N=0;N<m;N++){let D=(b*m+N)*i+M;for(let O=0;O<A;O++)d[4*N+O]=e[D+O]}s.texSubImage3D(s.TEXTURE_2D_ARRAY,0,0,0,v,n,n,1,s.RGBA,u,d)}let _=new Float32Array(192).fill(1);for(let v=0;t&&v<3;v++)for(let b=0;b<i;b++)_[4*(v*o+(b>>2))+(b&3)]=t[v*i+b];return{target:s.TEXTURE_2D_ARRAY,texture:c,factors:_}}function $m(s){let e=[],t=[],n=[],i=0,r=d=>(e.push(d),i+=d.length/4,i-d.length/4),o=d=>Float32Array.from({length:4*Tt(d.length)},(m,_)=>d[_]??0),a=s.int8?r(o(s.gain)):0;s.int8&&r(o(s.offset));for(let{weight:d,bias:m,rows:_,columns:v,step:b,scales:M}of s.layers){let A=new Float32Array(16*Tt(_)*Tt(v));for(let O=0;O<_;O++)for(let Y=0;Y<v;Y++)A[4*((Y>>2)*4*Tt(_)+O)+(Y&3)]=d[O*v+Y];let N=r(A),D=r(o(m));t.push(Tt(_),Tt(v),N,D),n.push(b??0,s.int8?r(o(M)):0)}let l=s.matrix?r(Ym(s)):-1,c=new Float32Array(4*i),u=0;for(let d of e)c.set(d,u),u+=d.length;let f=Math.max(...s.layers.flatMap(({rows:d,columns:m})=>[Tt(d),Tt(m)]));return{values:c,layers:t,steps:n,gainAt:a,matrixAt:l,widest:f}}function Ym({matrix:s,outputs:e}){let t=s.length/e,n=new Float32Array(32*Tt(t));for(let i=0;i<t;i++)for(let r=0;r<e;r++)n[8*i+r]=s[i*e+r];return n}var Ri=class{constructor(e,t,n,i,r,o){let a=$m(i);this.weights=Bt(e,a.values,4,1024),this.planes=o;let l={COLUMNS:i.columns,LAYERS:i.layers.length,GROUPS:a.widest},c=Object.entries(l).map(([u,f])=>`#define ${u} ${f}
+`).join("");this.program=new jn(e,c+zr.decode),this.uniforms={part:["1i",t],isFiber:["1i",+(n.kind==="fiber")],hasLight:["1i",+(i.outputs===6)],resolution:["1i",n.planes.resolution],channels:["1i",n.planes.channels],scales:["4fv",o.factors],boundsMin:["3fv",n.bounds.min],boundsMax:["3fv",n.bounds.max],blockCount:["1i",r.length],blocks:["1iv",r.map(u=>qm[u])],layerCount:["1i",i.layers.length],layers:["4iv",a.layers],steps:["2fv",a.steps],isInt8:["1i",Number(i.int8)],gainAt:["1i",a.gainAt],limits:["3f",i.low,i.high,i.top],matrixAt:["1i",a.matrixAt],unitOf:["1f",i.unit],outputs:["1i",i.outputs]}}get textures(){return{planes:this.planes,weights:this.weights}}delete(e){this.program.delete(),e.deleteTexture(this.weights.texture)}};var Zm=1<<17,kr=class s{static label="WebGL2";static async open(e){let t=Ol(e),n=new s;Object.assign(n,{gl:t,canvas:e,parts:[],target:null,lost:!1,bandPixels:Zm}),n.programs=Object.fromEntries(["hit","light","normals","clear","combine","show"].map(i=>[i,new jn(t,zr[i])]));for(let i of Object.values(n.programs))i.check();return e.addEventListener("webglcontextlost",i=>{i.preventDefault(),n.lost=!0,n.onlost?.("the WebGL context was lost")}),n}setAsset(e,t){let{gl:n}=this;this._deleteAsset(),this.asset={nodes:Bt(n,e.nodes,4),primitives:Bt(n,e.primitives,4),places:Bt(n,e.places,4),normals:Bt(n,e.normals,4),records:Bt(n,e.records,4),texels:Bt(n,e.texels,1)},this.where=e.where,this.geometry={recordCount:["1i",e.recordCount],partCount:["1i",t.length],partFirst:["1iv",e.parts.map(({first:i})=>i)],epsilon:["1f",e.epsilon]},this.parts=t.map((i,r)=>{let o=Jl(n,i.planes),a=new Ri(n,r,i,i.transport,i.inputs,o),l=i.emission&&new Ri(n,r,i,i.emission,i.emission.inputs,o);return{planes:o,transport:a,emission:l}});for(let{transport:i,emission:r}of this.parts)i.program.check(),r?.program.check()}get emits(){return this.parts.some(({emission:e})=>e)}setEnvironment({values:e,marginal:t,width:n,height:i}){let{gl:r}=this;for(let o of[this.environment,this.marginal])o&&r.deleteTexture(o.texture);this.environment=Ti(r,n,i,r.RGBA32F,r.RGBA,r.FLOAT,e),this.marginal=Ti(r,i,1,r.R32F,r.RED,r.FLOAT,t)}resize(e,t){if(this.target?.width===e&&this.target.height===t)return;let{gl:n}=this,i=Math.max(1,Math.min(t,Math.floor(this.bandPixels/e)));this._deleteImages(),this.target={width:e,height:t},this.rows=new tn(n,e,i,4),this.lit=new tn(n,e,i,3),this.answers=new tn(n,e,i,2),this.added=new tn(n,e,i,1),this.sum=new tn(n,e,t,1)}trace(e,t,n,i){let{height:r}=this.target;this.span={rows:i-n,firstRow:r-i};let{position:o,corner:a,stepX:l,stepY:c,jitter:u=1}=e;this.frame={cameraAt:["3fv",o],height:["1i",r],firstRow:["1i",this.span.firstRow],sampleNumber:["1ui",t]},this._pass("hit",this.rows,this.asset,{...this.geometry,...this.frame,jitter:["1f",u],corner:["3fv",a],stepX:["3fv",l],stepY:["3fv",c]})}light(e,{isFirst:t,countsCoverage:n}){this._light(e),this._decode("transport"),this._combine({isFirst:t,countsCoverage:n,isEmission:!1})}_light(e,t=null){let[n,i,r,o]=this.rows.images;this._pass("light",this.lit,{...this.asset,rows0:n,rows1:i,rows2:r,rows3:o,given:t??n,environment:this.environment??n,marginal:this.marginal??n},{...this.geometry,...this.frame,...Km(e)})}emission(){this._pass("clear",this.answers,{},{}),this._decode("emission"),this._combine({isFirst:!1,countsCoverage:!1,isEmission:!0})}_combine({isEmission:e,countsCoverage:t,isFirst:n}){let{gl:i}=this,{width:r}=this.target,{rows:o,firstRow:a}=this.span,[l,,,c]=this.rows.images,[u,f,d]=this.lit.images,[m,_]=this.answers.images,v=b=>["1i",Number(b)];this._pass("combine",this.added,{before:this.sum.images[0],rows0:l,rows3:c,lit0:u,lit1:f,lit2:d,first:m,second:_},{isEmission:v(e),countsCoverage:v(t),isFirst:v(n),firstRow:["1i",a]}),i.bindFramebuffer(i.READ_FRAMEBUFFER,this.added.frame),i.bindFramebuffer(i.DRAW_FRAMEBUFFER,this.sum.frame),i.disable(i.SCISSOR_TEST),i.blitFramebuffer(0,0,r,o,0,a,r,a+o,i.COLOR_BUFFER_BIT,i.NEAREST)}_pass(e,t,n,i){Br(this.gl,this.programs[e],t,{to:this.span.rows,textures:n,uniforms:i})}show({rounds:e,exposure:t,backdrop:n}){let{width:i,height:r}=this.canvas;Br(this.gl,this.programs.show,null,{textures:{picture:this.sum.images[0]},uniforms:{rounds:["1f",e],exposure:["1f",t],backdrop:["3fv",n],size:["2f",i,r]}})}done(){return Ul(this.gl)}async picture(){let{width:e,height:t}=this.target,n=this.sum.read(0),i=new Float32Array(n.length);for(let r=0;r<t;r++)i.set(n.subarray(4*e*r,4*e*(r+1)),4*e*(t-1-r));return i}_decode(e){let[t,n,i]=this.rows.images,r=this.lit.images[0];for(let o of this.parts){let a=o[e];a&&Br(this.gl,a.program,this.answers,{to:this.span.rows,textures:{...a.textures,rows0:t,rows1:n,rows2:i,lit0:r},uniforms:a.uniforms})}}_deleteAsset(){for(let{texture:e}of Object.values(this.asset??{}))this.gl.deleteTexture(e);for(let{planes:e,transport:t,emission:n}of this.parts)this.gl.deleteTexture(e.texture),t.delete(this.gl),n?.delete(this.gl);this.parts=[]}_deleteImages(){for(let e of[this.rows,this.lit,this.answers,this.added,this.sum])e?.delete();this.target=null}close(){this._deleteAsset(),this._deleteImages();for(let e of Object.values(this.programs))e.delete()}},Jm={sun:0,environment:1,given:2};function Km({kind:s,direction:e=[0,1,0],colour:t,angle:n=0,ground:i}){return{lightKind:["1i",Jm[s]],lightDirection:["3fv",e],lightColour:["3fv",t],turn:["2f",Math.cos(n),Math.sin(n)],ground:["4f",i?.height??0,i?1:0,i?.x??0,i?.z??0],groundColour:["3fv",i?.colour??[0,0,0]],groundSize:["1f",i?.size??1]}}var tc=4294967295,Kl=32,jl=512,Ao=4096,Ql=["features","position","normal","tangent","h","wo","wi","half_vector","highlight","learned_normal","fiber_angles","fiber_lobes"],jm={position:3,normal:3,tangent:3,h:1,wo:3,wi:3,half_vector:5,highlight:1,learned_normal:2,fiber_angles:6,fiber_lobes:3},Qm={float32:0,float16:1,int8:2},Ci=s=>Math.ceil(s/4);function nc(s,e,t){eg(e);let{places:n,slots:i,queryGroups:r}=tg(t,s.planes.channels),o=new Eo,a=tc;e.int8&&(a=o.add(Gr(e.gain,n,r)),o.add(Gr(e.offset,n,r)));let l=e.layers.map((m,_)=>{let v=+(!e.int8&&_+1<e.layers.length);return ec(o,{...m,relu:v},_?null:n,_?0:r)}),c=null;if(e.matrix){let m=e.matrix.length/e.outputs,_=new Float32Array(e.outputs);c=ec(o,{weight:e.matrix,bias:_,rows:m,columns:e.outputs,relu:0},null,0)}let u=[...l,...c?[c]:[]],f=Math.max(...u.flatMap(({inputs:m,outputs:_})=>[m,_])),d=ng(s,e,{queryGroups:r,gain:a,slots:i,layers:l,matrix:c});return{weights:o.all(),record:d,groups:Math.max(4,2**Math.ceil(Math.log2(f)))}}function eg({layers:s,int8:e}){if(s.length>Kl)throw new pe(`a decoder of ${s.length} layers; at most ${Kl}`);let t=e?Math.max(...s.map(({rows:n})=>n)):0;if(t>jl)throw new pe(`an int8 layer of ${t} inputs; at most ${jl}`)}function tg(s,e){let t=[],n=Ql.map(()=>tc),i=0;for(let r of s){let o=jm[r]??e;n[Ql.indexOf(r)]=i;for(let a=0;a<o;a++)t.push(4*i+a);i+=Ci(o)}return{places:t,slots:n,queryGroups:i}}var Eo=class{constructor(){this.list=[],this.length=0}add(e){let t=this.length;return this.list.push(e),this.length+=e.length/4,t}all(){let e=new Float32Array(4*this.length),t=0;for(let n of this.list)e.set(n,t),t+=n.length;return e}};function Gr(s,e,t){let n=new Float32Array(4*t);return s.forEach((i,r)=>{n[e?e[r]:r]=i}),n}function ec(s,{weight:e,bias:t,rows:n,columns:i,step:r=0,scales:o,relu:a},l,c){let u=c||Ci(n),f=Ci(i),d=new Float32Array(16*u*f);for(let b=0;b<n;b++){let M=l?l[b]:b,A=M>>2;for(let N=0;N<i;N++)d[16*((N>>2)*u+A)+4*(M&3)+(N&3)]=e[b*i+N]}let m=s.add(d),_=s.add(Gr(t,null,f)),v=o?s.add(Gr(Float32Array.from(o,b=>b*r),null,f)):0;return{inputs:u,outputs:f,weights:m,bias:_,units:v,relu:a,step:r}}function ng(s,e,{queryGroups:t,gain:n,slots:i,layers:r,matrix:o}){let a=new ArrayBuffer(1936),l=new Uint32Array(a),c=new Float32Array(a),{resolution:u,channels:f,precision:d,scales:m}=s.planes;c.set(s.bounds.min,0),l[3]=u,c.set(s.bounds.max,4),l.set([Ci(f),t,r.length,Qm[d],n],7),c.set([e.low,e.high,e.top,e.unit],12);let _=(v,{inputs:b,outputs:M,weights:A,bias:N,units:D,relu:O,step:Y})=>{l.set([b,M,A,N,D,O],v),c[v+6]=Y};o&&_(16,o),l.set(i,24);for(let v=0;m&&v<3;v++)for(let b=0;b<f;b++)c[36+64*v+b]=m[v*f+b];return r.forEach((v,b)=>_(228+8*b,v)),l}function ic({values:s,resolution:e,channels:t},n){let i=e*e,r=s.subarray(n*i*t,(n+1)*i*t),o=4*Ci(t);if(o===t)return r;let a=new s.constructor(i*o);for(let l=0;l<i;l++)a.set(r.subarray(l*t,(l+1)*t),l*o);return a}var rc={surface:["part.wgsl","planes.wgsl","blocks.wgsl","surface_blocks.wgsl","decoder.wgsl","surface.wgsl"],fiber:["part.wgsl","planes.wgsl","blocks.wgsl","fiber_blocks.wgsl","decoder.wgsl","fiber.wgsl"],evaluate:["arguments.wgsl","evaluate.wgsl"],trace:["geometry.wgsl","triangle.wgsl","segment.wgsl","bvh.wgsl"],"render/camera":["render/frame.wgsl","render/sampler.wgsl","render/camera.wgsl"],"render/closest":["render/frame.wgsl","render/sampler.wgsl","render/directions.wgsl","render/lights.wgsl","render/environment.wgsl","geometry.wgsl","triangle.wgsl","segment.wgsl","bvh.wgsl","render/closest.wgsl"],"render/collect":["render/frame.wgsl","render/sampler.wgsl","render/directions.wgsl","render/lights.wgsl","render/environment.wgsl","geometry.wgsl","triangle.wgsl","segment.wgsl","bvh.wgsl","visibility.wgsl","normal_maps.wgsl","render/vertex.wgsl","render/collect.wgsl"],"render/direct":["render/frame.wgsl","render/sampler.wgsl","render/directions.wgsl","render/lights.wgsl","render/environment.wgsl","geometry.wgsl","triangle.wgsl","segment.wgsl","bvh.wgsl","visibility.wgsl","normal_maps.wgsl","render/vertex.wgsl","render/bsdf.wgsl","render/lobes.wgsl","render/direct.wgsl"],"render/scatter":["render/frame.wgsl","render/sampler.wgsl","render/directions.wgsl","render/lights.wgsl","render/environment.wgsl","geometry.wgsl","triangle.wgsl","segment.wgsl","bvh.wgsl","visibility.wgsl","normal_maps.wgsl","render/vertex.wgsl","render/bsdf.wgsl","render/lobes.wgsl","render/scatter.wgsl"],"render/rows":["render/frame.wgsl","render/rows.wgsl"]};var sc=`// Arguments of a row that may be anything: spec/RNA.md, 8.1 Arguments and results. They are judged
+// by their bits, since WGSL may assume that there is no NaN, and may take subnormal numbers for 0.
+
+const RNA_EXPONENT: u32 = 0x7f800000u;
+
+fn rna_is_finite(bits: vec4<u32>) -> bool {
+    return all((bits & vec4<u32>(RNA_EXPONENT)) != vec4<u32>(RNA_EXPONENT));
+}
+
+// A component, divided by 2^(largest - 127); of a subnormal largest 0, by 2^-149.
+fn rna_scaled(bits: u32, largest: u32) -> f32 {
+    let exponent = (bits & RNA_EXPONENT) >> 23u;
+    let mantissa = f32(bits & 0x7fffffu);
+    var size = 0.0;
+    if largest == 0u {
+        size = mantissa;
+    } else if exponent != 0u {
+        let down = largest - exponent;
+        if down < 64u {
+            size = bitcast<f32>(((127u - down) << 23u) | (bits & 0x7fffffu));
+        }
+    } else if largest < 64u {
+        size = mantissa * bitcast<f32>((105u - largest) << 23u);
+    }
+    return select(size, -size, (bits >> 31u) == 1u);
+}
+
+// The unit vector along one of any length; 0 of length 0.
+fn rna_unit(bits: vec3<u32>) -> vec3f {
+    let exponents = (bits & vec3<u32>(RNA_EXPONENT)) >> vec3<u32>(23u);
+    let largest = max(exponents.x, max(exponents.y, exponents.z));
+    let v = vec3f(
+        rna_scaled(bits.x, largest), rna_scaled(bits.y, largest), rna_scaled(bits.z, largest),
+    );
+    let square = dot(v, v);
+    if square == 0.0 {
+        return vec3f(0.0);
+    }
+    return v / sqrt(square);
+}
+`;var oc=`// Input blocks that surfaces and fibers share: spec/RNA.md, 6.3 Input blocks. Each block starts at
+// a group of 4 columns of its own; the packer has spread the rows of the first matrix likewise.
+
+fn rna_put(slot: u32, values: vec4f) {
+    if slot != RNA_NONE {
+        rna_values[slot] = values;
+    }
+}
+
+// Writes \`features\`, \`position\`, \`wo\` and \`wi\`; returns the first three features.
+fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
+    let p = rna_relative(x);
+    let texels = rna_texels(p);
+    let first = rna_features(texels, 0u);
+    let slot = rna_part.slots[0].x;
+    if slot != RNA_NONE {
+        rna_values[slot] = first;
+        for (var group = 1u; group < rna_part.channel_groups; group++) {
+            rna_values[slot + group] = rna_features(texels, group);
+        }
+    }
+    rna_put(rna_part.slots[0].y, vec4f(2.0 * p - 1.0, 0.0));
+    rna_put(rna_part.slots[1].y, vec4f(wo, 0.0));
+    rna_put(rna_part.slots[1].z, vec4f(wi, 0.0));
+    return first.xyz;
+}
+
+// Halfway between wo and wi, \`instead\` where they are opposite ("In float32": the difference of
+// their lengths goes).
+fn rna_halfway(wo: vec3f, wi: vec3f, instead: vec3f) -> vec3f {
+    var s = wi + wo;
+    let e = wi - wo;
+    let square = dot(e, e);
+    if dot(s, s) < square {
+        s -= e * (dot(s, e) / square);
+    }
+    let size = length(s);
+    if size < 1e-6 {
+        return instead;
+    }
+    return s / size;
+}
+`;var ac=`// The decoder: spec/RNA.md, 6.4 Decoder profile. All loops take their lengths from RnaPart: shaders
+// that are unrolled take minutes to compile.
+
+struct RnaTransport {
+    visible: vec3f, // of emission: what is emitted
+    shadowed: vec3f,
+}
+
+// Clip, and gain and offset of an int8 decoder.
+fn rna_prepare_queries() {
+    for (var k = 0u; k < rna_part.query_groups; k++) {
+        var x = clamp(rna_values[k], vec4f(rna_part.query_low), vec4f(rna_part.query_high));
+        if rna_part.gain != RNA_NONE {
+            x = x * rna_weight(rna_part.gain + k)
+                + rna_weight(rna_part.gain + rna_part.query_groups + k);
+        }
+        rna_values[k] = x;
+    }
+}
+
+// QuantizeLinear: whole numbers from 0 to 255, halves to even.
+fn rna_quantize(layer: RnaLayer, source: u32) {
+    for (var k = 0u; k < layer.inputs; k++) {
+        let x = rna_values[source + k] / layer.int8_step;
+        rna_values[source + k] = clamp(round(x), vec4f(0.0), vec4f(255.0));
+    }
+}
+
+// What a group of columns adds to the sums of an output group, with its block at \`at\`.
+fn rna_block(x: vec4f, at: u32) -> vec4f {
+    return x.x * rna_weight(at) + x.y * rna_weight(at + 1u)
+        + x.z * rna_weight(at + 2u) + x.w * rna_weight(at + 3u);
+}
+
+fn rna_finish(layer: RnaLayer, o: u32, sums: vec4f, place: u32) {
+    var y = sums + rna_weight(layer.bias + o);
+    if layer.int8_step != 0.0 {
+        y *= rna_weight(layer.units + o);
+    }
+    if layer.relu == 1u {
+        y = max(y, vec4f(0.0));
+    }
+    rna_values[place + o] = y;
+}
+
+// Four output groups at a time: a value is read once for 16 sums. Sums of int8 layers are whole
+// and below 2^24: exact.
+fn rna_run_layer(layer: RnaLayer, source: u32, place: u32) {
+    if layer.int8_step != 0.0 {
+        rna_quantize(layer, source);
+    }
+    let stride = 4u * layer.inputs;
+    var o = 0u;
+    for (; o + 4u <= layer.outputs; o += 4u) {
+        var a = vec4f(0.0);
+        var b = vec4f(0.0);
+        var c = vec4f(0.0);
+        var d = vec4f(0.0);
+        var at = layer.weights + o * stride;
+        for (var k = 0u; k < layer.inputs; k++) {
+            let x = rna_values[source + k];
+            a += rna_block(x, at);
+            b += rna_block(x, at + stride);
+            c += rna_block(x, at + 2u * stride);
+            d += rna_block(x, at + 3u * stride);
+            at += 4u;
+        }
+        rna_finish(layer, o, a, place);
+        rna_finish(layer, o + 1u, b, place);
+        rna_finish(layer, o + 2u, c, place);
+        rna_finish(layer, o + 3u, d, place);
+    }
+    for (; o < layer.outputs; o++) {
+        var sums = vec4f(0.0);
+        for (var k = 0u; k < layer.inputs; k++) {
+            sums += rna_block(rna_values[source + k], layer.weights + o * stride + 4u * k);
+        }
+        rna_finish(layer, o, sums, place);
+    }
+}
+
+// The colours for the queries in rna_values.
+fn rna_decode() -> RnaTransport {
+    rna_prepare_queries();
+    var source = 0u;
+    for (var k = 0u; k < rna_part.layer_count; k++) {
+        rna_run_layer(rna_part.layers[k], source, RNA_GROUPS - source);
+        source = RNA_GROUPS - source;
+    }
+    let last = rna_part.layers[rna_part.layer_count - 1u].outputs;
+    for (var k = 0u; k < last; k++) {
+        let x = clamp(rna_values[source + k], vec4f(0.0), vec4f(rna_part.top));
+        rna_values[source + k] = (exp(x) - 1.0) * rna_part.unit;
+    }
+    if rna_part.matrix.inputs != 0u {
+        rna_run_layer(rna_part.matrix, source, RNA_GROUPS - source);
+        source = RNA_GROUPS - source;
+    }
+    let first = rna_values[source];
+    let second = rna_values[source + 1u];
+    let visible = max(first.xyz, vec3f(0.0));
+    return RnaTransport(visible, max(vec3f(first.w, second.xy), vec3f(0.0)));
+}
+`;var lc=`// Evaluation of rows: spec/RNA.md, 8 Evaluation. Transport and emission, surfaces and fibers.
+
+@group(1) @binding(0) var<storage, read> rna_rows: array<vec4<u32>>; // 4 a row, see README.md
+@group(1) @binding(1) var<storage, read_write> rna_results: array<vec4f>;
+@group(1) @binding(2) var<storage, read> rna_row_count: array<u32>; // [0]
+
+// RNA_COLOURS, 2 of transport and 1 of emission, is declared by whoever composes the files.
+fn rna_write(row: u32, result: RnaTransport) {
+    rna_results[RNA_COLOURS * row] = vec4f(result.visible, 0.0);
+    if RNA_COLOURS == 2u {
+        rna_results[2u * row + 1u] = vec4f(result.shadowed, 0.0);
+    }
+}
+
+@compute @workgroup_size(64)
+fn rna_evaluate(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let row = id.y * groups.x * 64u + id.x;
+    if row >= rna_row_count[0] {
+        return;
+    }
+    let position = rna_rows[4u * row];
+    let axis = rna_rows[4u * row + 1u].xyz;
+    let wo = rna_rows[4u * row + 2u].xyz;
+    let wi = rna_rows[4u * row + 3u].xyz;
+    let finite = rna_is_finite(position) && rna_is_finite(vec4<u32>(axis, 0u))
+        && rna_is_finite(vec4<u32>(wo, 0u)) && rna_is_finite(vec4<u32>(wi, 0u));
+    let a = rna_unit(axis);
+    let o = rna_unit(wo);
+    let i = rna_unit(wi);
+    let nothing = vec3f(0.0);
+    var result = RnaTransport(nothing, nothing);
+    if finite && any(a != nothing) && any(o != nothing) && any(i != nothing) {
+        result = rna_query(bitcast<vec3f>(position.xyz), a, bitcast<f32>(position.w), o, i);
+    }
+    rna_write(row, result);
+}
+`;var cc=`// Transport, or emission, at a point of a fiber: spec/RNA.md, 7 Light.
+
+// x: object space, metres. t (root to tip), wo, wi: unit; h: offset across the width; all finite.
+// An emission decoder reads no wi.
+fn rna_fiber(x: vec3f, t: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+    rna_common_blocks(x, wo, wi);
+    rna_fiber_blocks(t, clamp(h, -1.0, 1.0), wo, wi);
+    return rna_decode();
+}
+
+fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+    return rna_fiber(x, axis, h, wo, wi);
+}
+`;var hc=`// Input blocks of fibers alone: spec/RNA.md, 6.3 Input blocks and "In float32".
+
+const RNA_ETA: f32 = 1.55;
+
+// c_o, cos phi and sin phi. Products with t have lost the component along it: t x wo and t x wi
+// have the lengths c_o and c_i, and phi is between them.
+fn rna_azimuth(t: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
+    let o = cross(t, wo);
+    let i = cross(t, wi);
+    let c_o = length(o);
+    let d = c_o * length(i);
+    if d < 1e-6 {
+        return vec3f(c_o, 1.0, 0.0);
+    }
+    return vec3f(c_o, clamp(dot(o, i) / d, -1.0, 1.0), clamp(dot(t, cross(o, i)) / d, -1.0, 1.0));
+}
+
+// Cosine and sine of twice the angle within 90 degrees that has this sine.
+fn rna_doubled(sine: f32) -> vec2f {
+    let cosine = sqrt(max(0.0, (1.0 - sine) * (1.0 + sine)));
+    return vec2f(1.0 - 2.0 * sine * sine, 2.0 * sine * cosine);
+}
+
+// cos(phi - Phi_p) for p = 0, 1, 2, by the addition theorems; each segment turns by -2 g_t - pi.
+fn rna_lobes(h: f32, s_o: f32, azimuth: vec3f) -> vec3f {
+    let segment = rna_doubled(h * azimuth.x / sqrt(RNA_ETA * RNA_ETA - s_o * s_o));
+    let r = rna_doubled(h);
+    let tt = vec2f(-r.x * segment.x - r.y * segment.y, r.x * segment.y - r.y * segment.x);
+    let trt = vec2f(-tt.x * segment.x - tt.y * segment.y, tt.x * segment.y - tt.y * segment.x);
+    let phi = azimuth.yz;
+    return vec3f(dot(phi, r), dot(phi, tt), dot(phi, trt));
+}
+
+fn rna_fiber_blocks(t: vec3f, h: f32, wo: vec3f, wi: vec3f) {
+    rna_put(rna_part.slots[0].w, vec4f(t, 0.0));
+    rna_put(rna_part.slots[1].x, vec4f(h, 0.0, 0.0, 0.0));
+    let angles = rna_part.slots[2].z;
+    let lobes = rna_part.slots[2].w;
+    if angles == RNA_NONE && lobes == RNA_NONE {
+        return;
+    }
+    let s_o = dot(t, wo);
+    let s_i = dot(t, wi);
+    let cone = s_i + s_o;
+    let azimuth = rna_azimuth(t, wo, wi);
+    if angles != RNA_NONE {
+        rna_values[angles] = vec4f(s_i, s_o, cone, log2(cone * cone + 1e-3) / 6.0);
+        rna_values[angles + 1u] = vec4f(azimuth.yz, 0.0, 0.0);
+    }
+    rna_put(lobes, vec4f(rna_lobes(h, s_o, azimuth), 0.0));
+}
+`;var uc=`// One part of a tier as the GPU sees it: spec/RNA.md, 3 Manifest and 6.4 Decoder profile.
+// The layout of RnaPart is in README.md; \`part_uniform.py\` packs it.
+
+const RNA_NONE: u32 = 0xffffffffu;
+const RNA_FLOAT32: u32 = 0u; // planePrecision
+const RNA_FLOAT16: u32 = 1u;
+const RNA_INT8: u32 = 2u;
+
+// A layer of the decoder. Sizes count groups of 4 columns, places count vec4f of the weights.
+struct RnaLayer {
+    inputs: u32,
+    outputs: u32,
+    weights: u32, // [outputs][inputs][4] vec4f
+    bias: u32, // [outputs] vec4f
+    units: u32, // [outputs] vec4f of an int8 layer: what a sum of 1 means
+    relu: u32, // 1: negative results are 0
+    int8_step: f32, // of an int8 layer: what 1 means in its inputs; else 0
+    reserved: u32,
+}
+
+struct RnaPart {
+    low: vec3f, // bounds
+    resolution: u32,
+    high: vec3f,
+    channel_groups: u32,
+    query_groups: u32, // of the decoder's input
+    layer_count: u32,
+    plane_precision: u32,
+    gain: u32, // place of [query_groups] gains, then as many offsets; RNA_NONE without
+    query_low: f32, // the decoder's first Clip
+    query_high: f32,
+    top: f32, // of the Clip before Exp
+    unit: f32, // result = (exp(x) - 1) unit, or times the matrix
+    matrix: RnaLayer, // inputs 0 without one
+    // First group of each input block in the queries, RNA_NONE for a block that is not there:
+    // features, position, normal, tangent | h, wo, wi, half_vector |
+    // highlight, learned_normal, fiber_angles, fiber_lobes
+    slots: array<vec4<u32>, 3>,
+    scales: array<vec4f, 48>, // of int8 planes: [plane][16] groups of channels
+    layers: array<RnaLayer, 32>,
+}
+
+@group(0) @binding(0) var<uniform> rna_part: RnaPart;
+@group(0) @binding(2) var<storage, read> rna_plane_xy: array<u32>;
+@group(0) @binding(3) var<storage, read> rna_plane_yz: array<u32>;
+@group(0) @binding(4) var<storage, read> rna_plane_zx: array<u32>;
+
+// The queries' columns, and the values between layers: two halves of RNA_GROUPS groups, read and
+// written by turns. RNA_GROUPS is declared by whoever composes the files.
+var<private> rna_values: array<vec4f, 2u * RNA_GROUPS>;
+`;var fc=`// Features of a position: spec/RNA.md, 5 Planes.
+
+fn rna_plane_word(plane: u32, at: u32) -> u32 {
+    switch plane {
+        case 0u: { return rna_plane_xy[at]; }
+        case 1u: { return rna_plane_yz[at]; }
+        default: { return rna_plane_zx[at]; }
+    }
+}
+
+// The value of a float16; drivers may take subnormal ones for 0, the format does not.
+fn rna_from_float16(bits: u32) -> f32 {
+    let exponent = (bits >> 10u) & 31u;
+    let mantissa = bits & 1023u;
+    let size = select(
+        bitcast<f32>(((exponent + 112u) << 23u) | (mantissa << 13u)),
+        f32(mantissa) * 0x1p-24f,
+        exponent == 0u,
+    );
+    return select(size, -size, (bits & 0x8000u) != 0u);
+}
+
+// Channels 4 group to 4 group + 3 of a texel; texel = row * resolution + column.
+fn rna_texel(plane: u32, texel: u32, group: u32) -> vec4f {
+    let at = texel * rna_part.channel_groups + group;
+    switch rna_part.plane_precision {
+        case RNA_FLOAT32: {
+            return vec4f(
+                bitcast<f32>(rna_plane_word(plane, 4u * at)),
+                bitcast<f32>(rna_plane_word(plane, 4u * at + 1u)),
+                bitcast<f32>(rna_plane_word(plane, 4u * at + 2u)),
+                bitcast<f32>(rna_plane_word(plane, 4u * at + 3u)),
+            );
+        }
+        case RNA_FLOAT16: {
+            let a = rna_plane_word(plane, 2u * at);
+            let b = rna_plane_word(plane, 2u * at + 1u);
+            return vec4f(
+                rna_from_float16(a & 0xffffu),
+                rna_from_float16(a >> 16u),
+                rna_from_float16(b & 0xffffu),
+                rna_from_float16(b >> 16u),
+            );
+        }
+        default: {
+            let word = bitcast<i32>(rna_plane_word(plane, at));
+            let integers = vec4<i32>(word << 24u, word << 16u, word << 8u, word) >> vec4<u32>(24u);
+            return vec4f(integers) * rna_part.scales[plane * 16u + group];
+        }
+    }
+}
+
+// Where a position is on one axis: texel, the next one, and the fraction between them.
+struct RnaTexel {
+    low: vec3<u32>,
+    high: vec3<u32>,
+    fraction: vec3f,
+}
+
+fn rna_texels(p: vec3f) -> RnaTexel {
+    let last = f32(rna_part.resolution - 1u);
+    let s = clamp(p * f32(rna_part.resolution) - 0.5, vec3f(0.0), vec3f(last));
+    let below = floor(s);
+    let low = vec3<u32>(below);
+    let high = min(low + vec3<u32>(1u), vec3<u32>(rna_part.resolution - 1u));
+    return RnaTexel(low, high, s - below);
+}
+
+// x: (texel, next) along the columns, y: along the rows.
+fn rna_bilinear(
+    plane: u32, group: u32, columns: vec2<u32>, rows: vec2<u32>, a: f32, b: f32,
+) -> vec4f {
+    let lower = rows.x * rna_part.resolution;
+    let upper = rows.y * rna_part.resolution;
+    let at_lower = (1.0 - a) * rna_texel(plane, lower + columns.x, group)
+        + a * rna_texel(plane, lower + columns.y, group);
+    let at_upper = (1.0 - a) * rna_texel(plane, upper + columns.x, group)
+        + a * rna_texel(plane, upper + columns.y, group);
+    return (1.0 - b) * at_lower + b * at_upper;
+}
+
+// Position as a fraction of the bounds, clamped to them.
+fn rna_relative(x: vec3f) -> vec3f {
+    let inside = clamp(x, rna_part.low, rna_part.high);
+    return clamp((inside - rna_part.low) / (rna_part.high - rna_part.low), vec3f(0.0), vec3f(1.0));
+}
+
+// Channels 4 group to 4 group + 3 of the features at p, in [0, 1].
+fn rna_features(t: RnaTexel, group: u32) -> vec4f {
+    let x = vec2<u32>(t.low.x, t.high.x);
+    let y = vec2<u32>(t.low.y, t.high.y);
+    let z = vec2<u32>(t.low.z, t.high.z);
+    return rna_bilinear(0u, group, x, y, t.fraction.x, t.fraction.y)
+        + rna_bilinear(1u, group, y, z, t.fraction.y, t.fraction.z)
+        + rna_bilinear(2u, group, z, x, t.fraction.z, t.fraction.x);
+}
+`;var To=`// Where a ray enters a round cone from outside: spec/RNA.md, 4.2 Curves and 7.1 Transport.
+
+struct RnaCone {
+    a: vec3f,
+    ra: f32,
+    b: vec3f,
+    rb: f32,
+}
+
+fn rna_cone(point: u32) -> RnaCone {
+    let a = rna_points[point];
+    let b = rna_points[point + 1u];
+    return RnaCone(a.xyz, a.w, b.xyz, b.w);
+}
+
+// Along d from p to where it enters the sphere; RNA_FAR where it does not.
+fn rna_enter_sphere(p: vec3f, d: vec3f, centre: vec3f, radius: f32) -> f32 {
+    let v = p - centre;
+    let along = dot(v, d);
+    let rest = v - along * d;
+    let h = radius * radius - dot(rest, rest);
+    if h <= 0.0 {
+        return RNA_FAR;
+    }
+    return -along - sqrt(h);
+}
+
+// How far p is outside of the cone; negative inside.
+fn rna_cone_distance(cone: RnaCone, p: vec3f) -> f32 {
+    let axis = cone.b - cone.a;
+    let size = length(axis);
+    let dr = cone.ra - cone.rb;
+    let v = p - cone.a;
+    let y = dot(v, axis) / size;
+    let x = length(v - axis * (y / size));
+    let to_a = length(vec2f(x, y)) - cone.ra;
+    let to_b = length(vec2f(x, y - size)) - cone.rb;
+    if size <= abs(dr) {
+        return select(to_b, to_a, dr > 0.0);
+    }
+    let slope = dr / size;
+    let lean = sqrt(1.0 - slope * slope);
+    let along = y * lean - x * slope;
+    if along <= 0.0 {
+        return to_a;
+    }
+    if along >= size * lean {
+        return to_b;
+    }
+    return x * lean + y * slope - cone.ra;
+}
+
+struct RnaEntry {
+    t: f32,
+    normal: vec3f,
+}
+
+// The entry of the line into the cone: of the points where it enters a sphere at an end, or the side
+// between them, the first. \`from\` is near the cone, to keep digits.
+fn rna_enter_cone(cone: RnaCone, p: vec3f, d: vec3f) -> RnaEntry {
+    let ta = rna_enter_sphere(p, d, cone.a, cone.ra);
+    let tb = rna_enter_sphere(p, d, cone.b, cone.rb);
+    var entry = RnaEntry(min(ta, tb), vec3f(0.0));
+    entry.normal = p + entry.t * d - select(cone.b, cone.a, ta < tb);
+    let axis = cone.b - cone.a;
+    let v = p - cone.a;
+    let dr = cone.ra - cone.rb;
+    let squared = dot(axis, axis);
+    let d2 = squared - dr * dr;
+    let m1 = dot(axis, v);
+    let m2 = dot(axis, d);
+    let k2 = d2 - m2 * m2;
+    let k1 = d2 * dot(d, v) - m1 * m2 + m2 * dr * cone.ra;
+    let k0 = d2 * dot(v, v) - m1 * m1 + 2.0 * m1 * dr * cone.ra - squared * cone.ra * cone.ra;
+    let h = k1 * k1 - k0 * k2;
+    if d2 <= 0.0 || h < 0.0 || k2 == 0.0 {
+        return entry;
+    }
+    for (var sign = -1.0; sign <= 1.0; sign += 2.0) {
+        let side = (sign * sqrt(h) - k1) / k2;
+        let y = m1 - cone.ra * dr + side * m2;
+        let normal = d2 * (v + side * d) - axis * y;
+        if y > 0.0 && y < d2 && side < entry.t && dot(normal, d) < 0.0 {
+            entry = RnaEntry(side, normal);
+        }
+    }
+    return entry;
+}
+
+// Whether p, on a segment, is inside the one before or after it: there is no surface there.
+fn rna_in_neighbour(segment: vec4<u32>, p: vec3f) -> bool {
+    if (segment.y & 1u) != 0u {
+        let before = rna_cone(segment.x - 1u);
+        if rna_cone_distance(before, p) < -1e-4 * min(before.ra, before.rb) {
+            return true;
+        }
+    }
+    if (segment.y & 2u) != 0u {
+        let after = rna_cone(segment.x + 1u);
+        return rna_cone_distance(after, p) < -1e-4 * min(after.ra, after.rb);
+    }
+    return false;
+}
+
+// t of RNA_FAR for a miss.
+fn rna_meet_segment(ray: RnaRay, segment: vec4<u32>) -> RnaEntry {
+    let miss = RnaEntry(RNA_FAR, vec3f(0.0));
+    let cone = rna_cone(segment.x);
+    let shift = dot(0.5 * (cone.a + cone.b) - ray.origin, ray.direction);
+    let p = ray.origin + shift * ray.direction;
+    let entry = rna_enter_cone(cone, p, ray.direction);
+    let t = entry.t + shift;
+    if entry.t >= RNA_FAR || !(t >= ray.near && t <= ray.far) {
+        return miss;
+    }
+    if rna_in_neighbour(segment, p + entry.t * ray.direction) {
+        return miss;
+    }
+    return RnaEntry(t, normalize(entry.normal));
+}
+`;var dc=`// Transport, or emission, at a point of a surface: spec/RNA.md, 7 Light.
+
+// x: object space, metres. n, wo, wi: unit, away from the surface; all finite. An emission decoder
+// reads no wi.
+fn rna_surface(x: vec3f, n: vec3f, wo: vec3f, wi: vec3f) -> RnaTransport {
+    let features = rna_common_blocks(x, wo, wi);
+    rna_surface_blocks(n, features, wo, wi);
+    return rna_decode();
+}
+
+fn rna_query(x: vec3f, axis: vec3f, h: f32, wo: vec3f, wi: vec3f) -> RnaTransport {
+    return rna_surface(x, axis, wo, wi);
+}
+`;var pc=`// Input blocks of surfaces alone: spec/RNA.md, 6.3 Input blocks and "In float32".
+
+// log2(1 - min(n.m, 1) + 1e-4) / 6
+fn rna_log_gap(n: vec3f, m: vec3f) -> f32 {
+    let gap = n - m;
+    return log2(0.5 * dot(gap, gap) + 1e-4) / 6.0;
+}
+
+fn rna_half_vector(slot: u32, n: vec3f, m: vec3f, wo: vec3f, wi: vec3f) {
+    if slot != RNA_NONE {
+        rna_values[slot] = vec4f(dot(n, m), rna_log_gap(n, m), dot(n, wi), dot(n, wo));
+        rna_values[slot + 1u] = vec4f(dot(wi, m), 0.0, 0.0, 0.0);
+    }
+}
+
+fn rna_highlight(slot: u32, n: vec3f, m: vec3f) {
+    let aside = cross(n, m);
+    rna_put(slot, vec4f(log2(dot(aside, aside) + 1e-8) / 12.0, 0.0, 0.0, 0.0));
+}
+
+fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+    if slot == RNA_NONE {
+        return;
+    }
+    var q = n + 0.1 * features;
+    let size = length(q);
+    if size < 1e-6 {
+        q = n;
+    } else {
+        q = q / size;
+    }
+    let m = rna_halfway(wo, wi, q);
+    rna_values[slot] = vec4f(dot(q, m), rna_log_gap(q, m), 0.0, 0.0);
+}
+
+fn rna_surface_blocks(n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
+    rna_put(rna_part.slots[0].z, vec4f(n, 0.0));
+    let m = rna_halfway(wo, wi, n);
+    rna_half_vector(rna_part.slots[1].w, n, m, wo, wi);
+    rna_highlight(rna_part.slots[2].x, n, m);
+    rna_learned_normal(rna_part.slots[2].y, n, features, wo, wi);
+}
+`;var Ro=`// Where a ray meets a triangle, from either side, watertight: Woop, Benthin and Wald, Watertight
+// Ray/Triangle Intersection (JCGT 2(1), 2013).
+
+// Coordinates with the ray's largest one last.
+fn rna_turned(v: vec3f, axis: u32) -> vec3f {
+    if axis == 0u {
+        return v.yzx;
+    }
+    if axis == 1u {
+        return v.zxy;
+    }
+    return v;
+}
+
+fn rna_largest_axis(d: vec3f) -> u32 {
+    let size = abs(d);
+    if size.x > size.y && size.x > size.z {
+        return 0u;
+    }
+    return select(2u, 1u, size.y > size.z);
+}
+
+// (t, b1, b2), t of RNA_FAR for a miss.
+fn rna_meet_triangle(ray: RnaRay, p0: vec3f, p1: vec3f, p2: vec3f) -> vec3f {
+    let miss = vec3f(RNA_FAR, 0.0, 0.0);
+    let axis = rna_largest_axis(ray.direction);
+    let d = rna_turned(ray.direction, axis);
+    let shear = vec3f(d.x / d.z, d.y / d.z, 1.0 / d.z);
+    let a = rna_turned(p0 - ray.origin, axis);
+    let b = rna_turned(p1 - ray.origin, axis);
+    let c = rna_turned(p2 - ray.origin, axis);
+    let a2 = a.xy - shear.xy * a.z;
+    let b2 = b.xy - shear.xy * b.z;
+    let c2 = c.xy - shear.xy * c.z;
+    let u = c2.x * b2.y - c2.y * b2.x;
+    let v = a2.x * c2.y - a2.y * c2.x;
+    let w = b2.x * a2.y - b2.y * a2.x;
+    if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
+        return miss;
+    }
+    let sum = u + v + w;
+    if sum == 0.0 {
+        return miss;
+    }
+    let t = (u * a.z + v * b.z + w * c.z) * shear.z / sum;
+    if !(t >= ray.near && t <= ray.far) {
+        return miss;
+    }
+    return vec3f(t, v / sum, w / sum);
+}
+`;var Co=`// Where visibility rays of meshes start: spec/RNA.md, 7.1 Transport. Those of strands start at x.
+
+// From x, at barycentric coordinates b of a triangle, onto the smooth surface it stands for.
+fn rna_lift(x: vec3f, b: vec3f, p: mat3x3f, n: mat3x3f) -> vec3f {
+    return b.x * max(0.0, dot(p[0] - x, n[0])) * n[0]
+        + b.y * max(0.0, dot(p[1] - x, n[1])) * n[1]
+        + b.z * max(0.0, dot(p[2] - x, n[2])) * n[2];
+}
+
+// n: interpolated, ng: of the triangle; extent: largest absolute coordinate of the asset.
+fn rna_leaving_origin(
+    x: vec3f, n: vec3f, ng: vec3f, lift: vec3f, wi: vec3f, extent: f32,
+) -> vec3f {
+    let step = extent * 0x1p-18f;
+    let above = dot(ng, wi);
+    if dot(n, wi) > 0.0 && dot(n, ng) > 0.0 && above < 0.1 {
+        return x + (1.0 - max(0.0, above) / 0.1) * lift + step * ng;
+    }
+    return x + select(step, -step, above < 0.0) * ng;
+}
+`;var mc=`// Weights of more than 64 KiB.
+
+@group(0) @binding(1) var<storage, read> rna_weights: array<vec4f>;
+
+fn rna_weight(at: u32) -> vec4f {
+    return rna_weights[at];
+}
+`;var gc=`// Weights of up to 64 KiB. On software drivers they are read ten times faster from a uniform
+// buffer than from storage.
+
+@group(0) @binding(1) var<uniform> rna_weights: array<vec4f, 4096>;
+
+fn rna_weight(at: u32) -> vec4f {
+    return rna_weights[at];
+}
+`;var _c=`// What a band of the picture holds between the kernels: of each pixel a row as rna_evaluate reads it, with four
+// numbers in its free places, and what it weighs.
+
+struct Row {
+    position: vec4<u32>, // and h of a fiber, b1 of a surface
+    axis: vec4<u32>,     // and part + 1, or 0 where nothing is hit
+    wo: vec4<u32>,       // and the place of the primitive
+    wi: vec4<u32>,       // and b2
+}
+
+@group(1) @binding(0) var<storage, read_write> rows: array<Row>;
+@group(1) @binding(1) var<storage, read_write> through: array<vec4f>; // throughput
+
+// The pixel of an invocation; beyond the band y is at least view.rows.
+fn pixel_of(index: u32) -> vec2<u32> {
+    return vec2<u32>(index % view.width, index / view.width);
+}
+`;var vc=`// A ray from the camera through each pixel of the band, to the query of its first hit.
+
+const SEEN_THROUGH = 32u;
+
+fn words(v: vec3f, last: u32) -> vec4<u32> {
+    return vec4<u32>(bitcast<vec3<u32>>(v), last);
+}
+
+@compute @workgroup_size(64)
+fn trace_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = id.y * groups.x * 64u + id.x;
+    let local = pixel_of(index);
+    if local.y >= view.rows {
+        return;
+    }
+    let pixel = vec2<u32>(local.x, local.y + view.first_row);
+    let at = vec2f(pixel) + mix(vec2f(0.5), random(pixel, PLACE), view.jitter);
+    let d = normalize(view.corner + at.x * view.step_x + at.y * view.step_y);
+    var origin = view.camera;
+    var throughput = vec3f(1.0);
+    let nothing = vec4<u32>(0u);
+    var row = Row(nothing, nothing, words(-d, 0u), nothing);
+    for (var k = 0u; k < SEEN_THROUGH; k++) {
+        let hit = nearest(origin, d);
+        if hit.t == FAR {
+            break;
+        }
+        let primitive = primitives[hit.place];
+        let fiber = HAS_SEGMENTS && (hit.number & SEGMENT) != 0u;
+        var tau = vec3f(0.0);
+        if !fiber {
+            tau = transmittance(primitive, hit, d);
+        }
+        let chance = max(tau.x, max(tau.y, tau.z));
+        // Straight on, or stopped here: chosen at random (spec, 4.4).
+        if chance > 0.0 && random(pixel, STOPPED + k).x < chance {
+            throughput *= tau / chance;
+            origin += d * (hit.t + 4.0 * view.epsilon);
+            continue;
+        }
+        if chance > 0.0 {
+            throughput *= (1.0 - tau) / (1.0 - chance);
+        }
+        let part = part_of(hit.number & ~SEGMENT) + 1u;
+        if fiber {
+            let t = tangent_of(primitive);
+            let h = offset_across(hit.n, t, -d);
+            row.position = words(origin + hit.t * d, bitcast<u32>(h));
+            row.axis = words(t, part);
+        } else {
+            let corners = corners_of(primitive);
+            row.position = words(mixed(corners.p, weights_of(hit)), bitcast<u32>(hit.b1));
+            row.axis = words(shading_normal(primitive, hit), part);
+        }
+        row.wo.w = hit.place;
+        row.wi.w = bitcast<u32>(hit.b2);
+        break;
+    }
+    rows[index] = row;
+    through[index] = vec4f(throughput, 0.0);
+}
+
+// The normals of hits whose place and barycentric coordinates are in the rows.
+@compute @workgroup_size(64)
+fn find_normals(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= view.width {
+        return;
+    }
+    let row = rows[id.x];
+    let hit = Hit(0.0, 0u, row.wo.w, bitcast<f32>(row.position.w), bitcast<f32>(row.wi.w), vec3f(0.0));
+    rows[id.x].axis = words(shading_normal(primitives[row.wo.w], hit), row.axis.w);
+}
+`;var xc=`// For each query a direction of one light, what arrives from there, and how much of it the asset lets through; and
+// the light on the ground.
+
+struct Light {
+    direction: vec3f, // of a sun
+    kind: u32,        // 0: sun, 1: environment, 2: directions that are in the rows
+    colour: vec3f,    // irradiance of a sun, or a factor of the environment
+    ground: f32,      // its height
+    turn: vec2f,      // cosine and sine of the environment's rotation
+    middle: vec2f,    // of the ground, x and z
+    ground_colour: vec3f, // radiance of it in full light, over the light's irradiance
+    ground_size: f32,     // 0: there is no ground
+    first: u32,           // 1: the sum starts with this
+    counts_coverage: u32,
+    unused_a: u32,
+    unused_b: u32,
+}
+
+struct Lit {
+    visibility: vec3f,
+    is_query: u32,
+    radiance: vec3f, // over the density, times the throughput
+    unused: u32,
+}
+
+@group(1) @binding(2) var<storage, read_write> lit: array<Lit>;
+@group(1) @binding(3) var<storage, read_write> sums: array<vec4f>; // of the whole picture
+@group(2) @binding(0) var<uniform> light: Light;
+@group(2) @binding(1) var environment: texture_2d<f32>; // radiance, row 0 at +y; w: distribution along the row
+@group(2) @binding(2) var marginal: texture_2d<f32>;    // distribution over rows
+
+const PI = 3.14159265358979;
+
+fn row_of(u: f32, count: i32) -> i32 {
+    var low = 0;
+    var high = count - 1;
+    while low < high {
+        let middle = (low + high) / 2;
+        if textureLoad(marginal, vec2<i32>(middle, 0), 0).x > u {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return low;
+}
+
+fn column_of(u: f32, row: i32, count: i32) -> i32 {
+    var low = 0;
+    var high = count - 1;
+    while low < high {
+        let middle = (low + high) / 2;
+        if textureLoad(environment, vec2<i32>(middle, row), 0).w > u {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return low;
+}
+
+fn environment_at(st: vec2f) -> vec3f {
+    let size = vec2<i32>(textureDimensions(environment));
+    let at = st * vec2f(size) - 0.5;
+    let low = floor(at);
+    let f = at - low;
+    let a = vec2<i32>(low);
+    let rows_at = clamp(vec2<i32>(a.y, a.y + 1), vec2<i32>(0), vec2<i32>(size.y - 1));
+    let columns_at = (vec2<i32>(a.x, a.x + 1) + size.x) % size.x;
+    let lower = mix(
+        textureLoad(environment, vec2<i32>(columns_at.x, rows_at.x), 0),
+        textureLoad(environment, vec2<i32>(columns_at.y, rows_at.x), 0), f.x);
+    let upper = mix(
+        textureLoad(environment, vec2<i32>(columns_at.x, rows_at.y), 0),
+        textureLoad(environment, vec2<i32>(columns_at.y, rows_at.y), 0), f.x);
+    return mix(lower, upper, f.y).xyz;
+}
+
+struct Arrival {
+    wi: vec3f,
+    radiance: vec3f, // over the density
+}
+
+// A direction in proportion to the luminance of texels.
+fn sample_environment(u: vec2f) -> Arrival {
+    let size = vec2<i32>(textureDimensions(environment));
+    let row = row_of(u.y, size.y);
+    var before = 0.0;
+    if row > 0 {
+        before = textureLoad(marginal, vec2<i32>(row - 1, 0), 0).x;
+    }
+    let chance = textureLoad(marginal, vec2<i32>(row, 0), 0).x - before;
+    let column = column_of(u.x, row, size.x);
+    var left = 0.0;
+    if column > 0 {
+        left = textureLoad(environment, vec2<i32>(column - 1, row), 0).w;
+    }
+    let width = textureLoad(environment, vec2<i32>(column, row), 0).w - left;
+    let within = clamp(vec2f((u.x - left) / width, (u.y - before) / chance), vec2f(0.0), vec2f(1.0));
+    let st = (vec2f(f32(column), f32(row)) + within) / vec2f(size);
+    let theta = PI * st.y;
+    let phi = 2.0 * PI * (st.x - 0.5);
+    let sine = sin(theta);
+    let d = vec3f(sine * sin(phi), cos(theta), -sine * cos(phi));
+    let turned = vec3f(light.turn.x * d.x + light.turn.y * d.z, d.y, light.turn.x * d.z - light.turn.y * d.x);
+    let density = chance * width * f32(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
+    return Arrival(turned, environment_at(st) / density);
+}
+
+fn arrival_at(pixel: vec2<u32>, row: Row) -> Arrival {
+    if light.kind == 0u {
+        return Arrival(light.direction, light.colour);
+    }
+    if light.kind == 2u {
+        return Arrival(bitcast<vec3f>(row.wi.xyz), light.colour);
+    }
+    let found = sample_environment(random(pixel, DIRECTION));
+    return Arrival(found.wi, light.colour * found.radiance);
+}
+
+// Where a ray to the light starts, and what it may bring.
+struct Start {
+    origin: vec3f,
+    strand: u32, // that is no obstacle
+    weight: vec3f,
+    coverage: f32,
+}
+
+fn start_of(row: Row, wi: vec3f) -> Start {
+    let primitive = primitives[row.wo.w];
+    if HAS_SEGMENTS && (primitive.w & SEGMENT) != 0u {
+        return Start(bitcast<vec3f>(row.position.xyz), primitive.z, vec3f(1.0), 1.0);
+    }
+    let hit = Hit(0.0, primitive.w, row.wo.w, bitcast<f32>(row.position.w), bitcast<f32>(row.wi.w), vec3f(0.0));
+    return Start(lifted_origin(primitive, hit, wi), NO_STRAND, vec3f(1.0), 1.0);
+}
+
+// The ground shows the shadow, and fades with the distance.
+fn start_on_ground(d: vec3f, wi: vec3f) -> Start {
+    let nothing = Start(vec3f(0.0), NO_STRAND, vec3f(0.0), 0.0);
+    if light.ground_size == 0.0 || d.y * (view.camera.y - light.ground) >= 0.0 {
+        return nothing;
+    }
+    let x = view.camera + d * ((light.ground - view.camera.y) / d.y);
+    let fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - light.middle) / light.ground_size);
+    return Start(x + vec3f(0.0, view.epsilon, 0.0), NO_STRAND, fade * max(0.0, wi.y) * light.ground_colour, fade);
+}
+
+@compute @workgroup_size(64)
+fn light_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = id.y * groups.x * 64u + id.x;
+    let local = pixel_of(index);
+    if local.y >= view.rows {
+        return;
+    }
+    let row = rows[index];
+    let is_query = row.axis.w != 0u;
+    let arrival = arrival_at(vec2<u32>(local.x, local.y + view.first_row), row);
+    var start: Start;
+    if is_query {
+        start = start_of(row, arrival.wi);
+    } else {
+        start = start_on_ground(-bitcast<vec3f>(row.wo.xyz), arrival.wi);
+    }
+    var passed = vec3f(0.0);
+    if any(start.weight > vec3f(0.0)) {
+        passed = passes(start.origin, arrival.wi, start.strand);
+    }
+    let radiance = through[index].xyz * arrival.radiance;
+    rows[index].wi = vec4<u32>(bitcast<vec3<u32>>(arrival.wi), row.wi.w);
+    lit[index] = Lit(passed, u32(is_query), radiance, 0u);
+    let at = view.first_row * view.width + index;
+    var sum = vec4f(0.0);
+    if light.first == 0u {
+        sum = sums[at];
+    }
+    let on_ground = select(start.weight * passed * radiance, vec3f(0.0), is_query);
+    sums[at] = sum + vec4f(on_ground, start.coverage * f32(light.counts_coverage));
+}
+`;var yc=`// What a hit is on: normals, relief, transmittance (spec, 4.1, 4.4, 4.5), and where its ray to the light starts (7.1).
+
+struct Corners {
+    p: array<vec3f, 3>,
+    n: array<vec3f, 3>,
+    uv: array<vec2f, 3>,
+}
+
+fn corners_of(primitive: vec4<u32>) -> Corners {
+    var corners: Corners;
+    for (var k = 0u; k < 3u; k++) {
+        let place = rna_points[primitive[k]];
+        let normal = rna_points[view.normals_at + primitive[k]];
+        corners.p[k] = place.xyz;
+        corners.n[k] = normal.xyz;
+        corners.uv[k] = vec2f(place.w, normal.w);
+    }
+    return corners;
+}
+
+fn weights_of(hit: Hit) -> vec3f {
+    return vec3f(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2);
+}
+
+fn mixed(v: array<vec3f, 3>, b: vec3f) -> vec3f {
+    return b.x * v[0] + b.y * v[1] + b.z * v[2];
+}
+
+// Of twelve words: kind, first and end of the primitives, offset of texels; width, height, channels,
+// cutoff; two indices of refraction.
+struct Record {
+    offset: u32,
+    size: vec2<u32>,
+    channels: u32,
+    cutoff: f32,
+    front: f32,
+    back: f32,
+}
+
+fn record_at(k: u32) -> Record {
+    let at = 12u * k;
+    return Record(
+        textures[at + 3u], vec2<u32>(textures[at + 4u], textures[at + 5u]), textures[at + 6u],
+        bitcast<f32>(textures[at + 7u]), bitcast<f32>(textures[at + 8u]), bitcast<f32>(textures[at + 9u]),
+    );
+}
+
+// The record of this kind that the triangle is in, or -1.
+fn record_of(number: u32, kind: u32) -> i32 {
+    for (var k = 0u; k < view.record_count; k++) {
+        let at = 12u * k;
+        if textures[at] == kind && number >= textures[at + 1u] && number < textures[at + 2u] {
+            return i32(k);
+        }
+    }
+    return -1;
+}
+
+fn texel_at(record: Record, column: u32, row: u32) -> vec3f {
+    let first = record.offset + ((row % record.size.y) * record.size.x + column % record.size.x) * record.channels;
+    var value = vec3f(0.0);
+    for (var c = 0u; c < record.channels; c++) {
+        let at = first + c;
+        value[c] = f32((textures[view.texels_at + at / 4u] >> (8u * (at % 4u))) & 255u);
+    }
+    return value;
+}
+
+// The bilinear lookup of 4.4, in values from 0 to 255; the texture repeats.
+fn look_up(record: Record, uv: vec2f) -> vec3f {
+    let size = vec2f(record.size);
+    let place = uv * size - 0.5;
+    let below = floor(place);
+    let f = place - below;
+    let low = vec2<u32>(clamp(below - size * floor(below / size), vec2f(0.0), size - 1.0));
+    let lower = mix(texel_at(record, low.x, low.y), texel_at(record, low.x + 1u, low.y), f.x);
+    let upper = mix(texel_at(record, low.x, low.y + 1u), texel_at(record, low.x + 1u, low.y + 1u), f.x);
+    return mix(lower, upper, f.y);
+}
+
+fn uv_of(corners: Corners, b: vec3f) -> vec2f {
+    return b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
+}
+
+fn fresnel(index: f32, c: f32) -> f32 {
+    let g2 = index * index - 1.0 + c * c;
+    if g2 <= 0.0 {
+        return 1.0;
+    }
+    let g = sqrt(g2);
+    let r = (g - c) / (g + c);
+    let s = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+    return clamp(0.5 * r * r * (1.0 + s * s), 0.0, 1.0);
+}
+
+fn transmittance(primitive: vec4<u32>, hit: Hit, d: vec3f) -> vec3f {
+    if !HAS_TEXTURES {
+        return vec3f(0.0);
+    }
+    let k = record_of(primitive.w, 0u);
+    if k < 0 {
+        return vec3f(0.0);
+    }
+    let record = record_at(u32(k));
+    let corners = corners_of(primitive);
+    let b = weights_of(hit);
+    var tau = look_up(record, uv_of(corners, b)) / 255.0;
+    if record.channels == 1u {
+        tau = tau.xxx;
+    }
+    if record.cutoff > 0.0 {
+        tau = vec3f(select(0.0, 1.0, tau.x > record.cutoff));
+    }
+    if record.front > 0.0 {
+        let n = unit(mixed(corners.n, b));
+        let ng = cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]);
+        let index = select(record.back, record.front, dot(d, ng) < 0.0);
+        tau *= 1.0 - fresnel(index, abs(dot(n, d)));
+    }
+    return tau;
+}
+
+// The normal with relief, 4.5.
+fn mapped_normal(number: u32, corners: Corners, b: vec3f, n: vec3f) -> vec3f {
+    if !HAS_TEXTURES {
+        return n;
+    }
+    let k = record_of(number, 1u);
+    if k < 0 {
+        return n;
+    }
+    let e1 = corners.p[1] - corners.p[0];
+    let e2 = corners.p[2] - corners.p[0];
+    let a = corners.uv[1] - corners.uv[0];
+    let c = corners.uv[2] - corners.uv[0];
+    let area = a.x * c.y - c.x * a.y;
+    let u = (c.y * e1 - a.y * e2) * sign(area);
+    let v = (a.x * e2 - c.x * e1) * sign(area);
+    let along = u - dot(u, n) * n;
+    if area == 0.0 || length(along) <= 1e-6 * length(u) {
+        return n;
+    }
+    let t = unit(along);
+    var up = cross(n, t);
+    if dot(up, v) > 0.0 {
+        up = -up;
+    }
+    let q = (look_up(record_at(u32(k)), uv_of(corners, b)).xy - 127.0) / 127.0;
+    let m = q.x * t + q.y * up + sqrt(max(0.0, 1.0 - dot(q, q))) * n;
+    if length(m) <= 1e-6 {
+        return n;
+    }
+    return normalize(m);
+}
+
+fn shading_normal(primitive: vec4<u32>, hit: Hit) -> vec3f {
+    let corners = corners_of(primitive);
+    let b = weights_of(hit);
+    return mapped_normal(primitive.w, corners, b, unit(mixed(corners.n, b)));
+}
+
+fn tangent_of(primitive: vec4<u32>) -> vec3f {
+    return unit(rna_points[primitive.x + 1u].xyz - rna_points[primitive.x].xyz);
+}
+
+// h of 4.2.
+fn offset_across(n: vec3f, t: vec3f, wo: vec3f) -> f32 {
+    let across = cross(t, wo);
+    let size = length(across);
+    if size <= 1e-6 {
+        return 0.0;
+    }
+    return clamp(dot(n, across) / size, -1.0, 1.0);
+}
+
+// Where the visibility ray of a mesh starts, by rna_gpu's visibility.wgsl.
+fn lifted_origin(primitive: vec4<u32>, hit: Hit, wi: vec3f) -> vec3f {
+    let corners = corners_of(primitive);
+    let b = weights_of(hit);
+    let x = mixed(corners.p, b);
+    let n = unit(mixed(corners.n, b));
+    let ng = unit(cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]));
+    let places = mat3x3f(corners.p[0], corners.p[1], corners.p[2]);
+    let lift = rna_lift(x, b, places, mat3x3f(corners.n[0], corners.n[1], corners.n[2]));
+    return rna_leaving_origin(x, n, ng, lift, wi, view.epsilon * 0x1p18f);
+}
+`;var wc=`// The queries of one part, one behind the other as rna_evaluate reads them; and back, its answers to the picture.
+
+struct Queue {
+    width: u32,
+    first_row: u32,
+    rows: u32,
+    part: u32,      // + 1
+    emission: u32,  // 1: answers are of emission, one vec4f each
+    unused_a: u32,
+    unused_b: u32,
+    unused_c: u32,
+}
+
+struct Row {
+    position: vec4<u32>,
+    axis: vec4<u32>,
+    wo: vec4<u32>,
+    wi: vec4<u32>,
+}
+
+struct Lit {
+    visibility: vec3f,
+    is_query: u32,
+    radiance: vec3f,
+    unused: u32,
+}
+
+@group(0) @binding(0) var<uniform> queue: Queue;
+@group(0) @binding(1) var<storage, read_write> rows: array<Row>;
+@group(0) @binding(2) var<storage, read_write> through: array<vec4f>;
+@group(0) @binding(3) var<storage, read_write> lit: array<Lit>;
+@group(0) @binding(4) var<storage, read_write> sums: array<vec4f>;
+@group(0) @binding(5) var<storage, read_write> asked: array<Row>;
+@group(0) @binding(6) var<storage, read_write> answers: array<vec4f>;
+@group(0) @binding(7) var<storage, read_write> count: array<atomic<u32>>; // [0]; then the pixel of each row
+
+@compute @workgroup_size(64)
+fn gather(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = id.y * groups.x * 64u + id.x;
+    if index >= queue.width * queue.rows || rows[index].axis.w != queue.part {
+        return;
+    }
+    var row = rows[index];
+    let at = atomicAdd(&count[0], 1u);
+    atomicStore(&count[at + 1u], index);
+    if queue.emission == 1u {
+        row.wi = row.wo; // which no block of emission reads
+    }
+    asked[at] = row;
+}
+
+@compute @workgroup_size(64)
+fn scatter(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let at = id.y * groups.x * 64u + id.x;
+    if at >= atomicLoad(&count[0]) {
+        return;
+    }
+    let index = atomicLoad(&count[at + 1u]);
+    var radiance: vec3f;
+    if queue.emission == 1u {
+        radiance = through[index].xyz * answers[at].xyz;
+    } else {
+        let own = lit[index];
+        radiance = own.radiance * mix(answers[2u * at + 1u].xyz, answers[2u * at].xyz, own.visibility);
+    }
+    sums[queue.first_row * queue.width + index] += vec4f(radiance, 0.0);
+}
+`;var Sc=`// Numbers in [0, 1). Of a pixel's place and of the light: of each pixel a start of its own, and from there the additive
+// recurrence in four dimensions (Roberts 2018), so that the samples of a pixel are spread evenly. All others: hashed.
+
+fn hashed(x: u32) -> u32 { // PCG; Jarzynski and Olano, "Hash Functions for GPU Rendering" (JCGT 2020)
+    let state = x * 747796405u + 2891336453u;
+    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+
+const PLACE = 0u;
+const DIRECTION = 1u;
+const STOPPED = 2u; // and those behind it
+
+fn random(pixel: vec2<u32>, dimension: u32) -> vec2f {
+    let own = select(0u, view.sample, dimension >= STOPPED);
+    let seed = hashed(pixel.x + hashed(pixel.y + hashed(dimension + hashed(own))));
+    let start = vec2f(f32(seed >> 8u), f32(hashed(seed) >> 8u)) / 16777216.0;
+    if dimension >= STOPPED {
+        return start;
+    }
+    // In whole numbers: floats of later samples would lose digits.
+    let turn = select(vec2<u32>(3679390609u, 3152041523u), vec2<u32>(2700274805u, 2313257605u), dimension == DIRECTION);
+    return fract(start + vec2f((turn * view.sample) >> vec2<u32>(8u)) / 16777216.0);
+}
+`;var bc=`// The asset's geometry in buffers: see geometry/scene_arrays.js. What this file and its neighbours do is what the
+// spec says of hits (4) and of visibility rays (7.1).
+
+// HAS_SEGMENTS and HAS_TEXTURES are declared by whoever composes the files: code that an asset has no use for
+// is not compiled, which takes most of the time to its first picture.
+
+struct View {
+    camera: vec3f,
+    epsilon: f32,           // the spec's e, 7.1
+    corner: vec3f,          // direction through the image's top left corner
+    width: u32,
+    step_x: vec3f,          // of a pixel
+    first_row: u32,         // of the band
+    step_y: vec3f,
+    rows: u32,              // of the band
+    sample: u32,
+    normals_at: u32,        // first normal in \`rna_points\`
+    record_count: u32,
+    texels_at: u32,         // first word of texels in \`textures\`
+    part_count: u32,
+    jitter: f32,            // 0: rays through the middles of pixels, 1: anywhere in them
+    unused_b: u32,
+    unused_c: u32,
+    part_first: array<vec4<u32>, 4>, // number of each part's first primitive
+}
+
+@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var<storage, read> nodes: array<vec4<u32>>;      // two a node
+@group(0) @binding(2) var<storage, read> primitives: array<vec4<u32>>; // in the order of the leaves
+@group(0) @binding(3) var<storage, read> rna_points: array<vec4f>; // position, u or radius; then normal, v
+@group(0) @binding(4) var<storage, read> textures: array<u32>;   // twelve words a record, then texels
+
+const SEGMENT = 0x80000000u;
+const FAR = RNA_FAR;
+
+// What rna_gpu's triangle.wgsl and segment.wgsl take; a renderer with instances declares them in geometry.wgsl.
+const RNA_FAR: f32 = 1e30;
+
+struct RnaRay {
+    origin: vec3f,
+    near: f32,
+    direction: vec3f, // unit
+    far: f32,
+}
+
+struct Hit {
+    t: f32,
+    number: u32, // of the primitive, with SEGMENT
+    place: u32,  // of it in \`primitives\`
+    b1: f32,     // barycentric coordinates
+    b2: f32,
+    n: vec3f,    // of a segment, outward
+}
+
+fn part_of(number: u32) -> u32 {
+    var found = 0u;
+    var first = -1;
+    for (var k = 0u; k < view.part_count; k++) {
+        let own = i32(view.part_first[k / 4u][k % 4u]);
+        if i32(number) >= own && own > first {
+            found = k;
+            first = own;
+        }
+    }
+    return found;
+}
+
+fn unit(v: vec3f) -> vec3f {
+    let size = abs(v);
+    let largest = max(size.x, max(size.y, size.z));
+    if largest == 0.0 {
+        return vec3f(0.0);
+    }
+    return normalize(v / largest);
+}
+`;var Mc=`// The picture on the page: mean of the samples, exposure, sRGB.
+
+struct Show {
+    size: vec2f,    // of the canvas, pixels
+    picture: vec2f, // of the picture
+    backdrop: vec3f, // linear light of the screen
+    rounds: f32,
+    exposure: f32,  // a factor
+    unused_a: f32,
+    unused_b: f32,
+    unused_c: f32,
+}
+
+@group(0) @binding(0) var<uniform> shown: Show;
+@group(0) @binding(1) var<storage, read> sums: array<vec4f>;
+
+@vertex
+fn corner(@builtin(vertex_index) k: u32) -> @builtin(position) vec4f {
+    return vec4f(vec2f(f32(k & 1u), f32(k >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+fn picture_at(x: f32, y: f32) -> vec4f {
+    let place = vec2<u32>(clamp(vec2f(x, y), vec2f(0.0), shown.picture - 1.0));
+    return sums[place.y * u32(shown.picture.x) + place.x];
+}
+
+@fragment
+fn colour(@builtin(position) at: vec4f) -> @location(0) vec4f {
+    let place = at.xy * shown.picture / shown.size - 0.5;
+    let low = floor(place);
+    let f = place - low;
+    let above = mix(picture_at(low.x, low.y), picture_at(low.x + 1.0, low.y), f.x);
+    let below = mix(picture_at(low.x, low.y + 1.0), picture_at(low.x + 1.0, low.y + 1.0), f.x);
+    let mean = mix(above, below, f.y) / shown.rounds;
+    let linear = clamp(mean.xyz * shown.exposure, vec3f(0.0), vec3f(1.0)) + max(0.0, 1.0 - mean.w) * shown.backdrop;
+    let encoded = mix(12.92 * linear, 1.055 * pow(linear, vec3f(1.0 / 2.4)) - 0.055, step(vec3f(0.0031308), linear));
+    return vec4f(clamp(encoded, vec3f(0.0), vec3f(1.0)), 1.0);
+}
+`;var Ec=`// Rays against the hierarchy of three-mesh-bvh: the nearest hit, and how much light passes (spec, 7.1).
+
+const STACK = 48;
+const NO_STRAND = 0xffffffffu;
+
+// No axis is exactly parallel: 0 times infinity would be no number.
+fn inverse_of(d: vec3f) -> vec3f {
+    return 1.0 / select(d, vec3f(1e-20), abs(d) < vec3f(1e-20));
+}
+
+// Where the ray enters the box of a node, FAR if not.
+fn enters(node: u32, origin: vec3f, inverse: vec3f, far: f32) -> f32 {
+    let first = bitcast<vec4f>(nodes[2u * node]);
+    let second = bitcast<vec2f>(nodes[2u * node + 1u].xy);
+    let a = (first.xyz - origin) * inverse;
+    let b = (vec3f(first.w, second) - origin) * inverse;
+    let low = min(a, b);
+    let high = max(a, b);
+    let near = max(max(low.x, low.y), max(low.z, 0.0));
+    let last = min(min(high.x, high.y), min(high.z, far)) * 1.0000004;
+    return select(FAR, near, near <= last);
+}
+
+// A primitive in a leaf, by rna_gpu's triangle.wgsl and segment.wgsl: whether it is met, nearer than \`hit\`,
+// which then becomes it.
+fn meets(place: u32, ray: RnaRay, own: u32, hit: ptr<function, Hit>) -> bool {
+    let primitive = primitives[place];
+    if !HAS_SEGMENTS || (primitive.w & SEGMENT) == 0u {
+        let found = rna_meet_triangle(
+            ray, rna_points[primitive.x].xyz, rna_points[primitive.y].xyz, rna_points[primitive.z].xyz,
+        );
+        if found.x >= FAR {
+            return false;
+        }
+        *hit = Hit(found.x, primitive.w, place, found.y, found.z, vec3f(0.0));
+        return true;
+    }
+    if primitive.z == own {
+        return false;
+    }
+    let entry = rna_meet_segment(ray, primitive);
+    if entry.t >= FAR {
+        return false;
+    }
+    *hit = Hit(entry.t, primitive.w, place, 0.0, 0.0, entry.normal);
+    return true;
+}
+
+// t is FAR where there is no hit.
+fn nearest(origin: vec3f, d: vec3f) -> Hit {
+    var hit = Hit(FAR, 0u, 0u, 0.0, 0.0, vec3f(0.0));
+    let inverse = inverse_of(d);
+    var stack: array<u32, STACK>;
+    var top = 0;
+    var node = 0u;
+    if enters(0u, origin, inverse, FAR) == FAR {
+        return hit;
+    }
+    loop {
+        let words = nodes[2u * node + 1u];
+        if (words.w >> 16u) == 0xffffu {
+            for (var k = words.z; k < words.z + (words.w & 0xffffu); k++) {
+                meets(k, RnaRay(origin, 0.0, d, hit.t), NO_STRAND, &hit);
+            }
+        } else {
+            let left = node + 1u;
+            let right = node + words.z;
+            let a = enters(left, origin, inverse, hit.t);
+            let b = enters(right, origin, inverse, hit.t);
+            if max(a, b) < FAR {
+                stack[top] = select(left, right, a <= b);
+                top++;
+            }
+            if min(a, b) < FAR {
+                node = select(right, left, a <= b);
+                continue;
+            }
+        }
+        if top == 0 {
+            break;
+        }
+        top--;
+        node = stack[top];
+    }
+    return hit;
+}
+
+// The light that passes from origin along d to infinity, strand \`own\` being no obstacle.
+fn passes(origin: vec3f, d: vec3f, own: u32) -> vec3f {
+    var light = vec3f(1.0);
+    let inverse = inverse_of(d);
+    var stack: array<u32, STACK>;
+    var top = 0;
+    var node = 0u;
+    if enters(0u, origin, inverse, FAR) == FAR {
+        return light;
+    }
+    loop {
+        let words = nodes[2u * node + 1u];
+        if (words.w >> 16u) == 0xffffu {
+            for (var k = words.z; k < words.z + (words.w & 0xffffu); k++) {
+                var hit: Hit;
+                if meets(k, RnaRay(origin, 0.0, d, FAR), own, &hit) {
+                    if (hit.number & SEGMENT) != 0u {
+                        return vec3f(0.0);
+                    }
+                    light *= transmittance(primitives[k], hit, d);
+                    if all(light == vec3f(0.0)) {
+                        return light;
+                    }
+                }
+            }
+        } else {
+            let left = node + 1u;
+            let right = node + words.z;
+            let first = enters(left, origin, inverse, FAR) < FAR;
+            let second = enters(right, origin, inverse, FAR) < FAR;
+            if first && second {
+                stack[top] = right;
+                top++;
+            }
+            if first || second {
+                node = select(right, left, first);
+                continue;
+            }
+        }
+        if top == 0 {
+            break;
+        }
+        top--;
+        node = stack[top];
+    }
+    return light;
+}
+`;var Io={"arguments.wgsl":sc,"blocks.wgsl":oc,"decoder.wgsl":ac,"evaluate.wgsl":lc,"fiber.wgsl":cc,"fiber_blocks.wgsl":hc,"part.wgsl":uc,"planes.wgsl":fc,"segment.wgsl":To,"surface.wgsl":dc,"surface_blocks.wgsl":pc,"triangle.wgsl":Ro,"visibility.wgsl":Co,"weights_storage.wgsl":mc,"weights_uniform.wgsl":gc};function Hr(s,...e){let t=e.flatMap(i=>i.endsWith(".wgsl")?[i]:rc[i]);return Object.entries(s).map(([i,r])=>`const ${i}: u32 = ${r}u;
+`).join("")+[...new Set(t)].map(i=>Io[i]).join(`
+`)}var Ac=[bc,Ro,To,Co,yc,Ec,Sc,_c];function Vr({hasSegments:s,hasTextures:e}){let t=`const HAS_SEGMENTS = ${s};
+const HAS_TEXTURES = ${e};
+`;return{hit:t+[...Ac,vc].join(`
+`),light:t+[...Ac,xc].join(`
+`)}}var Po={queue:wc,show:Mc};var Wr=class{constructor(e){this.device=e,this.made=new Map}get(e,t){let n=`${t}
+${e}`;return this.made.has(n)||this.made.set(n,this._make(e,t)),this.made.get(n)}async _make(e,t){let n=await Mi(this.device,e);return this.device.createComputePipelineAsync({layout:"auto",compute:{module:n,entryPoint:t}})}},Xr=class s{static async make(e,t,n,i,r,o){let a=new s,{weights:l,record:c,groups:u}=nc(n,i,r),f=l.length/4<=Ao,d={RNA_GROUPS:u,RNA_COLOURS:i.outputs===6?2:1},m=f?"weights_uniform.wgsl":"weights_storage.wgsl";a.pipeline=await t.get(Hr(d,m,n.kind,"evaluate"),"rna_evaluate");let{UNIFORM:_,STORAGE:v}=GPUBufferUsage,b=f?new Float32Array(4*Ao):l;return f&&b.set(l),a.buffers=[Re(e,c,_,"a decoder"),Re(e,b,f?_:v,"a decoder")],a.part=Ei(e,a.pipeline,0,[...a.buffers,...o]),a.device=e,a}run(e,{rows:t,answers:n,count:i},r){this.bound??=Ei(this.device,this.pipeline,1,[t,n,i]),At(e,this.pipeline,[this.part,this.bound],r)}delete(){for(let e of this.buffers)e.destroy()}};var _n=1<<17,Rg={sun:0,environment:1,given:2},qr=class s{static label="WebGPU";static async open(e){let t=new s,n=await Ll();Object.assign(t,{canvas:e,device:n,parts:[],lost:!1,bandPixels:_n}),n.lost.then(({reason:r,message:o})=>{t.lost=!0,t.closed||t.onlost?.(`the GPU was lost (${o||r})`)}),n.addEventListener("uncapturederror",({error:r})=>{t.error??=r}),t.context=e.getContext("webgpu");let i=navigator.gpu.getPreferredCanvasFormat();return t.context.configure({device:n,format:i,alphaMode:"opaque",usage:GPUTextureUsage.RENDER_ATTACHMENT|GPUTextureUsage.COPY_SRC}),t.pipelines=new Wr(n),t.compiled=t._compile(i),t.compiled.catch(()=>{}),t}async _compile(e){let{device:t}=this,n=await Mi(t,Po.show),[i,r,o]=await Promise.all([...await this._queuePipelines(),t.createRenderPipelineAsync({layout:"auto",vertex:{module:n,entryPoint:"corner"},fragment:{module:n,entryPoint:"colour",targets:[{format:e}]}})]);Object.assign(this,{queueKernels:{gather:i,scatter:r},shown:o}),this._makeBand()}async _queuePipelines(){let{device:e}=this,t=await Mi(e,Po.queue),n=GPUShaderStage.COMPUTE,i=Array.from({length:8},(o,a)=>({binding:a,visibility:n,buffer:{type:a?"storage":"uniform"}}));this.queueLayout=e.createBindGroupLayout({entries:i});let r=e.createPipelineLayout({bindGroupLayouts:[this.queueLayout]});return["gather","scatter"].map(o=>e.createComputePipelineAsync({layout:r,compute:{module:t,entryPoint:o}}))}_makeBand(){let{device:e}=this,{UNIFORM:t}=GPUBufferUsage;this.view=Re(e,176,t),this.lightRecord=Re(e,96,t),this.queueRecord=Re(e,32,t),this.showRecord=Re(e,48,t),this.band={rows:Re(e,64*_n),through:Re(e,16*_n),lit:Re(e,32*_n)},this.queue={rows:Re(e,64*_n),answers:Re(e,32*_n),count:Re(e,4*(_n+4))},this.images||this.setEnvironment({values:new Float32Array(4),marginal:new Float32Array(1),width:1,height:1})}async setAsset(e,t){let{device:n}=this;this._deleteAsset();let i=new Float32Array(e.places.length+e.normals.length);i.set(e.places),i.set(e.normals,e.places.length);let r=new Uint32Array(e.records.length+Math.ceil(e.texels.length/4));r.set(e.records),new Uint8Array(r.buffer).set(e.texels,4*e.records.length),this.geometry=[Re(n,e.nodes,void 0,"the asset's hierarchy"),Re(n,e.primitives,void 0,"the asset's geometry"),Re(n,i,void 0,"the asset's geometry"),Re(n,r,void 0,"the asset's textures")],this.where=e.where,this.sceneWords=[e.places.length/4,e.recordCount,e.records.length,t.length],this.epsilon=e.epsilon,this.firsts=e.parts.map(({first:f})=>f),this.raySources=Vr({hasSegments:e.strands>0,hasTextures:e.recordCount>0});let{hit:o,light:a}=this.raySources,[l,c,,...u]=await Promise.all([this.pipelines.get(o,"trace_pixels"),this.pipelines.get(a,"light_pixels"),this.compiled,...t.map(f=>this._makePart(f))]);this.parts=u,this.kernels={hit:l,light:c,...this.queueKernels},this._bind()}async _makePart(e){let{device:t,pipelines:n}=this,i=[0,1,2].map(a=>Re(t,ic(e.planes,a),void 0,"a plane of features")),r=(a,l)=>Xr.make(t,n,e,a,l,i),o=await r(e.transport,e.inputs);return{planes:i,transport:o,emission:e.emission&&await r(e.emission,e.emission.inputs)}}get emits(){return this.parts.some(({emission:e})=>e)}setEnvironment({values:e,marginal:t,width:n,height:i}){let{device:r}=this,o=(a,l,c,u,f)=>{let d=r.createTexture({size:[a,l],format:c,usage:GPUTextureUsage.TEXTURE_BINDING|GPUTextureUsage.COPY_DST});return r.queue.writeTexture({texture:d},u,{bytesPerRow:f*a,rowsPerImage:l},[a,l]),d};this.images?.forEach(a=>a.destroy()),this.images=[o(n,i,"rgba32float",e,16),o(i,1,"r32float",t,4)],this._bind()}resize(e,t){if(this.target?.width===e&&this.target.height===t)return;let n=e*t;(!this.sums||n>this.capacity||n*8<this.capacity)&&(this.sums?.destroy(),this.sums=Re(this.device,16*n,void 0,"the picture"),this.capacity=n,this._bind()),this.target={width:e,height:t}}_bind(){if(!this.geometry||!this.sums||!this.images||!this.kernels)return;let{device:e,kernels:t,band:n,queue:i}=this,{rows:r,through:o,lit:a}=n,l=[this.view,...this.geometry],c=(f,d,m)=>e.createBindGroup({layout:f.getBindGroupLayout(d),entries:m.map(([_,v])=>({binding:_,resource:v instanceof GPUBuffer?{buffer:v}:v}))}),u=l.map((f,d)=>[d,f]);this.groups={hit:[c(t.hit,0,u),c(t.hit,1,[[0,r],[1,o]])],light:[c(t.light,0,u),c(t.light,1,[[0,r],[1,o],[2,a],[3,this.sums]]),c(t.light,2,[[0,this.lightRecord],[1,this.images[0].createView()],[2,this.images[1].createView()]])],queue:[e.createBindGroup({layout:this.queueLayout,entries:[this.queueRecord,r,o,a,this.sums,i.rows,i.answers,i.count].map((f,d)=>({binding:d,resource:{buffer:f}}))})],show:Ei(e,this.shown,0,[this.showRecord,this.sums])}}trace(e,t,n,i){this.span={from:n,rows:i-n,pixels:(i-n)*this.target.width},this._writeView(e,t),this._run(r=>At(r,this.kernels.hit,this.groups.hit,this.span.pixels))}light(e,{isFirst:t,countsCoverage:n}){this._writeLight(e,t,n),this._run(i=>At(i,this.kernels.light,this.groups.light,this.span.pixels)),this._decode("transport")}emission(){this._decode("emission")}show({rounds:e,exposure:t,backdrop:n}){let{width:i,height:r}=this.target,{canvas:o,device:a}=this,l=Float32Array.of(o.width,o.height,i,r,...n,e,t,0,0,0);a.queue.writeBuffer(this.showRecord,0,l);let c=a.createCommandEncoder(),u=this.context.getCurrentTexture().createView(),f=c.beginRenderPass({colorAttachments:[{view:u,loadOp:"clear",storeOp:"store"}]});f.setPipeline(this.shown),f.setBindGroup(0,this.groups.show),f.draw(3),f.end(),a.queue.submit([c.finish()])}async done(){if(await this.device.queue.onSubmittedWorkDone(),this.error)throw this.error}async picture(){let{width:e,height:t}=this.target;return new Float32Array(await Kn(this.device,this.sums,16*e*t))}_decode(e){let{device:t,span:n,target:i}=this;for(let[r,o]of this.parts.entries()){let a=o[e];if(!a)continue;let l=Uint32Array.of(i.width,n.from,n.rows,r+1,+(e==="emission"),0,0,0);t.queue.writeBuffer(this.queueRecord,0,l),t.queue.writeBuffer(this.queue.count,0,Uint32Array.of(0)),this._run(c=>{At(c,this.kernels.gather,this.groups.queue,n.pixels),a.run(c,this.queue,n.pixels),At(c,this.kernels.scatter,this.groups.queue,n.pixels)})}}_run(e){let t=this.device.createCommandEncoder(),n=t.beginComputePass();e(n),n.end(),this.device.queue.submit([t.finish()])}_writeView({position:e,corner:t,stepX:n,stepY:i,jitter:r=1},o){let a=new ArrayBuffer(176),l=new Float32Array(a),c=new Uint32Array(a);l.set([...e,this.epsilon],0),l.set(t,4),c[7]=this.target.width,l.set(n,8),c[11]=this.span.from,l.set(i,12),c[15]=this.span.rows;let[u,f,d,m]=this.sceneWords;c.set([o,u,f,d,m],16),l[21]=r,c.set(this.firsts,24),this.device.queue.writeBuffer(this.view,0,a)}_writeLight({kind:e,direction:t=[0,1,0],colour:n,angle:i=0,ground:r},o,a){let l=new ArrayBuffer(96),c=new Float32Array(l),u=new Uint32Array(l);c.set(t,0),u[3]=Rg[e],c.set([...n,r?.height??0,Math.cos(i),Math.sin(i),r?.x??0,r?.z??0],4),c.set([...r?.colour??[0,0,0],r?.size??0],12),u.set([Number(o),Number(a)],16),this.device.queue.writeBuffer(this.lightRecord,0,l)}_deleteAsset(){this.geometry?.forEach(e=>e.destroy());for(let{planes:e,transport:t,emission:n}of this.parts)e.forEach(i=>i.destroy()),t.delete(),n?.delete();this.parts=[],this.geometry=null}close(){this.closed=!0,this._deleteAsset(),this.device.destroy()}};var Cg={webgpu:qr,webgl2:kr};async function Tc(s,e){let t=[];for(let[n,i]of Object.entries(Cg))if(!(e&&e!==n))try{let r=s();return{engine:await i.open(r),canvas:r,reasons:t}}catch(r){t.push(r.message)}throw new pe(`this browser shows the poster alone: ${t.join("; ")||`no engine ${e}`}`)}var Rc=[1024,512];function Cc({rgb:s,width:e,height:t}){({rgb:s,width:e,height:t}=Pg({rgb:s,width:e,height:t}));let i=new Float32Array(4*e*t),r=new Float32Array(t),o=[0,0,0],a=0,l=1e-4*Ig(s)+1e-20;for(let c=0;c<t;c++){let u=Math.PI*(c+.5)/t,f=2*Math.PI**2*Math.sin(u)/(e*t),d=0;for(let m=0;m<e;m++){let _=c*e+m;for(let v=0;v<3;v++)i[4*_+v]=s[3*_+v],o[v]+=s[3*_+v]*f*Math.max(0,Math.cos(u));d+=Math.max(l,.2126*s[3*_]+.7152*s[3*_+1]+.0722*s[3*_+2]),i[4*_+3]=d}for(let m=0;m<e;m++)i[4*(c*e+m)+3]/=d;a+=d*Math.sin(u),r[c]=a}for(let c=0;c<t;c++)r[c]/=a;return{values:i,marginal:r,width:e,height:t,up:o}}function Ig(s){let e=0;for(let t=0;t<s.length;t++)e+=s[t];return e/s.length}function Pg({rgb:s,width:e,height:t}){let n=Math.max(1,Math.ceil(e/Rc[0]),Math.ceil(t/Rc[1]));if(n===1)return{rgb:s,width:e,height:t};let i=Math.ceil(e/n),r=Math.ceil(t/n),o=new Float32Array(3*i*r);for(let a=0;a<r;a++)for(let l=0;l<i;l++){let c=0;for(let u=a*n;u<Math.min(t,(a+1)*n);u++)for(let f=l*n;f<Math.min(e,(l+1)*n);f++,c++)for(let d=0;d<3;d++)o[3*(a*i+l)+d]+=s[3*(u*e+f)+d];for(let u=0;u<3;u++)o[3*(a*i+l)+u]/=c}return{rgb:o,width:i,height:r}}function $r(s){return{rgb:Float32Array.from({length:96},(n,i)=>s[i%3]),width:8,height:4}}function Ic(){let t=new Float32Array(24576),n=[[[-.7,.6,.5],.93,[2.4,2.5,2.7]],[[.8,.5,-.35],.95,[3.2,3,2.7]]];for(let i=0;i<64;i++){let r=Math.PI*(i+.5)/64;for(let o=0;o<128;o++){let a=2*Math.PI*((o+.5)/128-.5),l=[Math.sin(r)*Math.sin(a),Math.cos(r),-Math.sin(r)*Math.cos(a)],c=.16+.14*Math.max(0,l[1]);for(let u=0;u<3;u++){let f=c*[.95,1,1.08][u];for(let[d,m,_]of n){let v=(l[0]*d[0]+l[1]*d[1]+l[2]*d[2])/Math.hypot(...d);f+=_[u]*Math.min(1,Math.max(0,(v-m)/.03))}t[3*(i*128+o)+u]=f}}}return{rgb:t,width:128,height:64}}var at=Uint8Array,Qn=Uint16Array,Ng=Int32Array,Pc=new at([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),Nc=new at([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),Lg=new at([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Lc=function(s,e){for(var t=new Qn(31),n=0;n<31;++n)t[n]=e+=1<<s[n-1];for(var i=new Ng(t[30]),n=1;n<30;++n)for(var r=t[n];r<t[n+1];++r)i[r]=r-t[n]<<5|n;return{b:t,r:i}},Dc=Lc(Pc,2),Oc=Dc.b,Dg=Dc.r;Oc[28]=258,Dg[258]=28;var Uc=Lc(Nc,0),Og=Uc.b,JE=Uc.r,Do=new Qn(32768);for(de=0;de<32768;++de)zt=(de&43690)>>1|(de&21845)<<1,zt=(zt&52428)>>2|(zt&13107)<<2,zt=(zt&61680)>>4|(zt&3855)<<4,Do[de]=((zt&65280)>>8|(zt&255)<<8)>>1;var zt,de,Ii=(function(s,e,t){for(var n=s.length,i=0,r=new Qn(e);i<n;++i)s[i]&&++r[s[i]-1];var o=new Qn(e);for(i=1;i<e;++i)o[i]=o[i-1]+r[i-1]<<1;var a;if(t){a=new Qn(1<<e);var l=15-e;for(i=0;i<n;++i)if(s[i])for(var c=i<<4|s[i],u=e-s[i],f=o[s[i]-1]++<<u,d=f|(1<<u)-1;f<=d;++f)a[Do[f]>>l]=c}else for(a=new Qn(n),i=0;i<n;++i)s[i]&&(a[i]=Do[o[s[i]-1]++]>>15-s[i]);return a}),Pi=new at(288);for(de=0;de<144;++de)Pi[de]=8;var de;for(de=144;de<256;++de)Pi[de]=9;var de;for(de=256;de<280;++de)Pi[de]=7;var de;for(de=280;de<288;++de)Pi[de]=8;var de,Fc=new at(32);for(de=0;de<32;++de)Fc[de]=5;var de;var Ug=Ii(Pi,9,1);var Fg=Ii(Fc,5,1),No=function(s){for(var e=s[0],t=1;t<s.length;++t)s[t]>e&&(e=s[t]);return e},gt=function(s,e,t){var n=e/8|0;return(s[n]|s[n+1]<<8)>>(e&7)&t},Lo=function(s,e){var t=e/8|0;return(s[t]|s[t+1]<<8|s[t+2]<<16)>>(e&7)},Bg=function(s){return(s+7)/8|0},zg=function(s,e,t){return(e==null||e<0)&&(e=0),(t==null||t>s.length)&&(t=s.length),new at(s.subarray(e,t))};var kg=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 data","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],_t=function(s,e,t){var n=new Error(e||kg[s]);if(n.code=s,Error.captureStackTrace&&Error.captureStackTrace(n,_t),!t)throw n;return n},Gg=function(s,e,t,n){var i=s.length,r=n?n.length:0;if(!i||e.f&&!e.l)return t||new at(0);var o=!t,a=o||e.i!=2,l=e.i;o&&(t=new at(i*3));var c=function(Ni){var Li=t.length;if(Ni>Li){var ni=new at(Math.max(Li*2,Ni));ni.set(t),t=ni}},u=e.f||0,f=e.p||0,d=e.b||0,m=e.l,_=e.d,v=e.m,b=e.n,M=i*8;do{if(!m){u=gt(s,f,1);var A=gt(s,f+1,3);if(f+=3,A)if(A==1)m=Ug,_=Fg,v=9,b=5;else if(A==2){var Y=gt(s,f,31)+257,X=gt(s,f+10,15)+4,U=Y+gt(s,f+5,31)+1;f+=14;for(var L=new at(U),k=new at(19),F=0;F<X;++F)k[Lg[F]]=gt(s,f+F*3,7);f+=X*3;for(var B=No(k),te=(1<<B)-1,W=Ii(k,B,1),F=0;F<U;){var j=W[gt(s,f,te)];f+=j&15;var N=j>>4;if(N<16)L[F++]=N;else{var ie=0,we=0;for(N==16?(we=3+gt(s,f,3),f+=2,ie=L[F-1]):N==17?(we=3+gt(s,f,7),f+=3):N==18&&(we=11+gt(s,f,127),f+=7);we--;)L[F++]=ie}}var ke=L.subarray(0,Y),ve=L.subarray(Y);v=No(ke),b=No(ve),m=Ii(ke,v,1),_=Ii(ve,b,1)}else _t(1);else{var N=Bg(f)+4,D=s[N-4]|s[N-3]<<8,O=N+D;if(O>i){l&&_t(0);break}a&&c(d+D),t.set(s.subarray(N,O),d),e.b=d+=D,e.p=f=O*8,e.f=u;continue}if(f>M){l&&_t(0);break}}a&&c(d+131072);for(var Ce=(1<<v)-1,vt=(1<<b)-1,Se=f;;Se=f){var ie=m[Lo(s,f)&Ce],be=ie>>4;if(f+=ie&15,f>M){l&&_t(0);break}if(ie||_t(2),be<256)t[d++]=be;else if(be==256){Se=f,m=null;break}else{var Ve=be-254;if(be>264){var F=be-257,Rt=Pc[F];Ve=gt(s,f,(1<<Rt)-1)+Oc[F],f+=Rt}var nn=_[Lo(s,f)&vt],vn=nn>>4;nn||_t(3),f+=nn&15;var ve=Og[vn];if(vn>3){var Rt=Nc[vn];ve+=Lo(s,f)&(1<<Rt)-1,f+=Rt}if(f>M){l&&_t(0);break}a&&c(d+131072);var ge=d+Ve;if(d<ve){var Ct=r-ve,kt=Math.min(ve,ge);for(Ct+d<0&&_t(3);d<kt;++d)t[d]=n[Ct+d]}for(;d<ge;++d)t[d]=t[d-ve]}}e.l=m,e.p=Se,e.b=d,e.f=u,m&&(u=1,e.m=v,e.d=_,e.n=b)}while(!u);return d!=t.length&&o?zg(t,0,d):t.subarray(0,d)};var Hg=new at(0);var Vg=function(s,e){return((s[0]&15)!=8||s[0]>>4>7||(s[0]<<8|s[1])%31)&&_t(6,"invalid zlib data"),(s[1]>>5&1)==+!e&&_t(6,"invalid zlib data: "+(s[1]&32?"need":"unexpected")+" dictionary"),(s[1]>>3&4)+2};function ei(s,e){return Gg(s.subarray(Vg(s,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var Wg=typeof TextDecoder<"u"&&new TextDecoder,Xg=0;try{Wg.decode(Hg,{stream:!0}),Xg=1}catch{}var Yr=class extends un{constructor(e){super(e),this.type=dt,this.outputFormat=wt,this.part=0}parse(e){let L=Math.pow(2.7182818,2.2),k=null,F=null;function B(h,p){let g=0;for(let S=0;S<65536;++S)(S==0||h[S>>3]&1<<(S&7))&&(p[g++]=S);let y=g-1;for(;g<65536;)p[g++]=0;return y}function te(h){for(let p=0;p<16384;p++)h[p]={},h[p].len=0,h[p].lit=0,h[p].p=null}let W={l:0,c:0,lc:0};function j(h,p,g,y,S){for(;g<h;)p=p<<8|Xo(y,S),g+=8;g-=h,W.l=p>>g&(1<<h)-1,W.c=p,W.lc=g}let ie=new Array(59);function we(h){for(let g=0;g<=58;++g)ie[g]=0;for(let g=0;g<65537;++g)ie[h[g]]+=1;let p=0;for(let g=58;g>0;--g){let y=p+ie[g]>>1;ie[g]=p,p=y}for(let g=0;g<65537;++g){let y=h[g];y>0&&(h[g]=y|ie[y]++<<6)}}function ke(h,p,g,y,S,T){let x=p,C=0,E=0;for(;y<=S;y++){if(x.value-p.value>g)return!1;j(6,C,E,h,x);let R=W.l;if(C=W.c,E=W.lc,T[y]=R,R==63){if(x.value-p.value>g)throw new Error("THREE.EXRLoader: Something wrong with hufUnpackEncTable");j(8,C,E,h,x);let I=W.l+6;if(C=W.c,E=W.lc,y+I>S+1)throw new Error("THREE.EXRLoader: Something wrong with hufUnpackEncTable");for(;I--;)T[y++]=0;y--}else if(R>=59){let I=R-59+2;if(y+I>S+1)throw new Error("THREE.EXRLoader: Something wrong with hufUnpackEncTable");for(;I--;)T[y++]=0;y--}}we(T)}function ve(h){return h&63}function Ce(h){return h>>6}function vt(h,p,g,y){for(;p<=g;p++){let S=Ce(h[p]),T=ve(h[p]);if(S>>T)throw new Error("THREE.EXRLoader: Invalid table entry");if(T>14){let x=y[S>>T-14];if(x.len)throw new Error("THREE.EXRLoader: Invalid table entry");if(x.lit++,x.p){let C=x.p;x.p=new Array(x.lit);for(let E=0;E<x.lit-1;++E)x.p[E]=C[E]}else x.p=new Array(1);x.p[x.lit-1]=p}else if(T){let x=0;for(let C=1<<14-T;C>0;C--){let E=y[(S<<14-T)+x];if(E.len||E.p)throw new Error("THREE.EXRLoader: Invalid table entry");E.len=T,E.lit=p,x++}}}return!0}let Se={c:0,lc:0};function be(h,p,g,y){h=h<<8|Xo(g,y),p+=8,Se.c=h,Se.lc=p}let Ve={c:0,lc:0};function Rt(h,p,g,y,S,T,x,C,E){if(h==p){y<8&&(be(g,y,S,T),g=Se.c,y=Se.lc),y-=8;let R=g>>y;if(R=new Uint8Array([R])[0],C.value+R>E)return!1;let I=x[C.value-1];for(;R-- >0;)x[C.value++]=I}else if(C.value<E)x[C.value++]=h;else return!1;Ve.c=g,Ve.lc=y}function nn(h){return h&65535}function vn(h){let p=nn(h);return p>32767?p-65536:p}let ge={a:0,b:0};function Ct(h,p){let g=vn(h),S=vn(p),T=g+(S&1)+(S>>1),x=T,C=T-S;ge.a=x,ge.b=C}function kt(h,p){let g=nn(h),y=nn(p),S=g-(y>>1)&65535,T=y+S-32768&65535;ge.a=T,ge.b=S}function Ni(h,p,g,y,S,T,x){let C=x<16384,E=g>S?S:g,R=1,I,z;for(;R<=E;)R<<=1;for(R>>=1,I=R,R>>=1;R>=1;){z=0;let P=z+T*(S-I),V=T*R,J=T*I,H=y*R,$=y*I,ne,ae,re,ue;for(;z<=P;z+=J){let Q=z,K=z+y*(g-I);for(;Q<=K;Q+=$){let ee=Q+H,me=Q+V,fe=me+H;C?(Ct(h[Q+p],h[me+p]),ne=ge.a,re=ge.b,Ct(h[ee+p],h[fe+p]),ae=ge.a,ue=ge.b,Ct(ne,ae),h[Q+p]=ge.a,h[ee+p]=ge.b,Ct(re,ue),h[me+p]=ge.a,h[fe+p]=ge.b):(kt(h[Q+p],h[me+p]),ne=ge.a,re=ge.b,kt(h[ee+p],h[fe+p]),ae=ge.a,ue=ge.b,kt(ne,ae),h[Q+p]=ge.a,h[ee+p]=ge.b,kt(re,ue),h[me+p]=ge.a,h[fe+p]=ge.b)}if(g&R){let ee=Q+V;C?Ct(h[Q+p],h[ee+p]):kt(h[Q+p],h[ee+p]),ne=ge.a,h[ee+p]=ge.b,h[Q+p]=ne}}if(S&R){let Q=z,K=z+y*(g-I);for(;Q<=K;Q+=$){let ee=Q+H;C?Ct(h[Q+p],h[ee+p]):kt(h[Q+p],h[ee+p]),ne=ge.a,h[ee+p]=ge.b,h[Q+p]=ne}}I=R,R>>=1}return z}function Li(h,p,g,y,S,T,x,C,E){let R=0,I=0,z=x,P=Math.trunc(y.value+(S+7)/8);for(;y.value<P;)for(be(R,I,g,y),R=Se.c,I=Se.lc;I>=14;){let J=R>>I-14&16383,H=p[J];if(H.len)I-=H.len,Rt(H.lit,T,R,I,g,y,C,E,z),R=Ve.c,I=Ve.lc;else{if(!H.p)throw new Error("THREE.EXRLoader: hufDecode issues");let $;for($=0;$<H.lit;$++){let ne=ve(h[H.p[$]]);for(;I<ne&&y.value<P;)be(R,I,g,y),R=Se.c,I=Se.lc;if(I>=ne&&Ce(h[H.p[$]])==(R>>I-ne&(1<<ne)-1)){I-=ne,Rt(H.p[$],T,R,I,g,y,C,E,z),R=Ve.c,I=Ve.lc;break}}if($==H.lit)throw new Error("THREE.EXRLoader: hufDecode issues")}}let V=8-S&7;for(R>>=V,I-=V;I>0;){let J=p[R<<14-I&16383];if(J.len)I-=J.len,Rt(J.lit,T,R,I,g,y,C,E,z),R=Ve.c,I=Ve.lc;else throw new Error("THREE.EXRLoader: hufDecode issues")}return!0}function ni(h,p,g,y,S,T){let x={value:0},C=g.value,E=$e(p,g),R=$e(p,g);g.value+=4;let I=$e(p,g);if(g.value+=4,E<0||E>=65537||R<0||R>=65537)throw new Error("THREE.EXRLoader: Something wrong with HUF_ENCSIZE");let z=new Array(65537),P=new Array(16384);te(P);let V=y-(g.value-C);if(ke(h,g,V,E,R,z),I>8*(y-(g.value-C)))throw new Error("THREE.EXRLoader: Something wrong with hufUncompress");vt(z,E,R,P),Li(z,P,h,g,I,R,T,S,x)}function Hc(h,p,g){for(let y=0;y<g;++y)p[y]=h[p[y]]}function Di(h){for(let p=1;p<h.length;p++){let g=h[p-1]+h[p]-128;h[p]=g}}function Oi(h,p){let g=0,y=Math.floor((h.length+1)/2),S=0,T=h.length-1;for(;!(S>T||(p[S++]=h[g++],S>T));)p[S++]=h[y++]}function ts(h){let p=h.byteLength,g=new Array,y=0,S=new DataView(h);for(;p>0;){let T=S.getInt8(y++);if(T<0){let x=-T;p-=x+1;for(let C=0;C<x;C++)g.push(S.getUint8(y++))}else{let x=T;p-=2;let C=S.getUint8(y++);for(let E=0;E<x+1;E++)g.push(C)}}return g}function Vc(h,p,g,y,S,T){let x=new DataView(T.buffer),C=g[h.idx[0]].width,E=g[h.idx[0]].height,R=3,I=Math.floor(C/8),z=Math.ceil(C/8),P=Math.ceil(E/8),V=C-(z-1)*8,J=E-(P-1)*8,H={value:0},$=new Array(R),ne=new Array(R),ae=new Array(R),re=new Array(R),ue=new Array(R);for(let K=0;K<R;++K)ue[K]=p[h.idx[K]],$[K]=K<1?0:$[K-1]+z*P,ne[K]=new Float32Array(64),ae[K]=new Uint16Array(64),re[K]=new Uint16Array(z*64);for(let K=0;K<P;++K){let ee=8;K==P-1&&(ee=J);let me=8;for(let se=0;se<z;++se){se==z-1&&(me=V);for(let le=0;le<R;++le)ae[le].fill(0),ae[le][0]=S[$[le]++],Bo(H,y,ae[le]),zo(ae[le],ne[le]),ko(ne[le]);R==3&&Xc(ne);for(let le=0;le<R;++le)Vo(ne[le],re[le],se*64)}let fe=0;for(let se=0;se<R;++se){let le=g[h.idx[se]].type;for(let Me=8*K;Me<8*K+ee;++Me){fe=ue[se][Me];for(let Ye=0;Ye<I;++Ye){let _e=Ye*64+(Me&7)*8;x.setUint16(fe+0*le,re[se][_e+0],!0),x.setUint16(fe+2*le,re[se][_e+1],!0),x.setUint16(fe+4*le,re[se][_e+2],!0),x.setUint16(fe+6*le,re[se][_e+3],!0),x.setUint16(fe+8*le,re[se][_e+4],!0),x.setUint16(fe+10*le,re[se][_e+5],!0),x.setUint16(fe+12*le,re[se][_e+6],!0),x.setUint16(fe+14*le,re[se][_e+7],!0),fe+=16*le}}if(I!=z)for(let Me=8*K;Me<8*K+ee;++Me){let Ye=ue[se][Me]+8*I*2*le,_e=I*64+(Me&7)*8;for(let xt=0;xt<me;++xt)x.setUint16(Ye+xt*2*le,re[se][_e+xt],!0)}}}let Q=new Uint16Array(C);x=new DataView(T.buffer);for(let K=0;K<R;++K){g[h.idx[K]].decoded=!0;let ee=g[h.idx[K]].type;if(g[K].type==2)for(let me=0;me<E;++me){let fe=ue[K][me];for(let se=0;se<C;++se)Q[se]=x.getUint16(fe+se*2*ee,!0);for(let se=0;se<C;++se)x.setFloat32(fe+se*2*ee,G.fromHalfFloat(Q[se]),!0)}}}function Wc(h,p,g,y,S,T){let x=new DataView(T.buffer),C=g[h],E=C.width,R=C.height,I=Math.ceil(E/8),z=Math.ceil(R/8),P=Math.floor(E/8),V=E-(I-1)*8,J=R-(z-1)*8,H={value:0},$=0,ne=new Float32Array(64),ae=new Uint16Array(64),re=new Uint16Array(I*64);for(let ue=0;ue<z;++ue){let Q=8;ue==z-1&&(Q=J);for(let K=0;K<I;++K)ae.fill(0),ae[0]=S[$++],Bo(H,y,ae),zo(ae,ne),ko(ne),Vo(ne,re,K*64);for(let K=8*ue;K<8*ue+Q;++K){let ee=p[h][K];for(let me=0;me<P;++me){let fe=me*64+(K&7)*8;for(let se=0;se<8;++se)x.setUint16(ee+se*2*C.type,re[fe+se],!0);ee+=16*C.type}if(I!=P){let me=P*64+(K&7)*8;for(let fe=0;fe<V;++fe)x.setUint16(ee+fe*2*C.type,re[me+fe],!0)}}}C.decoded=!0}function Bo(h,p,g){let y,S=1;for(;S<64;)y=p[h.value],y==65280?S=64:y>>8==255?S+=y&255:(g[S]=y,S++),h.value++}function zo(h,p){p[0]=G.fromHalfFloat(h[0]),p[1]=G.fromHalfFloat(h[1]),p[2]=G.fromHalfFloat(h[5]),p[3]=G.fromHalfFloat(h[6]),p[4]=G.fromHalfFloat(h[14]),p[5]=G.fromHalfFloat(h[15]),p[6]=G.fromHalfFloat(h[27]),p[7]=G.fromHalfFloat(h[28]),p[8]=G.fromHalfFloat(h[2]),p[9]=G.fromHalfFloat(h[4]),p[10]=G.fromHalfFloat(h[7]),p[11]=G.fromHalfFloat(h[13]),p[12]=G.fromHalfFloat(h[16]),p[13]=G.fromHalfFloat(h[26]),p[14]=G.fromHalfFloat(h[29]),p[15]=G.fromHalfFloat(h[42]),p[16]=G.fromHalfFloat(h[3]),p[17]=G.fromHalfFloat(h[8]),p[18]=G.fromHalfFloat(h[12]),p[19]=G.fromHalfFloat(h[17]),p[20]=G.fromHalfFloat(h[25]),p[21]=G.fromHalfFloat(h[30]),p[22]=G.fromHalfFloat(h[41]),p[23]=G.fromHalfFloat(h[43]),p[24]=G.fromHalfFloat(h[9]),p[25]=G.fromHalfFloat(h[11]),p[26]=G.fromHalfFloat(h[18]),p[27]=G.fromHalfFloat(h[24]),p[28]=G.fromHalfFloat(h[31]),p[29]=G.fromHalfFloat(h[40]),p[30]=G.fromHalfFloat(h[44]),p[31]=G.fromHalfFloat(h[53]),p[32]=G.fromHalfFloat(h[10]),p[33]=G.fromHalfFloat(h[19]),p[34]=G.fromHalfFloat(h[23]),p[35]=G.fromHalfFloat(h[32]),p[36]=G.fromHalfFloat(h[39]),p[37]=G.fromHalfFloat(h[45]),p[38]=G.fromHalfFloat(h[52]),p[39]=G.fromHalfFloat(h[54]),p[40]=G.fromHalfFloat(h[20]),p[41]=G.fromHalfFloat(h[22]),p[42]=G.fromHalfFloat(h[33]),p[43]=G.fromHalfFloat(h[38]),p[44]=G.fromHalfFloat(h[46]),p[45]=G.fromHalfFloat(h[51]),p[46]=G.fromHalfFloat(h[55]),p[47]=G.fromHalfFloat(h[60]),p[48]=G.fromHalfFloat(h[21]),p[49]=G.fromHalfFloat(h[34]),p[50]=G.fromHalfFloat(h[37]),p[51]=G.fromHalfFloat(h[47]),p[52]=G.fromHalfFloat(h[50]),p[53]=G.fromHalfFloat(h[56]),p[54]=G.fromHalfFloat(h[59]),p[55]=G.fromHalfFloat(h[61]),p[56]=G.fromHalfFloat(h[35]),p[57]=G.fromHalfFloat(h[36]),p[58]=G.fromHalfFloat(h[48]),p[59]=G.fromHalfFloat(h[49]),p[60]=G.fromHalfFloat(h[57]),p[61]=G.fromHalfFloat(h[58]),p[62]=G.fromHalfFloat(h[62]),p[63]=G.fromHalfFloat(h[63])}function ko(h){let p=.5*Math.cos(.7853975),g=.5*Math.cos(3.14159/16),y=.5*Math.cos(3.14159/8),S=.5*Math.cos(3*3.14159/16),T=.5*Math.cos(5*3.14159/16),x=.5*Math.cos(3*3.14159/8),C=.5*Math.cos(7*3.14159/16),E=new Array(4),R=new Array(4),I=new Array(4),z=new Array(4);for(let P=0;P<8;++P){let V=P*8;E[0]=y*h[V+2],E[1]=x*h[V+2],E[2]=y*h[V+6],E[3]=x*h[V+6],R[0]=g*h[V+1]+S*h[V+3]+T*h[V+5]+C*h[V+7],R[1]=S*h[V+1]-C*h[V+3]-g*h[V+5]-T*h[V+7],R[2]=T*h[V+1]-g*h[V+3]+C*h[V+5]+S*h[V+7],R[3]=C*h[V+1]-T*h[V+3]+S*h[V+5]-g*h[V+7],I[0]=p*(h[V+0]+h[V+4]),I[3]=p*(h[V+0]-h[V+4]),I[1]=E[0]+E[3],I[2]=E[1]-E[2],z[0]=I[0]+I[1],z[1]=I[3]+I[2],z[2]=I[3]-I[2],z[3]=I[0]-I[1],h[V+0]=z[0]+R[0],h[V+1]=z[1]+R[1],h[V+2]=z[2]+R[2],h[V+3]=z[3]+R[3],h[V+4]=z[3]-R[3],h[V+5]=z[2]-R[2],h[V+6]=z[1]-R[1],h[V+7]=z[0]-R[0]}for(let P=0;P<8;++P)E[0]=y*h[16+P],E[1]=x*h[16+P],E[2]=y*h[48+P],E[3]=x*h[48+P],R[0]=g*h[8+P]+S*h[24+P]+T*h[40+P]+C*h[56+P],R[1]=S*h[8+P]-C*h[24+P]-g*h[40+P]-T*h[56+P],R[2]=T*h[8+P]-g*h[24+P]+C*h[40+P]+S*h[56+P],R[3]=C*h[8+P]-T*h[24+P]+S*h[40+P]-g*h[56+P],I[0]=p*(h[P]+h[32+P]),I[3]=p*(h[P]-h[32+P]),I[1]=E[0]+E[3],I[2]=E[1]-E[2],z[0]=I[0]+I[1],z[1]=I[3]+I[2],z[2]=I[3]-I[2],z[3]=I[0]-I[1],h[0+P]=z[0]+R[0],h[8+P]=z[1]+R[1],h[16+P]=z[2]+R[2],h[24+P]=z[3]+R[3],h[32+P]=z[3]-R[3],h[40+P]=z[2]-R[2],h[48+P]=z[1]-R[1],h[56+P]=z[0]-R[0]}function Xc(h){for(let p=0;p<64;++p){let g=h[0][p],y=h[1][p],S=h[2][p];h[0][p]=g+1.5747*S,h[1][p]=g-.1873*y-.4682*S,h[2][p]=g+1.8556*y}}let ns=new Float32Array(1),Go=new Uint32Array(ns.buffer);function Ho(h){ns[0]=h;let p=Go[0],g=p>>>16&32768,y=p&2147483647;if(y>=1199570944)return g|(y>2139095040?32256:31744);if(y<947912704)return ns[0]=Math.abs(h)+.5,g|Go[0]-1056964608;let S=y+4095+(y>>>13&1);return g|S-939524096>>>13}function Vo(h,p,g){if(F===null){F=new Uint16Array(65536);for(let y=1;y<65536;++y){if((y&31744)===31744)continue;let S=G.fromHalfFloat(y),T=Math.abs(S),x=T<=1?Math.pow(T,2.2):Math.pow(L,T-1);F[y]=Ho(S<0?-x:x)}}for(let y=0;y<64;++y)p[g+y]=F[Ho(h[y])]}function Ui(h){return new DataView(h.array.buffer,h.offset.value,h.size)}function qc(h){let p=h.viewer.buffer.slice(h.offset.value,h.offset.value+h.size),g=new Uint8Array(ts(p)),y=new Uint8Array(g.length);return Di(g),Oi(g,y),new DataView(y.buffer)}function is(h){let p=h.array.slice(h.offset.value,h.offset.value+h.size),g=ei(p),y=new Uint8Array(g.length);return Di(g),Oi(g,y),new DataView(y.buffer)}function $c(h){let p=h.viewer,g={value:h.offset.value},y=new Uint16Array(h.columns*h.lines*(h.inputChannels.length*h.type)),S=new Uint8Array(8192),T=0,x=new Array(h.inputChannels.length);for(let J=0,H=h.inputChannels.length;J<H;J++)x[J]={},x[J].start=T,x[J].end=x[J].start,x[J].nx=h.columns,x[J].ny=h.lines,x[J].size=h.type,T+=x[J].nx*x[J].ny*x[J].size;let C=ii(p,g),E=ii(p,g);if(E>=8192)throw new Error("THREE.EXRLoader: Something is wrong with PIZ_COMPRESSION BITMAP_SIZE");if(C<=E)for(let J=0;J<E-C+1;J++)S[J+C]=Gt(p,g);let R=new Uint16Array(65536),I=B(S,R),z=$e(p,g);ni(h.array,p,g,z,y,T);for(let J=0;J<h.inputChannels.length;++J){let H=x[J];for(let $=0;$<x[J].size;++$)Ni(y,H.start+$,H.nx,H.size,H.ny,H.nx*H.size,I)}Hc(R,y,T);let P=0,V=new Uint8Array(y.buffer.byteLength);for(let J=0;J<h.lines;J++)for(let H=0;H<h.inputChannels.length;H++){let $=x[H],ne=$.nx*$.size,ae=new Uint8Array(y.buffer,$.end*2,ne*2);V.set(ae,P),P+=ne*2,$.end+=ne}return new DataView(V.buffer)}function Yc(h){let p=h.array.slice(h.offset.value,h.offset.value+h.size),g=ei(p),y=h.inputChannels.length*h.lines*h.columns*h.totalBytes,S=new ArrayBuffer(y),T=new DataView(S),x=0,C=0,E=new Array(4);for(let R=0;R<h.lines;R++)for(let I=0;I<h.inputChannels.length;I++){let z=0;switch(h.inputChannels[I].pixelType){case 1:E[0]=x,E[1]=E[0]+h.columns,x=E[1]+h.columns;for(let V=0;V<h.columns;++V){let J=g[E[0]++]<<8|g[E[1]++];z+=J,T.setUint16(C,z,!0),C+=2}break;case 2:E[0]=x,E[1]=E[0]+h.columns,E[2]=E[1]+h.columns,x=E[2]+h.columns;for(let V=0;V<h.columns;++V){let J=g[E[0]++]<<24|g[E[1]++]<<16|g[E[2]++]<<8;z+=J,T.setUint32(C,z,!0),C+=4}break}}return T}function Zc(h){let p=h.array,g=h.offset.value,y=h.columns,S=h.lines,T=h.inputChannels,x=h.totalBytes,C=Ue.compression==="B44A_COMPRESSION",E=new Uint8Array(S*y*x),R=new Uint16Array(16),I=0;for(let z=0;z<T.length;z++){let P=T[z],V=P.pixelType*2,J=Math.ceil(y/P.xSampling),H=Math.ceil(S/P.ySampling),$=P.xSampling===1&&P.ySampling===1;if(P.pixelType!==1){for(let re=0;re<H;re++)if($){let ue=re*y*x+I*y;for(let Q=0;Q<J*V;Q++)E[ue+Q]=p[g++]}else g+=J*V;I+=V;continue}let ne=Math.ceil(J/4),ae=Math.ceil(H/4);for(let re=0;re<ae;re++)for(let ue=0;ue<ne;ue++){if(C&&p[g+2]>=52){let Q=p[g]<<8|p[g+1],K=Q&32768?Q&32767:~Q&65535;R.fill(K),g+=3}else{let Q=p[g]<<8|p[g+1],K=p[g+2]>>2,ee=32<<K,me=Q+((p[g+2]<<4|p[g+3]>>4)&63)*(1<<K)-ee&65535,fe=me+((p[g+3]<<2|p[g+4]>>6)&63)*(1<<K)-ee&65535,se=fe+(p[g+4]&63)*(1<<K)-ee&65535,le=Q+(p[g+5]>>2&63)*(1<<K)-ee&65535,Me=me+((p[g+5]<<4|p[g+6]>>4)&63)*(1<<K)-ee&65535,Ye=fe+((p[g+6]<<2|p[g+7]>>6)&63)*(1<<K)-ee&65535,_e=se+(p[g+7]&63)*(1<<K)-ee&65535,xt=le+(p[g+8]>>2&63)*(1<<K)-ee&65535,xn=Me+((p[g+8]<<4|p[g+9]>>4)&63)*(1<<K)-ee&65535,ri=Ye+((p[g+9]<<2|p[g+10]>>6)&63)*(1<<K)-ee&65535,yt=_e+(p[g+10]&63)*(1<<K)-ee&65535,rn=xt+(p[g+11]>>2&63)*(1<<K)-ee&65535,Gi=xn+((p[g+11]<<4|p[g+12]>>4)&63)*(1<<K)-ee&65535,Hi=ri+((p[g+12]<<2|p[g+13]>>6)&63)*(1<<K)-ee&65535,Vi=yt+(p[g+13]&63)*(1<<K)-ee&65535,si=[Q,le,xt,rn,me,Me,xn,Gi,fe,Ye,ri,Hi,se,_e,yt,Vi];for(let yn=0;yn<16;yn++)R[yn]=si[yn]&32768?si[yn]&32767:~si[yn]&65535;g+=14}if(P.pLinear){if(k===null){k=new Uint16Array(65536);for(let Q=0;Q<65536;Q++)if((Q&31744)===31744||Q>32768)k[Q]=0;else{let K=G.fromHalfFloat(Q);k[Q]=K<=0?0:G.toHalfFloat(8*Math.log(K))}}for(let Q=0;Q<16;Q++)R[Q]=k[R[Q]]}for(let Q=0;Q<4;Q++){let K=re*4+Q;if(!(K>=H))for(let ee=0;ee<4;ee++){let me=ue*4+ee;if(me>=J)continue;let fe=R[Q*4+ee];for(let se=0;se<P.ySampling;se++){let le=K*P.ySampling+se;if(!(le>=S))for(let Me=0;Me<P.xSampling;Me++){let Ye=me*P.xSampling+Me;if(Ye>=y)continue;let _e=le*y*x+I*y+Ye*2;E[_e]=fe&255,E[_e+1]=fe>>8&255}}}}}I+=2}return new DataView(E.buffer)}function Wo(h){let p=h.viewer,g={value:h.offset.value},y=new Uint8Array(h.columns*h.lines*(h.inputChannels.length*h.type*2)),S={version:Pe(p,g),unknownUncompressedSize:Pe(p,g),unknownCompressedSize:Pe(p,g),acCompressedSize:Pe(p,g),dcCompressedSize:Pe(p,g),rleCompressedSize:Pe(p,g),rleUncompressedSize:Pe(p,g),rleRawSize:Pe(p,g),totalAcUncompressedCount:Pe(p,g),totalDcUncompressedCount:Pe(p,g),acCompression:Pe(p,g)};if(S.version<2)throw new Error("THREE.EXRLoader: "+Ue.compression+" version "+S.version+" is unsupported");let T=new Array,x=ii(p,g)-2;for(;x>0;){let H=Fi(p.buffer,g),$=Gt(p,g),ne=$>>2&3,ae=($>>4)-1,re=new Int8Array([ae])[0],ue=Gt(p,g);T.push({name:H,index:re,type:ue,compression:ne}),x-=H.length+3}let C=Ue.channels,E=new Array(h.inputChannels.length);for(let H=0;H<h.inputChannels.length;++H){let $=E[H]={},ne=C[H];$.name=ne.name,$.compression=0,$.decoded=!1,$.type=ne.pixelType,$.pLinear=ne.pLinear,$.width=h.columns,$.height=h.lines}let R={idx:new Array(3)};for(let H=0;H<h.inputChannels.length;++H){let $=E[H],ne=$.name.lastIndexOf("."),ae=ne>=0?$.name.substring(ne+1):$.name;for(let re=0;re<T.length;++re){let ue=T[re];ae===ue.name&&$.type===ue.type&&($.compression=ue.compression,ue.index>=0&&(R.idx[ue.index]=H),$.offset=H)}}let I,z,P;if(S.acCompressedSize>0)switch(S.acCompression){case 0:I=new Uint16Array(S.totalAcUncompressedCount),ni(h.array,p,g,S.acCompressedSize,I,S.totalAcUncompressedCount);break;case 1:let H=h.array.slice(g.value,g.value+S.totalAcUncompressedCount),$=ei(H);I=new Uint16Array($.buffer),g.value+=S.totalAcUncompressedCount;break}if(S.dcCompressedSize>0){let H={array:h.array,offset:g,size:S.dcCompressedSize};z=new Uint16Array(is(H).buffer),g.value+=S.dcCompressedSize}if(S.rleRawSize>0){let H=h.array.slice(g.value,g.value+S.rleCompressedSize),$=ei(H);P=ts($.buffer),g.value+=S.rleCompressedSize}let V=0,J=new Array(E.length);for(let H=0;H<J.length;++H)J[H]=new Array;for(let H=0;H<h.lines;++H)for(let $=0;$<E.length;++$)J[$].push(V),V+=E[$].width*h.type*2;R.idx[0]!==void 0&&E[R.idx[0]]&&Vc(R,J,E,I,z,y);for(let H=0;H<E.length;++H){let $=E[H];if(!$.decoded)switch($.compression){case 2:let ne=0,ae=0;for(let re=0;re<h.lines;++re){let ue=J[H][ne];for(let Q=0;Q<$.width;++Q){for(let K=0;K<2*$.type;++K)y[ue++]=P[ae+K*$.width*$.height];ae++}ne++}break;case 1:Wc(H,J,E,I,z,y);break;default:throw new Error("THREE.EXRLoader: unsupported channel compression")}}return new DataView(y.buffer)}function Fi(h,p){let g=new Uint8Array(h),y=0;for(;g[p.value+y]!=0;)y+=1;let S=new TextDecoder().decode(g.slice(p.value,p.value+y));return p.value=p.value+y+1,S}function Jc(h,p,g){let y=new TextDecoder().decode(new Uint8Array(h).slice(p.value,p.value+g));return p.value=p.value+g,y}function Kc(h,p){let g=We(h,p),y=$e(h,p);return[g,y]}function jc(h,p){let g=$e(h,p),y=$e(h,p);return[g,y]}function We(h,p){let g=h.getInt32(p.value,!0);return p.value=p.value+4,g}function $e(h,p){let g=h.getUint32(p.value,!0);return p.value=p.value+4,g}function Xo(h,p){let g=h[p.value];return p.value=p.value+1,g}function Gt(h,p){let g=h.getUint8(p.value);return p.value=p.value+1,g}let Pe=function(h,p){let g=Number(h.getBigInt64(p.value,!0));return p.value+=8,g};function Oe(h,p){let g=h.getFloat32(p.value,!0);return p.value+=4,g}function Qc(h,p){return G.toHalfFloat(Oe(h,p))}function ii(h,p){let g=h.getUint16(p.value,!0);return p.value+=2,g}function eh(h,p){return G.fromHalfFloat(ii(h,p))}function th(h,p,g,y){let S=g.value,T=[];for(;g.value<S+y-1;){let x=Fi(p,g),C=We(h,g),E=Gt(h,g);g.value+=3;let R=We(h,g),I=We(h,g);T.push({name:x,pixelType:C,pLinear:E,xSampling:R,ySampling:I})}return g.value+=1,T}function nh(h,p){let g=Oe(h,p),y=Oe(h,p),S=Oe(h,p),T=Oe(h,p),x=Oe(h,p),C=Oe(h,p),E=Oe(h,p),R=Oe(h,p);return{redX:g,redY:y,greenX:S,greenY:T,blueX:x,blueY:C,whiteX:E,whiteY:R}}function ih(h,p){let g=["NO_COMPRESSION","RLE_COMPRESSION","ZIPS_COMPRESSION","ZIP_COMPRESSION","PIZ_COMPRESSION","PXR24_COMPRESSION","B44_COMPRESSION","B44A_COMPRESSION","DWAA_COMPRESSION","DWAB_COMPRESSION"],y=Gt(h,p);return g[y]}function rh(h,p){let g=We(h,p),y=We(h,p),S=We(h,p),T=We(h,p);return{xMin:g,yMin:y,xMax:S,yMax:T}}function sh(h,p){let g=["INCREASING_Y","DECREASING_Y","RANDOM_Y"],y=Gt(h,p);return g[y]}function oh(h,p){let g=["ENVMAP_LATLONG","ENVMAP_CUBE"],y=Gt(h,p);return g[y]}function ah(h,p){let g=["ONE_LEVEL","MIPMAP_LEVELS","RIPMAP_LEVELS"],y=["ROUND_DOWN","ROUND_UP"],S=$e(h,p),T=$e(h,p),x=Gt(h,p);return{xSize:S,ySize:T,levelMode:g[x&15],roundingMode:y[x>>4]}}function lh(h,p){let g=Oe(h,p),y=Oe(h,p);return[g,y]}function ch(h,p){let g=Oe(h,p),y=Oe(h,p),S=Oe(h,p);return[g,y,S]}function hh(h,p,g,y,S){if(y==="string"||y==="stringvector"||y==="iccProfile")return Jc(p,g,S);if(y==="chlist")return th(h,p,g,S);if(y==="chromaticities")return nh(h,g);if(y==="compression")return ih(h,g);if(y==="box2i")return rh(h,g);if(y==="envmap")return oh(h,g);if(y==="tiledesc")return ah(h,g);if(y==="lineOrder")return sh(h,g);if(y==="float")return Oe(h,g);if(y==="v2f")return lh(h,g);if(y==="v3f")return ch(h,g);if(y==="int")return We(h,g);if(y==="rational")return Kc(h,g);if(y==="timecode")return jc(h,g);if(y==="preview"||y==="deepImageState"||y==="idmanifest")return g.value+=S,"skipped";g.value+=S}function uh(h,p){let g=Math.log2(h);return p=="ROUND_DOWN"?Math.floor(g):Math.ceil(g)}function fh(h,p,g){let y=0;switch(h.levelMode){case"ONE_LEVEL":y=1;break;case"MIPMAP_LEVELS":y=uh(Math.max(p,g),h.roundingMode)+1;break;case"RIPMAP_LEVELS":throw new Error("THREE.EXRLoader: RIPMAP_LEVELS tiles currently unsupported.")}return y}function qo(h,p,g,y){let S=new Array(h);for(let T=0;T<h;T++){let x=1<<T,C=p/x|0;y=="ROUND_UP"&&C*x<p&&(C+=1);let E=Math.max(C,1);S[T]=(E+g-1)/g|0}return S}function dh(){let h=this,p=h.offset,g={value:0};for(let y=0;y<h.tileCount;y++){let S=We(h.viewer,p),T=We(h.viewer,p);p.value+=8,h.size=$e(h.viewer,p);let x=S*h.blockWidth,C=T*h.blockHeight;h.columns=x+h.blockWidth>h.width?h.width-x:h.blockWidth,h.lines=C+h.blockHeight>h.height?h.height-C:h.blockHeight;let E=h.columns*h.totalBytes,I=h.size<h.lines*E?h.uncompress(h):Ui(h);p.value+=h.size;for(let z=0;z<h.lines;z++){let P=z*h.columns*h.totalBytes;for(let V=0;V<h.inputChannels.length;V++){let J=Ue.channels[V].name,H=h.channelByteOffsets[J]*h.columns,$=h.decodeChannels[J];if($===void 0)continue;g.value=P+H;let ne=(h.height-(1+C+z))*h.outLineWidth;for(let ae=0;ae<h.columns;ae++){let re=ne+(ae+x)*h.outputChannels+$;h.byteArray[re]=h.getter(I,g)}}}}}function ph(){let h=this,p=h.offset,g={value:0};for(let y=0;y<h.height/h.blockHeight;y++){let S=We(h.viewer,p)-Ue.dataWindow.yMin;h.size=$e(h.viewer,p),h.lines=S+h.blockHeight>h.height?h.height-S:h.blockHeight;let T=h.columns*h.totalBytes,C=h.size<h.lines*T?h.uncompress(h):Ui(h);p.value+=h.size;for(let E=0;E<h.lines;E++){let R=S+E,I=E*T,z=(h.height-1-R)*h.outLineWidth;for(let P=0;P<h.inputChannels.length;P++){let V=Ue.channels[P].name,J=h.channelByteOffsets[V]*h.columns,H=h.decodeChannels[V];if(H!==void 0){g.value=I+J;for(let $=0;$<h.columns;$++){let ne=z+$*h.outputChannels+H;h.byteArray[ne]=h.getter(C,g)}}}}}}function mh(){let h=this,p=h.chunkOffsets,g={value:0};for(let y=0;y<p.length;y++){let S={value:p[y]};S.value+=4;let T=We(h.viewer,S)-Ue.dataWindow.yMin;h.size=$e(h.viewer,S),h.lines=T+h.blockHeight>h.height?h.height-T:h.blockHeight;let x=h.columns*h.totalBytes,C=h.size<h.lines*x,E=h.offset;h.offset=S;let R=C?h.uncompress(h):Ui(h);h.offset=E;for(let I=0;I<h.lines;I++){let z=T+I,P=I*x,V=(h.height-1-z)*h.outLineWidth;for(let J=0;J<h.inputChannels.length;J++){let H=Ue.channels[J].name,$=h.channelByteOffsets[H]*h.columns,ne=h.decodeChannels[H];if(ne!==void 0){g.value=P+$;for(let ae=0;ae<h.columns;ae++){let re=V+ae*h.outputChannels+ne;h.byteArray[re]=h.getter(R,g)}}}}}}function $o(h,p,g,y){if(g===0)return null;let S=h.slice(p,p+g);switch(y){case"NO_COMPRESSION":return new DataView(S.buffer,S.byteOffset,S.byteLength);case"RLE_COMPRESSION":{let T=new Uint8Array(ts(S.buffer.slice(S.byteOffset,S.byteOffset+S.byteLength))),x=new Uint8Array(T.length);return Di(T),Oi(T,x),new DataView(x.buffer)}case"ZIPS_COMPRESSION":{let T=ei(S),x=new Uint8Array(T.length);return Di(T),Oi(T,x),new DataView(x.buffer)}default:throw new Error("THREE.EXRLoader: "+y+" is unsupported for deep data")}}function gh(){let h=this,p=h.chunkOffsets,g=h.width,y=h.height,S=h.deepChannels,T=Ue.compression,x=h.multiPart,C=h.decodeChannels,E=h.outputChannels,R=h.byteArray instanceof Uint16Array,I=-1;for(let z=0;z<S.length;z++)if(S[z].name==="A"){I=z;break}for(let z=0;z<p.length;z++){let P={value:p[z]};x&&(P.value+=4);let V=We(h.viewer,P)-Ue.dataWindow.yMin,J=Pe(h.viewer,P),H=Pe(h.viewer,P);Pe(h.viewer,P);let $=$o(h.array,P.value,J,T);if(P.value+=J,$===null)continue;let ne=new Uint32Array(g);for(let ee=0;ee<g;ee++)ne[ee]=$.getUint32(ee*4,!0);let ae=ne[g-1];if(ae===0){P.value+=H;continue}let re=$o(h.array,P.value,H,T),ue=[],Q=0;for(let ee=0;ee<S.length;ee++)ue.push(Q),Q+=ae*S[ee].bytesPerSample;let K=(y-1-V)*h.outLineWidth;for(let ee=0;ee<g;ee++){let me=ee===0?0:ne[ee-1],se=ne[ee]-me;if(se===0)continue;let le=new Float32Array(E),Me=0;for(let _e=0;_e<se;_e++){let xt=me+_e,xn=1-Me;if(xn<=0)break;let ri=1;if(I>=0){let yt=S[I].bytesPerSample,rn=ue[I]+xt*yt;ri=yt===2?G.fromHalfFloat(re.getUint16(rn,!0)):re.getFloat32(rn,!0)}for(let yt=0;yt<S.length;yt++){let rn=S[yt],Gi=C[rn.name];if(Gi===void 0)continue;let Hi=rn.bytesPerSample,Vi=ue[yt]+xt*Hi,si=Hi===2?G.fromHalfFloat(re.getUint16(Vi,!0)):re.getFloat32(Vi,!0);le[Gi]+=si*xn}Me+=ri*xn}C.A!==void 0&&(le[C.A]=Me);let Ye=K+ee*E;for(let _e=0;_e<E;_e++)h.byteArray[Ye+_e]=R?G.toHalfFloat(le[_e]):le[_e]}}}function Yo(h,p,g){let y={},S=!1;for(;;){let T=Fi(p,g);if(T==="")break;S=!0;let x=Fi(p,g),C=$e(h,g),E=hh(h,p,g,x,C);E===void 0?console.warn(`THREE.EXRLoader: Skipped unknown header attribute type '${x}'.`):y[T]=E}return S?y:null}function _h(h,p,g){if(h.getUint32(0,!0)!=20000630)throw new Error("THREE.EXRLoader: Provided file doesn't appear to be in OpenEXR format.");let y=h.getUint8(4),S=h.getUint8(5),T={singleTile:!!(S&2),longName:!!(S&4),deepFormat:!!(S&8),multiPart:!!(S&16)};g.value=8;let x=[];if(T.multiPart){for(;;){let C=Yo(h,p,g);if(C===null)break;C.version=y,C.spec=T,x.push(C)}if(x.length===0)throw new Error("THREE.EXRLoader: No valid part headers found.")}else{let C=Yo(h,p,g);C.version=y,C.spec=T,x.push(C)}return x}function vh(h,p,g,y,S,T){let x={size:0,viewer:p,array:g,offset:y,width:h.dataWindow.xMax-h.dataWindow.xMin+1,height:h.dataWindow.yMax-h.dataWindow.yMin+1,inputChannels:h.channels,channelByteOffsets:{},shouldExpand:!1,yCbCr:!1,totalBytes:null,columns:null,lines:null,type:null,uncompress:null,getter:null,format:null,colorSpace:Ke};switch(h.compression){case"NO_COMPRESSION":x.blockHeight=1,x.uncompress=Ui;break;case"RLE_COMPRESSION":x.blockHeight=1,x.uncompress=qc;break;case"ZIPS_COMPRESSION":x.blockHeight=1,x.uncompress=is;break;case"ZIP_COMPRESSION":x.blockHeight=16,x.uncompress=is;break;case"PIZ_COMPRESSION":x.blockHeight=32,x.uncompress=$c;break;case"PXR24_COMPRESSION":x.blockHeight=16,x.uncompress=Yc;break;case"B44_COMPRESSION":case"B44A_COMPRESSION":x.blockHeight=32,x.uncompress=Zc;break;case"DWAA_COMPRESSION":x.blockHeight=32,x.uncompress=Wo;break;case"DWAB_COMPRESSION":x.blockHeight=256,x.uncompress=Wo;break;default:throw new Error("THREE.EXRLoader: "+h.compression+" is unsupported")}let C={};for(let P of h.channels)switch(P.name){case"BY":case"RY":case"Y":case"R":case"G":case"B":case"A":C[P.name]=!0,x.type=P.pixelType}let E=!1,R=!1;if(C.Y&&C.RY&&C.BY)x.outputChannels=4,x.yCbCr=!0;else if(C.R&&C.G&&C.B)x.outputChannels=4;else if(C.Y)x.outputChannels=1;else throw new Error("THREE.EXRLoader: file contains unsupported data channels.");switch(x.outputChannels){case 4:T==wt?(E=!C.A,x.format=wt,x.colorSpace=Ke,x.outputChannels=4,x.decodeChannels={R:0,G:1,B:2,A:3}):T==fn?(x.format=fn,x.colorSpace=Ke,x.outputChannels=2,x.decodeChannels={R:0,G:1}):T==Nn?(x.format=Nn,x.colorSpace=Ke,x.outputChannels=1,x.decodeChannels={R:0}):R=!0;break;case 1:T==wt?(E=!0,x.format=wt,x.colorSpace=Ke,x.outputChannels=4,x.shouldExpand=!0,x.decodeChannels={Y:0}):T==fn?(x.format=fn,x.colorSpace=Ke,x.outputChannels=2,x.shouldExpand=!0,x.decodeChannels={Y:0}):T==Nn?(x.format=Nn,x.colorSpace=Ke,x.outputChannels=1,x.decodeChannels={Y:0}):R=!0;break;default:R=!0}if(R)throw new Error("THREE.EXRLoader: invalid output format for specified file.");if(x.yCbCr&&(x.format=wt,x.outputChannels=4,x.decodeChannels={Y:0,RY:1,BY:2},E=!0),x.type==1)switch(S){case ft:x.getter=eh;break;case dt:x.getter=ii;break}else if(x.type==2)switch(S){case ft:x.getter=Oe;break;case dt:x.getter=Qc}else throw new Error("THREE.EXRLoader: unsupported pixelType "+x.type+" for "+h.compression+".");x.columns=x.width;let I=x.width*x.height*x.outputChannels;switch(S){case ft:x.byteArray=new Float32Array(I),E&&x.byteArray.fill(1,0,I);break;case dt:x.byteArray=new Uint16Array(I),E&&x.byteArray.fill(15360,0,I);break;default:console.error("THREE.EXRLoader: unsupported type: ",S);break}let z=0;for(let P of h.channels)x.decodeChannels[P.name]!==void 0&&(x.channelByteOffsets[P.name]=z),z+=P.pixelType*2;if(x.totalBytes=z,x.outLineWidth=x.width*x.outputChannels,h.spec.deepFormat){x.deepChannels=[];let P=0;for(let V of h.channels){let J=V.pixelType===0?4:V.pixelType*2;x.deepChannels.push({name:V.name,pixelType:V.pixelType,bytesPerSample:J}),P+=J}x.deepBytesPerSample=P,x.chunkOffsets=h._chunkOffsets,x.multiPart=h.spec.multiPart,x.decode=gh.bind(x)}else if(h.spec.singleTile){x.blockHeight=h.tiles.ySize,x.blockWidth=h.tiles.xSize;let P=fh(h.tiles,x.width,x.height),V=qo(P,x.width,h.tiles.xSize,h.tiles.roundingMode),J=qo(P,x.height,h.tiles.ySize,h.tiles.roundingMode);x.tileCount=V[0]*J[0];for(let H=0;H<P;H++)for(let $=0;$<J[H];$++)for(let ne=0;ne<V[H];ne++)Pe(p,y);x.decode=dh.bind(x)}else if(h.spec.multiPart)x.blockWidth=x.width,x.chunkOffsets=h._chunkOffsets,x.decode=mh.bind(x);else{x.blockWidth=x.width;let P=Math.ceil(x.height/x.blockHeight);for(let V=0;V<P;V++)Pe(p,y);x.decode=ph.bind(x)}return x}let Bi={value:0},zi=new DataView(e),xh=new Uint8Array(e),ki=_h(zi,e,Bi),Zo=Math.max(0,Math.min(this.part,ki.length-1)),Ue=ki[Zo];if(Ue.spec.multiPart||Ue.spec.deepFormat)for(let h=0;h<ki.length;h++){let p=ki[h].chunkCount;if(h===Zo){Ue._chunkOffsets=[];for(let g=0;g<p;g++)Ue._chunkOffsets.push(Pe(zi,Bi))}else for(let g=0;g<p;g++)Pe(zi,Bi)}let tt=vh(Ue,zi,xh,Bi,this.type,this.outputFormat);if(tt.decode(),tt.shouldExpand){let h=tt.byteArray;if(this.outputFormat==wt)for(let p=0;p<h.length;p+=4)h[p+2]=h[p+1]=h[p];else if(this.outputFormat==fn)for(let p=0;p<h.length;p+=2)h[p+1]=h[p]}if(tt.yCbCr){let h=tt.byteArray,p=tt.width*tt.height;if(this.type===dt)for(let g=0;g<p;g++){let y=g*4,S=G.fromHalfFloat(h[y]),T=G.fromHalfFloat(h[y+1]),x=G.fromHalfFloat(h[y+2]),C=(1+T)*S,E=(1+x)*S,R=(S-C*.2126-E*.0722)/.7152;h[y]=G.toHalfFloat(Math.max(0,C)),h[y+1]=G.toHalfFloat(Math.max(0,R)),h[y+2]=G.toHalfFloat(Math.max(0,E))}else for(let g=0;g<p;g++){let y=g*4,S=h[y],T=h[y+1],x=h[y+2],C=(1+T)*S,E=(1+x)*S;h[y]=Math.max(0,C),h[y+1]=Math.max(0,(S-C*.2126-E*.0722)/.7152),h[y+2]=Math.max(0,E)}}return{header:Ue,width:tt.width,height:tt.height,data:tt.byteArray,format:tt.format,colorSpace:tt.colorSpace,type:this.type,minFilter:ht,magFilter:ht,generateMipmaps:!1,flipY:!1}}setDataType(e){return this.type=e,this}setOutputFormat(e){return this.outputFormat=e,this}setPart(e){return this.part=e,this}};var Zr=class extends un{constructor(e){super(e),this.type=dt}parse(e){let o=function(U,L){switch(U){case 1:throw new Error("THREE.HDRLoader: Read Error: "+(L||""));case 2:throw new Error("THREE.HDRLoader: Write Error: "+(L||""));case 3:throw new Error("THREE.HDRLoader: Bad File Format: "+(L||""));default:case 4:throw new Error("THREE.HDRLoader: Memory Error: "+(L||""))}},f=function(U,L,k){L=L||1024;let B=U.pos,te=-1,W=0,j="",ie=String.fromCharCode.apply(null,new Uint16Array(U.subarray(B,B+128)));for(;0>(te=ie.indexOf(`
+`))&&W<L&&B<U.byteLength;)j+=ie,W+=ie.length,B+=128,ie=String.fromCharCode.apply(null,new Uint16Array(U.subarray(B,B+128)));return-1<te?(k!==!1&&(U.pos+=W+te+1),j+ie.slice(0,te)):!1},d=function(U){let L=/^#\?(\S+)/,k=/^\s*GAMMA\s*=\s*(\d+(\.\d+)?)\s*$/,F=/^\s*EXPOSURE\s*=\s*(\d+(\.\d+)?)\s*$/,B=/^\s*FORMAT=(\S+)\s*$/,te=/^\s*\-Y\s+(\d+)\s+\+X\s+(\d+)\s*$/,W={valid:0,string:"",comments:"",programtype:"RGBE",format:"",gamma:1,exposure:1,width:0,height:0},j,ie;for((U.pos>=U.byteLength||!(j=f(U)))&&o(1,"no header found"),(ie=j.match(L))||o(3,"bad initial token"),W.valid|=1,W.programtype=ie[1],W.string+=j+`
+`;j=f(U),j!==!1;){if(W.string+=j+`
+`,j.charAt(0)==="#"){W.comments+=j+`
+`;continue}if((ie=j.match(k))&&(W.gamma=parseFloat(ie[1])),(ie=j.match(F))&&(W.exposure=parseFloat(ie[1])),(ie=j.match(B))&&(W.valid|=2,W.format=ie[1]),(ie=j.match(te))&&(W.valid|=4,W.height=parseInt(ie[1],10),W.width=parseInt(ie[2],10)),W.valid&2&&W.valid&4)break}return W.valid&2||o(3,"missing format specifier"),W.valid&4||o(3,"missing image size specifier"),W},m=function(U,L,k){let F=L;if(F<8||F>32767||U[0]!==2||U[1]!==2||U[2]&128)return new Uint8Array(U);F!==(U[2]<<8|U[3])&&o(3,"wrong scanline width");let B=new Uint8Array(4*L*k);B.length||o(4,"unable to allocate buffer space");let te=0,W=0,j=4*F,ie=new Uint8Array(4),we=new Uint8Array(j),ke=k;for(;ke>0&&W<U.byteLength;){W+4>U.byteLength&&o(1),ie[0]=U[W++],ie[1]=U[W++],ie[2]=U[W++],ie[3]=U[W++],(ie[0]!=2||ie[1]!=2||(ie[2]<<8|ie[3])!=F)&&o(3,"bad rgbe scanline format");let ve=0,Ce;for(;ve<j&&W<U.byteLength;){Ce=U[W++];let Se=Ce>128;if(Se&&(Ce-=128),(Ce===0||ve+Ce>j)&&o(3,"bad scanline data"),Se){let be=U[W++];for(let Ve=0;Ve<Ce;Ve++)we[ve++]=be}else we.set(U.subarray(W,W+Ce),ve),ve+=Ce,W+=Ce}let vt=F;for(let Se=0;Se<vt;Se++){let be=0;B[te]=we[Se+be],be+=F,B[te+1]=we[Se+be],be+=F,B[te+2]=we[Se+be],be+=F,B[te+3]=we[Se+be],te+=4}ke--}return B},_=function(U,L,k,F){let B=U[L+3],te=Math.pow(2,B-128)/255;k[F+0]=U[L+0]*te,k[F+1]=U[L+1]*te,k[F+2]=U[L+2]*te,k[F+3]=1},v=function(U,L,k,F){let B=U[L+3],te=Math.pow(2,B-128)/255;k[F+0]=G.toHalfFloat(Math.min(U[L+0]*te,65504)),k[F+1]=G.toHalfFloat(Math.min(U[L+1]*te,65504)),k[F+2]=G.toHalfFloat(Math.min(U[L+2]*te,65504)),k[F+3]=G.toHalfFloat(1)},b=new Uint8Array(e);b.pos=0;let M=d(b),A=M.width,N=M.height,D=m(b.subarray(b.pos),A,N),O,Y,X;switch(this.type){case ft:X=D.length/4;let U=new Float32Array(X*4);for(let k=0;k<X;k++)_(D,k*4,U,k*4);O=U,Y=ft;break;case dt:X=D.length/4;let L=new Uint16Array(X*4);for(let k=0;k<X;k++)v(D,k*4,L,k*4);O=L,Y=dt;break;default:throw new Error("THREE.HDRLoader: Unsupported type: "+this.type)}return{width:A,height:N,data:O,header:M.string,gamma:M.gamma,exposure:M.exposure,type:Y,colorSpace:Ke,minFilter:ht,magFilter:ht,generateMipmaps:!1,flipY:!0}}setDataType(e){return this.type=e,this}};function Oo(s,e){let t=/\.exr$/i.test(e);if(!t&&!/\.(hdr|pic)$/i.test(e))throw new pe(`${e}: neither .hdr nor .exr`);let n;try{n=new(t?Yr:Zr)().setDataType(ft).parse(s)}catch(c){throw new pe(`${e}: no image that can be read (${c.message??c})`)}let{data:i,width:r,height:o}=n,a=i.length/(r*o),l=new Float32Array(3*r*o);for(let c=0;c<o;c++){let u=t?o-1-c:c;for(let f=0;f<r;f++)for(let d=0;d<3;d++){let m=i[a*(u*r+f)+Math.min(d,a-1)];l[3*(c*r+f)+d]=Number.isFinite(m)?Math.max(0,m):0}}return{rgb:l,width:r,height:o}}var qg={studio:["Studio",Ic],white:["White from all sides",()=>$r([1,1,1])]},$g=[1.06,1,.9],Jr=Math.PI/180,Kr=class{constructor(){this.images=new Map(Object.entries(qg).map(([e,[t,n]])=>[e,{label:t,make:n}])),this.choice="studio",this.reset()}reset(){Object.assign(this,{rotation:0,sunHeight:45,sunAzimuth:40,sun:2,strength:1,suns:null,imageTurn:0})}add(e,t){let n=`image-${this.images.size}`;return this.images.set(n,{label:e,make:()=>t}),n}tables(){let e=this.images.get(this.choice);return e.tables??=Cc(e.make()),e.tables}lights(){let e=[],t=[0,0,0];for(let{direction:n,irradiance:i}of this.suns??[this._sun()]){if(!i.some(o=>o>0))continue;let r=Yg(n,this.rotation*Jr);e.push({kind:"sun",direction:r,colour:i}),i.forEach((o,a)=>{t[a]+=o*Math.max(0,r[1])})}if(this.strength>0){let n=[this.strength,this.strength,this.strength];e.push({kind:"environment",colour:n,angle:(this.rotation+this.imageTurn)*Jr}),this.tables().up.forEach((i,r)=>{t[r]+=i*this.strength})}return{lights:e,irradiance:t}}_sun(){let e=this.sunHeight*Jr,t=this.sunAzimuth*Jr;return{direction:[Math.cos(e)*Math.sin(t),Math.sin(e),Math.cos(e)*Math.cos(t)],irradiance:$g.map(n=>n*this.sun)}}};function Yg([s,e,t],n){let i=Math.cos(n),r=Math.sin(n),o=Math.hypot(s,e,t);return[(i*s+r*t)/o,e/o,(i*t-r*s)/o]}var Bc=89*Math.PI/180,jr=class{constructor(){Object.assign(this,{target:new q,azimuth:.6,elevation:.35,distance:1,fov:30})}frame({min:e,max:t},n){let i=new q(...e),r=new q(...t);this.target.addVectors(i,r).multiplyScalar(.5);let o=i.distanceTo(r)/2||1,a=this.fov*Math.PI/360,l=Math.min(a,Math.atan(Math.tan(a)*n));this.distance=.92*o/Math.sin(l),this.size=o}lookFrom(e,t,n){let i=new q(...e).sub(new q(...t));this.target.set(...t),this.distance=i.length(),this.azimuth=Math.atan2(i.x,i.z),this.elevation=Math.asin(i.y/this.distance),n&&(this.fov=n)}get position(){let e=Math.cos(this.elevation);return new q(e*Math.sin(this.azimuth),Math.sin(this.elevation),e*Math.cos(this.azimuth)).multiplyScalar(this.distance).add(this.target)}turn(e,t){this.azimuth+=e,this.elevation=Math.min(Bc,Math.max(-Bc,this.elevation+t))}zoom(e){this.distance=Math.min(1e4*this.size,Math.max(.001*this.size,this.distance*e))}pan(e,t){let{forward:n,side:i,above:r}=this._axes(),o=2*this.distance*Math.tan(this.fov*Math.PI/360);return this.target.addScaledVector(i,e*o).addScaledVector(r,t*o),n}camera(e,t){let{forward:n,side:i,above:r}=this._axes(),o=Math.tan(this.fov*Math.PI/360),a=o*e/t,l=n.clone().addScaledVector(i,-a).addScaledVector(r,o);return{position:this.position.toArray(),corner:l.toArray(),stepX:i.clone().multiplyScalar(2*a/e).toArray(),stepY:r.clone().multiplyScalar(-2*o/t).toArray()}}_axes(){let e=this.target.clone().sub(this.position).normalize(),t=e.clone().cross(new q(0,1,0)).normalize();return{forward:e,side:t,above:t.clone().cross(e)}}};var ti=5*Math.PI/180;function zc(s,e){let t=new Map,n=null;s.addEventListener("pointerdown",r=>{t.set(r.pointerId,{x:r.clientX,y:r.clientY}),Zg(s,r.pointerId),s.classList.add("dragging"),t.size===2?n="two":t.size===1&&(n=r.button===2?"pan":r.altKey||r.shiftKey?"light":"orbit")}),s.addEventListener("pointermove",r=>{let o=t.get(r.pointerId);if(!o)return;let a={x:r.clientX,y:r.clientY},l=a.x-o.x,c=a.y-o.y;n==="two"&&Jg(t,r.pointerId,o,a,e),t.set(r.pointerId,a),!(!l&&!c)&&(n==="orbit"&&e.orbit(-l*.007,c*.007,!0),n==="light"&&e.light(l*.007,-c*.007,!0),n==="pan"&&e.pan(-l/s.clientHeight,c/s.clientHeight,!0))});for(let r of["pointerup","pointercancel"])s.addEventListener(r,o=>{t.delete(o.pointerId)&&(t.size||(n=null,s.classList.remove("dragging"),e.settle()))});s.addEventListener("contextmenu",r=>r.preventDefault()),s.addEventListener("dblclick",()=>e.reset());let i=0;s.addEventListener("wheel",r=>{r.preventDefault();let o=r.deltaMode===0?r.deltaY:r.deltaY*32;e.zoom(Math.exp(Math.min(300,Math.max(-300,o))*.0012),!0),clearTimeout(i),i=setTimeout(()=>e.settle(),200)},{passive:!1}),s.addEventListener("keydown",r=>Kg(r,e))}function Zg(s,e){try{s.setPointerCapture(e)}catch{}}function Jg(s,e,t,n,i){let r=[...s].find(([a])=>a!==e)?.[1];if(!r)return;let o=a=>Math.hypot(a.x-r.x,a.y-r.y)||1;i.zoom(o(t)/o(n),!0),i.light(.5*(n.x-t.x)*.007,-.5*(n.y-t.y)*.007,!0)}function Kg(s,e){if(s.ctrlKey||s.metaKey)return;let t=s.altKey||s.shiftKey?e.light:e.orbit,n={ArrowLeft:()=>t(-ti,0),ArrowRight:()=>t(ti,0),ArrowUp:()=>t(0,ti),ArrowDown:()=>t(0,-ti),"+":()=>e.zoom(1/1.1),"=":()=>e.zoom(1/1.1),"-":()=>e.zoom(1.1),"[":()=>e.light(-ti,0),"]":()=>e.light(ti,0),Home:()=>e.reset()};Object.hasOwn(n,s.key)&&(s.preventDefault(),n[s.key]())}var jg={kind:"sun",direction:[0,1,0],colour:[0,0,0]},Uo=[.052,.056,.063],Qr=class extends EventTarget{constructor(e,t,n){super(),Object.assign(this,{engine:e,canvas:t,orbit:n}),Object.assign(this,{lights:[],ground:null,exposure:0,rounds:256,jitter:1,generation:0,msPerPixel:.005,shown:null,finest:1,ready:!1,stopped:!1,moving:!1,stats:{ms:0,rounds:0}}),this.wake=null}restart(e=!1){this.moving=e,Object.assign(this.stats,{rounds:0,scale:0}),this.generation+=1,this.wake?.()}start(){this.ready=!0,this.running??=this._run(),this.restart()}pause(){this.ready=!1,this.generation+=1}stop(){return this.stopped=!0,this.pause(),this.wake?.(),this.running}async converged(e=this.rounds){for(;!(this.stats.scale===1&&this.stats.rounds>=e);)await new Promise(t=>this.addEventListener("shown",t,{once:!0}))}show(){this.shown&&this.engine.show({rounds:this.shown.rounds,exposure:2**this.exposure,backdrop:Uo})}async _run(){for(;!this.stopped;){let e=this.generation;try{this.ready&&await this._picture(e)}catch(t){this.engine.lost||this.dispatchEvent(Object.assign(new Event("failed"),{error:t})),this.ready=!1}e===this.generation&&!this.stopped&&await new Promise(t=>{this.wake=t})}}async _picture(e){for(let t of this._scales()){let n=t===1&&!this.moving?this.rounds:1;if(!await this._stage(e,t,n)||this.moving)return}}_scales(){let e=this.canvas.width*this.canvas.height*Math.max(1,this.lights.length),t=1;for(;t<16&&e*this.msPerPixel/t**2>110;)t*=2;let n=[t];for(;t>1;)n.push(t=t>4?t/4:1);return n}async _stage(e,t,n){let{engine:i,canvas:r}=this,o=Math.ceil(r.width/t),a=Math.ceil(r.height/t);this.shown=null,i.resize(o,a);let l={...this.orbit.camera(o,a),jitter:this.jitter};if(!this.hasShown){if(!await this._round(e,l,0,this.lights.slice(0,1)))return!1;this._present(1,t)}for(let c=0;c<n;c++){let u=performance.now();if(!await this._round(e,l,c,this.lights))return!1;this._present(c+1,t),this._measure(performance.now()-u,o*a,t)}return!0}async _round(e,t,n,i){let{engine:r}=this,{width:o,height:a}=r.target,l=this.msPerPixel*o*Math.max(1,i.length),c=Math.max(1,Math.min(a,Math.floor(120/l),Math.floor(r.bandPixels/o)));for(let u=0;u<a;u+=c)if(this._band(t,n,i,u,Math.min(a,u+c)),await r.done(),e!==this.generation||this.stopped||r.lost)return!1;return!0}_band(e,t,n,i,r){let{engine:o}=this;o.trace(e,t,i,r),(n.length?n:[jg]).forEach((l,c)=>o.light({...l,ground:this.ground},{isFirst:t===0&&c===0,countsCoverage:c===0})),o.emits&&o.emission()}_present(e,t){this.shown={rounds:e},this.show(),this.hasShown||performance.mark("picture"),this.hasShown=!0,Object.assign(this.stats,{rounds:e,scale:t}),this.dispatchEvent(new Event("shown"))}_measure(e,t,n){let i=e/(t*Math.max(1,this.lights.length));this.msPerPixel=t<4096?Math.min(this.msPerPixel*4,i):.5*(this.msPerPixel+i),n===1&&(this.stats.ms=this.stats.ms?.7*this.stats.ms+.3*e:e)}};var Qg=22e5,es=class{constructor(e){Object.assign(this,{parameters:e,orbit:new jr,lighting:new Kr,opened:null,loading:null}),this.panel=new Ur(this),this.places={view:document.getElementById("view")},new ResizeObserver(()=>this.resize()).observe(this.places.view),this._listenForDrops()}begin(){return this.begun=this._begin(),this.begun.catch(e=>this._failed(e)),this.begun}async _begin(){let e=()=>Object.assign(document.createElement("canvas"),{tabIndex:0}),{engine:t,canvas:n,reasons:i}=await Tc(e,this.parameters.get("api"));Object.assign(this,{engine:t,canvas:n}),this.places.view.replaceChildren(n),t.onlost=r=>this._recover(r),this.viewer=new Qr(t,n,this.orbit),this.parameters.has("rounds")&&(this.viewer.rounds=Number(this.parameters.get("rounds"))),this.parameters.get("jitter")==="0"&&(this.viewer.jitter=0),this.viewer.addEventListener("shown",()=>this.panel.showStats(this.viewer.stats)),this.viewer.addEventListener("failed",({error:r})=>this._failed(r)),performance.mark("engine"),zc(n,this._actions()),this.panel.showEngine(t.constructor.label,i),this.resize()}async open(e){this.loading?.abort();let t=this.loading=new AbortController;try{this.panel.say(null);let n=e instanceof Blob?new Jn(e,e.name):await Dr.open(e,(r,o)=>this.panel.showProgress(r,o),t.signal),i=await Zn.open(n);if(t.signal.aborted)return;await this._showPoster(i),await this._show(i,this.parameters.get("tier"),!0)}catch(n){!t.signal.aborted&&n.name!=="AbortError"&&this._failed(n)}finally{this.loading===t&&this.panel.showProgress(null)}}async switchTier(e){try{await this._show(this.opened,e,!1)}catch(t){this._failed(t)}finally{this.panel.showProgress(null)}}async openScene(e){try{let t=JSON.parse(new TextDecoder().decode(await Fo(e))),{radiance:n,image:i}=t.environment??{};return n&&(t.environment.key=this.lighting.add("The scene's",$r(n))),i&&(t.environment.key=this.lighting.add(i,Oo(await Fo(i),i))),await this.begun,this.applyScene(t),t}catch(t){return this._failed(t),null}}async openImage(e,t){try{let n=e instanceof Blob?await e.arrayBuffer():await Fo(e);this.lighting.choice=this.lighting.add(t,Oo(n,t)),this.panel.showLighting(this.lighting),this.changed()}catch(n){this._failed(n)}}changed(e=!1){if(!this.viewer)return;let{lights:t,irradiance:n}=this.lighting.lights();t.some(({kind:i})=>i==="environment")&&this.uploaded!==this.lighting.tables()&&(this.uploaded=this.lighting.tables(),this.engine.setEnvironment(this.uploaded)),this.viewer.lights=t,this.viewer.ground=this._ground(n),this.viewer.restart(e)}resetView(){this.lighting.reset(),this.orbit=this.viewer.orbit=Object.assign(this.orbit,{azimuth:.6,elevation:.35,fov:30}),this.box&&this.orbit.frame(this.box,this.canvas.width/this.canvas.height),this.sceneView&&this.applyScene(this.sceneView),this.panel.showLighting(this.lighting),this.changed()}applyScene({camera:e,suns:t,environment:n,ground:i,exposure:r}){this.sceneView={camera:e,suns:t,environment:n,ground:i,exposure:r},e&&this.orbit.lookFrom(e.position,e.look_at,e.vertical_fov_deg),t&&(this.lighting.suns=t),n&&(this.lighting.choice=n.key??this.lighting.choice,this.lighting.strength=n.strength??1,this.lighting.imageTurn=n.rotation_deg??0),i!==void 0&&this.panel.setGround(i),r!==void 0&&this.setExposure(r),this.panel.showLighting(this.lighting),this.changed()}setExposure(e){this.viewer&&(this.viewer.exposure=e,this.viewer.show())}resize(){if(!this.viewer)return;let{clientWidth:e,clientHeight:t}=this.places.view,n=Number(this.parameters.get("dpr"))||Math.min(devicePixelRatio,2),i=Math.min(n,Math.sqrt(Qg/Math.max(1,e*t))),r=Math.max(1,Math.round(e*i)),o=Math.max(1,Math.round(t*i));this.canvas.width===r&&this.canvas.height===o||(Object.assign(this.canvas,{width:r,height:o}),this.viewer.restart())}get wgsl(){return{compose:Hr,sharedFiles:Io,rayKernels:Vr}}reader(){return this.viewer.pause(),new Fr(this.engine)}screenshot(){return this.viewer.show(),new Promise(e=>this.canvas.toBlob(e,"image/png"))}async _show(e,t,n){let i=await e.load(t);e.forget(),performance.mark("package"),await this.begun,n&&(this.viewer.hasShown=!1),this.viewer.pause();let r=n?Nr(i.parts):this.arrays;performance.mark("hierarchy"),await this.engine.setAsset(r,i.parts),performance.mark("asset"),Object.assign(this,{opened:e,shown:i,arrays:r,box:r.box}),n&&this.orbit.frame(this.box,this.canvas.width/this.canvas.height),n&&this.sceneView&&this.applyScene(this.sceneView),document.body.classList.add("loaded"),this.panel.showPackage(e,i),this.viewer.stats.ms=0,this.changed(),this.viewer.start(),this.viewer.addEventListener("shown",()=>this.panel.showPoster(null),{once:!0})}async _showPoster(e){try{this.panel.showPoster(await e.posterImage())}catch{}}_ground(e){if(!this.panel.hasGround||!this.box)return null;let{min:t,max:n}=this.box,i=Math.hypot(...n.map((r,o)=>r-t[o]));return{height:t[1]-1e-4*i,x:(t[0]+n[0])/2,z:(t[2]+n[2])/2,size:2*i,colour:Uo.map((r,o)=>e[o]>0?r/e[o]/2**this.viewer.exposure:0)}}_actions(){let e=t=>(...n)=>{t(...n),this.viewer.restart(n.at(-1)===!0)};return{orbit:e((t,n)=>this.orbit.turn(t,n)),pan:e((t,n)=>this.orbit.pan(t,n)),zoom:e(t=>this.orbit.zoom(t)),light:(t,n,i)=>{this.lighting.rotation=(this.lighting.rotation+t*180/Math.PI+540)%360-180,this.lighting.sunHeight=Math.min(90,Math.max(-10,this.lighting.sunHeight+n*180/Math.PI)),this.panel.showLighting(this.lighting),this.changed(i===!0)},settle:()=>this.viewer.moving&&this.viewer.restart(),reset:()=>this.resetView()}}_listenForDrops(){let e=document.body;for(let t of["dragenter","dragover"])addEventListener(t,n=>{n.preventDefault(),e.classList.add("dropping")});addEventListener("dragleave",()=>e.classList.remove("dropping")),addEventListener("drop",async t=>{t.preventDefault(),e.classList.remove("dropping");for(let n of[...t.dataTransfer?.files??[]])await this.openFile(n)})}openFile(e){return/\.(hdr|pic|exr)$/i.test(e.name)?this.openImage(e,e.name):this.open(e)}async _recover(e){let{shown:t,arrays:n}=this;this.panel.say(`${e}; starting again`,!0),this.viewer?.stop(),this.uploaded=null;try{let{exposure:i,rounds:r}=this.viewer;await this.begin(),this.viewer.hasShown=!0,Object.assign(this.viewer,{exposure:i,rounds:r}),t&&(await this.engine.setAsset(n,t.parts),this.changed(),this.viewer.start()),this.panel.say(null)}catch(i){this._failed(i)}}_failed(e){let t=e instanceof vi||e instanceof pe;t||console.error(e),this.panel.say(t?e.message:`this did not work: ${e.message??e}`),this.failures=(this.failures??0)+1}};async function Fo(s){let e=await fetch(s).catch(()=>null);if(!e?.ok)throw new pe(`cannot load ${s}${e?`: HTTP ${e.status}`:""}`);return e.arrayBuffer()}var e0=5,t0=400;function kc({bounds:{min:s,max:e}},t){let n=new Float32Array(16*t),i=1,r=()=>(i=Math.imul(i,1664525)+1013904223>>>0)/2**32,o=()=>{let a=2*r()-1,l=2*Math.PI*r(),c=Math.sqrt(1-a*a);return[c*Math.cos(l),c*Math.sin(l),a]};for(let a=0;a<t;a++){let l=s.map((c,u)=>c+r()*(e[u]-c));n.set([...l,0,...o(),0,...o(),0,...o(),0],16*a)}return n}var n0=s=>[...s].sort((e,t)=>e-t)[Math.floor(s.length/2)];async function i0(s,e,t=0){let{evaluate:n}=s.constructor.label==="WebGPU"?Ai:bi,i=1024,r=0;for(;;){let l=kc(e[t],i),c=performance.now();if(await n(s,t,"transport",l,!1),r=performance.now()-c,r>t0/2||i>=s.bandPixels)break;i*=2}let o=kc(e[t],i),a=[];for(let l=0;l<e0;l++){let c=performance.now();await n(s,t,"transport",o,!1),a.push(i/(performance.now()-c)/1e3)}return{rate:n0(a),count:i}}function r0({transport:s,planes:e}){let t=s.layers.reduce((i,{rows:r,columns:o})=>i+r*o,0),n=12*e.channels*{float16:2,float32:4,int8:1}[e.precision];return{multiplyAdds:t,bytes:n}}async function s0(s){let e=s.device?.adapterInfo;if(e)return[e.vendor,e.architecture,e.description].filter(Boolean).join(" ");let t=s.gl,n=t?.getExtension("WEBGL_debug_renderer_info");return n?t.getParameter(n.UNMASKED_RENDERER_WEBGL):"unknown"}async function Gc(s){let{viewer:e,engine:t,shown:n,opened:i}=s;if(!n)return;let r=3;e.rounds=r,e.restart(),await e.converged(r);let o=s.canvas.width*s.canvas.height,a=e.stats.ms;e.pause(),await t.done();let{rate:l,count:c}=await i0(t,n.parts),{multiplyAdds:u,bytes:f}=r0(n.parts[0]),d={asset:i.manifest.name,tier:n.name,api:t.constructor.label,gpu:await s0(t),millionQueriesPerSecond:Number(l.toPrecision(3)),queries:c,multiplyAddsPerQuery:u,planeBytesPerQuery:f,picture:`${s.canvas.width} x ${s.canvas.height}`,lights:e.lights.length,msPerSample:Math.round(a),megapixelsPerSecond:Number((o/a/1e3).toPrecision(3)),browser:navigator.userAgent};o0(d),s.viewer.start(),globalThis.rnaBenchmark=d}function o0(s){let e=document.getElementById("bench");e.replaceChildren();for(let[t,n]of[...Object.entries(s),["line to send in",JSON.stringify(s)]]){let i=e.insertRow();i.insertCell().textContent=t,i.insertCell().textContent=String(n)}e.hidden=!1}async function a0(){let s=new URLSearchParams(document.body.dataset.query);for(let[r,o]of new URLSearchParams(location.search))s.set(r,o);document.body.classList.toggle("bare",s.get("ui")==="0");let e=globalThis.rnaViewer=new es(s);e.begin();let t=s.get("scene")&&await e.openScene(s.get("scene")),n=s.get("env");n&&await e.openImage(n,n.split("/").pop());let i=s.get("asset")??t?.asset;i&&await e.open(i),s.get("bench")==="1"&&await Gc(e)}a0();})();
+/*! Bundled license information:
+
+three/build/three.core.js:
+three/build/three.module.js:
+  (**
+   * @license
+   * Copyright 2010-2026 Three.js Authors
+   * SPDX-License-Identifier: MIT
+   *)
+
+three/examples/jsm/libs/fflate.module.js:
+  (*!
+  fflate - fast JavaScript compression/decompression
+  <https://101arrowz.github.io/fflate>
+  Licensed under MIT. https://github.com/101arrowz/fflate/blob/master/LICENSE
+  version 0.8.3
+  *)
+*/

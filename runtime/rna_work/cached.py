@@ -1,0 +1,44 @@
+"""Folders that a machine keeps between commands, each made once and whole."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from uuid import uuid4
+
+from rna_work.locks import locked
+
+
+def cached(name: str, write: Callable[[Path], None]) -> Path:
+    """The folder of a name, which says what is in it; `write` fills it where it is missing."""
+    folder = cache_folder() / name
+    if not folder.is_dir():
+        with locked(folder.with_name(f"{name}.lock")):
+            if not folder.is_dir():
+                _make(folder, write)
+    return folder
+
+
+def _make(folder: Path, write: Callable[[Path], None]) -> None:
+    temporary = folder.with_name(f"{folder.name}.{uuid4().hex[:8]}.part")
+    try:
+        temporary.mkdir()
+        write(temporary)
+        temporary.rename(folder)
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)
+
+
+def cache_folder() -> Path:
+    """Where a machine keeps sources and datasets."""
+    cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    return cache / "rna-sdk" / "sources"
+
+
+def content_hash(path: Path) -> str:
+    """SHA-256 of a file."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -1,0 +1,53 @@
+"""A folder on its way to machines through a store: each file is sent once, by its content."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from rna_work.cached import cached, content_hash
+from rna_work.store import Store
+
+
+@dataclass(frozen=True)
+class StoredFolder:
+    """Files of a folder; see `rna_work.sources.Carried`.
+
+    hashes: SHA-256 by name, from the folder on; the first is the one that is asked for.
+    """
+
+    store: Store
+    hashes: Mapping[str, str]
+
+    @classmethod
+    def of(cls, first: Path, store: Store) -> StoredFolder:
+        """A file with all that lies beside and below it. Raises WorkError if that cannot be sent.
+
+        What the store has already is not sent again. Unfinished files, `*.part`, stay.
+        """
+        folder = first.parent
+        files = [p for p in sorted(folder.rglob("*")) if p.is_file() and p.suffix != ".part"]
+        paths = {p.relative_to(folder).as_posix(): p for p in [first, *files]}
+        hashes = {name: content_hash(path) for name, path in paths.items()}
+        there = store.names()
+        for name, sha in hashes.items():
+            if sha not in there:
+                store.put(paths[name], sha)
+                there.add(sha)
+        return cls(store, hashes)
+
+    @property
+    def sha256(self) -> str:
+        """Of all names and contents."""
+        whole = "".join(f"{name}\0{sha}\0" for name, sha in self.hashes.items())
+        return hashlib.sha256(whole.encode()).hexdigest()
+
+    def here(self) -> Path:
+        """The path on this machine, where the files are fetched unless they are there."""
+        return cached(self.sha256, self._fetch) / next(iter(self.hashes))
+
+    def _fetch(self, folder: Path) -> None:
+        for name, sha in self.hashes.items():
+            self.store.get(sha, folder / name)

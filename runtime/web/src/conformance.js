@@ -1,0 +1,62 @@
+// The page as a reader of the conformance kit (spec/conformance/README.md); bytes in and out, base64.
+import { sceneArrays } from "./geometry/scene_arrays.js";
+import { Package } from "./package/package.js";
+import { BlobSource } from "./package/source.js";
+import * as inWebGL from "./webgl/answers.js";
+import * as inWebGPU from "./webgpu/answers.js";
+
+const bytesOf = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+
+function textOf(values) {
+  const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
+  let text = "";
+  for (let k = 0; k < bytes.length; k += 8192) text += String.fromCharCode(...bytes.subarray(k, k + 8192));
+  return btoa(text);
+}
+
+export class Reader {
+  constructor(engine) {
+    this.engine = engine;
+    this.answers = engine.constructor.label === "WebGPU" ? inWebGPU : inWebGL;
+  }
+
+  /** Loads a package, base64; its tier, the first by default. */
+  async load(text, tier) {
+    const opened = await Package.open(new BlobSource(new Blob([bytesOf(text)]), "package"));
+    this.shown = await opened.load(tier);
+    this.arrays = sceneArrays(this.shown.parts);
+    await this.engine.setAsset(this.arrays, this.shown.parts);
+    this.engine.resize(1, 1);
+  }
+
+  /** Rows of 13, or of 10 for emission, float32. */
+  async evaluate(part, output, text) {
+    const columns = output === "transport" ? 13 : 10, given = new Float32Array(bytesOf(text).buffer);
+    const rows = new Float32Array((16 * given.length) / columns);
+    for (let k = 0; 16 * k < rows.length; k++) {
+      const row = given.subarray(columns * k, columns * (k + 1)), wo = row.subarray(7, 10);
+      rows.set([...row.subarray(0, 3), row[6], ...row.subarray(3, 6), 0, ...wo, 0, ...(columns === 13 ? row.subarray(10) : wo)], 16 * k);
+    }
+    return textOf(await this.answers.evaluate(this.engine, part, output, rows));
+  }
+
+  async visibility(text) {
+    return textOf(await this.answers.visibility(this.engine, this._hits(text)));
+  }
+
+  async normals(text) {
+    return textOf(await this.answers.mappedNormals(this.engine, this._hits(text)));
+  }
+
+  _hits(text) {
+    const { buffer } = bytesOf(text), words = new Uint32Array(buffer), floats = new Float32Array(buffer), hits = [];
+    for (let at = 0; at < words.length; at += 8) {
+      const part = words[at + 7], { first, fiber } = this.arrays.parts[part];
+      const numbers = floats.subarray(at, at + 7), place = this.arrays.where[first + words[at]];
+      hits.push(fiber
+        ? { place, part, b1: 0, b2: 0, x: numbers.slice(1, 4), wi: numbers.slice(4, 7) }
+        : { place, part, b1: numbers[1], b2: numbers[2], x: [0, 0, 0], wi: numbers.slice(3, 6) });
+    }
+    return hits;
+  }
+}

@@ -1,0 +1,97 @@
+// The extensions that the spec defines (12): their data in the manifest.
+import { fail } from "./errors.js";
+import { checkSchema } from "./schema.js";
+
+const path = { type: "string", pattern: "^[A-Za-z0-9_-][A-Za-z0-9._-]*(/[A-Za-z0-9_-][A-Za-z0-9._-]*)*$", maxLength: 200 };
+const integer = (minimum, maximum = Number.MAX_SAFE_INTEGER) => ({ type: "integer", minimum, maximum });
+const share = { type: "number", minimum: 0, maximum: 1 };
+const record = (properties) =>
+  ({ type: "object", properties, required: Object.keys(properties), additionalProperties: false });
+
+const LARGEST = 2 ** 32 - 2;
+const SCHEMAS = {
+  RNA_deflate: record({
+    entries: {
+      type: "object",
+      propertyNames: path,
+      additionalProperties: record({
+        elementSize: { enum: [1, 2, 4] }, distance: integer(0), size: integer(0, LARGEST),
+        sha256: { type: "string", pattern: "^[0-9a-f]{64}$" },
+      }),
+    },
+  }),
+  RNA_poster: record({ image: path, width: integer(1), height: integer(1) }),
+  RNA_standin: record({
+    parts: {
+      type: "array", minItems: 1, maxItems: 16,
+      items: record({
+        baseColor: { type: "array", items: share, minItems: 3, maxItems: 3 }, roughness: share, metallic: share,
+      }),
+    },
+  }),
+  RNA_proxy: record({
+    parts: {
+      type: "array", minItems: 1, maxItems: 16,
+      items: {
+        anyOf: [
+          { type: "null" },
+          { type: "array", minItems: 1, maxItems: 8, items: record({ geometry: path, height: integer(1) }) },
+        ],
+      },
+    },
+  }),
+};
+export const KNOWN_EXTENSIONS = Object.keys(SCHEMAS);
+
+/** Fails where the data of a known extension is not as it must be. */
+export function checkExtensions(manifest) {
+  const data = manifest.extensions ?? {};
+  for (const name of KNOWN_EXTENSIONS) {
+    const where = `/extensions/${name}`;
+    if (!Object.hasOwn(data, name)) {
+      if (manifest.extensionsUsed?.includes(name)) fail("FIELD_MISSING", where, "its data is missing");
+      continue;
+    }
+    checkSchema(SCHEMAS[name], data[name], where);
+    CHECKS[name](data[name], manifest, where);
+  }
+}
+
+function checkReference(manifest, name, where) {
+  if (!Object.hasOwn(manifest.entries, name)) fail("REFERENCE_MISSING", where, `no entry ${name}`);
+}
+
+function checkCount(parts, manifest, where) {
+  if (parts.length !== manifest.parts.length) {
+    fail("PARTS_DIFFER", where, `found ${parts.length} parts, expected ${manifest.parts.length}`);
+  }
+}
+
+const CHECKS = {
+  RNA_deflate({ entries }, manifest, where) {
+    if (!manifest.extensionsRequired?.includes("RNA_deflate")) {
+      fail("EXTENSION_UNDECLARED", where, "RNA_deflate is not in extensionsRequired");
+    }
+    const total = Object.values(entries).reduce((sum, { size }) => sum + size, 0);
+    if (total > LARGEST) fail("FIELD_VALUE", where, `${total} decoded bytes`);
+    for (const name of Object.keys(entries)) checkReference(manifest, name, where);
+  },
+  RNA_poster({ image }, manifest, where) {
+    checkReference(manifest, image, where);
+  },
+  RNA_standin({ parts }, manifest, where) {
+    checkCount(parts, manifest, where);
+  },
+  RNA_proxy({ parts }, manifest, where) {
+    checkCount(parts, manifest, where);
+    if (!parts.some((levels) => levels)) fail("FIELD_VALUE", where, "a proxy of no part");
+    parts.forEach((levels, k) => {
+      const { transmittance, normalMaps } = manifest.parts[k];
+      if (levels && (transmittance || normalMaps)) fail("FIELD_VALUE", where, "a proxy of a part with textures");
+      (levels ?? []).forEach(({ geometry, height }, j) => {
+        checkReference(manifest, geometry, where);
+        if (j && height >= levels[j - 1].height) fail("FIELD_VALUE", where, "heights must descend");
+      });
+    });
+  },
+};

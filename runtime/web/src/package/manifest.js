@@ -1,0 +1,196 @@
+// manifest.json (spec, 3): its members by the published schema, then what spans them.
+import schema from "../../../../spec/schema/manifest.schema.json";
+import { fail } from "./errors.js";
+import { checkExtensions, KNOWN_EXTENSIONS } from "./extensions.js";
+import { parseJson } from "./json.js";
+import { checkSchema } from "./schema.js";
+
+const READER = [1, 1];
+const VERSION = /^[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})$/;
+const OF_SURFACES = ["normal", "half_vector", "highlight", "learned_normal"];
+const OF_FIBERS = ["tangent", "h", "fiber_angles", "fiber_lobes"];
+const WITHOUT_LIGHT = ["features", "position", "normal", "tangent", "h", "wo"];
+
+/** The manifest in the long form, checked, with `warnings`. */
+export function readManifest(bytes) {
+  const manifest = parseJson(bytes, "manifest.json", "MANIFEST_NOT_JSON");
+  checkFirst(manifest);
+  checkSchema(specific(schema, manifest), manifest);
+  const long = longForm(manifest);
+  checkBounds(long);
+  checkNames(long);
+  checkParts(long);
+  const old = compare(versionOf(long.minReaderVersion), READER) < 0;
+  if (manifest.parts && old) fail("VERSION_TOO_OLD", "/minReaderVersion", "1.0, with `parts`");
+  checkUsed(long);
+  checkExtensions(long);
+  checkInputs(long);
+  checkRecords(long);
+  checkReferences(long);
+  const unknown = (long.extensionsUsed ?? []).filter((name) => !KNOWN_EXTENSIONS.includes(name));
+  return { ...long, old, warnings: unknown.map((name) => `unknown extension ${name}`) };
+}
+
+const versionOf = (text) => text.split(".").map(Number);
+const compare = (a, b) => a[0] - b[0] || a[1] - b[1];
+
+/** What is looked at before all other members. */
+function checkFirst(manifest) {
+  if (!("format" in manifest)) fail("FIELD_MISSING", "/format", "missing");
+  if (manifest.format !== "rna") fail("FORMAT_UNKNOWN", "/format", "this is no RNA package");
+  const least = manifest.minReaderVersion;
+  if (typeof least === "string" && VERSION.test(least) && !least.endsWith("\n")) {
+    if (compare(versionOf(least), READER) > 0) {
+      fail("VERSION_TOO_NEW", "/minReaderVersion", `the package needs a reader of version ${least}`);
+    }
+  }
+  const parts = Array.isArray(manifest.parts) ? manifest.parts : [manifest];
+  for (const part of parts) {
+    if (part?.kind !== undefined && !["surface", "fiber"].includes(part.kind)) {
+      fail("KIND_UNSUPPORTED", "/kind", `found ${JSON.stringify(part.kind)}, expected surface or fiber`);
+    }
+  }
+  for (const name of Array.isArray(manifest.extensionsRequired) ? manifest.extensionsRequired : []) {
+    if (typeof name === "string" && !KNOWN_EXTENSIONS.includes(name)) {
+      fail("EXTENSION_REQUIRED", "/extensionsRequired", `this viewer does not know ${name}`);
+    }
+  }
+}
+
+/** The schema of the form that the manifest is in, so that faults are told of its members. */
+function specific(all, manifest) {
+  const name = "parts" in manifest ? "Manifest" : "ShortManifest";
+  return { ...all.$defs[name], $defs: all.$defs };
+}
+
+/** Parts and tier parts written out. */
+function longForm(manifest) {
+  if (manifest.parts) return manifest;
+  const { kind, bounds, geometry, ...rest } = manifest;
+  const tiers = manifest.tiers.map(({ name, validation, cost, ...part }) =>
+    ({ name, validation, cost, parts: [part] }));
+  return { ...rest, parts: [{ name: "asset", kind, bounds, geometry }], tiers };
+}
+
+function checkBounds(manifest) {
+  manifest.parts.forEach(({ bounds: { min, max } }, k) => {
+    min.forEach((low, axis) => {
+      if (!(Math.fround(max[axis]) - Math.fround(low) >= 1e-18)) {
+        fail("BOUNDS_EMPTY", `/parts/${k}/bounds`, `no extent along axis ${axis}`);
+      }
+    });
+  });
+  for (const side of ["wo", "wi"]) {
+    const cones = manifest.domain[side];
+    for (const { axis } of Array.isArray(cones) ? cones : []) {
+      if (Math.abs(Math.hypot(...axis) - 1) > 1e-3) fail("FIELD_VALUE", `/domain/${side}`, "an axis is no unit vector");
+    }
+  }
+}
+
+function checkNames(manifest) {
+  for (const [list, code] of [["tiers", "TIER_DUPLICATE"], ["parts", "PART_DUPLICATE"]]) {
+    const names = manifest[list].map(({ name }) => name);
+    if (new Set(names).size !== names.length) fail(code, `/${list}`, "a name is there twice");
+  }
+  manifest.tiers.forEach(({ validation }, k) => {
+    (validation?.flipAtHeight ?? []).forEach(({ height }, j, all) => {
+      if (j && height >= all[j - 1].height) {
+        fail("FIELD_VALUE", `/tiers/${k}/validation/flipAtHeight/${j}`, "heights must descend");
+      }
+    });
+  });
+}
+
+function checkParts(manifest) {
+  manifest.tiers.forEach((tier, k) => {
+    if (tier.parts.length !== manifest.parts.length) {
+      fail("PARTS_DIFFER", `/tiers/${k}/parts`, `found ${tier.parts.length}, expected ${manifest.parts.length}`);
+    }
+    tier.parts.forEach((part, j) => {
+      if (!part.emission !== !manifest.tiers[0].parts[j].emission) {
+        fail("PARTS_DIFFER", `/tiers/${k}/parts/${j}`, "emission in some tiers alone");
+      }
+    });
+  });
+}
+
+function checkUsed(manifest) {
+  const used = manifest.extensionsUsed ?? [];
+  for (const name of [...Object.keys(manifest.extensions ?? {}), ...(manifest.extensionsRequired ?? [])]) {
+    if (!used.includes(name)) fail("EXTENSION_UNDECLARED", "/extensionsUsed", `${name} is not there`);
+  }
+}
+
+function checkInputs(manifest) {
+  manifest.tiers.forEach((tier, i) => tier.parts.forEach((part, k) => {
+    const wrong = manifest.parts[k].kind === "surface" ? OF_FIBERS : OF_SURFACES;
+    const check = (inputs, allowed) => {
+      for (const name of inputs) {
+        if (!allowed(name)) fail("INPUT_KIND", `/tiers/${i}/parts/${k}/inputs`, `${name} is not for this part`);
+      }
+    };
+    check(part.inputs, (name) => !wrong.includes(name));
+    check(part.emission?.inputs ?? [], (name) => !wrong.includes(name) && WITHOUT_LIGHT.includes(name));
+  }));
+}
+
+function checkRecords(manifest) {
+  manifest.parts.forEach((part, k) => {
+    for (const [name, code] of [["transmittance", "TRANSMITTANCE_RANGE"], ["normalMaps", "NORMAL_MAP_RANGE"]]) {
+      const where = `/parts/${k}/${name}`;
+      if (part[name] && part.kind !== "surface") fail("FIELD_VALUE", where, `of a ${part.kind}`);
+      let next = 0;
+      (part[name] ?? []).forEach(({ triangles: [first, count] }, j) => {
+        if (first < next) fail(code, `${where}/${j}`, "ranges must ascend and not overlap");
+        next = first + count;
+      });
+    }
+  });
+}
+
+/** Entry names that the manifest's paths name, with where they stand. */
+function* references(manifest) {
+  for (const [k, part] of manifest.parts.entries()) {
+    yield [`/parts/${k}/geometry`, part.geometry];
+    for (const name of ["transmittance", "normalMaps"]) {
+      for (const [j, record] of (part[name] ?? []).entries()) yield [`/parts/${k}/${name}/${j}`, record.texture];
+    }
+  }
+  for (const [i, tier] of manifest.tiers.entries()) {
+    for (const [k, part] of tier.parts.entries()) {
+      const where = `/tiers/${i}/parts/${k}`;
+      yield [`${where}/planes`, part.planes];
+      yield [`${where}/decoder`, part.decoder];
+      if (part.emission) yield [`${where}/emission/decoder`, part.emission.decoder];
+    }
+  }
+}
+
+function checkReferences(manifest) {
+  const named = new Set();
+  for (const [where, name] of references(manifest)) {
+    if (!Object.hasOwn(manifest.entries, name)) fail("REFERENCE_MISSING", where, `no entry ${name}`);
+    named.add(name);
+  }
+  const folders = (manifest.extensionsUsed ?? []).map((name) => `extensions/${name}/`);
+  for (const name of Object.keys(manifest.entries)) {
+    if (!named.has(name) && !folders.some((folder) => name.startsWith(folder))) {
+      fail("ENTRY_UNREFERENCED", "/entries", `nothing refers to ${name}`);
+    }
+  }
+}
+
+/** The archive holds the declared entries, and no others. */
+export function checkEntries(manifest, directory) {
+  for (const name of directory.keys()) {
+    if (name !== "manifest.json" && !Object.hasOwn(manifest.entries, name)) {
+      fail("ENTRY_UNDECLARED", "/entries", `the archive holds ${name}`);
+    }
+  }
+  for (const [name, { size }] of Object.entries(manifest.entries)) {
+    const entry = directory.get(name);
+    if (!entry || name === "manifest.json") fail("ENTRY_MISSING", "/entries", `the archive lacks ${name}`);
+    if (entry.size !== size) fail("ENTRY_SIZE", `/entries/${name}`, `found ${entry.size}, expected ${size}`);
+  }
+}

@@ -1,0 +1,169 @@
+// A package: its manifest, and the parts of one tier, of which only the bytes needed are read.
+import { entryData, MANIFEST, readDirectory } from "./container.js";
+import { readCurves } from "./curves.js";
+import { readDecoder } from "./decoder.js";
+import { decodeEntry } from "./deflate.js";
+import { fail } from "./errors.js";
+import { checkEntries, readManifest } from "./manifest.js";
+import { readMesh } from "./mesh.js";
+import { readPlanes } from "./planes.js";
+import { checkRecord, readNormalMap, readTransmittance } from "./textures.js";
+
+// A gap up to this is fetched with its neighbours: one request less.
+const GAP = 65536;
+const WIDTHS = {
+  position: 3, normal: 3, tangent: 3, h: 1, wo: 3, wi: 3, half_vector: 5, highlight: 1, learned_normal: 2,
+  fiber_angles: 6, fiber_lobes: 3,
+};
+
+export class Package {
+  static async open(source) {
+    const own = new Package();
+    own.source = source;
+    own.directory = await readDirectory(source);
+    own.cache = new Map();
+    own.manifest = readManifest(await own._stored(MANIFEST));
+    checkEntries(own.manifest, own.directory);
+    return own;
+  }
+
+  get poster() {
+    return this.manifest.extensions?.RNA_poster;
+  }
+
+  tier(name) {
+    const found = name ? this.manifest.tiers.find((tier) => tier.name === name) : this.manifest.tiers[0];
+    if (!found) {
+      const names = this.manifest.tiers.map((tier) => tier.name).join(", ");
+      fail("TIER_UNKNOWN", this.source.name, `no tier ${name}; there are ${names}`);
+    }
+    return found;
+  }
+
+  /** Bytes of the file that showing the tier takes. */
+  bytesOf(name) {
+    return this._ranges(this._entriesOf(this.tier(name))).reduce((sum, [start, end]) => sum + end - start, 0);
+  }
+
+  /** The parts of a tier, read and checked: geometry, planes, decoders, textures. */
+  async load(name) {
+    const tier = this.tier(name), names = this._entriesOf(tier);
+    await this._fetch(names);
+    const data = new Map();
+    for (const entry of names) data.set(entry, await this._data(entry));
+    const parts = this.manifest.parts.map((part, k) => this._part(part, tier.parts[k], k, data));
+    return { name: tier.name, tier, parts };
+  }
+
+  /** The poster's PNG, or null. */
+  async posterImage() {
+    if (!this.poster) return null;
+    await this._fetch([this.poster.image]);
+    return new Blob([await this._data(this.poster.image)], { type: "image/png" });
+  }
+
+  /** Lets go of bytes that were fetched for a tier. */
+  forget() {
+    this.cache.clear();
+  }
+
+  _part(part, own, k, data) {
+    const { kind, bounds, geometry } = part, old = this.manifest.old, where = `/parts/${k}`;
+    const bytes = data.get(geometry);
+    const result = { name: part.name, kind, bounds: roundedBounds(bounds), inputs: own.inputs };
+    if (kind === "surface") result.mesh = readMesh(bytes, geometry, old);
+    else result.curves = readCurves(bytes, geometry, old);
+    result.transmittance = (part.transmittance ?? []).map((record) => {
+      const texture = readTransmittance(data.get(record.texture), record, record.texture);
+      checkRecord(record, texture, result.mesh, where, "TRANSMITTANCE");
+      return { ...record, texture };
+    });
+    result.normalMaps = (part.normalMaps ?? []).map((record) => {
+      const texture = readNormalMap(data.get(record.texture), record.texture);
+      checkRecord(record, texture, result.mesh, where, "NORMAL_MAP");
+      return { ...record, texture };
+    });
+    result.planes = readPlanes(data.get(own.planes), own, own.planes);
+    result.transport = decoderOf(data, own, own, "transport", 6);
+    result.emission = own.emission
+      ? { inputs: own.emission.inputs, ...decoderOf(data, own, own.emission, "emission", 3) }
+      : null;
+    return result;
+  }
+
+  _entriesOf(tier) {
+    const names = [];
+    for (const part of this.manifest.parts) {
+      names.push(part.geometry);
+      for (const record of [...(part.transmittance ?? []), ...(part.normalMaps ?? [])]) names.push(record.texture);
+    }
+    for (const part of tier.parts) {
+      names.push(part.planes, part.decoder);
+      if (part.emission) names.push(part.emission.decoder);
+    }
+    return [...new Set(names)];
+  }
+
+  /** Byte ranges that hold the entries, neighbours together. */
+  _ranges(names) {
+    const spans = names.map((name) => this.directory.get(name)).sort((a, b) => a.header - b.header);
+    const ranges = [];
+    for (const { header, end } of spans) {
+      const last = ranges.at(-1);
+      if (last && header - last[1] <= GAP) last[1] = end;
+      else ranges.push([header, end]);
+    }
+    return ranges;
+  }
+
+  async _fetch(names) {
+    const missing = names.filter((name) => !this.cache.has(name));
+    this.source.expected = this.source.ranged
+      ? this.source.fetched + this._ranges(missing).reduce((sum, [start, end]) => sum + end - start, 0)
+      : this.source.size;
+    for (const [start, end] of this._ranges(missing)) {
+      const bytes = await this.source.read(start, end);
+      for (const name of missing) {
+        const entry = this.directory.get(name);
+        if (entry.header >= start && entry.end <= end) {
+          this.cache.set(name, bytes.subarray(entry.header - start, entry.end - start));
+        }
+      }
+    }
+  }
+
+  async _stored(name) {
+    const entry = this.directory.get(name);
+    const bytes = this.cache.get(name) ?? await this.source.read(entry.header, entry.end);
+    return entryData(entry, bytes);
+  }
+
+  /** The entry as the rest of the spec knows it: checked, decoded where it is coded. */
+  async _data(name) {
+    const stored = await this._stored(name);
+    await checkHash(stored, this.manifest.entries[name].sha256, name);
+    const coding = this.manifest.extensions?.RNA_deflate?.entries[name];
+    if (!coding) return stored;
+    const decoded = await decodeEntry(stored, coding, name);
+    await checkHash(decoded, coding.sha256, name);
+    return decoded;
+  }
+}
+
+function decoderOf(data, part, own, output, outputs) {
+  const columns = own.inputs.reduce((sum, block) => sum + (WIDTHS[block] ?? part.channels), 0);
+  const options = { columns, outputs, output, precision: own.decoderPrecision };
+  return readDecoder(data.get(own.decoder), options, own.decoder);
+}
+
+function roundedBounds({ min, max }) {
+  return { min: min.map(Math.fround), max: max.map(Math.fround) };
+}
+
+/** Where the browser has no SHA-256 (plain HTTP), the CRC-32 was checked already. */
+async function checkHash(bytes, expected, name) {
+  if (!globalThis.crypto?.subtle) return;
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+  const found = [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  if (found !== expected) fail("ENTRY_HASH", name, "the bytes do not have the declared SHA-256");
+}

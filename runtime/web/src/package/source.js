@@ -1,0 +1,90 @@
+// Where the bytes of a package come from: a dropped file, or an address, by range requests where the
+// server allows them (RFC 9110, section 14).
+import { NotSupported } from "./errors.js";
+
+const HEAD = 65536;
+
+/** A File or Blob. */
+export class BlobSource {
+  constructor(blob, name) {
+    this.blob = blob;
+    this.name = name;
+    this.size = blob.size;
+    this.ranged = false;
+    this.fetched = blob.size;
+  }
+
+  async read(start, end) {
+    return new Uint8Array(await this.blob.slice(start, end).arrayBuffer());
+  }
+}
+
+/** Bytes at an address; `progress(bytes)` hears how many have arrived in all. */
+export class UrlSource {
+  static async open(url, progress = () => {}, signal) {
+    const source = new UrlSource();
+    Object.assign(source, { url, progress, signal, fetched: 0, name: nameOf(url) });
+    const answer = await source._ask({ Range: `bytes=0-${HEAD - 1}` });
+    const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "");
+    source.ranged = answer.status === 206 && total !== null;
+    const length = Number(answer.headers.get("Content-Length")) || 0;
+    source.expected = source.ranged ? HEAD : length;
+    source.head = await source._collect(answer);
+    source.size = source.ranged ? Number(total[1]) : source.head.length;
+    return source;
+  }
+
+  async read(start, end) {
+    if (end <= this.head.length) return this.head.subarray(start, end);
+    if (!this.ranged) return this.head.subarray(start, Math.min(end, this.size));
+    const answer = await this._ask({ Range: `bytes=${start}-${end - 1}` });
+    if (answer.status !== 206) throw new NotSupported(`${this.name}: the server forgot about ranges`);
+    return this._collect(answer);
+  }
+
+  async _ask(headers) {
+    let answer;
+    try {
+      answer = await fetch(this.url, { headers, signal: this.signal });
+    } catch (error) {
+      if (error.name === "AbortError") throw error;
+      const file = new URL(this.url, location.href).protocol === "file:";
+      throw new NotSupported(
+        file
+          ? "a page opened from a file cannot load packages: serve the folder (rna-view, any web server), or drop the .rna file here"
+          : `cannot load ${this.url}: no answer, or the server does not allow other sites (CORS)`,
+      );
+    }
+    // 416: an empty file has no first byte.
+    if (!answer.ok && answer.status !== 416) {
+      throw new NotSupported(`cannot load ${this.url}: HTTP ${answer.status}`);
+    }
+    return answer;
+  }
+
+  async _collect(answer) {
+    if (answer.status === 416 || !answer.body) return new Uint8Array();
+    const pieces = [];
+    let length = 0;
+    const reader = answer.body.getReader();
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) break;
+      pieces.push(value);
+      length += value.length;
+      this.fetched += value.length;
+      this.progress(this.fetched, this.expected);
+    }
+    const bytes = new Uint8Array(length);
+    let at = 0;
+    for (const piece of pieces) {
+      bytes.set(piece, at);
+      at += piece.length;
+    }
+    return bytes;
+  }
+}
+
+function nameOf(url) {
+  return decodeURIComponent(new URL(url, location.href).pathname.split("/").pop()) || url;
+}

@@ -1,0 +1,115 @@
+// What stands beside the picture: the panel's controls and figures, progress, poster, messages.
+
+const element = (id) => document.getElementById(id);
+
+export function readableBytes(count) {
+  return count < 1e6 ? `${Math.round(count / 1e3)} kB` : `${(count / 1e6).toFixed(count < 1e7 ? 2 : 1)} MB`;
+}
+
+export class Panel {
+  constructor(app) {
+    this.app = app;
+    const on = (id, event, action) => element(id).addEventListener(event, (e) => action(e.target));
+    on("tier", "change", ({ value }) => app.switchTier(value));
+    const light = (id, name) => {
+      on(id, "input", ({ valueAsNumber }) => this._setLight(name, valueAsNumber, true));
+      on(id, "change", ({ valueAsNumber }) => this._setLight(name, valueAsNumber, false));
+    };
+    light("environment-intensity", "strength");
+    light("sun-intensity", "sun");
+    light("sun-height", "sunHeight");
+    light("rotation", "rotation");
+    on("environment", "change", ({ value }) => this._setLight("choice", value, false));
+    on("exposure", "input", ({ valueAsNumber }) => app.setExposure(valueAsNumber));
+    on("exposure", "change", () => this.hasGround && app.changed());  // the ground has the colour of the page
+    on("ground", "change", () => app.changed());
+    on("reset", "click", () => app.resetView());
+    on("screenshot", "click", () => this._save());
+    on("fullscreen", "click", () => this._fullScreen());
+    this.showLighting(app.lighting);
+  }
+
+  _setLight(name, value, moving) {
+    // The first touch of the sun puts the page's sun in place of a scene's.
+    if (name === "sun" || name === "sunHeight") this.app.lighting.suns = null;
+    this.app.lighting[name] = value;
+    this.app.changed(moving);
+  }
+
+  get hasGround() {
+    return element("ground").checked;
+  }
+
+  setGround(on) {
+    element("ground").checked = on;
+  }
+
+  showLighting({ images, choice, strength, sun, sunHeight, rotation }) {
+    const options = [...images].map(([key, { label }]) => new Option(label, key, false, key === choice));
+    element("environment").replaceChildren(...options);
+    const values = { "environment-intensity": strength, "sun-intensity": sun, "sun-height": sunHeight, rotation };
+    for (const [id, value] of Object.entries(values)) element(id).value = value;
+  }
+
+  showEngine(label, reasons) {
+    element("api").textContent = [label, ...reasons].join(": ");
+  }
+
+  showPackage({ manifest, warnings = manifest.warnings, bytesOf, ...opened }, { tier }) {
+    const own = this.app.opened;
+    document.title = `${manifest.name} – RNA viewer`;
+    element("name").textContent = manifest.name;
+    element("tier").replaceChildren(
+      ...manifest.tiers.map(({ name }) => new Option(name, name, false, name === tier.name)),
+    );
+    const { validation, cost } = tier;
+    element("error").textContent = validation ? `${validation.psnr.toFixed(1)} dB, FLIP ${validation.flip.toFixed(3)}` : "not recorded";
+    element("cost").textContent = cost ? `${cost.multiplyAdds.toLocaleString("en")} multiply-adds` : "not recorded";
+    element("size").textContent = readableBytes(own.bytesOf(tier.name));
+    if (warnings.length) this.say(warnings.join("; "), true);
+  }
+
+  showStats({ ms, rounds, scale }) {
+    element("time").textContent = ms ? `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms` : "–";
+    element("rounds").textContent = scale === 1 ? String(rounds) : `first look, 1/${scale} of the size`;
+  }
+
+  /** got: bytes so far, null when there is nothing more to wait for. */
+  showProgress(got, all) {
+    element("loading").hidden = got === null;
+    if (got === null) return;
+    const bar = element("bar");
+    if (all) Object.assign(bar, { max: Math.max(all, got), value: got });
+    else bar.removeAttribute("value");
+    element("bytes").textContent = all ? `${readableBytes(got)} of ${readableBytes(Math.max(all, got))}` : readableBytes(got);
+  }
+
+  showPoster(blob) {
+    const image = element("poster");
+    if (image.src) URL.revokeObjectURL(image.src);
+    image.hidden = !blob;
+    if (blob) image.src = URL.createObjectURL(blob);
+    else image.removeAttribute("src");
+  }
+
+  /** One line; null takes it away. calm: it is no error. */
+  say(text, calm = false) {
+    const notice = element("notice");
+    notice.hidden = !text;
+    notice.textContent = text ?? "";
+    notice.classList.toggle("calm", calm);
+  }
+
+  async _save() {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(await this.app.screenshot());
+    link.download = `${this.app.opened?.manifest.name ?? "rna"}.png`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+
+  _fullScreen() {
+    if (document.fullscreenElement) document.exitFullscreen();
+    else document.documentElement.requestFullscreen?.();
+  }
+}

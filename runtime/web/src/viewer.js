@@ -1,0 +1,146 @@
+// The picture over time: a coarse one at once, then finer ones, then samples that are averaged. Work is cut into
+// bands of rows, so that nothing holds up the page for long.
+
+const BAND_MS = 120;
+const MOVING_MS = 110;     // of a picture while something moves
+const COARSEST = 16;
+const DARKNESS = { kind: "sun", direction: [0, 1, 0], colour: [0, 0, 0] };
+export const BACKDROP = [0.052, 0.056, 0.063];
+
+export class Viewer extends EventTarget {
+  constructor(engine, canvas, orbit) {
+    super();
+    Object.assign(this, { engine, canvas, orbit });
+    Object.assign(this, {
+      lights: [], ground: null, exposure: 0, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
+      finest: 1, ready: false, stopped: false, moving: false, stats: { ms: 0, rounds: 0 },
+    });
+    this.wake = null;
+  }
+
+  /** Starts the picture again, since something changed. `moving`: more changes will follow at once. */
+  restart(moving = false) {
+    this.moving = moving;
+    Object.assign(this.stats, { rounds: 0, scale: 0 });
+    this.generation += 1;
+    this.wake?.();
+  }
+
+  start() {
+    this.ready = true;
+    this.running ??= this._run();
+    this.restart();
+  }
+
+  pause() {
+    this.ready = false;
+    this.generation += 1;
+  }
+
+  stop() {
+    this.stopped = true;
+    this.pause();
+    this.wake?.();
+    return this.running;
+  }
+
+  /** Resolves when the picture has `rounds` samples in full size. */
+  async converged(rounds = this.rounds) {
+    while (!(this.stats.scale === 1 && this.stats.rounds >= rounds)) {
+      await new Promise((resolve) => this.addEventListener("shown", resolve, { once: true }));
+    }
+  }
+
+  show() {
+    if (!this.shown) return;
+    this.engine.show({ rounds: this.shown.rounds, exposure: 2 ** this.exposure, backdrop: BACKDROP });
+  }
+
+  async _run() {
+    while (!this.stopped) {
+      const generation = this.generation;
+      try {
+        if (this.ready) await this._picture(generation);
+      } catch (error) {
+        if (!this.engine.lost) this.dispatchEvent(Object.assign(new Event("failed"), { error }));
+        this.ready = false;
+      }
+      if (generation === this.generation && !this.stopped) await new Promise((resolve) => { this.wake = resolve; });
+    }
+  }
+
+  /** All sizes of the picture, until something changes. */
+  async _picture(generation) {
+    for (const scale of this._scales()) {
+      const rounds = scale === 1 && !this.moving ? this.rounds : 1;
+      if (!(await this._stage(generation, scale, rounds))) return;
+      if (this.moving) return;
+    }
+  }
+
+  /** Sizes to go through: what is quick enough first, then four times as many pixels each. */
+  _scales() {
+    const pixels = this.canvas.width * this.canvas.height * Math.max(1, this.lights.length);
+    let scale = 1;
+    while (scale < COARSEST && (pixels * this.msPerPixel) / scale ** 2 > MOVING_MS) scale *= 2;
+    const scales = [scale];
+    while (scale > 1) scales.push((scale = scale > 4 ? scale / 4 : 1));
+    return scales;
+  }
+
+  async _stage(generation, scale, rounds) {
+    const { engine, canvas } = this;
+    const width = Math.ceil(canvas.width / scale), height = Math.ceil(canvas.height / scale);
+    this.shown = null;
+    engine.resize(width, height);
+    const camera = { ...this.orbit.camera(width, height), jitter: this.jitter };
+    if (!this.hasShown) {  // one light is better than none
+      if (!(await this._round(generation, camera, 0, this.lights.slice(0, 1)))) return false;
+      this._present(1, scale);
+    }
+    for (let round = 0; round < rounds; round++) {
+      const begun = performance.now();
+      if (!(await this._round(generation, camera, round, this.lights))) return false;
+      this._present(round + 1, scale);
+      this._measure(performance.now() - begun, width * height, scale);
+    }
+    return true;
+  }
+
+  /** A sample of every pixel, some rows at a time; false if the picture is no longer wanted. */
+  async _round(generation, camera, round, lights) {
+    const { engine } = this, { width, height } = engine.target;
+    const cost = this.msPerPixel * width * Math.max(1, lights.length);
+    const rows = Math.max(1, Math.min(height, Math.floor(BAND_MS / cost), Math.floor(engine.bandPixels / width)));
+    for (let from = 0; from < height; from += rows) {
+      this._band(camera, round, lights, from, Math.min(height, from + rows));
+      await engine.done();
+      if (generation !== this.generation || this.stopped || engine.lost) return false;
+    }
+    return true;
+  }
+
+  _band(camera, round, lights, from, to) {
+    const { engine } = this;
+    engine.trace(camera, round, from, to);
+    const all = lights.length ? lights : [DARKNESS];
+    all.forEach((light, k) =>
+      engine.light({ ...light, ground: this.ground }, { isFirst: round === 0 && k === 0, countsCoverage: k === 0 }));
+    if (engine.emits) engine.emission();
+  }
+
+  _present(rounds, scale) {
+    this.shown = { rounds };
+    this.show();
+    if (!this.hasShown) performance.mark("picture");
+    this.hasShown = true;
+    Object.assign(this.stats, { rounds, scale });
+    this.dispatchEvent(new Event("shown"));
+  }
+
+  _measure(ms, pixels, scale) {
+    const own = ms / (pixels * Math.max(1, this.lights.length));
+    this.msPerPixel = pixels < 4096 ? Math.min(this.msPerPixel * 4, own) : 0.5 * (this.msPerPixel + own);
+    if (scale === 1) this.stats.ms = this.stats.ms ? 0.7 * this.stats.ms + 0.3 * ms : ms;
+  }
+}

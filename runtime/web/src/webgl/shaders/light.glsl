@@ -1,0 +1,114 @@
+// For each query a direction of one light, what arrives from there, and how much of it the asset lets through.
+#include random
+
+uniform sampler2D rows0;
+uniform sampler2D rows1;
+uniform sampler2D rows2;
+uniform sampler2D rows3;
+uniform sampler2D given;        // directions, of the conformance kit
+uniform int lightKind;          // 0: sun, 1: environment, 2: given directions
+uniform vec3 lightDirection;    // of a sun
+uniform vec3 lightColour;       // its irradiance, or a factor of the environment
+uniform sampler2D environment;  // radiance, row 0 at +y; w: the row's distribution along it
+uniform sampler2D marginal;     // distribution over rows
+uniform vec2 turn;              // cosine and sine of the environment's rotation
+uniform vec4 ground;            // height, 1 if there is one, middle x and z
+uniform vec3 groundColour;      // radiance of it in full light, over the light's irradiance
+uniform float groundSize;
+uniform vec3 cameraAt;
+uniform int height;
+uniform int firstRow;
+
+layout(location = 0) out vec4 lit0;  // wi; 0 nothing, 1 a query, 2 radiance in lit2
+layout(location = 1) out vec4 lit1;  // visibility; coverage
+layout(location = 2) out vec4 lit2;  // radiance over density, times the throughput
+
+const float PI = 3.14159265358979;
+
+int searched(sampler2D table, int row, int count, float u, int channel) {
+  int low = 0, high = count - 1;
+  while (low < high) {
+    int middle = (low + high) / 2;
+    if (texelFetch(table, ivec2(middle, row), 0)[channel] > u) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+vec3 environmentAt(vec2 st) {
+  ivec2 size = textureSize(environment, 0);
+  vec2 at = st * vec2(size) - 0.5, low = floor(at), f = at - low;
+  ivec2 a = ivec2(low), b = a + 1;
+  a.y = clamp(a.y, 0, size.y - 1);
+  b.y = clamp(b.y, 0, size.y - 1);
+  a.x = (a.x + size.x) % size.x;
+  b.x = b.x % size.x;
+  return mix(mix(texelFetch(environment, a, 0), texelFetch(environment, ivec2(b.x, a.y), 0), f.x),
+             mix(texelFetch(environment, ivec2(a.x, b.y), 0), texelFetch(environment, b, 0), f.x), f.y).xyz;
+}
+
+// A direction in proportion to the luminance of texels; radiance over density.
+vec3 sampleEnvironment(vec2 u, out vec3 wi) {
+  ivec2 size = textureSize(environment, 0);
+  int row = searched(marginal, 0, size.y, u.y, 0);
+  float before = row > 0 ? texelFetch(marginal, ivec2(row - 1, 0), 0).x : 0.0;
+  float chance = texelFetch(marginal, ivec2(row, 0), 0).x - before, v = (u.y - before) / chance;
+  int column = searched(environment, row, size.x, u.x, 3);
+  float left = column > 0 ? texelFetch(environment, ivec2(column - 1, row), 0).w : 0.0;
+  float width = texelFetch(environment, ivec2(column, row), 0).w - left;
+  vec2 st = (vec2(column, row) + vec2((u.x - left) / width, clamp(v, 0.0, 1.0))) / vec2(size);
+  float theta = PI * st.y, phi = 2.0 * PI * (st.x - 0.5), sine = sin(theta);
+  vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
+  wi = vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
+  float density = chance * width * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
+  return environmentAt(st) / density;
+}
+
+vec3 sampleLight(ivec2 pixel, out vec3 wi) {
+  ivec2 seen = ivec2(pixel.x, height - 1 - pixel.y - firstRow);
+  if (lightKind == 1) return lightColour * sampleEnvironment(random(seen, DIRECTION), wi);
+  wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
+  return lightColour;
+}
+
+// Where a ray to the light starts, and what it may bring.
+struct Start {
+  vec3 origin;
+  uint strand;  // that is no obstacle
+  vec3 weight;
+  float coverage;
+};
+
+const uint NO_STRAND = 0xffffffffu;
+
+Start startOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
+  int place = int(row2.w);
+  uvec4 primitive = wordsAt(primitives, place);
+  if ((primitive.w & SEGMENT) != 0u) return Start(row0.xyz, primitive.z, vec3(1.0), 1.0);
+  Hit hit = Hit(0.0, primitive.w, place, row1.w, b2, vec3(0.0));
+  return Start(liftedOrigin(primitive, hit, wi), NO_STRAND, vec3(1.0), 1.0);
+}
+
+// The ground shows the shadow, and fades with the distance.
+Start startOnGround(vec3 d, vec3 wi) {
+  if (ground.y == 0.0 || d.y * (cameraAt.y - ground.x) >= 0.0) return Start(vec3(0.0), NO_STRAND, vec3(0.0), 0.0);
+  vec3 x = cameraAt + d * ((ground.x - cameraAt.y) / d.y);
+  float fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - ground.zw) / groundSize);
+  return Start(x + vec3(0.0, epsilon, 0.0), NO_STRAND, fade * max(0.0, wi.y) * groundColour, fade);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 row0 = texelFetch(rows0, pixel, 0), row1 = texelFetch(rows1, pixel, 0);
+  vec4 row2 = texelFetch(rows2, pixel, 0), row3 = texelFetch(rows3, pixel, 0);
+  bool isQuery = row0.w != 0.0;
+  vec3 wi, radiance = row3.xyz * sampleLight(pixel, wi);
+  Start start;
+  if (isQuery) start = startOf(row0, row1, row2, row3.w, wi);
+  else start = startOnGround(-row2.xyz, wi);
+  bool needed = any(greaterThan(start.weight, vec3(0.0)));
+  vec3 passed = needed ? passes(start.origin, wi, start.strand) : vec3(0.0);
+  lit0 = vec4(wi, isQuery ? 1.0 : 2.0);
+  lit1 = vec4(passed, start.coverage);
+  lit2 = vec4(isQuery ? radiance : start.weight * passed * radiance, 0.0);
+}

@@ -1,0 +1,132 @@
+// What a hit is on: normals, relief, transmittance (spec, 4.1, 4.4, 4.5), and its own ray to the light (7.1).
+
+struct Corners {
+  vec3 p[3], n[3];
+  vec2 uv[3];
+};
+
+Corners cornersOf(uvec4 primitive) {
+  Corners corners;
+  for (int k = 0; k < 3; k++) {
+    vec4 place = valuesAt(places, int(primitive[k])), normal = valuesAt(normals, int(primitive[k]));
+    corners.p[k] = place.xyz;
+    corners.n[k] = normal.xyz;
+    corners.uv[k] = vec2(place.w, normal.w);
+  }
+  return corners;
+}
+
+vec3 weightsOf(Hit hit) {
+  return vec3(1.0 - hit.b1 - hit.b2, hit.b1, hit.b2);
+}
+
+vec3 mixed(vec3 v[3], vec3 b) {
+  return b.x * v[0] + b.y * v[1] + b.z * v[2];
+}
+
+vec3 texelAt(uvec4 size, int offset, ivec2 place) {
+  ivec2 wide = ivec2(size.xy);
+  ivec2 at = place - wide * ivec2(floor(vec2(place) / vec2(wide)));
+  int first = offset + (at.y * wide.x + at.x) * int(size.z);
+  vec3 value = vec3(0.0);
+  for (int c = 0; c < int(size.z); c++) value[c] = float(wordsAt(texels, first + c).x);
+  return value;
+}
+
+// The bilinear lookup of 4.4, in values from 0 to 255; the texture repeats.
+vec3 lookUp(uvec4 size, int offset, vec2 uv) {
+  vec2 place = uv * vec2(size.xy) - 0.5, low = floor(place), f = place - low;
+  // Repeat before integers: coordinates may be large.
+  low -= vec2(size.xy) * floor(low / vec2(size.xy));
+  ivec2 at = ivec2(low);
+  vec3 lower = mix(texelAt(size, offset, at), texelAt(size, offset, at + ivec2(1, 0)), f.x);
+  vec3 upper = mix(texelAt(size, offset, at + ivec2(0, 1)), texelAt(size, offset, at + ivec2(1, 1)), f.x);
+  return mix(lower, upper, f.y);
+}
+
+// The record of this kind that the triangle is in, or -1.
+int recordOf(uint number, uint kind) {
+  for (int k = 0; k < recordCount; k++) {
+    uvec4 record = wordsAt(records, 3 * k);
+    if (record.x == kind && number >= record.y && number < record.z) return k;
+  }
+  return -1;
+}
+
+float fresnel(float index, float c) {
+  float g2 = index * index - 1.0 + c * c;
+  if (g2 <= 0.0) return 1.0;
+  float g = sqrt(g2), r = (g - c) / (g + c), s = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+  return clamp(0.5 * r * r * (1.0 + s * s), 0.0, 1.0);
+}
+
+vec3 transmittance(uvec4 primitive, Hit hit, vec3 d) {
+  int k = recordCount > 0 ? recordOf(primitive.w, 0u) : -1;
+  if (k < 0) return vec3(0.0);
+  uvec4 record = wordsAt(records, 3 * k), size = wordsAt(records, 3 * k + 1), indices = wordsAt(records, 3 * k + 2);
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit);
+  vec2 uv = b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
+  vec3 tau = lookUp(size, int(record.w), uv) / 255.0;
+  if (size.z == 1u) tau = tau.xxx;
+  float cutoff = uintBitsToFloat(size.w), front = uintBitsToFloat(indices.x);
+  if (cutoff > 0.0) tau = vec3(tau.x > cutoff ? 1.0 : 0.0);
+  if (front > 0.0) {
+    vec3 n = unit(mixed(corners.n, b)), ng = cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]);
+    float index = dot(d, ng) < 0.0 ? front : uintBitsToFloat(indices.y);
+    tau *= 1.0 - fresnel(index, abs(dot(n, d)));
+  }
+  return tau;
+}
+
+// The normal with relief, 4.5.
+vec3 mappedNormal(uint number, Corners corners, vec3 b, vec3 n) {
+  int k = recordCount > 0 ? recordOf(number, 1u) : -1;
+  if (k < 0) return n;
+  vec3 e1 = corners.p[1] - corners.p[0], e2 = corners.p[2] - corners.p[0];
+  vec2 a = corners.uv[1] - corners.uv[0], c = corners.uv[2] - corners.uv[0];
+  float area = a.x * c.y - c.x * a.y;
+  if (area == 0.0) return n;
+  vec3 u = (c.y * e1 - a.y * e2) * sign(area), v = (a.x * e2 - c.x * e1) * sign(area);
+  vec3 along = u - dot(u, n) * n;
+  if (length(along) <= 1e-6 * length(u)) return n;
+  vec3 t = unit(along), up = cross(n, t);
+  if (dot(up, v) > 0.0) up = -up;
+  vec2 uv = b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
+  uvec4 record = wordsAt(records, 3 * k), size = wordsAt(records, 3 * k + 1);
+  vec2 q = (lookUp(size, int(record.w), uv).xy - 127.0) / 127.0;
+  vec3 m = q.x * t + q.y * up + sqrt(max(0.0, 1.0 - dot(q, q))) * n;
+  return length(m) <= 1e-6 ? n : normalize(m);
+}
+
+vec3 shadingNormal(uvec4 primitive, Hit hit) {
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit);
+  return mappedNormal(primitive.w, corners, b, unit(mixed(corners.n, b)));
+}
+
+vec3 tangentOf(uvec4 primitive) {
+  return unit(valuesAt(places, int(primitive.x) + 1).xyz - valuesAt(places, int(primitive.x)).xyz);
+}
+
+// h of 4.2.
+float offsetAcross(vec3 n, vec3 t, vec3 wo) {
+  vec3 across = cross(t, wo);
+  float size = length(across);
+  return size > 1e-6 ? clamp(dot(n, across) / size, -1.0, 1.0) : 0.0;
+}
+
+// Where the visibility ray of a mesh starts.
+vec3 liftedOrigin(uvec4 primitive, Hit hit, vec3 wi) {
+  Corners corners = cornersOf(primitive);
+  vec3 b = weightsOf(hit), x = mixed(corners.p, b), n = unit(mixed(corners.n, b));
+  vec3 ng = unit(cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]));
+  float side = dot(ng, wi) < 0.0 ? -1.0 : 1.0;
+  if (dot(n, wi) > 0.0 && dot(n, ng) > 0.0 && dot(ng, wi) < 0.1) {
+    vec3 lift = vec3(0.0);
+    for (int k = 0; k < 3; k++) lift += b[k] * max(0.0, dot(corners.p[k] - x, corners.n[k])) * corners.n[k];
+    x += (1.0 - max(0.0, dot(ng, wi)) / 0.1) * lift;
+    side = 1.0;
+  }
+  return x + side * epsilon * ng;
+}

@@ -1,0 +1,69 @@
+// What WebGPU gives in one place: a device, buffers that are checked, modules, dispatches.
+import { NotSupported } from "../package/errors.js";
+import { readableBytes } from "../ui/panel.js";
+
+const WANTED = ["maxStorageBufferBindingSize", "maxBufferSize"];
+
+/** A device with the largest buffers that the adapter allows. */
+export async function openDevice() {
+  if (!navigator.gpu) {
+    throw new NotSupported(
+      isSecureContext ? "this browser has no WebGPU" : "WebGPU needs HTTPS, or a page from this machine",
+    );
+  }
+  const adapter = await navigator.gpu.requestAdapter({ powerPreference: "high-performance" });
+  if (!adapter) throw new NotSupported("WebGPU has no adapter here");
+  const requiredLimits = Object.fromEntries(WANTED.map((name) => [name, adapter.limits[name]]));
+  return adapter.requestDevice({ requiredLimits });
+}
+
+/** A storage or uniform buffer with this content, or of so many bytes. */
+export function buffer(device, content, usage = GPUBufferUsage.STORAGE, what = "a buffer") {
+  const bytes = typeof content === "number" ? content : content.byteLength;
+  const size = Math.max(16, Math.ceil(bytes / 16) * 16), most = device.limits.maxStorageBufferBindingSize;
+  if (size > most) throw new NotSupported(`${what} takes ${readableBytes(size)}; this GPU allows ${readableBytes(most)}`);
+  const result = device.createBuffer({
+    size, usage: usage | GPUBufferUsage.COPY_DST | GPUBufferUsage.COPY_SRC, mappedAtCreation: typeof content !== "number",
+  });
+  if (typeof content !== "number") {
+    const bytesOf = new Uint8Array(content.buffer, content.byteOffset, content.byteLength);
+    new Uint8Array(result.getMappedRange()).set(bytesOf);
+    result.unmap();
+  }
+  return result;
+}
+
+/** A module; what it does not compile for is an error. */
+export async function compiled(device, code) {
+  const shader = device.createShaderModule({ code });
+  const { messages } = await shader.getCompilationInfo();
+  const wrong = messages.find(({ type }) => type === "error");
+  if (wrong) throw new Error(`a shader does not compile, line ${wrong.lineNum}: ${wrong.message}`);
+  return shader;
+}
+
+export function bind(device, pipeline, group, resources) {
+  const entries = resources.map((resource, binding) =>
+    ({ binding, resource: resource instanceof GPUBuffer ? { buffer: resource } : resource }));
+  return device.createBindGroup({ layout: pipeline.getBindGroupLayout(group), entries });
+}
+
+/** One dispatch of `count` invocations in groups of 64. */
+export function dispatch(pass, pipeline, groups, count) {
+  const all = Math.max(1, Math.ceil(count / 64)), wide = Math.min(all, 32768);
+  pass.setPipeline(pipeline);
+  groups.forEach((group, k) => pass.setBindGroup(k, group));
+  pass.dispatchWorkgroups(wide, Math.ceil(all / wide));
+}
+
+/** The bytes of a buffer. */
+export async function read(device, from, bytes) {
+  const to = device.createBuffer({ size: Math.ceil(bytes / 4) * 4, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
+  const encoder = device.createCommandEncoder();
+  encoder.copyBufferToBuffer(from, 0, to, 0, to.size);
+  device.queue.submit([encoder.finish()]);
+  await to.mapAsync(GPUMapMode.READ);
+  const result = to.getMappedRange().slice(0);
+  to.destroy();
+  return result;
+}

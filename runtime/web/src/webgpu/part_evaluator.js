@@ -1,0 +1,52 @@
+// One part's transport or emission by rna_evaluate.
+import { bind, buffer, compiled, dispatch } from "./gpu_device.js";
+import { packDecoder, UNIFORM_WEIGHTS } from "./pack_decoder.js";
+import { compose } from "./sources.js";
+
+/** Pipelines by their source: parts and tiers that are alike share them. */
+export class Pipelines {
+  constructor(device) {
+    this.device = device;
+    this.made = new Map();
+  }
+
+  get(code, entryPoint) {
+    const key = `${entryPoint}\n${code}`;
+    if (!this.made.has(key)) this.made.set(key, this._make(code, entryPoint));
+    return this.made.get(key);
+  }
+
+  async _make(code, entryPoint) {
+    const module = await compiled(this.device, code);
+    return this.device.createComputePipelineAsync({ layout: "auto", compute: { module, entryPoint } });
+  }
+}
+
+export class PartEvaluator {
+  static async make(device, pipelines, part, decoder, inputs, planes) {
+    const own = new PartEvaluator(), { weights, record, groups } = packDecoder(part, decoder, inputs);
+    const fits = weights.length / 4 <= UNIFORM_WEIGHTS;
+    const constants = { RNA_GROUPS: groups, RNA_COLOURS: decoder.outputs === 6 ? 2 : 1 };
+    const file = fits ? "weights_uniform.wgsl" : "weights_storage.wgsl";
+    own.pipeline = await pipelines.get(compose(constants, file, part.kind, "evaluate"), "rna_evaluate");
+    const { UNIFORM, STORAGE } = GPUBufferUsage;
+    const padded = fits ? new Float32Array(4 * UNIFORM_WEIGHTS) : weights;
+    if (fits) padded.set(weights);
+    own.buffers = [
+      buffer(device, record, UNIFORM, "a decoder"), buffer(device, padded, fits ? UNIFORM : STORAGE, "a decoder"),
+    ];
+    own.part = bind(device, own.pipeline, 0, [...own.buffers, ...planes]);
+    own.device = device;
+    return own;
+  }
+
+  /** Answers of at most `most` rows, of which the first word of `count` says how many there are. */
+  run(pass, { rows, answers, count }, most) {
+    this.bound ??= bind(this.device, this.pipeline, 1, [rows, answers, count]);
+    dispatch(pass, this.pipeline, [this.part, this.bound], most);
+  }
+
+  delete() {
+    for (const own of this.buffers) own.destroy();
+  }
+}

@@ -1,0 +1,179 @@
+// For each query a direction of one light, what arrives from there, and how much of it the asset lets through; and
+// the light on the ground.
+
+struct Light {
+    direction: vec3f, // of a sun
+    kind: u32,        // 0: sun, 1: environment, 2: directions that are in the rows
+    colour: vec3f,    // irradiance of a sun, or a factor of the environment
+    ground: f32,      // its height
+    turn: vec2f,      // cosine and sine of the environment's rotation
+    middle: vec2f,    // of the ground, x and z
+    ground_colour: vec3f, // radiance of it in full light, over the light's irradiance
+    ground_size: f32,     // 0: there is no ground
+    first: u32,           // 1: the sum starts with this
+    counts_coverage: u32,
+    unused_a: u32,
+    unused_b: u32,
+}
+
+struct Lit {
+    visibility: vec3f,
+    is_query: u32,
+    radiance: vec3f, // over the density, times the throughput
+    unused: u32,
+}
+
+@group(1) @binding(2) var<storage, read_write> lit: array<Lit>;
+@group(1) @binding(3) var<storage, read_write> sums: array<vec4f>; // of the whole picture
+@group(2) @binding(0) var<uniform> light: Light;
+@group(2) @binding(1) var environment: texture_2d<f32>; // radiance, row 0 at +y; w: distribution along the row
+@group(2) @binding(2) var marginal: texture_2d<f32>;    // distribution over rows
+
+const PI = 3.14159265358979;
+
+fn row_of(u: f32, count: i32) -> i32 {
+    var low = 0;
+    var high = count - 1;
+    while low < high {
+        let middle = (low + high) / 2;
+        if textureLoad(marginal, vec2<i32>(middle, 0), 0).x > u {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return low;
+}
+
+fn column_of(u: f32, row: i32, count: i32) -> i32 {
+    var low = 0;
+    var high = count - 1;
+    while low < high {
+        let middle = (low + high) / 2;
+        if textureLoad(environment, vec2<i32>(middle, row), 0).w > u {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return low;
+}
+
+fn environment_at(st: vec2f) -> vec3f {
+    let size = vec2<i32>(textureDimensions(environment));
+    let at = st * vec2f(size) - 0.5;
+    let low = floor(at);
+    let f = at - low;
+    let a = vec2<i32>(low);
+    let rows_at = clamp(vec2<i32>(a.y, a.y + 1), vec2<i32>(0), vec2<i32>(size.y - 1));
+    let columns_at = (vec2<i32>(a.x, a.x + 1) + size.x) % size.x;
+    let lower = mix(
+        textureLoad(environment, vec2<i32>(columns_at.x, rows_at.x), 0),
+        textureLoad(environment, vec2<i32>(columns_at.y, rows_at.x), 0), f.x);
+    let upper = mix(
+        textureLoad(environment, vec2<i32>(columns_at.x, rows_at.y), 0),
+        textureLoad(environment, vec2<i32>(columns_at.y, rows_at.y), 0), f.x);
+    return mix(lower, upper, f.y).xyz;
+}
+
+struct Arrival {
+    wi: vec3f,
+    radiance: vec3f, // over the density
+}
+
+// A direction in proportion to the luminance of texels.
+fn sample_environment(u: vec2f) -> Arrival {
+    let size = vec2<i32>(textureDimensions(environment));
+    let row = row_of(u.y, size.y);
+    var before = 0.0;
+    if row > 0 {
+        before = textureLoad(marginal, vec2<i32>(row - 1, 0), 0).x;
+    }
+    let chance = textureLoad(marginal, vec2<i32>(row, 0), 0).x - before;
+    let column = column_of(u.x, row, size.x);
+    var left = 0.0;
+    if column > 0 {
+        left = textureLoad(environment, vec2<i32>(column - 1, row), 0).w;
+    }
+    let width = textureLoad(environment, vec2<i32>(column, row), 0).w - left;
+    let within = clamp(vec2f((u.x - left) / width, (u.y - before) / chance), vec2f(0.0), vec2f(1.0));
+    let st = (vec2f(f32(column), f32(row)) + within) / vec2f(size);
+    let theta = PI * st.y;
+    let phi = 2.0 * PI * (st.x - 0.5);
+    let sine = sin(theta);
+    let d = vec3f(sine * sin(phi), cos(theta), -sine * cos(phi));
+    let turned = vec3f(light.turn.x * d.x + light.turn.y * d.z, d.y, light.turn.x * d.z - light.turn.y * d.x);
+    let density = chance * width * f32(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
+    return Arrival(turned, environment_at(st) / density);
+}
+
+fn arrival_at(pixel: vec2<u32>, row: Row) -> Arrival {
+    if light.kind == 0u {
+        return Arrival(light.direction, light.colour);
+    }
+    if light.kind == 2u {
+        return Arrival(bitcast<vec3f>(row.wi.xyz), light.colour);
+    }
+    let found = sample_environment(random(pixel, DIRECTION));
+    return Arrival(found.wi, light.colour * found.radiance);
+}
+
+// Where a ray to the light starts, and what it may bring.
+struct Start {
+    origin: vec3f,
+    strand: u32, // that is no obstacle
+    weight: vec3f,
+    coverage: f32,
+}
+
+fn start_of(row: Row, wi: vec3f) -> Start {
+    let primitive = primitives[row.wo.w];
+    if HAS_SEGMENTS && (primitive.w & SEGMENT) != 0u {
+        return Start(bitcast<vec3f>(row.position.xyz), primitive.z, vec3f(1.0), 1.0);
+    }
+    let hit = Hit(0.0, primitive.w, row.wo.w, bitcast<f32>(row.position.w), bitcast<f32>(row.wi.w), vec3f(0.0));
+    return Start(lifted_origin(primitive, hit, wi), NO_STRAND, vec3f(1.0), 1.0);
+}
+
+// The ground shows the shadow, and fades with the distance.
+fn start_on_ground(d: vec3f, wi: vec3f) -> Start {
+    let nothing = Start(vec3f(0.0), NO_STRAND, vec3f(0.0), 0.0);
+    if light.ground_size == 0.0 || d.y * (view.camera.y - light.ground) >= 0.0 {
+        return nothing;
+    }
+    let x = view.camera + d * ((light.ground - view.camera.y) / d.y);
+    let fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - light.middle) / light.ground_size);
+    return Start(x + vec3f(0.0, view.epsilon, 0.0), NO_STRAND, fade * max(0.0, wi.y) * light.ground_colour, fade);
+}
+
+@compute @workgroup_size(64)
+fn light_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    let index = id.y * groups.x * 64u + id.x;
+    let local = pixel_of(index);
+    if local.y >= view.rows {
+        return;
+    }
+    let row = rows[index];
+    let is_query = row.axis.w != 0u;
+    let arrival = arrival_at(vec2<u32>(local.x, local.y + view.first_row), row);
+    var start: Start;
+    if is_query {
+        start = start_of(row, arrival.wi);
+    } else {
+        start = start_on_ground(-bitcast<vec3f>(row.wo.xyz), arrival.wi);
+    }
+    var passed = vec3f(0.0);
+    if any(start.weight > vec3f(0.0)) {
+        passed = passes(start.origin, arrival.wi, start.strand);
+    }
+    let radiance = through[index].xyz * arrival.radiance;
+    rows[index].wi = vec4<u32>(bitcast<vec3<u32>>(arrival.wi), row.wi.w);
+    lit[index] = Lit(passed, u32(is_query), radiance, 0u);
+    let at = view.first_row * view.width + index;
+    var sum = vec4f(0.0);
+    if light.first == 0u {
+        sum = sums[at];
+    }
+    let on_ground = select(start.weight * passed * radiance, vec3f(0.0), is_query);
+    sums[at] = sum + vec4f(on_ground, start.coverage * f32(light.counts_coverage));
+}

@@ -1,0 +1,120 @@
+"""The GPU answers as the runtime does, to the conformance kit and to any rows."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rna_gpu
+from rna_gpu import Device, GpuFiber, GpuSurface, conformance_reader
+from rna_gpu.decoder_packing import pack_decoder
+from rna_gpu.shaders import compose
+from rna_sdk import runtime
+from rna_sdk.conformance.cli import run_levels
+from rna_sdk.conformance.kit import Kit, load_kit
+from rna_sdk.errors import QueryError
+from rna_sdk.package import ProfileDecoder, ProfileLayer
+from tests.conformance.conftest import KIT, InProcess
+from tests.conftest import REPOSITORY
+
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+BALL = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
+
+
+def rows(count: int, bounds: np.ndarray) -> list[np.ndarray]:
+    """Positions within the bounds, and three unit directions."""
+    rng = np.random.default_rng(0)
+    directions = rng.normal(size=(3, count, 3))
+    directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+    return [a.astype(np.float32) for a in (rng.uniform(*bounds, (count, 3)), *directions)]
+
+
+def test_the_conformance_kit(device: Device) -> None:
+    kit: Kit = load_kit(KIT)
+    reader = InProcess(conformance_reader.evaluate, conformance_reader.emission)
+    scores = list(run_levels(reader, kit, ("evaluate",)))
+    assert len(scores) == len(kit.evaluate)
+    assert [score for score in scores if not score.passed] == []
+
+
+def test_a_surface_as_the_runtime_has_it(device: Device) -> None:
+    cpu, gpu = runtime.load(TOY), rna_gpu.load(TOY, device=device)
+    assert isinstance(cpu, runtime.SurfaceAsset) and isinstance(gpu, GpuSurface)
+    expected = np.hstack(cpu.evaluate(*rows(3000, cpu.bounds)))
+    found = np.hstack(gpu.evaluate(*rows(3000, cpu.bounds)))
+    assert np.abs(found - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
+
+
+def test_fibers_as_the_runtime_has_them(device: Device) -> None:
+    cpu, gpu = runtime.load(BALL), rna_gpu.load(BALL, device=device)
+    assert isinstance(cpu, runtime.FiberAsset) and isinstance(gpu, GpuFiber)
+    x, t, wo, wi = rows(3000, cpu.bounds)
+    h = np.linspace(-1.2, 1.2, 3000, dtype=np.float32)
+    expected = np.hstack(cpu.evaluate(x, t, h, wo, wi))
+    found = np.hstack(gpu.evaluate(x, t, h, wo, wi))
+    assert np.abs(found - expected).max() <= 1e-3 * np.sqrt(np.mean(expected**2))
+
+
+def test_results_do_not_depend_on_the_batch(
+    device: Device, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gpu = rna_gpu.load(TOY, device=device)
+    assert isinstance(gpu, GpuSurface)
+    whole = np.hstack(gpu.evaluate(*rows(1000, runtime.load(TOY).bounds)))
+    monkeypatch.setattr(gpu.transport, "batch", 192)
+    assert np.array_equal(np.hstack(gpu.evaluate(*rows(1000, runtime.load(TOY).bounds))), whole)
+    none = gpu.evaluate(*(a[:0] for a in rows(1, np.zeros((2, 3)))))
+    assert none[0].shape == (0, 3)
+
+
+def test_results_that_stay_on_the_gpu(device: Device) -> None:
+    gpu = rna_gpu.load(TOY, device=device)
+    assert isinstance(gpu, GpuSurface)
+    x, n, wo, wi = rows(100, runtime.load(TOY).bounds)
+    packed = np.zeros((100, 4, 4), np.float32)
+    for k, values in enumerate((x, n, wo, wi)):
+        packed[:, k, :3] = values
+    on_gpu = gpu.new_rows(128)
+    device.write(on_gpu.rows, packed)
+    device.write(on_gpu.count, np.array([90], np.uint32))
+    gpu.evaluate_on_gpu(on_gpu, 100)
+    found = device.read(on_gpu.results, 128 * 32).view(np.float32).reshape(128, 2, 4)
+    expected = np.stack(gpu.evaluate(x, n, wo, wi), axis=1)
+    assert np.array_equal(found[:90, :, :3], expected[:90])
+    assert not found[90:].any()  # rows beyond the count are left alone
+
+
+def test_one_line_says_what_is_wrong(device: Device) -> None:
+    gpu = rna_gpu.load(TOY, device=device)
+    assert isinstance(gpu, GpuSurface)
+    x, n, wo, wi = rows(4, np.array([[0, 0, 0], [1, 1, 1]]))
+    with pytest.raises(QueryError, match=r"wi: expected a \(4, 3\) float32 array, found \(3, 3\)"):
+        gpu.evaluate(x, n, wo, wi[:3])
+    with pytest.raises(QueryError, match="no tier 'none'"):
+        rna_gpu.load(TOY, "none", device)
+    with pytest.raises(rna_gpu.GpuError, match=r"planes: 1,099,511,627,776 bytes, and "):
+        device.buffer(1 << 40, "STORAGE", what="planes")
+
+
+def test_a_decoder_that_is_too_large() -> None:
+    def layer(inputs: int, outputs: int) -> ProfileLayer:
+        weight = np.zeros((inputs, outputs), np.int8)
+        return ProfileLayer(weight, np.zeros(outputs), 1.0, np.ones(outputs, np.float32), False)
+
+    def decoder(*layers: ProfileLayer) -> ProfileDecoder:
+        return ProfileDecoder(-1, 1, None, None, layers, 1, 1, None)
+
+    with pytest.raises(QueryError, match="toy: found an int8 layer of 516 inputs"):
+        pack_decoder(decoder(layer(8, 516), layer(516, 6)), ("features",), 8, "toy")
+    with pytest.raises(QueryError, match="toy: found 33 layers"):
+        pack_decoder(decoder(*[layer(8, 8)] * 33), ("features",), 8, "toy")
+
+
+def test_the_shaders_are_composed_of_whole_files() -> None:
+    folder = Path(rna_gpu.__file__).parent / "wgsl"
+    source = compose({"RNA_GROUPS": 16}, "weights_uniform.wgsl", "surface")
+    assert source.startswith("const RNA_GROUPS: u32 = 16u;\n")
+    for name in ("part.wgsl", "planes.wgsl", "decoder.wgsl"):
+        assert (folder / name).read_text("utf-8") in source

@@ -1,0 +1,91 @@
+"""The viewer in headless Chromium, and what tests do with it."""
+
+from __future__ import annotations
+
+import base64
+import json
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rna_view.page_server import PageServer
+from rna_view.site_files import Site
+from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+
+APIS = ("webgpu", "webgl2")
+PATIENCE = 300.0
+"""Seconds: SwiftShader compiles shaders for long on a busy machine."""
+
+
+@contextmanager
+def served(site: Site) -> Iterator[PageServer]:
+    """The page's server, answering."""
+    with PageServer(site) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield server
+        server.shutdown()
+
+
+@contextmanager
+def viewer(site: Site, query: str = "", width: int = 320, height: int = 200) -> Iterator[Page]:
+    """The page of a site, its engine begun."""
+    chromium = find_chromium()
+    if chromium is None:
+        pytest.skip(INSTALL)
+    with served(site) as server, open_page(chromium, width, height, SOFTWARE_GPU) as page:
+        page.call("Page.navigate", url=f"{server.url}?{query}")
+        page.wait_for(
+            "globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true, () => true)", PATIENCE
+        )
+        yield page
+
+
+def wait_for_picture(page: Page, rounds: int) -> None:
+    """Until the picture has so many samples; an error on the page fails the test."""
+    stats = "rnaViewer.viewer.stats"
+    done = f"rnaViewer.failures || ({stats}.scale === 1 && {stats}.rounds >= {rounds})"
+    page.wait_for(done, PATIENCE)
+    assert not page.evaluate("rnaViewer.failures"), notice(page)
+
+
+def notice(page: Page) -> str | None:
+    """The line that the page shows, if any."""
+    shown = "const n = document.getElementById('notice'); return n.hidden ? null : n.textContent"
+    return page.evaluate(f"(() => {{ {shown} }})()")
+
+
+def picture(page: Page) -> np.ndarray:
+    """(h, w, 4) float32: the mean of the samples, linear."""
+    record = page.evaluate(
+        """(async () => {
+            const { viewer, engine } = rnaViewer, rounds = viewer.stats.rounds;
+            viewer.pause();
+            await engine.done();
+            const values = await engine.picture(), { width, height } = engine.target;
+            const bytes = new Uint8Array(values.buffer);
+            let text = "";
+            for (let k = 0; k < bytes.length; k += 8192) {
+                text += String.fromCharCode(...bytes.subarray(k, k + 8192));
+            }
+            return { text: btoa(text), rounds, width, height };
+        })()"""
+    )
+    values = np.frombuffer(base64.b64decode(record["text"]), "<f4")
+    return values.reshape(record["height"], record["width"], 4) / record["rounds"]
+
+
+def call_reader(page: Page, method: str, *arguments: Any) -> Any:
+    """What a method of the page's conformance reader returns."""
+    words = ", ".join(json.dumps(argument) for argument in arguments)
+    page.evaluate("globalThis.reader ??= rnaViewer.reader()")
+    return page.evaluate(f"reader.{method}({words})")
+
+
+def base64_of(path: Path) -> str:
+    """A file's bytes, as the page takes them."""
+    return base64.b64encode(path.read_bytes()).decode()

@@ -1,0 +1,251 @@
+"""The viewer's page: files dropped on it, pointer, size, tiers, what goes wrong."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_view.site_files import Site, site_for
+from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
+from tests.render.chromium import Page
+from tests.web.pages import APIS, PATIENCE, base64_of, notice, viewer, wait_for_picture
+
+pytestmark = pytest.mark.chromium
+
+KIT = Path(__file__).parents[2] / "spec" / "conformance"
+FILE = "new File([Uint8Array.from(atob('{data}'), (c) => c.charCodeAt(0))], '{name}')"
+
+
+@pytest.fixture(scope="module")
+def package(tmp_path_factory) -> Path:
+    """A package of two tiers."""
+    folder = tmp_path_factory.mktemp("page")
+    tiers = make_tier("small"), make_tier("hq", resolution=256)
+    return make_tiny_package(folder / "two.rna", *tiers)
+
+
+@pytest.fixture(scope="module", params=APIS)
+def page(request, package) -> Iterator[Page]:
+    """The page with the package, three samples a picture."""
+    with viewer(site_for(package), f"api={request.param}&rounds=3&dpr=1", 160, 120) as page:
+        wait_for_picture(page, 3)
+        yield page
+
+
+def drop(page: Page, path: Path) -> None:
+    """Drop a file on the page, and wait until it is read."""
+    file = FILE.format(data=base64_of(path), name=path.name)
+    page.evaluate(
+        f"""(async () => {{
+            const dataTransfer = new DataTransfer(), file = {file};
+            dataTransfer.items.add(file);
+            window.dispatchEvent(new DragEvent("drop", {{ dataTransfer, cancelable: true }}));
+            await new Promise((resolve) => setTimeout(resolve, 50));
+            while (rnaViewer.loading && !document.getElementById("loading").hidden) {{
+                await new Promise((resolve) => setTimeout(resolve, 20));
+            }}
+        }})()"""
+    )
+
+
+def canvas_of(page: Page) -> str:
+    """The picture as a data URL."""
+    return page.evaluate(
+        """rnaViewer.screenshot().then((blob) => new Promise((resolve) => {
+            const reader = new FileReader();
+            reader.onload = () => resolve(reader.result);
+            reader.readAsDataURL(blob);
+        }))"""
+    )
+
+
+def test_drag_orbits_and_alt_drag_turns_the_light(page):
+    orbit, light = "rnaViewer.orbit.azimuth", "rnaViewer.lighting.rotation"
+    for name, modifiers, moves in (("orbit", 0, (True, False)), ("light", 1, (False, True))):
+        before = page.evaluate(f"[{orbit}, {light}]")
+        picture = canvas_of(page)
+        page.mouse("mousePressed", 60, 60, button="left", clickCount=1, modifiers=modifiers)
+        page.mouse("mouseMoved", 90, 60, button="left", buttons=1, modifiers=modifiers)
+        page.mouse("mouseReleased", 90, 60, button="left", clickCount=1, modifiers=modifiers)
+        wait_for_picture(page, 3)
+        after = page.evaluate(f"[{orbit}, {light}]")
+        assert tuple(a != b for a, b in zip(before, after, strict=True)) == moves, name
+        assert canvas_of(page) != picture
+
+
+def test_wheel_comes_nearer(page):
+    before = page.evaluate("rnaViewer.orbit.distance")
+    page.mouse("mouseWheel", 60, 60, deltaX=0, deltaY=-100)
+    page.wait_for(f"rnaViewer.orbit.distance < {before}", PATIENCE)
+    page.wait_for("!rnaViewer.viewer.moving", PATIENCE)
+
+
+def test_size_of_the_window(page):
+    for width, height in ((200, 90), (160, 120)):
+        page.call(
+            "Emulation.setDeviceMetricsOverride",
+            width=width, height=height, deviceScaleFactor=1, mobile=False,
+        )  # fmt: skip
+        page.wait_for(
+            f"rnaViewer.canvas.width === {width} && rnaViewer.canvas.height === {height}", PATIENCE
+        )
+        wait_for_picture(page, 3)
+
+
+def test_tier_is_switched(page):
+    first = page.evaluate("document.getElementById('size').textContent")
+    page.evaluate(
+        """(async () => {
+            const tier = document.getElementById("tier");
+            tier.value = "hq";
+            await rnaViewer.switchTier("hq");
+        })()"""
+    )
+    wait_for_picture(page, 3)
+    assert page.evaluate("rnaViewer.shown.name") == "hq"
+    assert page.evaluate("document.getElementById('size').textContent") != first
+    page.evaluate("rnaViewer.switchTier('small')")
+    wait_for_picture(page, 3)
+
+
+def test_dropped_package_is_shown(page, tmp_path, package):
+    fibers = make_tiny_fiber_package(tmp_path / "fibers.rna")
+    drop(page, fibers)
+    page.wait_for("rnaViewer.shown.parts[0].kind === 'fiber'", PATIENCE)
+    wait_for_picture(page, 3)
+    drop(page, package)
+    page.wait_for("rnaViewer.shown.parts[0].kind === 'surface'", PATIENCE)
+    wait_for_picture(page, 3)
+    assert notice(page) is None
+
+
+@pytest.mark.parametrize("suffix", [".hdr", ".exr"])
+def test_dropped_image_lights_the_asset(page, tmp_path, suffix):
+    rows = np.full((4, 8, 3), 0.25, np.float32)
+    rows[0, :, 0] = 2.0  # the zenith
+    rows[:, 6, 2] = 1.0  # towards +x
+    path = write_image(tmp_path / f"sky{suffix}", rows)
+    drop(page, path)
+    page.wait_for("rnaViewer.lighting.choice.startsWith('image-')", PATIENCE)
+    wait_for_picture(page, 3)
+    values = page.evaluate("[...rnaViewer.lighting.tables().values]")
+    found = np.reshape(values, (4, 8, 4))[..., :3]
+    np.testing.assert_allclose(found, rows, rtol=0.01)
+    page.evaluate("rnaViewer.lighting.choice = 'studio', rnaViewer.changed()")
+
+
+def write_image(path: Path, rows: np.ndarray) -> Path:
+    """An .exr, or an .hdr without compression; rows from the top."""
+    if path.suffix == ".exr":
+        import OpenEXR
+
+        OpenEXR.File({}, {"RGB": rows}).write(str(path))
+        return path
+    mantissa, exponent = np.frexp(rows.max(axis=-1, keepdims=True))
+    scaled = np.floor(rows * (mantissa * 256 / rows.max(axis=-1, keepdims=True)))
+    pixels = np.concatenate([scaled, exponent + 128], axis=-1).astype(np.uint8)
+    header = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {rows.shape[0]} +X {rows.shape[1]}\n"
+    path.write_bytes(header.encode() + pixels.tobytes())
+    return path
+
+
+def test_broken_packages_get_one_line_each(page, package):
+    cases = json.loads((KIT / "kit.json").read_text())["validate"]
+    broken = [KIT / case["package"] for case in cases if not case["valid"]]
+    # What the page has no use for, and so does not read.
+    unread = {"proxy_that_is_no_mesh.rna"}
+    wrong = []
+    for path in broken:
+        if path.name in unread:
+            continue
+        file = FILE.format(data=base64_of(path), name=path.name)
+        page.evaluate(f"rnaViewer.panel.say(null), rnaViewer.open({file})")
+        line = notice(page)
+        if line is None or "\n" in line or not line.endswith("]") or "did not work" in line:
+            wrong.append(f"{path.name}: {line}")
+    assert not wrong, "\n".join(wrong)
+    page.evaluate("rnaViewer.failures = 0")
+    drop(page, package)
+    wait_for_picture(page, 3)
+    assert notice(page) is None
+
+
+def test_lost_device_comes_back(page):
+    label = page.evaluate("rnaViewer.engine.constructor.label")
+    lose = {
+        "WebGPU": "rnaViewer.engine.device.destroy()",
+        "WebGL2": "rnaViewer.engine.gl.getExtension('WEBGL_lose_context').loseContext()",
+    }
+    page.evaluate(f"globalThis.before = rnaViewer.engine, {lose[label]}, 0")
+    page.wait_for("rnaViewer.engine !== before && rnaViewer.viewer.stats.rounds >= 3", PATIENCE)
+    wait_for_picture(page, 3)
+    assert notice(page) is None
+
+
+# Wrappers that count bytes of buffers, or numbers of textures, that were not let go.
+COUNT_BUFFERS = """
+    globalThis.alive = 0;
+    const device = rnaViewer.engine.device, make = device.createBuffer.bind(device);
+    device.createBuffer = (description) => {
+        const own = make(description), destroy = own.destroy.bind(own);
+        let there = true;
+        alive += description.size;
+        own.destroy = () => { if (there) alive -= description.size; there = false; destroy(); };
+        return own;
+    };
+"""
+COUNT_TEXTURES = """
+    globalThis.alive = 0;
+    const gl = rnaViewer.engine.gl;
+    const make = gl.createTexture.bind(gl), end = gl.deleteTexture.bind(gl);
+    gl.createTexture = () => { alive += 1; return make(); };
+    gl.deleteTexture = (texture) => { if (texture) alive -= 1; end(texture); };
+"""
+LOADS, SETTLED = 200, 20
+
+
+def test_memory_is_flat_over_many_loads(page, package):
+    label = page.evaluate("rnaViewer.engine.constructor.label")
+    count = COUNT_BUFFERS if label == "WebGPU" else COUNT_TEXTURES
+    page.evaluate(f"(() => {{ {count} }})()")
+    file = FILE.format(data=base64_of(package), name="again.rna")
+    page.evaluate(f"globalThis.again = {file}, 0")
+    load = "(async () => { for (let k = 0; k < 10; k++) await rnaViewer.open(again); })()"
+    readings = []
+    for times in (SETTLED, LOADS - SETTLED):
+        for _ in range(times // 10):
+            page.evaluate(load)
+        page.call("HeapProfiler.collectGarbage")
+        heap = page.call("Runtime.getHeapUsage")["usedSize"]
+        readings.append((heap, page.evaluate("alive")))
+    (heap, alive), (heap_after, alive_after) = readings
+    assert alive_after == alive
+    assert heap_after - heap < 4e6
+
+
+def test_package_of_30_megabytes_is_read_in_ranges(tmp_path):
+    tiers = make_tier("small"), make_tier("large", resolution=1118)
+    path = make_tiny_package(tmp_path / "large.rna", *tiers)
+    size = path.stat().st_size
+    assert size > 30e6
+    with viewer(site_for(path), "api=webgl2&rounds=1&dpr=1", 96, 64) as page:
+        wait_for_picture(page, 1)
+        assert page.evaluate("rnaViewer.opened.source.fetched") < 1e6
+        page.evaluate("rnaViewer.switchTier('large')")
+        wait_for_picture(page, 1)
+        assert page.evaluate("rnaViewer.opened.source.fetched") < 1.02 * size
+
+
+def test_page_without_any_gpu_shows_the_poster_and_one_line(package):
+    with viewer(Site({}, {}), "api=none") as page:
+        page.wait_for("rnaViewer.failures", PATIENCE)
+        assert notice(page).startswith("this browser shows the poster alone")
+
+
+def test_page_without_its_panel():
+    with viewer(Site({}, {}), "api=webgl2&ui=0") as page:
+        assert page.evaluate("getComputedStyle(document.getElementById('panel')).display") == "none"

@@ -1,0 +1,112 @@
+"""The viewer's picture is rna-run's, of the same camera, rays and light."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_render.camera import Camera
+from rna_render.preview.picture import rgba
+from rna_render.render import load_world, make_integrator, render
+from rna_render.scene_file import read_scene
+from rna_view.site_files import site_for
+from tests.web.pages import APIS, picture, viewer, wait_for_picture
+
+pytestmark = pytest.mark.chromium
+
+REPOSITORY = Path(__file__).parents[2]
+LEAST_PSNR = 40.0
+
+SCENE = """
+assets: [{{path: {path}}}]
+camera: {{position: {position}, look_at: {look_at}, vertical_fov_deg: 28}}
+lights: [{lights}]
+resolution: {size}
+samples: {samples}
+"""
+SUNS = """
+  {type: directional, direction: [0.55, 0.75, 0.65], irradiance: [2.5, 2.35, 2.1]},
+  {type: directional, direction: [-0.7, 0.35, -0.65], irradiance: [1.1, 1.3, 1.7]}
+"""
+ENVIRONMENT = "{type: environment, radiance: [0.5, 0.6, 0.8], visible_to_camera: false}"
+TOY = {
+    "path": REPOSITORY / "examples" / "quickstart" / "toy.rna",
+    "position": [1.42, 0.8, 0.78],
+    "look_at": [0.38, 0.17, -0.16],
+}
+CURLS = {
+    "path": REPOSITORY / "examples" / "fibers" / "curly_ball.rna",
+    "position": [0.75, 0.45, 1.1],
+    "look_at": [0.0, 0.0, 0.0],
+}
+KIT = REPOSITORY / "spec" / "conformance" / "packages"
+LANTERN = {
+    "path": KIT / "parts-lantern.rna",
+    "position": [2.1, 1.2, 2.6],
+    "look_at": [0.0, 0.0, 0.0],
+}
+
+
+@pytest.fixture
+def middles_of_pixels(monkeypatch):
+    """rna-run's rays go through the middles of pixels, so that one sample has no noise."""
+    directions = Camera.directions
+
+    def centred(self: Camera, pixels: np.ndarray, u: np.ndarray) -> np.ndarray:
+        return directions(self, pixels, np.full_like(u, 0.5))
+
+    monkeypatch.setattr(Camera, "directions", centred)
+
+
+def write_scene(folder: Path, asset: dict, lights: str, size: list[int], samples: int) -> Path:
+    text = SCENE.format(**asset, lights=lights, size=size, samples=samples)
+    (folder / "scene.yaml").write_text(text)
+    return folder / "scene.yaml"
+
+
+def by_rna_run(path: Path) -> np.ndarray:
+    scene_file = read_scene(path)
+    integrator = make_integrator(scene_file.scene, load_world(scene_file))
+    return rgba(render(scene_file.scene, integrator))
+
+
+def by_viewer(path: Path, api: str, more: str = "") -> np.ndarray:
+    scene = read_scene(path).scene
+    query = f"api={api}&rounds={scene.samples}&dpr=1&ui=0{more}"
+    with viewer(site_for(path), query, *scene.resolution) as page:
+        wait_for_picture(page, scene.samples)
+        return picture(page)
+
+
+def psnr(found: np.ndarray, expected: np.ndarray) -> float:
+    """dB of radiance clamped to [0, 1], over the pixels that show the asset."""
+    seen = expected[..., 3] > 0
+    error = (np.clip(found[..., :3], 0, 1) - np.clip(expected[..., :3], 0, 1))[seen]
+    return float(-10 * np.log10(np.mean(error**2)))
+
+
+@pytest.mark.parametrize("api", APIS)
+@pytest.mark.parametrize("asset", [TOY, CURLS], ids=["toy", "curls"])
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_suns(api, asset, tmp_path):
+    path = write_scene(tmp_path, asset, SUNS, [160, 100], 1)
+    found, expected = by_viewer(path, api, "&jitter=0"), by_rna_run(path)
+    assert np.mean(found[..., 3] != expected[..., 3]) < 0.002
+    assert psnr(found, expected) >= LEAST_PSNR
+
+
+@pytest.mark.parametrize("api", APIS)
+def test_environment(api, tmp_path):
+    path = write_scene(tmp_path, TOY, ENVIRONMENT, [48, 30], 64)
+    found, expected = by_viewer(path, api), by_rna_run(path)
+    assert np.mean(found[..., :3]) == pytest.approx(np.mean(expected[..., :3]), rel=0.02)
+
+
+@pytest.mark.parametrize("api", APIS)
+def test_emission_holes_and_glass(api, tmp_path):
+    """Parts of both kinds, that emit, behind cut-outs and panes."""
+    path = write_scene(tmp_path, LANTERN, SUNS, [48, 30], 32)
+    found, expected = by_viewer(path, api), by_rna_run(path)
+    assert np.mean(found[..., :3]) == pytest.approx(np.mean(expected[..., :3]), rel=0.03)

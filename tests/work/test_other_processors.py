@@ -1,0 +1,42 @@
+"""Captures by processors of other instructions: other bits, and the same radiance within noise."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_export.capture.cli import main as capture
+from rna_export.capture.dataset import Dataset
+from rna_sdk.cpu import processor_key
+from tests.exporters.scenes import write_scene
+
+BALL = "add(*BALL, principled(Roughness=0.3, Subsurface_Weight=1.0))\n"
+WITHOUT_AVX2 = "CYCLES_CPU_NO_AVX2"  # of the environment; Cycles heeds it
+SETTINGS = (
+    "--lights 32 --rays 512 --samples 4 --validation-views 1 --validation-resolution 24 "
+    "--validation-samples 4 --seed 3"
+).split()
+
+
+def radiance(source: Path, out: Path) -> np.ndarray:
+    """(n, 3) float32 of a capture."""
+    assert capture([str(source), "--out", str(out), *SETTINGS]) == 0
+    dataset = Dataset(out)
+    assert dataset.manifest.processors == (processor_key(),)
+    return dataset.only.training_samples()["radiance"]
+
+
+@pytest.mark.blender
+def test_they_differ_within_noise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    source = write_scene(tmp_path, "ball", BALL)
+    usual = radiance(source, tmp_path / "usual.rays")
+    monkeypatch.setenv(WITHOUT_AVX2, "1")
+    other = radiance(source, tmp_path / "other.rays")
+    assert usual.shape == other.shape
+    assert (usual != other).any(), "the instructions were the same: nothing is tested"
+    error = np.sqrt((usual.var(axis=0, ddof=1) + other.var(axis=0, ddof=1)) / len(usual))
+    t = (usual.mean(axis=0) - other.mean(axis=0)) / error  # Welch's, of so many degrees normal
+    assert np.abs(t).max() < 3.3  # one in a thousand
+    assert (error < 0.05 * usual.mean()).all()

@@ -1,0 +1,99 @@
+"""Pieces of an image are kept over a stop."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rna_render.cli import main as render
+from rna_render.kept_pieces import KeptPieces, Piece, missing_pieces
+from rna_render.output import Output
+from rna_render.pieces import PieceWorker, render_pieces
+from rna_render.scene_file import SceneFile, read_scene
+from rna_sdk.errors import SceneError
+from rna_work.places import this_machine
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
+from tests.render.test_sequence import SCENE
+
+STOPPED = 2  # pieces that are finished before
+
+
+@pytest.fixture
+def scene_file(tmp_path: Path) -> SceneFile:
+    write_lambert_package(tmp_path / "ball.rna", sphere(4))
+    (tmp_path / "scene.yaml").write_text(SCENE.replace("[12, 8]", "[400, 200]"))
+    return read_scene(tmp_path / "scene.yaml")
+
+
+@pytest.fixture
+def rendered(monkeypatch: pytest.MonkeyPatch) -> list[Piece]:
+    """The pieces that workers render; the one after the first `STOPPED` fails once."""
+    pieces: list[Piece] = []
+    original = PieceWorker.run
+
+    def run(self: PieceWorker, piece: Piece) -> object:
+        pieces.append(piece)
+        if len(pieces) == STOPPED + 1:
+            raise SceneError("stopped")
+        return original(self, piece)
+
+    monkeypatch.setattr(PieceWorker, "run", run)
+    return pieces
+
+
+def stop(scene_file: SceneFile, folder: Path) -> None:
+    with pytest.raises(SceneError, match="stopped"):
+        render_pieces(scene_file, this_machine(), 1, folder)
+
+
+def test_finished_pieces_are_not_rendered_again(
+    scene_file: SceneFile, rendered: list[Piece], tmp_path: Path
+) -> None:
+    folder, whole, pieces = tmp_path / "kept", tmp_path / "a.exr", tmp_path / "b.exr"
+    stop(scene_file, folder)
+    film, kept = render_pieces(scene_file, this_machine(), 1, folder)
+    count = len(rendered) - 1
+    assert len(set(rendered)) == count > STOPPED + 1  # one of them twice, which had failed
+    Output(pieces).write(scene_file.scene, film)
+    assert render([str(scene_file.path), "--out", str(whole)]) == 0
+    assert whole.read_bytes() == pieces.read_bytes()
+    kept.remove()
+    assert not folder.exists()
+
+
+def test_pieces_of_another_image_are_rendered_again(
+    scene_file: SceneFile, rendered: list[Piece], tmp_path: Path
+) -> None:
+    folder = tmp_path / "kept"
+    stop(scene_file, folder)
+    write_lambert_package(tmp_path / "ball.rna", sphere(3))
+    render_pieces(scene_file, this_machine(), 1, folder)
+    assert rendered[:STOPPED] == rendered[STOPPED + 1 : 2 * STOPPED + 1]
+
+
+def test_damaged_pieces_are_rendered_again(
+    scene_file: SceneFile, rendered: list[Piece], tmp_path: Path
+) -> None:
+    folder = tmp_path / "kept"
+    stop(scene_file, folder)
+    first = min(folder.iterdir())
+    first.write_bytes(first.read_bytes()[:-1000])
+    render_pieces(scene_file, this_machine(), 1, folder)
+    assert rendered.count(rendered[0]) == 2 and rendered.count(rendered[1]) == 1
+
+
+def test_what_is_missing_between_pieces() -> None:
+    there = [Piece(3, 5), Piece(5, 8)]
+    assert list(missing_pieces(10, there)) == [Piece(0, 3), Piece(8, 10)]
+    assert list(missing_pieces(8, [Piece(0, 8)])) == []
+
+
+def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
+    blocked = tmp_path / "file"
+    blocked.touch()
+    from rna_render.film import Film
+
+    with pytest.raises(SceneError, match="cannot be written"):
+        KeptPieces(blocked, "key").keep(Piece(0, 4), Film((4, 1)))

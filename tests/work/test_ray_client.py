@@ -1,0 +1,130 @@
+"""Commands on a cluster elsewhere, by its ray:// address and with its token."""
+
+from __future__ import annotations
+
+import os
+import random
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from rna_render.cli import main as render
+from tests.conftest import REPOSITORY
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
+from tests.render.test_sequence import SCENE
+
+pytest.importorskip("ray", reason="ray is not installed: pip install 'rna-sdk[cluster]'")
+pytest.importorskip("grpc", reason="grpcio is not installed: pip install 'rna-sdk[cluster]'")
+
+SECONDS = 180.0
+
+
+def free_port() -> int:
+    """Below those that Ray gives to its workers and those that the system gives away."""
+    for _ in range(50):
+        port = random.randrange(20_000, 32_000)
+        with socket.socket() as probe:
+            if probe.connect_ex(("127.0.0.1", port)):
+                return port
+    raise RuntimeError("no free port was found")
+
+
+@pytest.fixture(scope="module")
+def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """Of the cluster's processes; with its token alone also of the commands."""
+    home = tmp_path_factory.mktemp("home")
+    named = {"RAY_AUTH_TOKEN": random.randbytes(32).hex(), "HOME": str(home)}
+    cache = os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache"))
+    path = os.pathsep.join(map(str, [REPOSITORY, *sys.path]))
+    return {**os.environ, **named, "PYTHONPATH": path, "XDG_CACHE_HOME": cache}
+
+
+@pytest.fixture(scope="module")
+def address(environment: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Of a head with two cores, in another process."""
+    log = tmp_path_factory.mktemp("head") / "log"
+    port, head_port = free_port(), free_port()
+    environment["HEAD"] = f"127.0.0.1:{head_port}"
+    ray = Path(sys.executable).with_name("ray")
+    options = f"--head --port {head_port} --ray-client-server-port {port} --num-cpus 2 --block"
+    temporary = tempfile.mkdtemp(prefix="rna-")  # short: sockets have it in their names
+    more = ["--include-dashboard=false", "--temp-dir", temporary]
+    arguments = [ray, "start", *options.split(), *more]
+    started = {**environment, "RAY_AUTH_MODE": "token", "RAY_worker_niceness": "0"}
+    with log.open("w") as out:
+        head = subprocess.Popen(arguments, stdout=out, stderr=out, env=started)
+    try:
+        deadline = time.monotonic() + SECONDS
+        while "runtime started" not in log.read_text():
+            assert head.poll() is None and time.monotonic() < deadline, log.read_text()
+            time.sleep(0.2)
+        yield f"ray://127.0.0.1:{port}"
+    finally:
+        head.terminate()
+        head.wait()
+        shutil.rmtree(temporary, ignore_errors=True)
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    write_lambert_package(tmp_path / "ball.rna", sphere(4))
+    path = tmp_path / "scene.yaml"
+    path.write_text(SCENE)
+    return path
+
+
+def run(environment: dict[str, str], *arguments: object) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "rna_render.cli", *map(str, arguments)]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=SECONDS)
+
+
+def test_frames_have_the_same_bits(
+    address: str, environment: dict[str, str], scene: Path, tmp_path: Path
+) -> None:
+    for name in ("a", "b"):
+        (tmp_path / name).mkdir()
+    assert render([str(scene), "--frames", "all", "--out", str(tmp_path / "a" / "%d.exr")]) == 0
+    there = tmp_path / "b" / "%d.exr"
+    done = run(environment, scene, "--frames", "all", "--out", there, "--cluster", address)
+    assert done.returncode == 0, done.stderr
+    for number in range(4):
+        frames = [tmp_path / name / f"{number}.exr" for name in ("a", "b")]
+        assert frames[0].read_bytes() == frames[1].read_bytes()
+
+
+def test_an_image_has_the_same_bits(
+    address: str, environment: dict[str, str], scene: Path, tmp_path: Path
+) -> None:
+    one, other = tmp_path / "a.exr", tmp_path / "b.exr"
+    assert render([str(scene), "--out", str(one)]) == 0
+    done = run(environment, scene, "--out", other, "--cluster", address)
+    assert done.returncode == 0, done.stderr
+    assert one.read_bytes() == other.read_bytes()
+    assert not (tmp_path / "b.exr.pieces").exists()
+
+
+def test_without_its_token_a_line_says_so(
+    address: str, environment: dict[str, str], scene: Path, tmp_path: Path
+) -> None:
+    without = {name: value for name, value in environment.items() if name != "RAY_AUTH_TOKEN"}
+    done = run(without, scene, "--out", tmp_path / "a.exr", "--cluster", address)
+    assert done.returncode == 1
+    assert done.stderr.startswith(f"error: --cluster {address}: asks for a token: ")
+
+
+def test_a_head_itself_asks_for_its_token(
+    address: str, environment: dict[str, str], scene: Path, tmp_path: Path
+) -> None:
+    head = environment["HEAD"]
+    without = {name: value for name, value in environment.items() if name != "RAY_AUTH_TOKEN"}
+    done = run(without, scene, "--out", tmp_path / "a.exr", "--cluster", head)
+    assert done.returncode == 1
+    assert done.stderr.startswith(f"error: --cluster {head}: asks for a token: ")
