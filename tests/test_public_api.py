@@ -10,6 +10,7 @@ import pytest
 from tests.conftest import REPOSITORY
 
 PUBLIC = {
+    "rna_sdk",
     "rna_sdk.errors",
     "rna_sdk.package",
     "rna_sdk.runtime",
