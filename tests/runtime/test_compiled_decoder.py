@@ -146,8 +146,7 @@ def test_narrow_decoders_run_in_it_and_wide_ones_do_not() -> None:
 
 def test_later_processes_find_the_kernels_on_disk() -> None:
     program = (
-        "from rna_sdk.package.profile_decoder import ProfileDecoder, ProfileLayer, read_profile_decoder
-from rna_sdk.runtime.compiled_decoder import decoder_kernel, register_lanes\n"
+        "from rna_sdk.runtime.compiled_decoder import decoder_kernel, register_lanes\n"
         "from rna_sdk.runtime.query_kernel import query_kernel\n"
         "kernels = decoder_kernel(register_lanes()), query_kernel('surface', 8, 'float16')\n"
         "print(*(sum(kernel.stats.cache_hits.values()) for kernel in kernels))"
