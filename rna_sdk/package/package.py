@@ -9,7 +9,7 @@ from types import TracebackType
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package.container import Container
 from rna_sdk.package.curves import Curves
-from rna_sdk.package.extensions import Poster, Proxy, extension
+from rna_sdk.package.extensions import Poster, Proxy, ProxyLevel, extension
 from rna_sdk.package.geometry import Geometry, geometry_from_bytes
 from rna_sdk.package.manifest import Manifest, Part
 from rna_sdk.package.manifest_tiers import Tier, TierPart
@@ -83,10 +83,18 @@ class Package:
             QueryError: the package has no such part, or is closed.
         """
         record = self._part(part)
-        data = extension(self.manifest, Proxy)
-        levels = (data.parts[part] if data else None) or ()
+        levels = self._proxies(part)
         names = [record.geometry, *(level.geometry for level in levels if pixels <= level.height)]
         return geometry_from_bytes(self._view(names[-1]), names[-1], record.kind)
+
+    def proxy_heights(self, part: int = 0) -> tuple[int, ...]:
+        """Up to how many pixels high each proxy of a part is for, descending; see `geometry`.
+
+        Raises:
+            QueryError: the package has no such part.
+        """
+        self._part(part)
+        return tuple(level.height for level in self._proxies(part))
 
     def poster(self) -> bytes | None:
         """The picture of the asset, a PNG (RNA_poster); None where there is none.
@@ -179,6 +187,10 @@ class Package:
             QueryError: the package is closed.
         """
         return self._opened().layout()
+
+    def _proxies(self, part: int) -> tuple[ProxyLevel, ...]:
+        data = extension(self.manifest, Proxy)
+        return (data.parts[part] if data else None) or ()
 
     def _part(self, part: int) -> Part:
         parts = self.manifest.parts

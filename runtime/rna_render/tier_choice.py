@@ -19,7 +19,6 @@ from rna_render.scene_model import Scene
 from rna_render.transforms import world_from_object
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package
-from rna_sdk.package.extensions import Proxy, extension
 from rna_sdk.runtime import choose_tier, expected_error
 
 
@@ -92,9 +91,10 @@ class TierChoice:
 
     def _proxy(self, index: int) -> float | None:
         """The least height of the package's proxies that the asset does not exceed."""
-        data = extension(self._packages[index][1].manifest, Proxy)
-        levels = [level for part in (data.parts if data else ()) for level in part or ()]
-        fitting = [level.height for level in levels if self._pixels[index] <= level.height]
+        package = self._packages[index][1]
+        parts = range(len(package.manifest.parts))
+        heights = [height for part in parts for height in package.proxy_heights(part)]
+        fitting = [height for height in heights if self._pixels[index] <= height]
         return min(fitting, default=None)
 
     def _best_within(self, index: int, max_error: float) -> str:

@@ -17,7 +17,7 @@ from rna_render.points import Body, Points, Role
 from rna_render.surface import OFFSET
 from rna_render.tracing import ClosestHits
 from rna_sdk.compiled import compiled
-from rna_sdk.runtime.transforms import Transform
+from rna_sdk.runtime import Transform
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,7 @@ from rna_render.rays import vectors
 from rna_render.surface import SurfacePoints, geometric_normals, interpolate_normals
 from rna_render.tracing import ClosestHits
 from rna_render.transmittance import Transmittance
-from rna_sdk.runtime import offset_across
-from rna_sdk.runtime.transforms import Transform
+from rna_sdk.runtime import Transform, offset_across
 
 # Emission is asked at so many points at least of a part's mesh, in as many equal parts of each
 # triangle as that takes, but no more than the square of the second number.

@@ -1,0 +1,90 @@
+"""rna-run and Mitsuba with rna_mitsuba side by side: a sheet of pictures, and speeds.
+
+    python benchmarks/mitsuba_sheet.py --out bench/mitsuba
+
+writes bench/mitsuba.png (rna-run, Mitsuba, their difference x 4; one row a scene) and
+bench/mitsuba.json. Kernels are compiled before the clock starts; the renderers take turns.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import statistics
+import tempfile
+import time
+from pathlib import Path
+
+import mitsuba as mi
+import numpy as np
+from PIL import Image
+
+from rna_sdk.cpu import processor
+
+mi.set_variant("llvm_ad_rgb")
+
+from benchmarks.mitsuba_scenes import Ours, Theirs, pairs  # noqa: E402
+
+
+def main() -> None:
+    """Render all scenes and write both files."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--out", type=Path, required=True, help="stem of the two files")
+    parser.add_argument("--size", type=int, nargs=2, default=(300, 200), help="(default: 300 200)")
+    parser.add_argument("--samples", type=int, default=32, help="a pixel, a run (default: 32)")
+    parser.add_argument("--runs", type=int, default=3, help="timed, of each (default: 3)")
+    options = parser.parse_args()
+    rows, records = [], {}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, pair in pairs(Path(folder)).items():
+            both = (
+                Ours(Path(folder), pair, tuple(options.size), options.samples),
+                Theirs(pair, tuple(options.size), options.samples),
+            )
+            images, seconds, first = render_in_turn(both, options.runs)
+            rows.append(np.concatenate([*images, np.abs(images[0] - images[1]) * 4], axis=1))
+            records[name] = record(images, seconds, first)
+            print(name, json.dumps(records[name]), flush=True)
+    options.out.parent.mkdir(parents=True, exist_ok=True)
+    sheet = np.clip(np.concatenate(rows), 0, 1) ** (1 / 2.2)
+    image = Image.fromarray(np.round(sheet * 255).astype(np.uint8))
+    small = (image.width * 3 // 5, image.height * 3 // 5)  # a third of the bytes
+    image.resize(small, Image.LANCZOS).save(options.out.with_suffix(".png"), optimize=True)
+    settings = {"size": list(options.size), "samples": options.samples, "runs": options.runs}
+    result = {"machine": processor(), "variant": mi.variant(), **settings, "scenes": records}
+    options.out.with_suffix(".json").write_text(json.dumps(result, indent=2) + "\n")
+
+
+def render_in_turn(both, runs):  # type: ignore[no-untyped-def]
+    """Mean images, seconds of each run, and those of the first, which compiles."""
+    first, seconds, images = [], ([], []), ([], [])
+    for renderer in both:
+        start = time.perf_counter()
+        renderer(0)
+        first.append(time.perf_counter() - start)
+    for run in range(runs):
+        for k, renderer in enumerate(both):
+            start = time.perf_counter()
+            images[k].append(renderer(1 + run))
+            seconds[k].append(time.perf_counter() - start)
+    return [np.mean(of, axis=0) for of in images], seconds, first
+
+
+def record(images, seconds, first):  # type: ignore[no-untyped-def]
+    """What goes into the JSON of a scene."""
+    ours, theirs = images
+    squares = np.mean((np.clip(ours, 0, 1) - np.clip(theirs, 0, 1)) ** 2)
+    medians = [statistics.median(of) for of in seconds]
+    return {
+        "rnaRunSeconds": round(medians[0], 3),
+        "mitsubaSeconds": round(medians[1], 3),
+        "mitsubaOverRnaRun": round(medians[1] / medians[0], 2),
+        "firstRunSeconds": {"rnaRun": round(first[0], 1), "mitsuba": round(first[1], 1)},
+        "meanRnaRun": [round(float(x), 5) for x in ours.mean(axis=(0, 1))],
+        "meanMitsuba": [round(float(x), 5) for x in theirs.mean(axis=(0, 1))],
+        "psnr": round(float(-10 * np.log10(squares)), 2),
+    }
+
+
+if __name__ == "__main__":
+    main()

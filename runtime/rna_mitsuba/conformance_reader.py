@@ -1,0 +1,100 @@
+"""Evaluation, rays and normals of this renderer as a reader program.
+
+rna-conform -- python -m rna_mitsuba.conformance_reader
+"""
+
+from __future__ import annotations
+
+import sys
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+if mi.variant() is None:
+    mi.set_variant("llvm_ad_rgb")
+
+from rna_mitsuba.evaluator import PartEvaluator
+from rna_mitsuba.points import FiberGeometry
+from rna_mitsuba.tracing import NO_STRAND, PackageScene
+from rna_sdk.conformance.reader_program import run_reader
+from rna_sdk.package import Package
+
+
+def evaluate(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
+    """(n, 6) float32 for (n, 13) queries."""
+    position, axis, h, wo, wi = _arguments(queries)
+    with Package.open(package) as opened:
+        evaluator = PartEvaluator(opened, tier, part)
+    found = evaluator.transport(position, axis, h, wo, wi, mi.Bool(True))
+    return np.hstack([_rows(colour, len(queries)) for colour in found])
+
+
+def emission(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
+    """(n, 3) float32 for (n, 10) queries."""
+    position, axis, h, wo, _ = _arguments(np.hstack([queries, queries[:, 7:10]]))
+    with Package.open(package) as opened:
+        evaluator = PartEvaluator(opened, tier, part)
+    return _rows(evaluator.emission(position, axis, h, wo, mi.Bool(True)), len(queries))
+
+
+def visibility(package: str, records: bytes) -> np.ndarray:
+    """(n, 3) float32: the visibility, RGB, of the rays of n hits."""
+    words = np.frombuffer(records, "<u4").reshape(-1, 8)
+    numbers = words.view("<f4").astype(np.float32)
+    with Package.open(package) as opened:
+        scene = PackageScene(opened)
+    seen = np.empty((len(words), 3), np.float32)
+    for part, geometry in enumerate(scene.geometries):
+        rows = np.flatnonzero(words[:, 7] == part)
+        primitive, active = mi.UInt32(words[rows, 0].copy()), mi.Bool(True)
+        strand = mi.UInt32(NO_STRAND)
+        if isinstance(geometry, FiberGeometry):
+            origin, wi = _vector(numbers[rows, 1:4]), _vector(numbers[rows, 4:7])
+            strand = geometry.strand(primitive, active)
+        else:
+            b1, b2 = (mi.Float(numbers[rows, k].copy()) for k in (1, 2))
+            wi = _vector(numbers[rows, 3:6])
+            at = geometry.points(primitive, b1, b2, mi.Point3f(0), wi, active)
+            origin = at.origin(wi, scene.step)
+        line = mi.Point3f(origin), wi, mi.Float(dr.inf)
+        found = scene.visibility(*line, mi.UInt32(part), strand, dr.full(mi.Bool, True, len(rows)))
+        seen[rows] = _rows(found, len(rows))
+    return seen
+
+
+def normals(package: str, records: bytes) -> np.ndarray:
+    """(n, 3) float32: the normals that n hits of meshes are asked with."""
+    words = np.frombuffer(records, "<u4").reshape(-1, 8)
+    numbers, found = words.view("<f4").astype(np.float32), np.empty((len(words), 3), np.float32)
+    with Package.open(package) as opened:
+        scene = PackageScene(opened)
+    for part in np.unique(words[:, 7]).tolist():
+        rows = np.flatnonzero(words[:, 7] == part)
+        b1, b2 = (mi.Float(numbers[rows, k].copy()) for k in (1, 2))
+        nowhere = mi.Point3f(0), mi.Vector3f(0)
+        primitive = mi.UInt32(words[rows, 0].copy())
+        at = scene.geometries[part].points(primitive, b1, b2, *nowhere, mi.Bool(True))
+        found[rows] = _rows(at.axis, len(rows))
+    return found
+
+
+def _vector(rows: np.ndarray) -> mi.Vector3f:
+    return mi.Vector3f(np.ascontiguousarray(rows.T))
+
+
+def _arguments(queries: np.ndarray):  # type: ignore[no-untyped-def]
+    x, axis, h, wo, wi = np.split(np.ascontiguousarray(queries), (3, 6, 7, 10), axis=1)
+    vectors = (mi.Vector3f(np.ascontiguousarray(v.T)) for v in (axis, wo, wi))
+    axis, wo, wi = vectors
+    return mi.Point3f(np.ascontiguousarray(x.T)), axis, mi.Float(h[:, 0].copy()), wo, wi
+
+
+def _rows(colour: mi.Color3f, count: int) -> np.ndarray:
+    return np.broadcast_to(np.array(colour).T, (count, 3)).astype(np.float32)
+
+
+if __name__ == "__main__":
+    sys.exit(
+        run_reader(evaluate=evaluate, emission=emission, visibility=visibility, normals=normals)
+    )

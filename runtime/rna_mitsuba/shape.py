@@ -1,0 +1,131 @@
+"""The shape plug-in `rna`: a package, placed in a scene."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from os import PathLike
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+from rna_mitsuba.evaluator import PartEvaluator
+from rna_mitsuba.tracing import PackageScene
+from rna_sdk.errors import QueryError
+from rna_sdk.package import Package
+from rna_sdk.runtime import Transform, choose_tier
+
+
+class LoadedPackage:
+    """One tier of a package in Mitsuba's memory, shared by its instances.
+
+    Attributes:
+        scene: what rays meet. evaluators: of the parts. bounds: (2, 3), of all parts.
+    """
+
+    def __init__(self, path: str, tier: str | None) -> None:
+        with Package.open(path) as package:
+            record = choose_tier(package, tier)
+            self.scene = PackageScene(package)
+            parts = range(len(package.manifest.parts))
+            self.evaluators = [PartEvaluator(package, record.name, part) for part in parts]
+            boxes = np.array([part.bounds.corners() for part in package.manifest.parts])
+        self.bounds = np.stack([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+        self.emits = any(evaluator.emits for evaluator in self.evaluators)
+
+
+_loaded: dict[tuple[str, float, str | None], LoadedPackage] = {}
+
+
+def load_package(path: str, tier: str | None) -> LoadedPackage:
+    """The package, loaded once for as long as the file does not change."""
+    real = os.path.realpath(path)
+    changed = os.path.getmtime(real) if os.path.exists(real) else 0.0
+    key = real, changed, tier
+    if key not in _loaded:
+        _loaded[key] = LoadedPackage(path, tier)
+    return _loaded[key]
+
+
+def asset(
+    path: str | PathLike[str], tier: str | None = None, to_world: Any = None
+) -> dict[str, Any]:
+    """An entry of a scene for mitsuba.load_dict: the package at `path`, placed.
+
+    tier: its name; the first one where left out. to_world: a Mitsuba transform or a (4, 4) array,
+    object to world: a rotation, a uniform scale and a translation.
+    """
+    entry: dict[str, Any] = {"type": "rna", "filename": os.fspath(path)}
+    if tier is not None:
+        entry["tier"] = tier
+    if to_world is not None:
+        matrix = getattr(to_world, "matrix", to_world)
+        entry["to_world"] = mi.ScalarTransform4f(np.array(matrix, float).reshape(4, 4))
+    return entry
+
+
+class RnaShape(mi.Mesh):
+    """What `asset` describes. Rays of `rna_path` alone meet it.
+
+    Mitsuba's own rays see one triangle without area across the box of the asset, which gives the
+    scene its size and is never hit. The parameter `to_world` may be changed, and carries
+    derivatives.
+
+    Attributes:
+        loaded: the package.
+        to_world: Transform4f.
+    """
+
+    def __init__(self, props: mi.Properties) -> None:
+        """Raises PackageError and QueryError, as Package.open, choose_tier and Transform."""
+        self.to_world: mi.Transform4f | None = None
+        path = props["filename"]
+        tier = props["tier"] if "tier" in props else None
+        matrix = np.eye(4)
+        if "to_world" in props:
+            matrix = np.array(props["to_world"].matrix, float).reshape(4, 4)
+        self.loaded = load_package(str(mi.file_resolver().resolve(path)), tier)
+        Transform(matrix)  # refuses what is no similarity
+        corners = np.array(list(itertools.product(*self.loaded.bounds.T)))
+        corners = corners @ matrix[:3, :3].T + matrix[:3, 3]
+        super().__init__(props.id(), 3, 1)
+        self.set_id(props.id())
+        parameters = mi.traverse(self)
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        parameters["vertex_positions"] = mi.Float(np.concatenate([low, high, low]))
+        parameters["faces"] = mi.UInt32([0, 1, 2])
+        parameters.update()
+        self.to_world = mi.Transform4f(mi.ScalarTransform4f(matrix))
+        dr.make_opaque(self.to_world)
+
+    def traverse(self, callback: mi.TraversalCallback) -> None:
+        if self.to_world is None:
+            super().traverse(callback)  # the placeholder is being made
+        else:
+            callback.put("to_world", self.to_world, mi.ParamFlags.Differentiable)
+
+    def parameters_changed(self, keys: list[str]) -> None:
+        """The placeholder stays as it was made; it sets the size of Mitsuba's scene alone."""
+        if self.to_world is None:
+            super().parameters_changed(keys)
+
+    def to_string(self) -> str:
+        return "RnaShape[]"
+
+
+def shapes_of(scene: mi.Scene) -> list[RnaShape]:
+    """The assets of a scene. Raises QueryError where it has another number of `rna` shapes."""
+    return [shape for shape in scene.shapes() if isinstance(shape, RnaShape)]
+
+
+def check_placed(shape: RnaShape) -> None:
+    """Raises QueryError where `to_world` was changed to what is no similarity."""
+    try:
+        Transform(np.array(shape.to_world.matrix, float).reshape(4, 4))
+    except QueryError as error:
+        raise QueryError(f"shape rna: to_world: {error}") from None
+
+
+mi.register_shape("rna", RnaShape)

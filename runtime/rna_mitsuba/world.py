@@ -1,0 +1,228 @@
+"""All assets of a scene, placed, beside what Mitsuba itself traces."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+import drjit as dr
+import mitsuba as mi
+
+from rna_mitsuba.points import Points
+from rna_mitsuba.shape import RnaShape
+from rna_mitsuba.tracing import NO_STRAND, Hits
+
+NOBODY = 0xFFFFFFFF
+"""Number of the instance where there is none."""
+
+
+class Placement:
+    """A similarity between an asset's object space and the world."""
+
+    def __init__(self, shape: RnaShape) -> None:
+        matrix = shape.to_world.matrix
+        linear = mi.Matrix3f(*(matrix[i, j] for i in range(3) for j in range(3)))
+        self.scale = dr.power(dr.abs(dr.det(linear)), 1 / 3)
+        self._rotation = linear / self.scale
+        self._back = self._rotation.T
+        self._origin = mi.Point3f(*(matrix[k, 3] for k in range(3)))
+
+    def point(self, x: mi.Point3f) -> mi.Point3f:
+        """Object to world."""
+        return mi.Point3f(self._rotation @ mi.Vector3f(x) * self.scale) + self._origin
+
+    def direction(self, d: mi.Vector3f) -> mi.Vector3f:
+        """Object to world, as long as before."""
+        return self._rotation @ d
+
+    def object_point(self, x: mi.Point3f) -> mi.Point3f:
+        """World to object."""
+        return mi.Point3f(self._back @ mi.Vector3f(x - self._origin) / self.scale)
+
+    def object_direction(self, d: mi.Vector3f) -> mi.Vector3f:
+        """World to object, as long as before."""
+        return self._back @ d
+
+
+class AssetHits(Hits):
+    """Closest hits on assets: t in the world, and which instance it was, NOBODY for misses."""
+
+    DRJIT_STRUCT: ClassVar = {**Hits.DRJIT_STRUCT, "instance": mi.UInt32}
+
+    def __init__(self, *of_hits: Any, instance: Any = None) -> None:
+        super().__init__(*of_hits)
+        self.instance = instance
+
+
+class World:
+    """The assets of a scene as the integrator asks them."""
+
+    def __init__(self, shapes: list[RnaShape]) -> None:
+        self._shapes = shapes
+        self._places = [Placement(shape) for shape in shapes]
+        self.has_fibers = any(g.is_fiber for shape in shapes for g in shape.loaded.scene.geometries)
+        self.emits = any(shape.loaded.emits for shape in shapes)
+        self.transmits = any(shape.loaded.scene.transmits for shape in shapes)
+
+    def closest(
+        self,
+        ray: mi.Ray3f,
+        far: mi.Float,
+        own: mi.UInt32,
+        sampler: mi.Sampler,
+        active: mi.Bool,
+    ) -> tuple[AssetHits, mi.Color3f]:
+        """The first hits nearer than far but on the instance `own`, and weights of what was passed.
+
+        Where a hit lets light through, the ray goes on at random, as often as it does.
+        """
+        nothing = mi.UInt32(0), mi.UInt32(0), mi.Float(0), mi.Float(0)
+        best = AssetHits(mi.Float(far), *nothing, instance=mi.UInt32(NOBODY))
+        weight = mi.Color3f(1)
+        for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
+            o, d = place.object_point(ray.o), place.object_direction(ray.d)
+            o, d, scale = dr.detach(o), dr.detach(d), dr.detach(place.scale)
+            asked = active & (own != k)
+            hits, passed = _closest(shape, o, d, best.t / scale, sampler, asked)
+            nearer = asked & dr.isfinite(hits.t) & (hits.t * scale < best.t)
+            weight *= dr.select(asked, passed, 1)
+            place = hits.t * scale, hits.part, hits.primitive, hits.u, hits.v
+            found = AssetHits(*place, instance=mi.UInt32(k))
+            best = dr.select(nearer, found, best)
+        best.t = dr.select(best.instance == NOBODY, dr.inf, best.t)
+        return best, weight
+
+    def points(
+        self, hits: AssetHits, ray: mi.Ray3f, active: mi.Bool
+    ) -> tuple[Points, mi.Vector3f, mi.Bool]:
+        """Points of hits and wo, both in object space; whether they are on fibers."""
+        points, wo, fiber = dr.zeros(Points), mi.Vector3f(0, 0, 1), mi.Bool(False)
+        for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
+            o, d = place.object_point(ray.o), place.object_direction(ray.d)
+            wo = dr.select(hits.instance == k, -d, wo)
+            for part, geometry in enumerate(shape.loaded.scene.geometries):
+                here = active & (hits.instance == k) & (hits.part == part)
+                way = d * (hits.t / dr.detach(place.scale)) if geometry.is_fiber else d
+                at = geometry.points(hits.primitive, hits.u, hits.v, o, way, here)
+                points = dr.select(here, at, points)
+                fiber |= here & geometry.is_fiber
+        return points, wo, fiber
+
+    def to_world_points(self, instance: mi.UInt32, x: mi.Point3f) -> mi.Point3f:
+        """Of the instances."""
+        result = mi.Point3f(0)
+        for k, place in enumerate(self._places):
+            result = dr.select(instance == k, place.point(x), result)
+        return result
+
+    def to_world_directions(self, instance: mi.UInt32, d: mi.Vector3f) -> mi.Vector3f:
+        """Of the instances."""
+        result = mi.Vector3f(0, 0, 1)
+        for k, place in enumerate(self._places):
+            result = dr.select(instance == k, place.direction(d), result)
+        return result
+
+    def to_object_directions(self, instance: mi.UInt32, d: mi.Vector3f) -> mi.Vector3f:
+        """Of the instances."""
+        result = mi.Vector3f(0, 0, 1)
+        for k, place in enumerate(self._places):
+            result = dr.select(instance == k, place.object_direction(d), result)
+        return result
+
+    def origins(
+        self, hits: AssetHits, points: Points, wi: mi.Vector3f
+    ) -> tuple[mi.Point3f, mi.Point3f]:
+        """Where rays along wi (object space) leave: in object space, and in the world."""
+        step, origin_world = mi.Float(0), mi.Point3f(0)
+        for k, shape in enumerate(self._shapes):
+            step = dr.select(hits.instance == k, shape.loaded.scene.step, step)
+        origin = points.origin(wi, step)
+        for k, place in enumerate(self._places):
+            here = hits.instance == k
+            origin_world = dr.select(here, place.point(origin), origin_world)
+        return origin, origin_world
+
+    def transport(
+        self,
+        hits: AssetHits,
+        points: Points,
+        wo: mi.Vector3f,
+        wi: mi.Vector3f,
+        distance: mi.Float,
+        active: mi.Bool,
+    ) -> mi.Color3f:
+        """T of the contract, wo and wi in object space; distance: to the light, in the world."""
+        total = mi.Color3f(0)
+        origin, _ = self.origins(hits, points, dr.detach(wi))
+        for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
+            mine, scene = active & (hits.instance == k), shape.loaded.scene
+            far = distance / dr.detach(place.scale)
+            line = dr.detach(origin), dr.detach(wi), dr.detach(far)
+            v = scene.visibility(*line, hits.part, points.strand, mine)
+            for part, evaluator in enumerate(shape.loaded.evaluators):
+                here = mine & (hits.part == part)
+                at = points.x, points.axis, points.h
+                visible, shadowed = evaluator.transport(*at, wo, wi, here)
+                total = dr.select(here, v * visible + (1 - v) * shadowed, total)
+        return total
+
+    def emission(
+        self, hits: AssetHits, points: Points, wo: mi.Vector3f, active: mi.Bool
+    ) -> mi.Color3f:
+        """L_e of the contract."""
+        total = mi.Color3f(0)
+        for k, shape in enumerate(self._shapes):
+            for part, evaluator in enumerate(shape.loaded.evaluators):
+                here = active & (hits.instance == k) & (hits.part == part)
+                if evaluator.emits:
+                    found = evaluator.emission(points.x, points.axis, points.h, wo, here)
+                    total = dr.select(here, found, total)
+        return total
+
+    def transmittance(self, ray: mi.Ray3f, own: mi.UInt32, active: mi.Bool) -> mi.Color3f:
+        """What all instances but `own` leave of the light along shadow rays."""
+        result = mi.Color3f(1)
+        for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
+            o, d = place.object_point(ray.o), place.object_direction(ray.d)
+            asked, far = active & (own != k), ray.maxt / place.scale
+            line = dr.detach(o), dr.detach(d), dr.detach(far)
+            nobody = mi.UInt32(NOBODY), mi.UInt32(NO_STRAND)
+            v = shape.loaded.scene.visibility(*line, *nobody, asked)
+            result = dr.select(asked, result * v, result)
+        return result
+
+
+def _closest(
+    shape: RnaShape,
+    o: mi.Point3f,
+    d: mi.Vector3f,
+    far: mi.Float,
+    sampler: mi.Sampler,
+    active: mi.Bool,
+) -> tuple[Hits, mi.Color3f]:
+    """The first hit that a ray does not pass, in object space; the weight of what it passed."""
+    scene = shape.loaded.scene
+    if scene.is_plain:
+        return scene.closest(o, d, far, active), mi.Color3f(1)
+    nothing = Hits(mi.Float(dr.inf), mi.UInt32(0), mi.UInt32(0), mi.Float(0), mi.Float(0))
+
+    def go_on(weight, near, last, going, found, o, d, far, sampler):  # type: ignore[no-untyped-def]
+        hits = scene.closest(o + near * d, d, far - near, going)
+        going = going & dr.isfinite(hits.t)
+        hits.t = hits.t + near
+        nobody = mi.UInt32(NOBODY), mi.UInt32(NO_STRAND)
+        tau = scene.hit_transmittance(hits, o + hits.t * d, d, *nobody, going)
+        number = hits.primitive * len(scene.geometries) + hits.part
+        tau = dr.select(number == last, mi.Color3f(1), tau)
+        chance = dr.clip(dr.mean(tau), 0, 1)
+        passes = sampler.next_1d(going) < chance
+        share = dr.select(passes, tau / dr.maximum(chance, 1e-20), (1 - tau) / (1 - chance))
+        weight = dr.select(going, weight * share, weight)
+        found = dr.select(going & ~passes, hits, found)
+        last = dr.select(scene.is_fiber(hits.part), mi.UInt32(NO_STRAND), number)
+        return weight, hits.t + scene.step, last, going & passes, found, o, d, far, sampler
+
+    start = mi.Color3f(1), mi.Float(0), mi.UInt32(NO_STRAND), mi.Bool(active), nothing
+    state = dr.while_loop(
+        (*start, o, d, far, sampler), lambda *state: state[3], go_on, label="closest"
+    )
+    return state[4], state[0]

@@ -1,0 +1,90 @@
+"""The plug-ins as users write them: in XML, in dictionaries, with mistakes; and the docs' code."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.conftest import REPOSITORY
+from tests.package.builders import make_tiny_package
+
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+
+
+def load(**properties: Any) -> Any:
+    import mitsuba as mi
+
+    import rna_mitsuba  # noqa: F401
+
+    return mi.load_dict({"type": "rna", **properties})
+
+
+def test_it_can_be_written_in_xml(tmp_path: Path) -> None:
+    import mitsuba as mi
+
+    from rna_mitsuba import RnaShape
+
+    make_tiny_package(tmp_path / "tiny.rna")
+    scene = mi.load_string(
+        '<scene version="3.0.0"><integrator type="rna_path"/><shape type="rna" id="tiny">'
+        f'<string name="filename" value="{tmp_path / "tiny.rna"}"/>'
+        '<transform name="to_world"><scale value="2"/><translate x="3"/></transform>'
+        "</shape></scene>"
+    )
+    (shape,) = scene.shapes()
+    assert isinstance(shape, RnaShape) and "tiny.to_world" in mi.traverse(scene)
+    low, high = shape.loaded.bounds * 2 + [3, 0, 0]
+    np.testing.assert_allclose(scene.bbox().min, low, rtol=1e-5)
+    np.testing.assert_allclose(scene.bbox().max, high, rtol=1e-5)
+
+
+def test_instances_share_a_package() -> None:
+    assert load(filename=str(TOY)).loaded is load(filename=str(TOY)).loaded
+
+
+@pytest.mark.parametrize(
+    ("change", "found"),
+    [
+        ({"filename": "nowhere.rna"}, "FILE_UNREADABLE"),
+        ({"tier": "huge"}, "no tier 'huge'"),
+        ({"to_world": np.diag([1.0, 2.0, 1.0, 1.0])}, "scales axes differently"),
+        ({"to_world": np.diag([-1.0, 1.0, 1.0, 1.0])}, "mirrors"),
+    ],
+)
+def test_mistakes_are_told(change: dict[str, Any], found: str) -> None:
+    import rna_mitsuba
+
+    arguments = {"filename": str(TOY)} | change
+    path = arguments.pop("filename")
+    with pytest.raises(Exception, match=re.escape(found)):
+        load(**{k: v for k, v in rna_mitsuba.asset(path, **arguments).items() if k != "type"})
+
+
+def test_emitters_cannot_be_hidden() -> None:
+    import mitsuba as mi
+
+    import rna_mitsuba  # noqa: F401
+
+    with pytest.raises(Exception, match="hide_emitters: found true, expected false"):
+        mi.load_dict({"type": "rna_path", "hide_emitters": True})
+
+
+def test_the_code_of_the_docs_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(TOY.parent)
+    page = (REPOSITORY / "docs" / "mitsuba.md").read_text()
+    (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    names: dict[str, Any] = {}
+    exec(code, names)
+    image = np.array(names["image"])
+    assert image.shape[:2] == (48, 64) and np.isfinite(image).all()
+    assert image[..., :3].max() > 0.3
+
+
+def test_links_of_the_page_lead_somewhere() -> None:
+    page = REPOSITORY / "docs" / "mitsuba.md"
+    links = re.findall(r"\]\((?!https?:)([^)#]+)", page.read_text())
+    assert links and [link for link in links if not (page.parent / link).exists()] == []
