@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
 from tests.render.studio import one_thread
 from tests.render.test_second_opinion import LEVEL, coarser, student_limit, welch
+
+if TYPE_CHECKING:
+    from benchmarks.mitsuba_scenes import Pair
 
 SIZE, BATCHES = (24, 16), 16
 
@@ -18,9 +22,41 @@ SIZE, BATCHES = (24, 16), 16
     [("sun", 32), ("environment and ground", 128), ("lamp and red wall", 160), ("curls", 512)],
 )
 def test_both_show_the_same(name: str, samples: int, tmp_path: Path) -> None:
-    from benchmarks.mitsuba_scenes import Ours, Theirs, pairs
+    from benchmarks.mitsuba_scenes import pairs
 
-    pair = pairs(tmp_path)[name]
+    assert_both_alike(pairs(tmp_path)[name], samples, tmp_path)
+
+
+def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> None:
+    """A ray that starts on a toy passes through it, and is stopped by the one that stands in it."""
+    import mitsuba as mi
+
+    import rna_mitsuba
+    from benchmarks.mitsuba_scenes import TOY, Pair, sun
+
+    light = (-0.6, 0.5, 0.7), (2.5, 2.4, 2.2)
+    place = {"translation": (0.22, 0.14, 0.18)}
+    pair = Pair(
+        {
+            "assets": [{"path": str(TOY)}, {"path": str(TOY), "transform": place}],
+            "lights": [{"type": "directional", "direction": light[0], "irradiance": light[1]}],
+        },
+        {
+            "one": rna_mitsuba.asset(TOY),
+            "other": rna_mitsuba.asset(
+                TOY, to_world=mi.ScalarTransform4f().translate(place["translation"])
+            ),
+            "sun": sun(*light),
+        },
+        {"position": (1.5, 0.95, 1.2), "look_at": (0.45, 0.25, -0.05), "vertical_fov_deg": 30},
+        2,
+    )
+    assert_both_alike(pair, 96, tmp_path)
+
+
+def assert_both_alike(pair: Pair, samples: int, tmp_path: Path) -> None:
+    from benchmarks.mitsuba_scenes import Ours, Theirs
+
     theirs = Theirs(pair, SIZE, samples)
     reference = np.stack([theirs(seed) for seed in range(BATCHES)])
     with one_thread():
