@@ -70,6 +70,7 @@ class Pool(Generic[Item, Result]):
         self._looked = -inf
         self._room = 0
         self._without = monotonic()  # since when there is no worker and no room
+        self._unready: float | None = monotonic()  # since when no worker is ready; None once told
 
     def __enter__(self) -> Pool[Item, Result]:
         return self
@@ -170,9 +171,18 @@ class Pool(Generic[Item, Result]):
         return late if outcome is None else [outcome, *late]
 
     def _wait_for_room(self) -> None:
-        """Raises WorkError where there has been no worker and no room for one for a minute."""
+        """Raises WorkError where there has been no worker and no room for one for a minute.
+
+        Tells where there is said to be room and none has started: a cluster may grow for it.
+        """
         if self._ready or (self._starting and self._room):
             self._without = monotonic()
+        if self._ready:
+            self._unready = monotonic()
+        elif self._starting and self._room:
+            if self._unready is not None and monotonic() - self._unready > _NO_ROOM:
+                self._tell_user(f"no worker ({self._backend}) has started for {_NO_ROOM:.0f} s")
+                self._unready = None
         elif monotonic() - self._without > _NO_ROOM:
             raise WorkError(
                 f"no node has had room for a worker ({self._backend}) for {_NO_ROOM:.0f} s"

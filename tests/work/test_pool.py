@@ -130,6 +130,20 @@ def test_no_room_for_workers_is_an_error(monkeypatch: pytest.MonkeyPatch) -> Non
         list(pool.run([1]))
 
 
+def test_a_worker_that_does_not_start_is_told_of_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Late(Doubling):
+        def __enter__(self) -> Late:
+            time.sleep(0.8)
+            return self
+
+    monkeypatch.setattr("rna_work.pool._NO_ROOM", 0.1)
+    monkeypatch.setattr("rna_work.pool._LOOK", 0.05)
+    told: list[str] = []
+    with Pool(Threads(1), Late, tell=told.append) as pool:
+        assert [o.value() for o in pool.run([1, 2])] == [2, 4]
+    assert len(told) == 1 and "has started for" in told[0]
+
+
 def test_there_are_no_more_workers_than_items() -> None:
     with Pool(Processes(8), Doubling) as pool:
         pids = {o.value() for o in pool.run(["pid", "pid"])}
