@@ -286,7 +286,7 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     from rna_work.places import place
 
     output.check()
-    folder = output.exr.with_name(f"{output.exr.name}.pieces")
+    folder = output.linear.with_name(f"{output.linear.name}.pieces")
     try:
         with place(options.cluster) as where:
             film, kept = render_pieces(scene_file, where, options.threads, folder)

@@ -15,7 +15,6 @@ from rna_sdk.runtime.queries_reference import fiber_queries_reference, queries_r
 from tests.render.assets import unit_vectors
 
 BOUNDS = torch.tensor([[-1.0, 0.0, 2.0], [1.0, 3.0, 2.5]])
-ALL_BLOCKS = tuple(INPUT_BLOCKS)
 
 
 def make_model(inputs: tuple[str, ...]) -> NeuralAsset:
@@ -86,8 +85,9 @@ def test_gradients_are_those_of_the_twin(kind: str) -> None:
     assert torch.allclose(found, expected, rtol=2e-3, atol=2e-3)
 
 
-def test_opposite_directions_give_finite_gradients() -> None:
-    model = make_model(ALL_BLOCKS)
+@pytest.mark.parametrize("kind", PRESETS)
+def test_opposite_directions_give_finite_gradients(kind: str) -> None:
+    model = make_model(tuple(blocks_for(kind)))
     at = {name: torch.from_numpy(rows) for name, rows in random_rows(20).items()}
     model.queries({**at, "wi": -at["wo"]}).square().sum().backward()
     assert torch.isfinite(model.triplane.planes.grad).all()

@@ -50,7 +50,9 @@ class Inputs(torch.autograd.Function):
         queries = torch.empty(len(arrays[0]), query_width(blocks, features.shape[1]))
         _fill(*arrays, columns, h is not None, queries.numpy())
         ctx.arrays, ctx.columns = arrays, columns
-        return queries[: len(features)]
+        # The whole tensor, or a copy: autograd lets nobody write into a function's view.
+        rows = len(features)
+        return queries if len(queries) == rows else queries[:rows].clone()
 
     @staticmethod
     def backward(ctx: Any, gradient: Tensor) -> tuple[Tensor | None, ...]:
