@@ -29,8 +29,8 @@ from rays import Rays, camera_rays, random_rays
 from report import publish, report_parser
 
 from rna_export.export.precision import Precision
-from rna_render import embree_kernels as kernels
-from rna_render.embree_library import function_address
+from rna_render.embree import kernels
+from rna_render.embree.library import function_address
 from rna_render.parts_scene import PartsScene
 from rna_sdk.compiled import compiled
 from rna_sdk.package import (

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry, Placed, Shape, Strands, Triangles, build_geometry
 from rna_gpu.scene_support import check_material
-from rna_render.instances import ALL_RAYS, CAMERA_RAY
+from rna_render.embree.instances import ALL_RAYS, CAMERA_RAY
 from rna_render.lights import AssetLight, EnvironmentImageLight, Light, LightSelection
 from rna_render.lights.base import PlacedLight
 from rna_render.lights.kinds import ROW_NUMBERS

@@ -20,8 +20,8 @@ from rna_gpu.scene_tables import SceneTables
 from rna_gpu.shaders import compose
 from rna_render.bodies import FIBER_LOBES, SURFACE_LOBES
 from rna_render.camera import Camera
+from rna_render.embree.instances import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
 from rna_render.film import Layers
-from rna_render.instances import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
 from rna_render.lights import InfiniteLight, Light
 from rna_render.materials.ggx import TABLE_SIZE
 from rna_render.path_numbers import LIGHTS_AT_A_VERTEX

@@ -20,6 +20,7 @@ from rna_render.asset_parts import (
     part_transmittance,
 )
 from rna_render.embree import TriangleScene
+from rna_render.embree.tracing import ClosestHits
 from rna_render.fiber import FiberPoints
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
@@ -27,7 +28,6 @@ from rna_render.neural_sampling import LobeMixture
 from rna_render.parts_scene import PartPoints, PartsScene
 from rna_render.points import Body, Points, Role
 from rna_render.surface import SurfacePoints
-from rna_render.tracing import ClosestHits
 from rna_sdk.runtime import offset_across
 
 # The lobes that rays leave assets in, by kind; see benchmarks/importance.py.

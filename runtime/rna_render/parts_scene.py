@@ -7,12 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render.embree import add_curves, add_mesh
-from rna_render.embree_filters import own_strand_filter, strand_transmittance_filter
-from rna_render.fiber import FiberPoints
-from rna_render.rays import check_numbers, per_ray, vectors
-from rna_render.surface import NormalMaps, SurfacePoints, leaving_origins
-from rna_render.tracing import (
+from rna_render.embree.filters import own_strand_filter, strand_transmittance_filter
+from rna_render.embree.scenes import add_curves, add_mesh
+from rna_render.embree.tracing import (
     NO_OWN,
     NOTHING,
     GeometryScene,
@@ -21,6 +18,9 @@ from rna_render.tracing import (
     closest_hits,
     transmitted,
 )
+from rna_render.fiber import FiberPoints
+from rna_render.rays import check_numbers, per_ray, vectors
+from rna_render.surface import NormalMaps, SurfacePoints, leaving_origins
 from rna_render.transmittance import Transmittance, geometry_table
 from rna_sdk.package import Curves, Mesh
 
@@ -51,7 +51,7 @@ class PartHits:
 class PartsScene(GeometryScene):
     """The parts of an asset in one space. Embree keeps a copy of their geometry.
 
-    Triangles behind Embree's robust (watertight) intersection; strands as in embree.add_curves.
+    Triangles behind Embree's robust (watertight) intersection; strands as in `add_curves`.
     transmittance: of each part, None where it is opaque, as strands are; none at all if left out.
     `intersect` and `occluded` do not ask for it. normal_maps: of each part, None where it has
     none; none at all if left out.
@@ -61,7 +61,7 @@ class PartsScene(GeometryScene):
         extent: the largest absolute coordinate of all parts: of a vertex, or of a point of curves
             plus its radius.
 
-    Raises PackageError and SceneError as embree.add_mesh and embree.add_curves.
+    Raises PackageError and SceneError as `add_mesh` and `add_curves`.
     """
 
     def __init__(

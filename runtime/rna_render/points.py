@@ -8,7 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from rna_render.tracing import ClosestHits, GeometryScene
+from rna_render.embree.tracing import ClosestHits, GeometryScene
 
 
 class Points(ABC):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.instances import Instance, InstanceScene
+from rna_render.embree.instances import Instance, InstanceScene
 from rna_render.parts_scene import PartsScene
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from rna_render.embree import TriangleScene
-from rna_render.embree_library import Device, SceneHandle
+from rna_render.embree.library import Device, SceneHandle
 from rna_sdk.errors import QueryError, SceneError
 from tests.render.assets import EMBREE_ROUNDING, sphere, square, unit_vectors
 

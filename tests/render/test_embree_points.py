@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rna_render.embree import DiscScene, SphereScene
-from rna_render.tracing import closest_hits
+from rna_render.embree.tracing import closest_hits
 from rna_sdk.errors import SceneError
 from tests.render.assets import unit_vectors
 

@@ -7,7 +7,7 @@ import ctypes
 import numpy as np
 import pytest
 
-from rna_render import embree_library
+from rna_render.embree import library as embree_library
 from rna_render.world import Placement, World
 from tests.render.assets import LambertAsset, sphere
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from rna_render.embree import TriangleScene
+from rna_render.embree.instances import Instance, InstanceScene
 from rna_render.fiber import FiberPoints
-from rna_render.instances import Instance, InstanceScene
 from rna_render.parts_scene import PartsScene
 from rna_render.transmittance import Transmittance, TransmittanceTexture
 from tests.render.assets import sphere, square

@@ -13,6 +13,7 @@ from rna_render.asset_parts import (
     part_normal_maps,
     part_transmittance,
 )
+from rna_render.embree.tracing import ClosestHits
 from rna_render.fiber import FiberPoints
 from rna_render.lights.base import ShapeLight
 from rna_render.lights.directions import luminance
@@ -20,7 +21,6 @@ from rna_render.lights.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
 from rna_render.rays import vectors
 from rna_render.surface import SurfacePoints, geometric_normals, interpolate_normals
-from rna_render.tracing import ClosestHits
 from rna_render.transmittance import Transmittance
 from rna_sdk.runtime import Transform, offset_across
 

@@ -8,13 +8,13 @@ from collections.abc import Callable
 import numpy as np
 from numba import carray, prange
 
+from rna_render.embree.tracing import ClosestHits
 from rna_render.lights.base import LightRow, ShapeLight
 from rna_render.lights.directions import flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
 from rna_render.lights.kinds import OWN, TRIANGLES, light_row
 from rna_render.memory import pointer_f64
 from rna_render.rays import vectors
-from rna_render.tracing import ClosestHits
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 

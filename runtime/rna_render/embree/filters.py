@@ -2,7 +2,7 @@
 
 A filter gets the address of RTCFilterFunctionNArguments and sets `valid` to 0 to refuse the hit.
 What to refuse stands in the ray's id; what a ray carries through refused hits stands in the
-query's context, see `embree_kernels`.
+query's context, see `kernels`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numba import types
 
-from rna_render.embree_kernels import (
+from rna_render.embree.kernels import (
     CONTEXT_COLOURED,
     CONTEXT_LAST,
     CONTEXT_SHARE,
@@ -237,7 +237,7 @@ def own_strand_filter() -> np.ndarray:
 
 
 def random_transmittance_filters() -> tuple[np.ndarray, np.ndarray]:
-    """Arguments of `embree_kernels.intersect_through`: of its search, and of its weights.
+    """Arguments of `kernels.intersect_through`: of its search, and of its weights.
 
     The instance that the ray's id names is passed through as well.
     """
@@ -245,12 +245,12 @@ def random_transmittance_filters() -> tuple[np.ndarray, np.ndarray]:
 
 
 def transmittance_filter() -> np.ndarray:
-    """Arguments of `embree_kernels.transmitted`; the ray's id is as for `own_instance_filter`."""
+    """Arguments of `kernels.transmitted`; the ray's id is as for `own_instance_filter`."""
     return _arguments(_pass_all_but_own_instance.address)
 
 
 def strand_transmittance_filter() -> np.ndarray:
-    """Arguments of `embree_kernels.transmitted`; the ray's id is as for `own_strand_filter`."""
+    """Arguments of `kernels.transmitted`; the ray's id is as for `own_strand_filter`."""
     return _arguments(_pass_all_but_own_strand.address)
 
 

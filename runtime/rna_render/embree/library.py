@@ -2,7 +2,7 @@
 
 The library is the one that the wheel of `embreex` carries, with the whole of Embree's public
 C API (https://github.com/RenderKit/embree, include/embree4). Only set-up goes through ctypes;
-rays are traced by the compiled loops of `embree_kernels`.
+rays are traced by the compiled loops of `kernels`.
 """
 
 from __future__ import annotations

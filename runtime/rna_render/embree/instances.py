@@ -7,14 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render import embree_library as api
-from rna_render.embree_filters import (
+from rna_render.embree import library as api
+from rna_render.embree.filters import (
     own_instance_filter,
     random_transmittance_filters,
     transmittance_filter,
 )
-from rna_render.rays import per_ray
-from rna_render.tracing import (
+from rna_render.embree.tracing import (
     ClosestHits,
     GeometryScene,
     Passing,
@@ -23,6 +22,7 @@ from rna_render.tracing import (
     closest_hits_through,
     transmitted,
 )
+from rna_render.rays import per_ray
 
 # Bits of Embree's masks. Up to as many instances have a bit each, and a ray that passes through
 # one does not enter it. Of more instances, bits stand for the sorts of rays that meet them, and a

@@ -159,7 +159,7 @@ def occluded(function, scene, arguments, ray_id, mask, origins, directions, tnea
     function, scene: addresses of rtcOccluded1 and of the scene.
     arguments: address of RTCOccludedArguments (RTCIntersectArguments begin alike), or 0.
     ray_id: (n,) uint32, or (1,) for all rays: what a ray passes through, if `arguments` are
-        those of one of the embree_filters. mask: as for `intersect`.
+        those of one of the `filters`. mask: as for `intersect`.
     origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
     result: (n,) bool out; False for a ray that is not finite or has no direction.
     """
@@ -259,7 +259,7 @@ def intersect_through(
     """Closest hits of rays that pass through hits at random, as often as these let light through.
 
     functions: addresses of rtcIntersect1 and of rtcOccluded1. arguments, weighing: (8,) uint64
-    each, of `embree_filters.random_transmittance_filters`. weight: (n, 3) float32 out, by which
+    each, of `filters.random_transmittance_filters`. weight: (n, 3) float32 out, by which
     what is found has to be multiplied: 1 unless a hit is coloured; or (0, 3), where none is, and
     then it is not written. The others are those of `intersect`.
     """

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field, fields
 
 import numpy as np
 
-from rna_render import embree_kernels as kernels
-from rna_render import embree_library as api
-from rna_render.embree_filters import transmittance_filter
+from rna_render.embree import kernels
+from rna_render.embree import library as api
+from rna_render.embree.filters import transmittance_filter
 from rna_render.rays import per_ray, vectors
 
 
