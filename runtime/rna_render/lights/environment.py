@@ -6,7 +6,8 @@ import numpy as np
 
 from rna_render.lights.base import InfiniteLight, Light
 from rna_render.lights.directions import cone_direction, luminance
-from rna_render.lights.equirectangular import EquirectangularImage, look_up_image, sample_image
+from rna_render.lights.equirectangular import EquirectangularImage
+from rna_render.lights.image_kernels import look_up_image, sample_image_batch
 from rna_render.lights.kinds import IMAGE, OWN, UNIFORM, light_row
 from rna_render.lights.models import EnvironmentModel
 from rna_sdk.compiled import compiled
@@ -71,9 +72,9 @@ def look_up_uniform(numbers):
 
 
 @compiled(fastmath=())
-def sample_image_light(numbers, words, u1, u2):
-    x, y, z, r, g, b, pdf = sample_image(numbers[OWN:], words, u1, u2)
-    return (x, y, z), (numbers[0] * r, numbers[1] * g, numbers[2] * b), pdf
+def sample_image_light(numbers, words, u, wi_world, radiance, pdf):
+    """Samples for u, (n, 2); the rest is written, a row each."""
+    sample_image_batch(numbers[:OWN], numbers[OWN:], words, u, wi_world, radiance, pdf)
 
 
 @compiled(fastmath=())

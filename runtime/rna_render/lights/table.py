@@ -39,11 +39,8 @@ from rna_sdk.compiled import compiled
 
 @compiled(fastmath=())
 def sample_light(kind, numbers, words, x, u1, u2):
-    """A sample of a light at x, three float64."""
+    """A sample of a light at x, three float64; of images see `sample_batch`."""
     no_place = (0.0, 0.0, 0.0)
-    if kind == IMAGE:
-        wi, radiance, pdf = sample_image_light(numbers, words, u1, u2)
-        return wi, np.inf, radiance, pdf, no_place
     if kind == UNIFORM:
         wi, radiance, pdf = sample_uniform(numbers, u1, u2)
         return wi, np.inf, radiance, pdf, no_place
@@ -100,6 +97,10 @@ def _where_seen(numbers, pdf):
 
 @compiled(parallel=True, fastmath=())
 def sample_batch(kind, numbers, words, x_world, u, wi_world, distance, radiance, pdf, place):
+    if kind == IMAGE:
+        sample_image_light(numbers, words, u, wi_world, radiance, pdf)
+        distance[:] = np.inf
+        return
     for i in prange(len(x_world)):
         sample = sample_light(kind, numbers, words, vector_at(x_world, i), u[i, 0], u[i, 1])
         distance[i], pdf[i] = sample[1], sample[3]

@@ -1,0 +1,252 @@
+"""Compiled code of `equirectangular`: cells of an image, directions and radiance.
+
+Directions are sampled in blocks, one look-up at a time for a whole block: the tables do not fit a
+core's cache, and so a core waits for many numbers at once.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import carray, prange
+
+from rna_render.angles import sine_and_cosine, turns_of
+from rna_render.lights.directions import LUMINANCE
+from rna_render.lights.intervals import guide_entry, interval_near, place_within
+from rna_render.memory import pointer_f32, pointer_f64, pointer_i32
+from rna_sdk.compiled import compiled
+
+# What `sample_image_batch` and `look_up_image` read. Addresses of arrays, and the image's size; and
+# numbers: the turn about +y, the sum of all cells' weights, the mean that they leave out.
+TEXELS, HEIGHTS, ROWS, ROW_GUIDE, COLUMNS, COLUMN_GUIDE, HEIGHT, WIDTH = range(8)
+TURN_COSINE, TURN_SINE, TOTAL, MEAN = range(4)
+
+# Directions that are sampled together.
+BLOCK = 64
+
+
+@compiled(fastmath=())
+def _luminance(r, g, b):
+    return LUMINANCE[0] * r + LUMINANCE[1] * g + LUMINANCE[2] * b
+
+
+@compiled(fastmath=())
+def _cell(texels, row, column):
+    """The four texels about a cell."""
+    h, w, _ = texels.shape
+    upper, lower = max(row - 1, 0), min(row, h - 1)
+    right = column + 1 if column < w - 1 else 0
+    return (
+        _texel(texels, upper, column),
+        _texel(texels, upper, right),
+        _texel(texels, lower, column),
+        _texel(texels, lower, right),
+    )
+
+
+@compiled(fastmath=())
+def _texel(texels, row, column):
+    r, g, b = texels[row, column, 0], texels[row, column, 1], texels[row, column, 2]
+    return np.float64(r), np.float64(g), np.float64(b)
+
+
+@compiled(fastmath=())
+def _luminances(cell):
+    a, b, c, d = cell
+    return (
+        _luminance(a[0], a[1], a[2]),
+        _luminance(b[0], b[1], b[2]),
+        _luminance(c[0], c[1], c[2]),
+        _luminance(d[0], d[1], d[2]),
+    )
+
+
+@compiled(parallel=True, fastmath=())
+def sums_of_cells(texels, heights, mean, columns):
+    """Running sums, along each row, of the cells' weights: luminance times the row's height."""
+    h, w, _ = texels.shape
+    for k in prange(h + 1):
+        row, total = np.int64(k), 0.0  # k is unsigned: k - 1 would be a float
+        columns[row, 0] = 0.0
+        for column in range(w):
+            a, b, c, d = _luminances(_cell(texels, row, column))
+            total += max((a + b + c + d) / 4.0 - mean, 0.0) * heights[row]
+            columns[row, column + 1] = total
+
+
+@compiled(fastmath=())
+def _sample_linear(a, b, u):
+    """A place in [0, 1) with density in proportion to a line from a to b, neither negative."""
+    root = np.sqrt(a * a + u * (b * b - a * a))
+    return u * (a + b) / (a + root) if a + root > 0.0 else u
+
+
+@compiled(fastmath=())
+def _sample_cell(luminances, heights, row, u1, u2):
+    """A place in a cell, x and y in [0, 1]."""
+    h = len(heights) - 1
+    l00, l01, l10, l11 = luminances
+    if row == 0:
+        y = _cap_angle(u2 * heights[0]) / np.pi * h + 0.5
+    elif row == h:
+        y = 0.5 - _cap_angle(u2 * heights[h]) / np.pi * h
+    else:
+        y = _sample_linear(l00 + l01, l10 + l11, u2)
+    return _sample_linear(l00 + y * (l10 - l00), l01 + y * (l11 - l01), u1), y
+
+
+@compiled(fastmath=())
+def _cap_angle(one_minus_cosine):
+    return 2.0 * np.arcsin(np.sqrt(one_minus_cosine / 2.0))
+
+
+@compiled(fastmath=())
+def _radiance_in_cell(cell, x, y):
+    """Bilinear between the corners."""
+    a, b, c, d = cell
+    wa, wb, wc, wd = (1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y
+    return (
+        wa * a[0] + wb * b[0] + wc * c[0] + wd * d[0],
+        wa * a[1] + wb * b[1] + wc * c[1] + wd * d[1],
+        wa * a[2] + wb * b[2] + wc * c[2] + wd * d[2],
+    )
+
+
+@compiled(fastmath=())
+def _density(numbers, h, w, height, row, sine, here, mean_here):
+    """Density of the direction to a place in a cell, by the luminance there and the cell's mean.
+
+    sine: of its angle to +y. The density is the probability of the cell, times luminance by mean
+    luminance there, by the cell's part of the sphere: uniform in cos(theta), or
+    2 pi^2 sin(theta) ds dt.
+    """
+    if not numbers[TOTAL] > 0.0:
+        return 0.0
+    pdf = here * w / (2.0 * np.pi * numbers[TOTAL])
+    if numbers[MEAN] > 0.0:
+        pdf *= max(mean_here - numbers[MEAN], 0.0) / mean_here if mean_here > 0.0 else 0.0
+    return pdf * height * h / (np.pi * sine) if 0 < row < h else pdf
+
+
+@compiled(fastmath=())
+def _image(words):
+    h, w = np.int64(words[HEIGHT]), np.int64(words[WIDTH])
+    texels = carray(pointer_f32(words[TEXELS]), (h, w, 3))
+    return texels, carray(pointer_f64(words[HEIGHTS]), (h + 1,))
+
+
+@compiled(fastmath=())
+def _choose_rows(words, u, row, place):
+    """Rows of cells, and in column 1 of place what is left of the second numbers."""
+    h = np.int64(words[HEIGHT])
+    rows = carray(pointer_f64(words[ROWS]), (h + 2,))
+    guide = carray(pointer_i32(words[ROW_GUIDE]), (h + 1,))
+    for i in range(len(u)):
+        value = u[i, 1] * rows[h + 1]
+        row[i] = interval_near(rows, guide[guide_entry(u[i, 1], h + 1)], value)
+        place[i, 1] = place_within(rows, row[i], value)
+
+
+@compiled(fastmath=())
+def _choose_columns(words, u, row, column, place):
+    """Cells in their rows, and in column 0 of place what is left of the first numbers."""
+    h, w = np.int64(words[HEIGHT]), np.int64(words[WIDTH])
+    columns = carray(pointer_f64(words[COLUMNS]), (h + 1, w + 1))
+    guide = carray(pointer_i32(words[COLUMN_GUIDE]), (h + 1, w))
+    for i in range(len(u)):
+        column[i] = guide[row[i], guide_entry(u[i, 0], w)]
+    for i in range(len(u)):  # nothing but loads that depend on no comparison
+        place[i, 0] = columns[row[i], column[i]]
+    for i in range(len(u)):
+        sums = columns[row[i]]
+        value = u[i, 0] * sums[w]
+        column[i] = interval_near(sums, column[i], value)
+        place[i, 0] = place_within(sums, column[i], value)
+
+
+@compiled(fastmath=())
+def _take_cells(texels, row, column, corners):
+    """The texels about cells, 12 numbers each."""
+    h, w, _ = texels.shape
+    for i in range(len(row)):
+        upper, lower = max(row[i] - 1, 0), min(row[i], h - 1)
+        left = column[i]
+        right = left + 1 if left < w - 1 else 0
+        for k in range(3):
+            corners[i, k], corners[i, 3 + k] = texels[upper, left, k], texels[upper, right, k]
+            corners[i, 6 + k], corners[i, 9 + k] = texels[lower, left, k], texels[lower, right, k]
+
+
+@compiled(fastmath=())
+def _sample_in_cell(numbers, heights, w, corners, row, column, u1, u2):
+    """A direction, the radiance from there, and its density. corners: as of `_take_cells`."""
+    h = len(heights) - 1
+    c = corners
+    cell = (c[0], c[1], c[2]), (c[3], c[4], c[5]), (c[6], c[7], c[8]), (c[9], c[10], c[11])
+    luminances = _luminances(cell)
+    x, y = _sample_cell(luminances, heights, row, u1, u2)
+    sine, cosine = sine_and_cosine((row - 0.5 + y) / (2.0 * h))
+    sin_phi, cos_phi = sine_and_cosine((column + 0.5 + x) / w - 0.5)
+    away, along = sine * sin_phi, -sine * cos_phi
+    r, g, b = _radiance_in_cell(cell, x, y)
+    mean = (luminances[0] + luminances[1] + luminances[2] + luminances[3]) / 4.0
+    here = _luminance(r, g, b)
+    pdf = _density(numbers, h, w, heights[row], row, sine, here, mean)
+    turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
+    dx, dz = turn_cos * away + turn_sin * along, turn_cos * along - turn_sin * away
+    return (dx, cosine, dz), (r, g, b), pdf
+
+
+@compiled(parallel=True, fastmath=())
+def sample_image_batch(scale, numbers, words, u, d_world, radiance, pdf):
+    """Directions for u, (n, 2), the radiance from there times `scale`, and their densities."""
+    for block in prange((len(u) + BLOCK - 1) // BLOCK):
+        start = np.int64(block) * BLOCK
+        part = slice(start, min(start + BLOCK, len(u)))
+        out = d_world[part], radiance[part], pdf[part]
+        _sample_block(scale, numbers, words, u[part], out[0], out[1], out[2])
+
+
+@compiled(fastmath=())
+def _sample_block(scale, numbers, words, u, d_world, radiance, pdf):
+    row, column = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
+    place, corners = np.empty((BLOCK, 2)), np.empty((BLOCK, 12))
+    texels, heights = _image(words)
+    _choose_rows(words, u, row, place)
+    _choose_columns(words, u, row, column, place)
+    _take_cells(texels, row[: len(u)], column, corners)
+    for i in range(len(u)):
+        at = corners[i], row[i], column[i], place[i, 0], place[i, 1]
+        d, colour, pdf[i] = _sample_in_cell(
+            numbers, heights, texels.shape[1], at[0], at[1], at[2], at[3], at[4]
+        )
+        for axis in range(3):
+            d_world[i, axis], radiance[i, axis] = d[axis], scale[axis] * colour[axis]
+
+
+@compiled(fastmath=())
+def look_up_image(numbers, words, dx, dy, dz):
+    """Radiance from a direction, and the density with which `sample_image_batch` finds it."""
+    texels, heights = _image(words)
+    h, w, _ = texels.shape
+    turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
+    x, z = turn_cos * dx - turn_sin * dz, turn_sin * dx + turn_cos * dz
+    sine = np.sqrt(x * x + z * z)
+    s = (0.5 + turns_of(x, -z)) * w - 0.5
+    t = turns_of(sine, dy) * 2.0 * h + 0.5
+    # A direction that is not a number finds some cell, and radiance that is not a number.
+    row = min(max(int(np.floor(t)), 0), h)
+    column = int(np.floor(s))
+    column = column if 0 <= column < w else w - 1
+    cell = _cell(texels, row, column)
+    a, b, c, d = _luminances(cell)
+    red, green, blue = _radiance_in_cell(cell, s - np.floor(s), t - row)
+    here, mean = _luminance(red, green, blue), (a + b + c + d) / 4.0
+    return red, green, blue, _density(numbers, h, w, heights[row], row, sine, here, mean)
+
+
+@compiled(parallel=True, fastmath=())
+def look_up_image_batch(numbers, words, d_world, radiance, pdf):
+    for i in prange(len(pdf)):
+        d = np.float64(d_world[i, 0]), np.float64(d_world[i, 1]), np.float64(d_world[i, 2])
+        r, g, b, pdf[i] = look_up_image(numbers, words, d[0], d[1], d[2])
+        radiance[i, 0], radiance[i, 1], radiance[i, 2] = r, g, b
