@@ -20,8 +20,9 @@ from rna_render.materials.ggx import albedo_table
 from rna_render.materials.material import Material
 from rna_render.materials.textures import SRGB, Texture
 from rna_render.path_numbers import LIGHTS_AT_A_VERTEX
+from rna_render.placements import Placement
 from rna_render.surface import OFFSET
-from rna_render.world import Placement, World
+from rna_render.world import World
 
 LIGHT_WORDS = 8  # vec4f: LIGHT_SIZE
 SURFACE_SIZE = 4  # vec4f, as in wgsl/render/vertex.wgsl

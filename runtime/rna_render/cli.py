@@ -248,8 +248,8 @@ def _use_threads(count: int | None) -> int:
 
 def _render_still(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
     from rna_render.interim import Interim
-    from rna_render.render import load_world
     from rna_render.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
+    from rna_render.world_loading import load_world
 
     scene = scene_file.scene
     output.check()

@@ -13,11 +13,11 @@ from typing import Self
 
 from rna_render.animation import frame_scene
 from rna_render.output import Output
-from rna_render.render import load_world
 from rna_render.scene_file import SceneFile
 from rna_render.scene_model import Scene
 from rna_render.terminal import render_with_bar, tell_tiers
 from rna_render.world import World
+from rna_render.world_loading import load_world
 from rna_sdk.errors import SceneError
 from rna_sdk.kernel_threads import limit_kernel_threads
 from rna_work.sources import Carried

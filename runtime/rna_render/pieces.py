@@ -18,8 +18,8 @@ from rna_render.bands import SMALL_BAND, rendered_bands
 from rna_render.film import Film, Layers
 from rna_render.frame_worker import SceneWorker
 from rna_render.integrator import Integrator
+from rna_render.integrator_factory import make_integrator
 from rna_render.kept_pieces import KeptPieces, Piece, missing_pieces
-from rna_render.render import make_integrator
 from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
 from rna_render.scene_sources import carried_scene, scene_key

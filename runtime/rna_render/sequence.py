@@ -11,9 +11,9 @@ from functools import partial
 from rna_render.animation import frame_scene
 from rna_render.frame_worker import Frame, FrameFiles, FrameJob, FrameWorker
 from rna_render.output import Output
-from rna_render.render import QualityWarning
 from rna_render.scene_file import SceneFile
 from rna_render.scene_sources import carried_scene, named_paths
+from rna_render.world_loading import QualityWarning
 from rna_sdk.console import INTERRUPTED
 from rna_work.places import Place
 from rna_work.pool import Pool

@@ -12,7 +12,8 @@ from tqdm import tqdm
 from rna_render.devices import CPU, find_renderer
 from rna_render.domain_watch import warn_of_extrapolation
 from rna_render.film import Film
-from rna_render.render import make_integrator, render
+from rna_render.integrator_factory import make_integrator
+from rna_render.render import render
 from rna_render.scene_file import SceneFile
 from rna_render.tier_costs import cost_lines
 from rna_render.world import World

@@ -12,26 +12,13 @@ from numba import prange
 from rna_render.bodies import Thing, make_body
 from rna_render.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_render.embree.tracing import ClosestHits
-from rna_render.lights.base import PlacedLight, ShapeLight
+from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
+from rna_render.placements import Placement
 from rna_render.points import Body, Points, Role
 from rna_render.surface import OFFSET
 from rna_sdk.compiled import compiled
 from rna_sdk.runtime import Transform
-
-
-@dataclass(frozen=True)
-class Placement:
-    """A thing, and where it stands.
-
-    light: what it shines with, if it does. boundless: whether it says nothing about the size of
-    the scene, as a ground.
-    """
-
-    thing: Thing
-    world_from_object: np.ndarray  # (4, 4), a similarity
-    light: ShapeLight | None = None
-    boundless: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,10 +17,11 @@ from rna_render.integrator import Integrator
 from rna_render.lights import AssetLight, PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
+from rna_render.placements import Placement
 from rna_render.render import emission_of, mesh_light, render
 from rna_render.scene_model import Scene
 from rna_render.transforms import world_from_object
-from rna_render.world import Placement, World
+from rna_render.world import World
 from rna_sdk.package import Mesh
 from tests.render.stage import rgb
 

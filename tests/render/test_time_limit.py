@@ -7,8 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render import render as render_module
-from rna_render import time_limit
+from rna_render import time_limit, world_loading
 from rna_render.cli import main
 from rna_render.film import Layers
 from rna_render.images import read_exr
@@ -96,7 +95,7 @@ def test_cheaper_tiers_where_too_few_samples_would_fit(
 ) -> None:
     """16 samples are enough; here one takes 0.1, 0.05 or 0.02 seconds."""
     seconds = iter([0.1, 0.05, 0.02])
-    monkeypatch.setattr(render_module, "seconds_a_sample", lambda *_: next(seconds))
+    monkeypatch.setattr(world_loading, "seconds_a_sample", lambda *_: next(seconds))
     world = load_world(read_scene(scene(folder, limit)))
     assert [asset.tier.name for asset in world.things] == [name]
 

@@ -1,35 +1,26 @@
-"""Lights: what a scene file says of them, and what the integrator knows of them."""
+"""Lights: what a scene file says of them (`models`), and what the integrator knows of them.
+
+The names below are loaded when they are asked for, so that a scene file's models need no Embree.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
+from typing import TYPE_CHECKING
 
-from rna_render.lights.asset import AssetEmission, AssetLight
-from rna_render.lights.base import InfiniteLight, Light, LightSamples, PlacedLight, ShapeLight
-from rna_render.lights.directional import directional_light
-from rna_render.lights.disk import DiskLight
-from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
-from rna_render.lights.environment_file import environment_image
-from rna_render.lights.mesh import MeshLight
-from rna_render.lights.models import (
-    DirectionalModel,
-    DiskModel,
-    EnvironmentModel,
-    LightModel,
-    PointModel,
-    RectangleModel,
-    SphereModel,
-    SpotModel,
-)
-from rna_render.lights.point import PointLight, SpotLight
-from rna_render.lights.rectangle import RectangleLight
-from rna_render.lights.selection import LightSelection
-from rna_render.lights.sphere import SphereLight
+from rna_render.lazy_names import lazy_names
+
+if TYPE_CHECKING:
+    from rna_render.lights.asset import AssetEmission, AssetLight
+    from rna_render.lights.base import InfiniteLight, Light, LightSamples, PlacedLight, ShapeLight
+    from rna_render.lights.environment import EnvironmentImageLight
+    from rna_render.lights.make import make_light
+    from rna_render.lights.mesh import MeshLight
+    from rna_render.lights.selection import LightSelection
 
 __all__ = [
     "AssetEmission",
     "AssetLight",
+    "EnvironmentImageLight",
     "InfiniteLight",
     "Light",
     "LightSamples",
@@ -40,24 +31,19 @@ __all__ = [
     "make_light",
 ]
 
-_SHAPES: dict[type, Callable[..., Light]] = {
-    DirectionalModel: directional_light,
-    PointModel: PointLight,
-    SpotModel: SpotLight,
-    RectangleModel: RectangleLight,
-    DiskModel: DiskLight,
-    SphereModel: SphereLight,
-}
-
-
-def make_light(model: LightModel, resolve: Callable[[Path], Path]) -> Light:
-    """The light that a scene file describes.
-
-    resolve: from a path as the scene file gives it to one that can be opened. Raises SceneError
-    for an environment whose image cannot be used.
-    """
-    if not isinstance(model, EnvironmentModel):
-        return _SHAPES[type(model)](model)
-    if model.path is None:
-        return EnvironmentLight(model)
-    return EnvironmentImageLight(model, environment_image(resolve(model.path)))
+__getattr__ = lazy_names(
+    {
+        "rna_render.lights.asset": ("AssetEmission", "AssetLight"),
+        "rna_render.lights.base": (
+            "InfiniteLight",
+            "Light",
+            "LightSamples",
+            "PlacedLight",
+            "ShapeLight",
+        ),
+        "rna_render.lights.environment": ("EnvironmentImageLight",),
+        "rna_render.lights.make": ("make_light",),
+        "rna_render.lights.mesh": ("MeshLight",),
+        "rna_render.lights.selection": ("LightSelection",),
+    }
+)

@@ -1,14 +1,21 @@
-"""Meshes that are not neural, and what they are made of.
+"""Meshes that are not neural, and what they are made of; `models` has what a scene file says.
 
-The models of the scene file are in `rna_render.materials.models`.
+The names below are loaded when they are asked for, so that a scene file's models need no Embree.
 """
 
-from rna_render.materials.ground import ground
-from rna_render.materials.material import Material, make_material
-from rna_render.materials.mesh_file import MeshFileWarning, read_mesh_object
-from rna_render.materials.mesh_object import MeshObject
-from rna_render.materials.scattering import Scattering
-from rna_render.materials.textures import Texture
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rna_render.lazy_names import lazy_names
+
+if TYPE_CHECKING:
+    from rna_render.materials.ground_plane import ground
+    from rna_render.materials.material import Material, make_material
+    from rna_render.materials.mesh_file import MeshFileWarning, read_mesh_object
+    from rna_render.materials.mesh_object import MeshObject
+    from rna_render.materials.scattering import Scattering
+    from rna_render.materials.textures import Texture
 
 __all__ = [
     "Material",
@@ -20,3 +27,14 @@ __all__ = [
     "make_material",
     "read_mesh_object",
 ]
+
+__getattr__ = lazy_names(
+    {
+        "rna_render.materials.ground_plane": ("ground",),
+        "rna_render.materials.material": ("Material", "make_material"),
+        "rna_render.materials.mesh_file": ("MeshFileWarning", "read_mesh_object"),
+        "rna_render.materials.mesh_object": ("MeshObject",),
+        "rna_render.materials.scattering": ("Scattering",),
+        "rna_render.materials.textures": ("Texture",),
+    }
+)

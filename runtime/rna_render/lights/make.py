@@ -1,0 +1,47 @@
+"""The light that a scene file describes, by the kind of its model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from rna_render.lights.base import Light
+from rna_render.lights.directional import directional_light
+from rna_render.lights.disk import DiskLight
+from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
+from rna_render.lights.environment_file import environment_image
+from rna_render.lights.models import (
+    DirectionalModel,
+    DiskModel,
+    EnvironmentModel,
+    LightModel,
+    PointModel,
+    RectangleModel,
+    SphereModel,
+    SpotModel,
+)
+from rna_render.lights.point import PointLight, SpotLight
+from rna_render.lights.rectangle import RectangleLight
+from rna_render.lights.sphere import SphereLight
+
+_SHAPES: dict[type, Callable[..., Light]] = {
+    DirectionalModel: directional_light,
+    PointModel: PointLight,
+    SpotModel: SpotLight,
+    RectangleModel: RectangleLight,
+    DiskModel: DiskLight,
+    SphereModel: SphereLight,
+}
+
+
+def make_light(model: LightModel, resolve: Callable[[Path], Path]) -> Light:
+    """The light that a scene file describes.
+
+    resolve: from a path as the scene file gives it to one that can be opened. Raises SceneError
+    for an environment whose image cannot be used.
+    """
+    if not isinstance(model, EnvironmentModel):
+        return _SHAPES[type(model)](model)
+    if model.path is None:
+        return EnvironmentLight(model)
+    return EnvironmentImageLight(model, environment_image(resolve(model.path)))

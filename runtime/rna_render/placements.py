@@ -1,0 +1,59 @@
+"""Things, where they stand, and what they shine with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_render.asset_parts import Asset
+from rna_render.bodies import Thing
+from rna_render.lights import AssetEmission, AssetLight, MeshLight, ShapeLight
+from rna_render.materials import MeshObject
+
+
+@dataclass(frozen=True)
+class Placement:
+    """A thing, and where it stands.
+
+    light: what it shines with, if it does. boundless: whether it says nothing about the size of
+    the scene, as a ground.
+    """
+
+    thing: Thing
+    world_from_object: np.ndarray  # (4, 4), a similarity
+    light: ShapeLight | None = None
+    boundless: bool = False
+
+
+def place_asset(
+    asset: Asset,
+    world_from_object: np.ndarray,
+    emission: AssetEmission | None = None,
+    factor: float = 1.0,
+) -> Placement:
+    """An asset, and the light that it sends out.
+
+    world_from_object: (4, 4), a similarity. emission: `emission_of` the asset, for callers that
+    place it several times. factor: on what it emits.
+    """
+    emission = emission or emission_of(asset)
+    shines = emission is not None and factor > 0.0
+    light = AssetLight(emission, world_from_object, factor) if shines else None
+    return Placement(asset, world_from_object, light)
+
+
+def emission_of(asset: Asset) -> AssetEmission | None:
+    """What an asset shines with, if it does."""
+    return AssetEmission(asset) if any(part.emits for part in asset.parts) else None
+
+
+def mesh_light(thing: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
+    """What an object shines with, if it does."""
+    if not thing.is_emissive:
+        return None
+    linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
+    positions = (thing.positions @ linear.T + translation).astype(np.float32)
+    emission = thing.emitted_luminance, thing.emission
+    opaque = None if thing.transmittance is None else thing.opaque_emission
+    return MeshLight(positions, thing.triangles, *emission, opaque_emission=opaque)

@@ -1,0 +1,129 @@
+"""From a scene file to its world: packages, meshes and lights, loaded and placed."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from rna_render.asset_parts import Asset
+from rna_render.domain_watch import watched
+from rna_render.integrator_factory import make_integrator
+from rna_render.lights import AssetEmission, PlacedLight, make_light
+from rna_render.lights.models import AreaModel
+from rna_render.materials import MeshObject, ground, read_mesh_object
+from rna_render.placements import Placement, emission_of, mesh_light, place_asset
+from rna_render.scene_file import SceneFile
+from rna_render.scene_model import Scene
+from rna_render.tier_choice import Choice, TierChoice, Tiers
+from rna_render.time_limit import ENOUGH_SAMPLES, seconds_a_sample
+from rna_render.transforms import world_from_object
+from rna_render.world import World
+from rna_sdk.errors import QueryError, SceneError
+
+
+class QualityWarning(UserWarning):
+    """A scene asks for more accuracy than its packages have."""
+
+
+def load_world(scene_file: SceneFile, views: Sequence[Scene] = ()) -> World:
+    """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
+
+    Each package is loaded once a tier and proxy, and each object file once a material. Tiers and
+    proxies are those that `quality` asks for.
+
+    views: the images to come, where their cameras differ from the scene's. Raises SceneError where
+    the file names something that is not there or cannot be used, PackageError for a broken package.
+    Warns with QualityWarning where no tier is accurate enough.
+    """
+    quality = scene_file.scene.quality
+    if quality is None:
+        return _world(scene_file, tuple(Choice(asset.tier) for asset in scene_file.scene.assets))
+    choice = TierChoice(scene_file, views or (scene_file.scene,))
+    if quality.max_error is not None:
+        for line in choice.unmet(quality.max_error):
+            warnings.warn(line, QualityWarning, stacklevel=2)
+    max_error = quality.max_error or 0.0
+    if quality.seconds is None:
+        return _world(scene_file, choice.within(max_error))
+    return _world_in_time(scene_file, choice.coarser(max_error), quality.seconds)
+
+
+def _world_in_time(scene_file: SceneFile, choices: Iterable[Tiers], seconds: float) -> World:
+    """With the first of the choices that leaves time for enough samples, or the last."""
+    scene = scene_file.scene
+    enough = min(ENOUGH_SAMPLES, scene.samples)
+    for tiers in choices:
+        world = _world(scene_file, tiers)
+        integrator = make_integrator(scene, world, resolve=scene_file.resolve)
+        if enough * seconds_a_sample(integrator, math.prod(scene.resolution)) <= seconds:
+            break
+    return world
+
+
+def _world(scene_file: SceneFile, tiers: Tiers) -> World:
+    return World(
+        [
+            *_placed_assets(scene_file, tiers),
+            *_placed_objects(scene_file),
+            *_placed_ground(scene_file),
+            *_placed_lights(scene_file),
+        ]
+    )
+
+
+def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
+    from rna_sdk.runtime import load
+
+    loaded: dict[tuple[Path, Choice], Asset] = {}
+    emissions: dict[tuple[Path, Choice], AssetEmission | None] = {}
+    placements = []
+    for index, (model, chosen) in enumerate(zip(scene_file.scene.assets, tiers, strict=True)):
+        path = scene_file.asset_path(index)
+        if (path, chosen) not in loaded:
+            try:
+                asset = load(path, tier=chosen.tier, threads=1, pixels=chosen.pixels)
+                loaded[path, chosen] = watched(asset, path.name)
+            except QueryError as error:
+                raise scene_file.error(("assets", index, "tier"), str(error)) from error
+            emissions[path, chosen] = emission_of(loaded[path, chosen])
+        at = world_from_object(model.transform), emissions[path, chosen], model.emission
+        placements.append(place_asset(loaded[path, chosen], *at))
+    return placements
+
+
+def _placed_objects(scene_file: SceneFile) -> list[Placement]:
+    loaded: dict[tuple[Path, str], MeshObject] = {}
+    placements = []
+    for index, model in enumerate(scene_file.scene.objects):
+        path = scene_file.resolve(model.path)
+        key = path, repr(model.material)
+        if key not in loaded:
+            try:
+                loaded[key] = read_mesh_object(path, model.material, scene_file.resolve)
+            except SceneError as error:
+                raise scene_file.error(("objects", index), str(error)) from error
+        matrix = world_from_object(model.transform)
+        placements.append(Placement(loaded[key], matrix, mesh_light(loaded[key], matrix)))
+    return placements
+
+
+def _placed_ground(scene_file: SceneFile) -> list[Placement]:
+    model = scene_file.scene.ground
+    if model is None:
+        return []
+    mesh = ground(model, scene_file.resolve)
+    return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
+
+
+def _placed_lights(scene_file: SceneFile) -> list[Placement]:
+    models = [model for model in scene_file.scene.lights if isinstance(model, AreaModel)]
+    lights = [make_light(model, scene_file.resolve) for model in models]
+    return [
+        Placement(light, light.world_from_object, light, boundless=True)
+        for light in lights
+        if isinstance(light, PlacedLight)
+    ]

@@ -1,0 +1,19 @@
+"""A scene file is read without the renderer: no Embree, no compiled code."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+ENGINES = "numba", "onnxruntime", "embreex", "rna_render.embree", "rna_render.integrator"
+
+
+@pytest.mark.parametrize("module", ["scene_model", "scene_file", "animation"])
+def test_the_scene_model_loads_no_engine(module: str) -> None:
+    code = f"import rna_render.{module}, sys; print(*sys.modules)"
+    command = [sys.executable, "-c", code]
+    loaded = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
+    assert f"rna_render.{module}" in loaded
+    assert [name for name in ENGINES if name in loaded] == []
