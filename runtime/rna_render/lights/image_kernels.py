@@ -23,6 +23,11 @@ TURN_COSINE, TURN_SINE, TOTAL, MEAN = range(4)
 # Directions that are sampled together.
 BLOCK = 64
 
+# Rows of a block's numbers: colours of a cell's four corners, then these. Later they begin with
+# the direction, the radiance and the density.
+U1, U2, ROW, COLUMN, CELL_HEIGHT, CAP_Y = range(12, 18)
+BLOCK_ROWS = 18
+
 
 @compiled(fastmath=())
 def _luminance(r, g, b):
@@ -81,20 +86,6 @@ def _sample_linear(a, b, u):
 
 
 @compiled(fastmath=())
-def _sample_cell(luminances, heights, row, u1, u2):
-    """A place in a cell, x and y in [0, 1]."""
-    h = len(heights) - 1
-    l00, l01, l10, l11 = luminances
-    if row == 0:
-        y = _cap_angle(u2 * heights[0]) / np.pi * h + 0.5
-    elif row == h:
-        y = 0.5 - _cap_angle(u2 * heights[h]) / np.pi * h
-    else:
-        y = _sample_linear(l00 + l01, l10 + l11, u2)
-    return _sample_linear(l00 + y * (l10 - l00), l01 + y * (l11 - l01), u1), y
-
-
-@compiled(fastmath=())
 def _cap_angle(one_minus_cosine):
     return 2.0 * np.arcsin(np.sqrt(one_minus_cosine / 2.0))
 
@@ -112,19 +103,19 @@ def _radiance_in_cell(cell, x, y):
 
 
 @compiled(fastmath=())
-def _density(numbers, h, w, height, row, sine, here, mean_here):
+def _density(numbers, h, w, cell, here, mean_here):
     """Density of the direction to a place in a cell, by the luminance there and the cell's mean.
 
-    sine: of its angle to +y. The density is the probability of the cell, times luminance by mean
-    luminance there, by the cell's part of the sphere: uniform in cos(theta), or
-    2 pi^2 sin(theta) ds dt.
+    cell: its height, whether it is not at a pole, and the sine of the place's angle to +y. The
+    density is the probability of the cell, times luminance by mean luminance there, by the cell's
+    part of the sphere: uniform in cos(theta), or 2 pi^2 sin(theta) ds dt.
     """
-    if not numbers[TOTAL] > 0.0:
-        return 0.0
+    height, inner, sine = cell
     pdf = here * w / (2.0 * np.pi * numbers[TOTAL])
-    if numbers[MEAN] > 0.0:
-        pdf *= max(mean_here - numbers[MEAN], 0.0) / mean_here if mean_here > 0.0 else 0.0
-    return pdf * height * h / (np.pi * sine) if 0 < row < h else pdf
+    left = max(mean_here - numbers[MEAN], 0.0) / mean_here if mean_here > 0.0 else 0.0
+    pdf *= left if numbers[MEAN] > 0.0 else 1.0
+    pdf = pdf * height * h / (np.pi * sine) if inner else pdf
+    return pdf if numbers[TOTAL] > 0.0 else 0.0
 
 
 @compiled(fastmath=())
@@ -164,36 +155,54 @@ def _choose_columns(words, u, row, column, place):
 
 
 @compiled(fastmath=())
-def _take_cells(texels, row, column, corners):
-    """The texels about cells, 12 numbers each."""
+def _take_cells(texels, heights, row, column, place, block):
+    """Numbers of the cells, column by column, and places in the rows at the poles."""
     h, w, _ = texels.shape
     for i in range(len(row)):
         upper, lower = max(row[i] - 1, 0), min(row[i], h - 1)
         left = column[i]
         right = left + 1 if left < w - 1 else 0
         for k in range(3):
-            corners[i, k], corners[i, 3 + k] = texels[upper, left, k], texels[upper, right, k]
-            corners[i, 6 + k], corners[i, 9 + k] = texels[lower, left, k], texels[lower, right, k]
+            block[k, i], block[3 + k, i] = texels[upper, left, k], texels[upper, right, k]
+            block[6 + k, i], block[9 + k, i] = texels[lower, left, k], texels[lower, right, k]
+        block[U1, i], block[U2, i] = place[i, 0], place[i, 1]
+        block[ROW, i], block[COLUMN, i], block[CELL_HEIGHT, i] = row[i], left, heights[row[i]]
+        if row[i] == 0:
+            block[CAP_Y, i] = _cap_angle(place[i, 1] * heights[0]) / np.pi * h + 0.5
+        elif row[i] == h:
+            block[CAP_Y, i] = 0.5 - _cap_angle(place[i, 1] * heights[h]) / np.pi * h
 
 
 @compiled(fastmath=())
-def _sample_in_cell(numbers, heights, w, corners, row, column, u1, u2):
-    """A direction, the radiance from there, and its density. corners: as of `_take_cells`."""
-    h = len(heights) - 1
-    c = corners
-    cell = (c[0], c[1], c[2]), (c[3], c[4], c[5]), (c[6], c[7], c[8]), (c[9], c[10], c[11])
-    luminances = _luminances(cell)
-    x, y = _sample_cell(luminances, heights, row, u1, u2)
-    sine, cosine = sine_and_cosine((row - 0.5 + y) / (2.0 * h))
-    sin_phi, cos_phi = sine_and_cosine((column + 0.5 + x) / w - 0.5)
-    away, along = sine * sin_phi, -sine * cos_phi
-    r, g, b = _radiance_in_cell(cell, x, y)
-    mean = (luminances[0] + luminances[1] + luminances[2] + luminances[3]) / 4.0
-    here = _luminance(r, g, b)
-    pdf = _density(numbers, h, w, heights[row], row, sine, here, mean)
+def _directions_in_cells(numbers, h, w, count, block):
+    """Directions, radiance and densities of a block, in place of its first rows.
+
+    Without branches or calls, so that the compiler takes several directions at once.
+    """
     turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
-    dx, dz = turn_cos * away + turn_sin * along, turn_cos * along - turn_sin * away
-    return (dx, cosine, dz), (r, g, b), pdf
+    for i in range(count):
+        cell = (
+            (block[0, i], block[1, i], block[2, i]),
+            (block[3, i], block[4, i], block[5, i]),
+            (block[6, i], block[7, i], block[8, i]),
+            (block[9, i], block[10, i], block[11, i]),
+        )
+        l00, l01, l10, l11 = _luminances(cell)
+        row, column = block[ROW, i], block[COLUMN, i]
+        inner = 0.0 < row < h
+        y = _sample_linear(l00 + l01, l10 + l11, block[U2, i])
+        y = y if inner else block[CAP_Y, i]
+        x = _sample_linear(l00 + y * (l10 - l00), l01 + y * (l11 - l01), block[U1, i])
+        sine, cosine = sine_and_cosine((row - 0.5 + y) / (2.0 * h))
+        sin_phi, cos_phi = sine_and_cosine((column + 0.5 + x) / w - 0.5)
+        away, along = sine * sin_phi, -sine * cos_phi
+        r, g, b = _radiance_in_cell(cell, x, y)
+        mean = (l00 + l01 + l10 + l11) / 4.0
+        at = block[CELL_HEIGHT, i], inner, sine
+        block[6, i] = _density(numbers, h, w, at, _luminance(r, g, b), mean)
+        block[0, i], block[1, i] = turn_cos * away + turn_sin * along, cosine
+        block[2, i] = turn_cos * along - turn_sin * away
+        block[3, i], block[4, i], block[5, i] = r, g, b
 
 
 @compiled(parallel=True, fastmath=())
@@ -209,18 +218,16 @@ def sample_image_batch(scale, numbers, words, u, d_world, radiance, pdf):
 @compiled(fastmath=())
 def _sample_block(scale, numbers, words, u, d_world, radiance, pdf):
     row, column = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
-    place, corners = np.empty((BLOCK, 2)), np.empty((BLOCK, 12))
+    place, block = np.empty((BLOCK, 2)), np.zeros((BLOCK_ROWS, BLOCK))
     texels, heights = _image(words)
     _choose_rows(words, u, row, place)
     _choose_columns(words, u, row, column, place)
-    _take_cells(texels, row[: len(u)], column, corners)
+    _take_cells(texels, heights, row[: len(u)], column, place, block)
+    _directions_in_cells(numbers, texels.shape[0], texels.shape[1], len(u), block)
     for i in range(len(u)):
-        at = corners[i], row[i], column[i], place[i, 0], place[i, 1]
-        d, colour, pdf[i] = _sample_in_cell(
-            numbers, heights, texels.shape[1], at[0], at[1], at[2], at[3], at[4]
-        )
         for axis in range(3):
-            d_world[i, axis], radiance[i, axis] = d[axis], scale[axis] * colour[axis]
+            d_world[i, axis], radiance[i, axis] = block[axis, i], scale[axis] * block[3 + axis, i]
+        pdf[i] = block[6, i]
 
 
 @compiled(fastmath=())
@@ -241,7 +248,7 @@ def look_up_image(numbers, words, dx, dy, dz):
     a, b, c, d = _luminances(cell)
     red, green, blue = _radiance_in_cell(cell, s - np.floor(s), t - row)
     here, mean = _luminance(red, green, blue), (a + b + c + d) / 4.0
-    return red, green, blue, _density(numbers, h, w, heights[row], row, sine, here, mean)
+    return red, green, blue, _density(numbers, h, w, (heights[row], 0 < row < h, sine), here, mean)
 
 
 @compiled(parallel=True, fastmath=())
