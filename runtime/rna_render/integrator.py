@@ -29,8 +29,14 @@ from rna_render.path_numbers import CHOICES, DIRECTION, PIXEL_DIMENSION, ROULETT
 from rna_render.points import Role
 from rna_render.sampling import Sampler
 from rna_render.shadow_catcher import caught_light
+from rna_render.weighing import (
+    add_rows,
+    power_share,
+    rows_with_light,
+    weigh_samples,
+    worth_tracing,
+)
 from rna_render.world import Vertices, World
-from rna_sdk.compiled import compiled
 
 # Paths are ended at random from this many points on.
 FIRST_ROULETTE = 2
@@ -192,7 +198,7 @@ class Integrator:
     ) -> None:
         weight = rays.beta.take(row, axis=0)
         if rays.pdf is not None and self._strategy == "both":
-            weight = weight * _share(rays.pdf[row], rays.probability[light] * pdf)
+            weight = weight * power_share(rays.pdf[row], rays.probability[light] * pdf)
         added = self._clamped(weight * radiance, depth)
         self._add(band, rays.path[row], np.full(len(row), light), added)
 
@@ -205,11 +211,11 @@ class Integrator:
 
     def _add(self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray) -> None:
         """Add radiance from lights to paths."""
-        _add_rows(band.beauty, path, radiance)
+        add_rows(band.beauty, path, radiance)
         for k, group in enumerate(self._group):
             if group is not None:
                 of_light = light == k
-                _add_rows(band.groups[:, group], path[of_light], radiance[of_light])
+                add_rows(band.groups[:, group], path[of_light], radiance[of_light])
 
     def _sample_lights(
         self, vertices: Vertices, choice: LightChoice, probability: np.ndarray
@@ -217,13 +223,11 @@ class Integrator:
         """Light from samples of lights, and which of them arrive."""
         world = self._world
         samples = self._sampling.sample(choice, vertices.x_world.take(choice.row, axis=0))
-        from_others = world.own_light[vertices.instance[choice.row]] != choice.light
-        shines = (samples.pdf > 0.0) & samples.radiance.any(axis=1)
-        tried = np.flatnonzero(shines & from_others)
+        tried = worth_tracing(samples, choice, vertices.instance, world.own_light)
         row = choice.row[tried]
         wi, distance = samples.wi_world.take(tried, axis=0), samples.distance[tried]
         kept = self._sampling.kept(vertices, row, wi, distance, vertices.own[row])
-        free = np.flatnonzero(kept.any(axis=1))
+        free = rows_with_light(kept)
         found, row, kept = tried[free], row[free], kept.take(free, axis=0)
         instance = vertices.instance[row]
         wi = world.to_object_directions(instance, wi.take(free, axis=0))
@@ -236,9 +240,9 @@ class Integrator:
                 own_pdf[part] = points.pdf(place, wi[part])
         light = choice.light[found]
         pdf = samples.pdf[found] * probability[light]
-        share = np.where(self._sampling.delta(light), 1.0, _share(pdf, own_pdf)[:, 0])
-        weight = (share / pdf)[:, None].astype(np.float32)
-        radiance *= samples.radiance.take(found, axis=0) * weight * kept
+        weigh_samples(
+            radiance, samples.radiance, found, kept, pdf, own_pdf, self._sampling.delta(light)
+        )
         return _Found(choice.row[tried], row, light, radiance, seen * kept.mean(axis=1))
 
     def _scatter(
@@ -314,17 +318,3 @@ class _Found:
     light: np.ndarray
     radiance: np.ndarray
     seen: np.ndarray
-
-
-def _share(pdf: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Power heuristic: the part of the estimate that belongs to the first way, (n, 1) float32."""
-    ratio = np.divide(other, pdf, out=np.full(len(pdf), np.inf), where=pdf > 0.0)
-    return (1.0 / (1.0 + np.square(ratio))).astype(np.float32)[:, None]
-
-
-@compiled(fastmath=())
-def _add_rows(target, row, values):
-    """target[row, :3] += values, where a row may be there more than once."""
-    for i in range(len(row)):
-        for channel in range(3):
-            target[row[i], channel] += values[i, channel]
