@@ -79,7 +79,7 @@ class _BandWorker:
 
 
 def _bands(count: int, threads: int) -> list[np.ndarray]:
-    """Places of pixels, (n,) uint32 each; as many bands for each thread, so that none waits long."""
-    most = max(1, -(-count // SMALL_BAND))
-    bands = min(most, -(-max(-(-count // BAND), 1) // threads) * threads)
-    return np.array_split(np.arange(count, dtype=np.uint32), bands)
+    """Places of pixels, (n,) uint32 each; bands of one size, as many for each thread."""
+    fewest = max(1, -(-count // BAND))
+    shared = min(-(-fewest // threads) * threads, -(-count // SMALL_BAND))
+    return np.array_split(np.arange(count, dtype=np.uint32), max(fewest, shared))

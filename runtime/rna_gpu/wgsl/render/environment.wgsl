@@ -1,4 +1,4 @@
-// An equirectangular image: see rna_render/lights/equirectangular.py, which this follows. In `images`
+// An equirectangular image: see rna_render/lights/equirectangular.py and image_kernels.py, which this follows. In `images`
 // a light has, at places of its record's last vec4f: texels (h, w, 3), heights (h + 1), running sums
 // of rows (h + 2) and of each row's cells (h + 1, w + 1). Numbers 3 to 9 of the light: cosine and sine
 // of its turn, sum of all weights, mean that they leave out, h, w.
