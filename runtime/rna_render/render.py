@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from rna_render.asset_parts import Asset
-from rna_render.bands import rendered_bands
+from rna_render.bands import BandRenderer, rendered_bands
 from rna_render.camera import Camera
 from rna_render.domain_watch import watched
 from rna_render.film import Film, Layers
@@ -41,13 +41,18 @@ class QualityWarning(UserWarning):
     """A scene asks for more accuracy than its packages have."""
 
 
-def load_world(scene_file: SceneFile, views: Sequence[Scene] = ()) -> World:
+def load_world(
+    scene_file: SceneFile,
+    views: Sequence[Scene] = (),
+    open_renderer: Callable[[SceneFile, World], BandRenderer] | None = None,
+) -> World:
     """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
 
     Each package is loaded once a tier and proxy, and each object file once a material. Tiers and
     proxies are those that `quality` asks for.
 
-    views: the images to come, where their cameras differ from the scene's. Raises SceneError where
+    views: the images to come, where their cameras differ from the scene's. open_renderer: gives what
+    `quality.seconds` is measured with; None for the CPU's. Raises SceneError where
     the file names something that is not there or cannot be used, PackageError for a broken package.
     Warns with QualityWarning where no tier is accurate enough.
     """
@@ -61,17 +66,29 @@ def load_world(scene_file: SceneFile, views: Sequence[Scene] = ()) -> World:
     max_error = quality.max_error or 0.0
     if quality.seconds is None:
         return _world(scene_file, choice.within(max_error))
-    return _world_in_time(scene_file, choice.coarser(max_error), quality.seconds)
+    make = open_renderer or _integrator_of
+    return _world_in_time(scene_file, choice.coarser(max_error), quality.seconds, make)
 
 
-def _world_in_time(scene_file: SceneFile, choices: Iterable[Tiers], seconds: float) -> World:
+def _integrator_of(scene_file: SceneFile, world: World) -> Integrator:
+    return make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
+
+
+def _world_in_time(
+    scene_file: SceneFile,
+    choices: Iterable[Tiers],
+    seconds: float,
+    make: Callable[[SceneFile, World], BandRenderer],
+) -> World:
     """With the first of the choices that leaves time for enough samples, or the last."""
     scene = scene_file.scene
     enough = min(ENOUGH_SAMPLES, scene.samples)
     for tiers in choices:
         world = _world(scene_file, tiers)
-        integrator = make_integrator(scene, world, resolve=scene_file.resolve)
-        if enough * seconds_a_sample(integrator, math.prod(scene.resolution)) <= seconds:
+        if (
+            enough * seconds_a_sample(make(scene_file, world), math.prod(scene.resolution))
+            <= seconds
+        ):
             break
     return world
 
@@ -112,7 +129,7 @@ def all_lights(scene: Scene, world: World, resolve: Callable[[Path], Path] = Pat
 
 def render(
     scene: Scene,
-    integrator: Integrator,
+    renderer: BandRenderer,
     stop: Callable[[], bool] = lambda: False,
     progress: Callable[[int], None] = lambda pixels: None,
     on_sample: Callable[[Film], None] = lambda film: None,
@@ -122,12 +139,12 @@ def render(
     stop: asked after every band; the sample under way is then dropped. progress: told after every
     band how many pixels it had. on_sample: given the film after every sample but the last.
     """
-    film = Film(scene.resolution, integrator.groups)
+    film = Film(scene.resolution, renderer.groups)
     samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
     if scene.quality is not None and scene.quality.seconds is not None:
         samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)
     sample: list[Layers] = []
-    with closing(rendered_bands(integrator, film.width * film.height, samplers)) as bands:
+    with closing(rendered_bands(renderer, film.width * film.height, samplers)) as bands:
         for band, last in bands:
             sample.append(band)
             progress(len(band.hit))

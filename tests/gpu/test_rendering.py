@@ -13,7 +13,7 @@ import pytest
 from PIL import Image
 
 from rna_gpu import Device, GpuError, open_device, rendering
-from rna_gpu.rendering import render_scene
+from rna_gpu.rendering import GpuRenderer
 from rna_render import cli, devices
 from rna_render.film import Film
 from rna_render.images import write_exr
@@ -83,7 +83,8 @@ def on_gpu(
     open_it: Callable[[], Device],
     stop: Callable[[], bool] = lambda: False,
 ) -> Film:
-    return render_scene(scene_file, world, stop, lambda pixels: None, lambda: None, open_it)
+    renderer = GpuRenderer(scene_file, world, open_it=open_it)
+    return render(scene_file.scene, renderer, stop)
 
 
 def on_cpu(scene_file: SceneFile, world: World) -> Film:
@@ -235,8 +236,8 @@ def test_what_it_does_not_know_is_refused(
 def test_the_command(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    offered = EntryPoint("gpu", "rna_gpu.rendering:render_scene", devices.GROUP)
-    broken = EntryPoint("tpu", "rna_tpu.rendering:render_scene", devices.GROUP)
+    offered = EntryPoint("gpu", "rna_gpu.rendering:GpuRenderer", devices.GROUP)
+    broken = EntryPoint("tpu", "rna_tpu.rendering:GpuRenderer", devices.GROUP)
     monkeypatch.setattr(devices, "entry_points", lambda group: [offered, broken])
     (tmp_path / "scene.yaml").write_text(EVERYTHING)
     out = tmp_path / "out.exr"
