@@ -63,8 +63,8 @@ class Geometry:
         instances: (k, 8, 4) float32, some of them bits.
         order: (k,) number of each stored instance in what was given.
         extents: largest coordinate of each body.
-        places: of each body the place in `primitives` of each of its primitives, (m,), as its shapes
-            have them, one shape behind the other.
+        places: of each body the place in `primitives` of each of its primitives, (m,), in the order
+            of its shapes.
         first_points: of each body, in `points`.
     """
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry, Placed, Shape, build_geometry
 from rna_gpu.scene_domains import domain_rows
-from rna_gpu.scene_images import NONE, TEXTURE_SIZE, Images
+from rna_gpu.scene_images import NONE, Images
 from rna_gpu.scene_lights import light_rows
 from rna_gpu.scene_surfaces import Surfaces
 from rna_render.instances import ALL_RAYS, CAMERA_RAY

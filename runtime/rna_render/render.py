@@ -51,10 +51,10 @@ def load_world(
     Each package is loaded once a tier and proxy, and each object file once a material. Tiers and
     proxies are those that `quality` asks for.
 
-    views: the images to come, where their cameras differ from the scene's. open_renderer: gives what
-    `quality.seconds` is measured with; None for the CPU's. Raises SceneError where
-    the file names something that is not there or cannot be used, PackageError for a broken package.
-    Warns with QualityWarning where no tier is accurate enough.
+    views: the images to come, where their cameras differ from the scene's. open_renderer: of what
+    `quality.seconds` is measured with; None for the CPU. Raises SceneError where the file names
+    something that is not there or cannot be used, PackageError for a broken package. Warns with
+    QualityWarning where no tier is accurate enough.
     """
     quality = scene_file.scene.quality
     if quality is None:
