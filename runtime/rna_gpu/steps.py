@@ -33,7 +33,7 @@ FRAME = np.dtype(
 
 _NONE = 0xFFFFFFFF
 _HAS_SKY, _FOR_BETA, _RAYS_MEET_LIGHTS = 1, 2, 4
-_FOR_EMISSION, _FOR_LIGHT, _TRANSMITS = 8, 16, 32
+_FOR_EMISSION, _FOR_LIGHT, TRANSMITS = 8, 16, 32
 
 
 @dataclass(frozen=True)
@@ -68,9 +68,7 @@ class Steps:
         self._every = range(len(parts))
         self._meet = not all(light.delta for light in lights)
         sky = any(isinstance(light, InfiniteLight) for light in lights)
-        self._flags = (
-            _HAS_SKY * sky + _RAYS_MEET_LIGHTS * self._meet + _TRANSMITS * tables.transmits
-        )
+        self._flags = _HAS_SKY * sky + _RAYS_MEET_LIGHTS * self._meet + TRANSMITS * tables.transmits
         self.stages = self._planned(scene.max_depth, scatters)
         self.frames: NDArray[Any] = np.zeros(len(self._rows), FRAME)
         for row, values in zip(self.frames, self._rows, strict=True):
