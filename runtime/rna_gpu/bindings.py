@@ -14,8 +14,8 @@ from rna_render.bodies import FIBER_LOBES, SURFACE_LOBES
 STRIDE = 256  # bytes: what offsets of uniforms are multiples of
 PATH_BYTES, PENDING_BYTES = 96, 2 * 96
 _STORAGE_BUFFERS = 10  # that a step binds
-_KINDS = {"uniform": "uniform", "storage": "storage", "read": "read-only-storage"}
-_PATH = ("uniform", "storage", "storage", "storage", "read", "read")
+_READ = "read-only-storage"
+_PATH = ("uniform", "storage", "storage", "storage", _READ, _READ)
 
 
 class Bindings:
@@ -32,9 +32,9 @@ class Bindings:
             needed = f"{_STORAGE_BUFFERS} storage buffers in a shader"
             raise GpuError(f"{device.name}: rendering takes {needed}, found {found}")
         self._device, self._frame_bytes = device, frame_bytes
-        self.path, self.empty = self._layout(_PATH), self._layout([])
-        self.pixels, self.rows = self._layout(["read"]), self._layout(["storage"] * 5)
-        self.scene = self._layout(["read"] * 5)
+        self.path, self.empty = device.layout(*_PATH), device.layout()
+        self.pixels, self.rows = device.layout(_READ), device.layout(*["storage"] * 5)
+        self.scene = device.layout(*[_READ] * 5)
 
     def pipeline(self, name: str, *layouts: Any, file: str = "") -> Any:
         """Of an entry point of wgsl/render/; file: its composition, if it has another name."""
@@ -55,17 +55,6 @@ class Bindings:
             for k, buffer in enumerate(buffers)
         ]
         return self._device.wgpu.create_bind_group(layout=layout, entries=entries)
-
-    def _layout(self, kinds: Sequence[str]) -> Any:
-        entries = [
-            {
-                "binding": k,
-                "visibility": 4,  # compute
-                "buffer": {"type": _KINDS[kind], "has_dynamic_offset": kind == "uniform"},
-            }
-            for k, kind in enumerate(kinds)
-        ]
-        return self._device.wgpu.create_bind_group_layout(entries=entries)
 
 
 def upload_geometry(device: Device, made: Geometry) -> list[Any]:

@@ -48,7 +48,7 @@ def render_pieces(
             ("quality", "seconds"), "limits the time of one machine, expected none with --cluster"
         )
     files = carried_scene(scene_file, where)
-    backend, threads = where.whole_machines(threads)
+    backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
     kept = KeptPieces(folder, f"{device} {scene_key(scene_file)}")
     count, image = prod(scene.resolution), _Image(scene.resolution)
     there = []

@@ -58,7 +58,7 @@ def render_sequence(
     if not missing:
         return 0
     check_shared(where, output.linear.parent)
-    backend, threads = where.whole_machines(threads)
+    backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
     files = carried_scene(scene_file, where)
     absolute = output.absolute() if where.far else output
     job = FrameJob(scene_file, files, numbers, absolute, threads, started, device)
