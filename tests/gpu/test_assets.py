@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from rna_gpu import Device
 from rna_render.domain_watch import DomainWarning, warn_of_extrapolation
-from rna_render.render import load_world
-from rna_render.scene_file import SceneFile, read_scene
+from rna_render.scene_file import SceneFile
 from rna_render.world import World
 from rna_sdk import runtime
 from rna_sdk.package import Cone, Domain
@@ -64,16 +62,6 @@ resolution: [24, 24]
 samples: 2
 max_depth: 2
 """
-
-
-@pytest.fixture
-def scene(tmp_path: Path) -> Callable[..., tuple[SceneFile, World]]:
-    def read(text: str, **changes: object) -> tuple[SceneFile, World]:
-        (tmp_path / "scene.yaml").write_text(text)
-        scene_file = read_scene(tmp_path / "scene.yaml").with_changes(**changes)
-        return scene_file, load_world(scene_file)
-
-    return read
 
 
 def test_holes_glass_and_light_of_assets(
