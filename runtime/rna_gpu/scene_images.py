@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_gpu.errors import GpuError
 from rna_render.bilinear import REPEAT
 from rna_render.materials.textures import IDENTITY, SRGB, Texture
 
 NONE = np.uint32(0xFFFFFFFF)
+_SIDE = (1 << 16) - 1
 TEXTURE_SIZE = 3  # vec4f, as in wgsl/render/textures.wgsl
 
 
@@ -47,8 +49,14 @@ class Images:
         form: int = REPEAT,
         transform: NDArray[np.float64] = IDENTITY,
     ) -> int:
-        """Number of a texture of (h, w, 1, 2 or 3) texels; form: of wgsl/render/textures.wgsl."""
+        """Number of a texture of (h, w, 1, 2 or 3) texels; form: of wgsl/render/textures.wgsl.
+
+        Raises:
+            GpuError: it is too large.
+        """
         height, width = texels.shape[:2]
+        if max(height, width) > _SIDE:
+            raise GpuError(f"a texture of {width} x {height} texels; a GPU takes {_SIDE} a side")
         record = np.zeros((TEXTURE_SIZE, 4), np.float32)
         words = self._place(texels), height << 16 | width, form
         record[0, :3] = np.array(words, np.uint32).view(np.float32)
