@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +44,10 @@ class SceneTables:
     transmits: bool
 
 
+_BUILT: WeakKeyDictionary[World, Geometry] = WeakKeyDictionary()
+"""The geometry of worlds of which several images are rendered."""
+
+
 def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     """The tables of a world. lights: all of the scene, those of the world first."""
     surfaces = Surfaces(Images())
@@ -59,7 +64,8 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
         body = numbers[id(placement.thing)]
         placed.append(Placed(body, placement.world_from_object, _met_by(placement)))
         kept.append(k)
-    geometry = build_geometry(bodies, placed)
+    geometry = _BUILT.get(world) or build_geometry(bodies, placed)
+    _BUILT[world] = geometry
     ordered = [kept[i] for i in geometry.order]
     shining = np.where(world.light[ordered] < 0, NONE, world.light[ordered]).astype(np.uint32)
     geometry.instances[:, 7, 3] = shining.view(np.float32)
