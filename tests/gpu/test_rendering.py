@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from rna_gpu import Device, open_device, rendering
+from rna_render.film import Layers
 from rna_render.images import write_exr
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
@@ -128,28 +129,31 @@ def test_the_image_of_the_cpu_with_other_numbers(
 
 
 def test_a_lost_device_is_replaced(
-    scene: Callable[..., tuple[SceneFile, World]], capsys: pytest.CaptureFixture[str]
+    scene: Callable[..., tuple[SceneFile, World]],
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    scene_file, world = scene(EVERYTHING, resolution=(16, 12), samples=3)
+    scene_file, world = scene(GLOW, resolution=(16, 12), samples=3)
     opened: list[Device] = []
-    asked = 0
+    samples: list[int] = []
+    whole = rendering.Wavefront.render
 
     def open_it() -> Device:
         opened.append(open_device())
         return opened[-1]
 
-    def stop() -> bool:
-        nonlocal asked
-        asked += 1
-        if asked == 3:  # a sample is done, and the next one begins
+    def render(self: rendering.Wavefront, pixels: np.ndarray, sample: int) -> Layers:
+        samples.append(sample)
+        if samples == [0, 1]:
             opened[0].wgpu.destroy()
-        return False
+        return whole(self, pixels, sample)
 
-    found = on_gpu(scene_file, world, open_it, stop)
-    assert len(opened) == 2 and found.samples == 3
+    monkeypatch.setattr(rendering.Wavefront, "render", render)
+    found = on_gpu(scene_file, world, open_it)
+    assert len(opened) == 2 and found.samples == 3 and samples == [0, 1, 1, 2]
     assert "going on with sample 2" in capsys.readouterr().err
-    whole = on_gpu(scene_file, world, open_device)
-    assert np.array_equal(found.channels()["R"], whole.channels()["R"])
+    undisturbed = on_gpu(scene_file, world, lambda: opened[1])
+    assert np.array_equal(found.channels()["R"], undisturbed.channels()["R"])
 
 
 def test_a_device_that_stays_lost(
