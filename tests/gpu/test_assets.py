@@ -41,6 +41,16 @@ samples: 16
 max_depth: 3
 """
 
+LANTERN_IN_THE_SUN = f"""
+assets: [{{path: {LANTERN}, emission: 0}}]
+ground: {{height: -0.6, material: {{type: diffuse}}}}
+camera: {{position: [0.4, 2.2, 3], look_at: [0.2, -0.2, 0], vertical_fov_deg: 36}}
+lights: [{{type: directional, direction: [-0.5, 0.9, 0.3], irradiance: [1.5, 1.4, 1.2]}}]
+resolution: [32, 24]
+samples: 16
+max_depth: 1
+"""
+
 GLOW_ON_A_FLOOR = f"""
 assets:
   - path: {GLOW}
@@ -71,6 +81,15 @@ def test_holes_glass_and_light_of_assets(
     found = on_gpu(*scene(LANTERN_ON_A_FLOOR), lambda: device).channels()
     expected = on_cpu(*scene(LANTERN_ON_A_FLOOR, seed=7)).channels()
     assert_same_law(found, expected)
+
+
+def test_light_that_comes_through_an_asset(
+    scene: Callable[..., tuple[SceneFile, World]], device: Device
+) -> None:
+    """On the lantern's own floor and on the ground: the sun alone, so that little noise is left."""
+    text = LANTERN_IN_THE_SUN
+    found = on_gpu(*scene(text), lambda: device).channels()
+    assert_same_law(found, on_cpu(*scene(text, seed=7)).channels())
 
 
 @pytest.mark.parametrize(

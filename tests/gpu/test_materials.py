@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from rna_gpu import Device
 from rna_render.bilinear import CLAMP, MIRROR
-from rna_render.materials import Material
+from rna_render.materials import Material, MeshObject
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
 from tests.gpu.scenes import (
@@ -19,6 +21,8 @@ from tests.gpu.scenes import (
     on_gpu,
     texture,
 )
+from tests.render.assets import square
+from tests.render.studio import made_of
 
 SUN = {
     "type": "directional",
@@ -124,5 +128,36 @@ def through(kind: str) -> list:
 def test_what_lets_light_through(kind: str, device: Device) -> None:
     """Rays pass at random, by numbers of their own; shadows are weakened."""
     scene, world = in_a_row(through(kind), behind=True, samples=16)
+    found = on_gpu(scene, world, lambda: device).channels()
+    assert_same_law(found, on_cpu(scene.with_changes(seed=7), world).channels())
+
+
+def on_a_floor(pane: MeshObject, lights: tuple = (SUN,), **more: object) -> tuple:
+    """A pane above a floor; the camera, below it, sees the floor alone."""
+    flat = {"rotation_deg": (-90, 0, 0)}
+    things = [
+        (pane, flat | {"translation": (0, 0.9, 0), "scale": 1.5}),
+        (made_of(square(3.0)), {}),
+    ]
+    camera = {"position": (0.0, 0.7, 1.3), "look_at": (0, 0, 0), "vertical_fov_deg": 45}
+    usual = {"camera": camera, "resolution": (32, 24), "samples": 2, "max_depth": 1}
+    return of_objects(things, lights, **usual | more)
+
+
+@pytest.mark.parametrize("kind", ["coverage", "glass"])
+def test_shadows_of_what_lets_light_through(kind: str, device: Device) -> None:
+    """Nothing is at random here."""
+    above = SUN | {"direction": (0.1, 1.0, 0.3)}
+    for pane in through(kind):
+        dull = made(*(replace(m, emission=(0.0, 0.0, 0.0)) for m in pane.materials))
+        scene = on_a_floor(dull, (above,))
+        found, expected = on_gpu(*scene, lambda: device).channels(), on_cpu(*scene).channels()
+        assert_same_numbers(found, expected)
+        assert np.unique(expected["R"].round(1)).size > 3
+
+
+def test_what_shines_in_part_lights_in_part(device: Device) -> None:
+    half = made(Material(opacity=0.5, emission=(3, 2, 1), base_color=(0, 0, 0)))
+    scene, world = on_a_floor(half, (), samples=32)
     found = on_gpu(scene, world, lambda: device).channels()
     assert_same_law(found, on_cpu(scene.with_changes(seed=7), world).channels())
