@@ -1,4 +1,7 @@
-"""The GPU as a reader program: `rna-conform -- python -m rna_gpu.conformance_reader`."""
+"""The GPU as a reader program: `rna-conform -- python -m rna_gpu.conformance_reader`.
+
+It has all levels that a GPU answers; packages are checked by the SDK on the CPU.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ from numpy.typing import NDArray
 from rna_gpu.asset import GpuFiber, GpuPart, GpuSurface
 from rna_gpu.device import Device, open_device
 from rna_gpu.loading import load
+from rna_gpu.probe import Probe
 from rna_sdk.conformance.reader_program import run_reader
 
 Rows = NDArray[np.float32]
@@ -36,9 +40,23 @@ def emission(package: str, tier: str, part: int, queries: Rows) -> Rows:
     return own.emission(position, axis, h[:, 0], wo)
 
 
+def visibility(package: str, records: bytes) -> Rows:
+    """(n, 3): the visibility, RGB, of n hits."""
+    return _probe(package).visibility(np.frombuffer(records, "<u4").reshape(-1, 8))
+
+
+def normals(package: str, records: bytes) -> Rows:
+    """(n, 3): the normals that n hits of meshes are asked with."""
+    return _probe(package).normals(np.frombuffer(records, "<u4").reshape(-1, 8))
+
+
 @cache
 def _device() -> Device:
     return open_device()
+
+
+def _probe(package: str) -> Probe:
+    return Probe(package, _device())
 
 
 def _part(package: str, tier: str, part: int) -> GpuPart:
@@ -47,4 +65,5 @@ def _part(package: str, tier: str, part: int) -> GpuPart:
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, emission=emission))
+    levels = {"evaluate": evaluate, "emission": emission}
+    sys.exit(run_reader(**levels, visibility=visibility, normals=normals))

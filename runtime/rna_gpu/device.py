@@ -39,6 +39,7 @@ class Device:
             raise GpuError(f"{self.name}: no device: {_one_line(error)}") from error
         self.limits: dict[str, int] = dict(self.wgpu.limits)
         self._pipelines: dict[tuple[Any, ...], Any] = {}
+        self._layouts: dict[tuple[str, ...], Any] = {}
 
     def pipeline(self, source: str, entry: str, layouts: Sequence[Any] = ()) -> Any:
         """The compute pipeline of a WGSL module, compiled once.
@@ -55,6 +56,23 @@ class Device:
                 layout=layout, compute={"module": module, "entry_point": entry}
             )
         return self._pipelines[key]
+
+    def layout(self, *kinds: str) -> Any:
+        """The layout of a group whose bindings are of these kinds, made once: pipelines go by it.
+
+        kinds: "uniform", which takes an offset, "storage" or "read-only-storage".
+        """
+        if kinds not in self._layouts:
+            entries = [
+                {
+                    "binding": k,
+                    "visibility": wgpu.ShaderStage.COMPUTE,
+                    "buffer": {"type": kind, "has_dynamic_offset": kind == "uniform"},
+                }
+                for k, kind in enumerate(kinds)
+            ]
+            self._layouts[kinds] = self.wgpu.create_bind_group_layout(entries=entries)
+        return self._layouts[kinds]
 
     def buffer(self, size: int, *usages: str, what: str) -> Any:
         """A new buffer of `size` bytes; usages: names of `wgpu.BufferUsage`.

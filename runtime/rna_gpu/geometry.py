@@ -63,6 +63,9 @@ class Geometry:
         instances: (k, 8, 4) float32, some of them bits.
         order: (k,) number of each stored instance in what was given.
         extents: largest coordinate of each body.
+        places: of each body the place in `primitives` of each of its primitives, (m,), in the order
+            of its shapes.
+        first_points: of each body, in `points`.
     """
 
     nodes: NDArray[Any]
@@ -72,6 +75,8 @@ class Geometry:
     instances: NDArray[np.float32]
     order: NDArray[np.int64]
     extents: list[float]
+    places: list[NDArray[np.int64]]
+    first_points: list[int]
 
 
 def build_geometry(bodies: Sequence[Sequence[Shape]], placed: Sequence[Placed]) -> Geometry:
@@ -81,6 +86,7 @@ def build_geometry(bodies: Sequence[Sequence[Shape]], placed: Sequence[Placed]) 
     top, order = build_tree(boxes)
     roots, nodes, at = [], [top], len(top)
     first_point, first_primitive, primitives = 0, 0, []
+    places, first_points = [], []
     for piece in pieces:
         roots.append(at)
         leaf = piece.nodes["count"] > 0
@@ -88,6 +94,8 @@ def build_geometry(bodies: Sequence[Sequence[Shape]], placed: Sequence[Placed]) 
         moved["child"] += np.where(leaf, first_primitive, at).astype(np.uint32)
         nodes.append(moved)
         primitives.append(piece.primitives_at(first_point))
+        places.append(first_primitive + np.argsort(piece.order))
+        first_points.append(first_point)
         at += len(moved)
         first_point += len(piece.points)
         first_primitive += len(piece.primitives)
@@ -100,6 +108,8 @@ def build_geometry(bodies: Sequence[Sequence[Shape]], placed: Sequence[Placed]) 
         np.array(records, np.float32).reshape(-1, 8, 4),
         order,
         [piece.extent for piece in pieces],
+        places,
+        first_points,
     )
 
 
@@ -119,8 +129,8 @@ class _Body:
             for values, added in zip((points, normals, primitives, boxes), made, strict=True):
                 values.append(added)
         self.points, self.normals = np.concatenate(points), np.concatenate(normals)
-        self.nodes, order = build_tree(np.concatenate(boxes))
-        self.primitives = np.concatenate(primitives)[order]
+        self.nodes, self.order = build_tree(np.concatenate(boxes))
+        self.primitives = np.concatenate(primitives)[self.order]
         self.extent = max(map(_extent, shapes))
         self.box = self.nodes["low"][0], self.nodes["high"][0]
 

@@ -1,100 +1,132 @@
-"""`rna-run --device gpu`: a scene on the GPU, from its world to a film."""
+"""`rna-run --device gpu`: what renders bands of a scene on the GPU."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
+from pathlib import Path
+from threading import Lock
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
 
 from rna_gpu.asset import GpuAsset, GpuPart
 from rna_gpu.device import Device, open_device
 from rna_gpu.errors import DeviceLostError
 from rna_gpu.loading import load
-from rna_gpu.scene_support import check_scene
 from rna_gpu.scene_tables import scene_tables
 from rna_gpu.wavefront import Wavefront
-from rna_render.film import Film, Layers
+from rna_render.domain_watch import WatchedAsset
+from rna_render.film import Layers
 from rna_render.indirect_clamp import indirect_clamp
-from rna_render.lights import AssetLight
 from rna_render.materials import MeshObject
 from rna_render.render import all_lights
+from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
 
 LOSSES = 3
-"""So many lost devices are replaced; the sample under way begins again."""
+"""So many lost devices of a scene are replaced; the band under way is rendered again."""
 
 
-def render_scene(
-    scene_file: SceneFile,
-    world: World,
-    stop: Callable[[], bool],
-    progress: Callable[[int], None],
-    on_first_hits: Callable[[], None],
-    open_it: Callable[[], Device] = open_device,
-) -> Film:
-    """The scene's image, or fewer samples of it if `stop` says so: rna_render.devices.Renderer.
+class GpuRenderer:
+    """Renders a scene: rna_render.bands.BandRenderer.
 
-    open_it: opens the device, and another one where it is lost.
-
-    Raises:
-        GpuError: there is no GPU, the scene does not fit on it or holds what is not supported.
-        DeviceLostError: it was lost more than LOSSES times.
+    Attributes:
+        groups: names of the groups of lights.
+        at_once: 1, since a GPU does one thing after the other.
     """
-    check_scene(scene_file, world)
-    gpu = _on_gpu(scene_file, world, open_it())
-    film = Film(scene_file.scene.resolution, gpu.groups)
-    report = _Report(progress, on_first_hits)
-    losses = 0
-    while film.samples < scene_file.scene.samples and not stop():
-        try:
-            sample = _sample(gpu, film, stop, report)
-        except DeviceLostError as error:
-            losses += 1
-            if losses > LOSSES:
-                raise
-            print(f"{error}; going on with sample {film.samples + 1}", file=sys.stderr)
-            gpu = _on_gpu(scene_file, world, open_it())
-            continue
-        if sample is not None:
-            film.add(sample)
-    return film
+
+    at_once = 1
+
+    def __init__(
+        self,
+        scene_file: SceneFile,
+        world: World,
+        on_first_hits: Callable[[], None] = lambda: None,
+        open_it: Callable[[], Device] | None = None,
+    ) -> None:
+        """open_it: opens the device, and another one where it is lost; None for the fastest.
+
+        Raises:
+            GpuError: there is no GPU, or the scene does not fit on it.
+        """
+        self._scene_file, self._world = scene_file, world
+        self._on_first_hits: Callable[[], None] | None = on_first_hits
+        self._open = open_it or _DEVICE.get
+        self._lock, self._losses = Lock(), 0
+        self._start()
+        self.groups = self._gpu.groups
+
+    def render(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:
+        """One sample of the given pixels, (n,).
+
+        Raises:
+            DeviceLostError: the device was lost more than LOSSES times.
+        """
+        with self._lock:
+            starts = range(0, len(pixels), self._gpu.band)
+            bands = [self._rendered(pixels[k : k + starts.step], sampler) for k in starts]
+            if self._on_first_hits is not None:
+                self._on_first_hits()
+                self._on_first_hits = None
+        return Layers.concatenate(bands)
+
+    def _rendered(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:
+        while True:
+            try:
+                layers = self._gpu.render(pixels, sampler.sample)
+                if self._watched:
+                    self._count_outside()
+                return layers
+            except DeviceLostError as error:
+                self._losses += 1
+                if self._losses > LOSSES:
+                    raise
+                print(f"{error}; going on with sample {sampler.sample + 1}", file=sys.stderr)
+                _DEVICE.forget()
+                self._start()
+
+    def _start(self) -> None:
+        scene, world = self._scene_file.scene, self._world
+        every = all_lights(scene, world, self._scene_file.resolve)
+        clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
+        lights = every if _has_catcher(world) else [light.beside_rays() for light in every]
+        tables, device = scene_tables(world, lights), self._open()
+        parts = _parts(self._scene_file, world, tables.parts, device)
+        self._gpu = Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
+        things = [world.things[place] for place, _ in tables.parts]
+        self._watched = {
+            k: thing for k, thing in enumerate(things) if isinstance(thing, WatchedAsset)
+        }
+
+    def _count_outside(self) -> None:
+        counts = self._gpu.outside_domains()
+        for k, thing in self._watched.items():
+            thing.add(*counts[k].tolist())
 
 
-class _Report:
-    """Tells of the first hits, once, and of progress."""
+class _OpenDevice:
+    """The fastest device, opened once: images of one process share what it has compiled."""
 
-    def __init__(self, progress: Callable[[int], None], on_first_hits: Callable[[], None]) -> None:
-        self._progress, self._on_first_hits, self._told = progress, on_first_hits, False
+    def __init__(self) -> None:
+        self._device: Device | None = None
 
-    def __call__(self, pixels: int) -> None:
-        if not self._told:
-            self._told = True
-            self._on_first_hits()
-        self._progress(pixels)
+    def get(self) -> Device:
+        self._device = self._device or open_device()
+        return self._device
 
-
-def _sample(
-    gpu: Wavefront, film: Film, stop: Callable[[], bool], progress: Callable[[int], None]
-) -> Layers | None:
-    """One sample of every pixel; None if it was stopped."""
-    pixels, bands = film.width * film.height, []
-    for first in range(0, pixels, gpu.band):
-        count = min(gpu.band, pixels - first)
-        bands.append(gpu.render(first, count, film.samples))
-        progress(count)
-        if stop() and first + count < pixels:
-            return None
-    return Layers.concatenate(bands)
+    def forget(self) -> None:
+        """It was lost."""
+        self._device = None
 
 
-def _on_gpu(scene_file: SceneFile, world: World, device: Device) -> Wavefront:
-    scene, every = scene_file.scene, all_lights(scene_file.scene, world, scene_file.resolve)
-    clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
-    sampled = [light for light in every if not isinstance(light, AssetLight)]
-    lights = sampled if _has_catcher(world) else [light.beside_rays() for light in sampled]
-    tables = scene_tables(world, lights)
-    parts = _parts(scene_file, world, tables.parts, device)
-    return Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
+_DEVICE = _OpenDevice()
+
+_Loaded = dict[tuple[Path, str], GpuPart | GpuAsset]
+_LOADED: WeakKeyDictionary[World, tuple[Device, _Loaded]] = WeakKeyDictionary()
+"""The assets of worlds of which several images are rendered."""
 
 
 def _has_catcher(world: World) -> bool:
@@ -105,7 +137,9 @@ def _has_catcher(world: World) -> bool:
 def _parts(
     scene_file: SceneFile, world: World, wanted: Sequence[tuple[int, int]], device: Device
 ) -> list[GpuPart]:
-    loaded: dict[tuple[object, str], GpuPart | GpuAsset] = {}
+    kept, loaded = _LOADED.get(world, (device, {}))
+    if kept is not device:
+        loaded = {}
     result = []
     for place, part in wanted:
         key = scene_file.asset_path(place), world.things[place].tier.name
@@ -113,4 +147,5 @@ def _parts(
             loaded[key] = load(key[0], key[1], device)
         asset = loaded[key]
         result.append(asset.parts[part] if isinstance(asset, GpuAsset) else asset)
+    _LOADED[world] = device, loaded
     return result

@@ -19,8 +19,9 @@ def wgsl_file(name: str) -> str:
 
 @cache
 def composition(name: str) -> tuple[str, ...]:
-    """The names of the files that make `name`, in order."""
-    return tuple(json.loads(wgsl_file("compositions.json"))[name])
+    """The names of the files that make `name`, in order; render/ has compositions of its own."""
+    place = "render/compositions.json" if name.startswith("render/") else "compositions.json"
+    return tuple(file for part in json.loads(wgsl_file(place))[name] for file in _files(part))
 
 
 def compose(constants: dict[str, int], *parts: str) -> str:

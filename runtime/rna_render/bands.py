@@ -8,7 +8,7 @@ and for Python.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -32,7 +32,13 @@ _Band = tuple[np.ndarray, Sampler, bool]
 
 
 class BandRenderer(Protocol):
-    """Renders one sample of some pixels; rna_render.integrator.Integrator does."""
+    """Renders one sample of some pixels; rna_render.integrator.Integrator does.
+
+    groups: names of the groups of lights. at_once: so many bands at a time; None for any number.
+    """
+
+    groups: Sequence[str]
+    at_once: int | None
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers: ...
 
@@ -46,7 +52,7 @@ def rendered_bands(
     as many wait, so that no thread idles while the caller takes what is finished; a caller that
     stops early waits for those under way, and the rest is not begun.
     """
-    threads = kernel_threads()
+    threads = min(kernel_threads(), renderer.at_once or kernel_threads())
     bands = _bands(count, threads)
     work = ((band, sampler, band is bands[-1]) for sampler in samplers for band in bands)
     make = partial(_BandWorker, renderer)

@@ -188,10 +188,8 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
         value = getattr(options, name)
         if value is not None and value is not False:  # --every may be 0
             parser.error(f"--{name} is {'not for' if options.preview else 'only for'} --preview")
-    if options.device != "cpu":
-        for name in ("preview", "frames", "cluster", "every"):
-            if getattr(options, name) not in (None, False):
-                parser.error(f"--{name} is not for --device {options.device}")
+    if options.device != "cpu" and options.preview:
+        parser.error(f"--preview is not for --device {options.device}")
     if options.environments is not None and not options.environments.is_dir():
         parser.error(f"{options.environments}: no such folder")
     for name in ("frames", "cluster"):
@@ -234,7 +232,8 @@ def _run(options: argparse.Namespace) -> int:
         return _render_in_pieces(scene_file, output, options)
     numbers = frame_numbers(scene_file, *options.frames)
     with place(options.cluster) as where:
-        return render_sequence(scene_file, numbers, output, options.threads, _START, where)
+        how = options.threads, _START, where, options.device
+        return render_sequence(scene_file, numbers, output, *how)
 
 
 def _use_threads(count: int | None) -> int:
@@ -247,13 +246,14 @@ def _use_threads(count: int | None) -> int:
 
 
 def _render_still(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
+    from rna_render.devices import open_renderer
     from rna_render.interim import Interim
     from rna_render.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
     from rna_render.world_loading import load_world
 
     scene = scene_file.scene
     output.check()
-    world = load_world(scene_file)
+    world = load_world(scene_file, open_renderer=partial(open_renderer, options.device))
     tell_tiers(scene_file, world)
     if options.device == "cpu":
         tell_costs(scene_file, world)
@@ -289,7 +289,7 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     folder = output.linear.with_name(f"{output.linear.name}.pieces")
     try:
         with place(options.cluster) as where:
-            film, kept = render_pieces(scene_file, where, options.threads, folder)
+            film, kept = render_pieces(scene_file, where, options.threads, folder, options.device)
     except KeyboardInterrupt:
         print(
             f"stopped; finished pieces are in {folder}; the same command goes on", file=sys.stderr

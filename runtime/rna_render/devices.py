@@ -1,7 +1,7 @@
 """What renders a scene: the CPU, or a device that another package offers.
 
 A device is an entry point of the group `rna_render.devices`, by the name that `--device` takes; it
-gives a Renderer.
+gives an OpenRenderer.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from collections.abc import Callable
 from importlib.metadata import EntryPoint, entry_points
 from typing import Protocol
 
-from rna_render.film import Film
+from rna_render.bands import BandRenderer
+from rna_render.integrator_factory import make_integrator
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
 from rna_sdk.errors import SceneError
@@ -19,27 +20,39 @@ GROUP = "rna_render.devices"
 CPU = "cpu"
 
 
-class Renderer(Protocol):
-    """Renders a scene."""
+class OpenRenderer(Protocol):
+    """Opens a device for a scene."""
 
     def __call__(
-        self,
-        scene_file: SceneFile,
-        world: World,
-        stop: Callable[[], bool],
-        progress: Callable[[int], None],
-        on_first_hits: Callable[[], None],
-    ) -> Film:
-        """The film of `scene_file.scene.samples` samples, or fewer if `stop` says so.
+        self, scene_file: SceneFile, world: World, on_first_hits: Callable[[], None]
+    ) -> BandRenderer:
+        """What renders `scene_file.scene`, whose things are in `world`.
 
-        world: the scene's things, loaded. progress: told how many pixels of a sample are done.
-        Raises RnaError for what the device does not know or have room for.
+        on_first_hits: called once, when the first camera rays have been traced. Raises RnaError
+        for what the device does not know or have room for.
         """
         ...
 
 
-def find_renderer(name: str) -> Renderer:
-    """The renderer of a device that is not the CPU.
+def open_renderer(
+    device: str,
+    scene_file: SceneFile,
+    world: World,
+    on_first_hits: Callable[[], None] = lambda: None,
+) -> BandRenderer:
+    """What renders the scene on a device: "cpu", or one that a package offers.
+
+    Raises:
+        SceneError: no installed package offers it, or what it needs is not installed.
+        RnaError: the device does not know the scene, or has no room for it.
+    """
+    if device == CPU:
+        return make_integrator(scene_file.scene, world, on_first_hits, scene_file.resolve)
+    return find_device(device)(scene_file, world, on_first_hits)
+
+
+def find_device(name: str) -> OpenRenderer:
+    """What opens a device that is not the CPU.
 
     Raises:
         SceneError: no installed package offers it, or what it needs is not installed.
@@ -51,9 +64,9 @@ def find_renderer(name: str) -> Renderer:
     return _loaded(offered[name])
 
 
-def _loaded(entry: EntryPoint) -> Renderer:
+def _loaded(entry: EntryPoint) -> OpenRenderer:
     try:
-        renderer: Renderer = entry.load()
+        renderer: OpenRenderer = entry.load()
     except ModuleNotFoundError as error:
         missing = f"{error.name} is not installed; try: pip install 'rna-sdk[{entry.name}]'"
         raise SceneError(f"--device {entry.name}: {missing}") from error

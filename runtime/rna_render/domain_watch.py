@@ -38,11 +38,15 @@ class WatchedAsset:
         """Count queries that a part is asked, directions (n, 3) float32 in object space."""
         seen = in_region(self._asset.domain.wo, wo)
         lit = in_region(self._asset.domain.wi, wi)
+        self.add(len(wo), *(int(np.count_nonzero(~x)) for x in (seen, lit, seen & lit)))
+
+    def add(self, asked: int, from_outside: int, lit_outside: int, outside: int) -> None:
+        """Count queries: how many, with views and with lights from outside, and with either."""
         with self._counting:
-            self._asked += len(wo)
-            self._from_outside += int(np.count_nonzero(~seen))
-            self._lit_outside += int(np.count_nonzero(~lit))
-            self._outside += int(np.count_nonzero(~(seen & lit)))
+            self._asked += asked
+            self._from_outside += from_outside
+            self._lit_outside += lit_outside
+            self._outside += outside
 
     def complaint(self) -> str | None:
         """What part of the queries was outside, if any was; once."""

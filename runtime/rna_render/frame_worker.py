@@ -8,10 +8,12 @@ import threading
 import time
 import warnings
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Self
 
 from rna_render.animation import frame_scene
+from rna_render.devices import open_renderer
 from rna_render.output import Output
 from rna_render.scene_file import SceneFile
 from rna_render.scene_model import Scene
@@ -58,17 +60,19 @@ class FrameJob:
     output: Output
     threads: int
     started: float
+    device: str
 
 
 class SceneWorker:
-    """Opens a scene where it is entered: see `rna_work.worker.Worker`.
+    """Opens a scene where it is entered, for a device: see `rna_work.worker.Worker`.
 
     Attributes:
         scene_file: as it is on this machine. stop: set when the worker is to end.
     """
 
-    def __init__(self, scene_file: SceneFile, files: Carried, threads: int) -> None:
+    def __init__(self, scene_file: SceneFile, files: Carried, threads: int, device: str) -> None:
         self.scene_file, self._files, self._threads = scene_file, files, threads
+        self.device = device
         self.stop = threading.Event()
 
     def __enter__(self) -> Self:
@@ -82,7 +86,7 @@ class SceneWorker:
 
     def load(self, views: list[Scene]) -> World:
         """The world for these images."""
-        world = load_world(self.scene_file, views)
+        world = load_world(self.scene_file, views, partial(open_renderer, self.device))
         tell_tiers(self.scene_file, world)
         return world
 
@@ -94,7 +98,7 @@ class FrameWorker(SceneWorker):
     """Renders frames of a job, one after the other. The world is loaded once."""
 
     def __init__(self, job: FrameJob, name: str) -> None:
-        super().__init__(job.scene_file, job.files, job.threads)
+        super().__init__(job.scene_file, job.files, job.threads, job.device)
         self._job = job
         self._world: World | None = None
 
@@ -111,9 +115,8 @@ class FrameWorker(SceneWorker):
     def _render(self, frame: Frame, world: World) -> list[Path]:
         scene = frame_scene(self.scene_file.scene, frame.number)
         files = self._job.output.frame(frame.number)
-        film = render_with_bar(
-            replace(self.scene_file, scene=scene), world, self.stop.is_set, frame.what
-        )
+        frame_file = replace(self.scene_file, scene=scene)
+        film = render_with_bar(frame_file, world, self.stop.is_set, frame.what, device=self.device)
         if self.stop.is_set() and film.samples < scene.samples:
             raise SceneError(f"{frame.what} was stopped")
         files.write(scene, film)

@@ -71,6 +71,8 @@ class Integrator:
     found; anything but "both" is for tests, since each way alone misses some lights or is slow.
     """
 
+    at_once = None
+
     def __init__(
         self,
         world: World,

@@ -14,11 +14,10 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.bands import SMALL_BAND, rendered_bands
+from rna_render.bands import SMALL_BAND, BandRenderer, rendered_bands
+from rna_render.devices import CPU, open_renderer
 from rna_render.film import Film, Layers
 from rna_render.frame_worker import SceneWorker
-from rna_render.integrator import Integrator
-from rna_render.integrator_factory import make_integrator
 from rna_render.kept_pieces import KeptPieces, Piece, missing_pieces
 from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
@@ -35,11 +34,12 @@ _MOST = 1 << 18  # pixels: of more, what comes back would be hundreds of megabyt
 
 
 def render_pieces(
-    scene_file: SceneFile, where: Place, threads: int | None, folder: Path
+    scene_file: SceneFile, where: Place, threads: int | None, folder: Path, device: str = CPU
 ) -> tuple[Film, KeptPieces]:
     """The finished image, and what was kept of it, which its owner removes with the image written.
 
-    folder: where finished pieces are kept; those that are there are not rendered again. Raises
+    folder: where finished pieces are kept; those of the same device that are there are not
+    rendered again. device: of `devices`, on every machine. Raises
     SceneError for a scene that limits the time of its image.
     """
     scene = scene_file.scene
@@ -48,8 +48,8 @@ def render_pieces(
             ("quality", "seconds"), "limits the time of one machine, expected none with --cluster"
         )
     files = carried_scene(scene_file, where)
-    backend, threads = where.whole_machines(threads)
-    kept = KeptPieces(folder, scene_key(scene_file))
+    backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
+    kept = KeptPieces(folder, f"{device} {scene_key(scene_file)}")
     count, image = prod(scene.resolution), _Image(scene.resolution)
     there = []
     for piece, film in kept.found():
@@ -58,7 +58,8 @@ def render_pieces(
     size = _size(count, backend.width(), threads, scene.samples)
     pieces = list(_cut(missing_pieces(count, there), size))
     done = sum(piece.pixels for piece in there)
-    rays, make = float(count * scene.samples), partial(PieceWorker, scene_file, files, threads)
+    rays = float(count * scene.samples)
+    make = partial(PieceWorker, scene_file, files, threads, device)
     with (
         Progress(rays, "ray", "rendering", float(done * scene.samples)) as progress,
         Pool(backend, make, tell=progress.tell) as pool,
@@ -102,21 +103,22 @@ def _cut(pieces: Iterable[Piece], size: int) -> Iterator[Piece]:
 class PieceWorker(SceneWorker):
     """Renders pieces of a scene's image: see `rna_work.worker.Worker`."""
 
-    def __init__(self, scene_file: SceneFile, files: Carried, threads: int, name: str) -> None:
-        super().__init__(scene_file, files, threads)
-        self._integrator: Integrator | None = None
+    def __init__(
+        self, scene_file: SceneFile, files: Carried, threads: int, device: str, name: str
+    ) -> None:
+        super().__init__(scene_file, files, threads, device)
+        self._renderer: BandRenderer | None = None
 
     def run(self, piece: Piece) -> Film:
         """All samples of the piece's pixels; an image that is as wide as there are."""
         scene = self.scene_file.scene
-        if self._integrator is None:
+        if self._renderer is None:
             world = self.load([scene])
-            resolve = self.scene_file.resolve
-            self._integrator = make_integrator(scene, world, resolve=resolve)
+            self._renderer = open_renderer(self.device, self.scene_file, world)
         pixels = np.arange(piece.start, piece.stop, dtype=np.uint32)
         samplers = (Sampler(scene.seed, number) for number in range(scene.samples))
-        film, sample = Film((len(pixels), 1), self._integrator.groups), list[Layers]()
-        some = SomePixels(self._integrator, pixels)
+        film, sample = Film((len(pixels), 1), self._renderer.groups), list[Layers]()
+        some = SomePixels(self._renderer, pixels)
         with closing(rendered_bands(some, len(pixels), samplers)) as bands:
             for band, last in bands:
                 if self.stop.is_set():

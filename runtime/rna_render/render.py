@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import closing
 
-from rna_render.bands import rendered_bands
+from rna_render.bands import BandRenderer, rendered_bands
 from rna_render.film import Film, Layers
-from rna_render.integrator import Integrator
 from rna_render.integrator_factory import all_lights, make_integrator
 from rna_render.placements import emission_of, mesh_light, place_asset
 from rna_render.sampling import Sampler
@@ -33,7 +32,7 @@ __all__ = [
 
 def render(
     scene: Scene,
-    integrator: Integrator,
+    renderer: BandRenderer,
     stop: Callable[[], bool] = lambda: False,
     progress: Callable[[int], None] = lambda pixels: None,
     on_sample: Callable[[Film], None] = lambda film: None,
@@ -43,12 +42,12 @@ def render(
     stop: asked after every band; the sample under way is then dropped. progress: told after every
     band how many pixels it had. on_sample: given the film after every sample but the last.
     """
-    film = Film(scene.resolution, integrator.groups)
+    film = Film(scene.resolution, renderer.groups)
     samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
     if scene.quality is not None and scene.quality.seconds is not None:
         samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)
     sample: list[Layers] = []
-    with closing(rendered_bands(integrator, film.width * film.height, samplers)) as bands:
+    with closing(rendered_bands(renderer, film.width * film.height, samplers)) as bands:
         for band, last in bands:
             sample.append(band)
             progress(len(band.hit))

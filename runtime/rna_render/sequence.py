@@ -9,6 +9,7 @@ from contextlib import ExitStack, closing
 from functools import partial
 
 from rna_render.animation import frame_scene
+from rna_render.devices import CPU
 from rna_render.frame_worker import Frame, FrameFiles, FrameJob, FrameWorker
 from rna_render.output import Output
 from rna_render.scene_file import SceneFile
@@ -45,20 +46,22 @@ def render_sequence(
     threads: int | None,
     started: float,
     where: Place,
+    device: str = CPU,
 ) -> int:
     """Render the frames that are not there yet. Returns the exit status.
 
     output: names with a place for the number. threads: of a worker; None for all of its machine.
-    started: when the program did, as perf_counter. A frame that Ctrl-C ends is not written.
+    started: when the program did, as perf_counter. device: of `devices`. A frame that Ctrl-C ends
+    is not written.
     """
     missing = _missing(scene_file, numbers, output)
     if not missing:
         return 0
     check_shared(where, output.linear.parent)
-    backend, threads = where.whole_machines(threads)
+    backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
     files = carried_scene(scene_file, where)
     absolute = output.absolute() if where.far else output
-    job = FrameJob(scene_file, files, numbers, absolute, threads, started)
+    job = FrameJob(scene_file, files, numbers, absolute, threads, started, device)
     try:
         with Pool(backend, partial(FrameWorker, job), tell=partial(print, flush=True)) as pool:
             _take(pool, missing, where)

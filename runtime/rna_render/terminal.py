@@ -9,10 +9,9 @@ from collections.abc import Callable
 
 from tqdm import tqdm
 
-from rna_render.devices import CPU, find_renderer
+from rna_render.devices import CPU, open_renderer
 from rna_render.domain_watch import warn_of_extrapolation
 from rna_render.film import Film
-from rna_render.integrator_factory import make_integrator
 from rna_render.render import render
 from rna_render.scene_file import SceneFile
 from rna_render.tier_costs import cost_lines
@@ -69,8 +68,7 @@ def render_with_bar(
     """Render the scene, or fewer samples of it if `stop` says so.
 
     what: stands before the bar. first_rays: what to print when the first rays are traced.
-    on_sample: given the film after every sample but the last, on the CPU. device: where; see
-    `devices`.
+    on_sample: given the film after every sample but the last. device: where; see `devices`.
     """
     scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
@@ -81,12 +79,8 @@ def render_with_bar(
             bar.write(first_rays(), file=sys.stderr)
 
     with bar:
-        if device == CPU:
-            integrator = make_integrator(scene, world, report_start, scene_file.resolve)
-            film = render(scene, integrator, stop, bar.update, on_sample)
-        else:
-            renderer = find_renderer(device)
-            film = renderer(scene_file, world, stop, bar.update, report_start)
+        renderer = open_renderer(device, scene_file, world, report_start)
+        film = render(scene, renderer, stop, bar.update, on_sample)
     warn_of_extrapolation(world.things)
     if film.samples < scene.samples and not stop():
         print(f"{what}: time for {film.samples} of {scene.samples} samples", file=sys.stderr)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 import numpy as np
 
 from rna_render.asset_parts import Asset
+from rna_render.bands import BandRenderer
 from rna_render.domain_watch import watched
+from rna_render.integrator import Integrator
 from rna_render.integrator_factory import make_integrator
 from rna_render.lights import AssetEmission, PlacedLight, make_light
 from rna_render.lights.models import AreaModel
@@ -29,15 +31,20 @@ class QualityWarning(UserWarning):
     """A scene asks for more accuracy than its packages have."""
 
 
-def load_world(scene_file: SceneFile, views: Sequence[Scene] = ()) -> World:
+def load_world(
+    scene_file: SceneFile,
+    views: Sequence[Scene] = (),
+    open_renderer: Callable[[SceneFile, World], BandRenderer] | None = None,
+) -> World:
     """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
 
     Each package is loaded once a tier and proxy, and each object file once a material. Tiers and
     proxies are those that `quality` asks for.
 
-    views: the images to come, where their cameras differ from the scene's. Raises SceneError where
-    the file names something that is not there or cannot be used, PackageError for a broken package.
-    Warns with QualityWarning where no tier is accurate enough.
+    views: the images to come, where their cameras differ from the scene's. open_renderer: of what
+    `quality.seconds` is measured with; None for the CPU. Raises SceneError where the file names
+    something that is not there or cannot be used, PackageError for a broken package. Warns with
+    QualityWarning where no tier is accurate enough.
     """
     quality = scene_file.scene.quality
     if quality is None:
@@ -49,17 +56,29 @@ def load_world(scene_file: SceneFile, views: Sequence[Scene] = ()) -> World:
     max_error = quality.max_error or 0.0
     if quality.seconds is None:
         return _world(scene_file, choice.within(max_error))
-    return _world_in_time(scene_file, choice.coarser(max_error), quality.seconds)
+    make = open_renderer or _integrator_of
+    return _world_in_time(scene_file, choice.coarser(max_error), quality.seconds, make)
 
 
-def _world_in_time(scene_file: SceneFile, choices: Iterable[Tiers], seconds: float) -> World:
+def _integrator_of(scene_file: SceneFile, world: World) -> Integrator:
+    return make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
+
+
+def _world_in_time(
+    scene_file: SceneFile,
+    choices: Iterable[Tiers],
+    seconds: float,
+    make: Callable[[SceneFile, World], BandRenderer],
+) -> World:
     """With the first of the choices that leaves time for enough samples, or the last."""
     scene = scene_file.scene
     enough = min(ENOUGH_SAMPLES, scene.samples)
     for tiers in choices:
         world = _world(scene_file, tiers)
-        integrator = make_integrator(scene, world, resolve=scene_file.resolve)
-        if enough * seconds_a_sample(integrator, math.prod(scene.resolution)) <= seconds:
+        if (
+            enough * seconds_a_sample(make(scene_file, world), math.prod(scene.resolution))
+            <= seconds
+        ):
             break
     return world
 

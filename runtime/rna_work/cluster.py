@@ -92,10 +92,17 @@ class RayCluster:
             self.on_every_node(partial(check_elsewhere, path, hashes))
         return Travelling.of(path, others)
 
-    def whole_machines(self, threads: int | None, local: str = "") -> tuple[RayWorkers, int]:
-        least = min((int(node["Resources"]["CPU"]) for node in alive_nodes()), default=1)
-        count = min(threads or least, least)
-        return RayWorkers(Needs("threads", max(count, 1)), None), max(count, 1)
+    def whole_machines(
+        self, threads: int | None, local: str = "", needs_gpu: bool = False
+    ) -> tuple[RayWorkers, int]:
+        gpus = 1.0 if needs_gpu else 0.0
+        nodes = [node for node in alive_nodes() if node["Resources"].get("GPU", 0) >= gpus]
+        if needs_gpu and not nodes:
+            hint = "`ray start --num-gpus 1` tells it of one that it does not see"
+            raise WorkError(f"Ray knows of no machine of the cluster with a GPU; {hint}")
+        least = min((int(node["Resources"]["CPU"]) for node in nodes), default=1)
+        count = max(min(threads or least, least), 1)
+        return RayWorkers(Needs("threads", count, gpus), None), count
 
     def on_every_node(
         self, do: Callable[[], Answer], resource: str | None = None

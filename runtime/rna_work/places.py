@@ -58,12 +58,16 @@ class Place(Protocol):
         """How many GPUs there are."""
 
     def whole_machines(
-        self, threads: int | None, local: Literal["threads", "caller"] = "threads"
+        self,
+        threads: int | None,
+        local: Literal["threads", "caller"] = "threads",
+        needs_gpu: bool = False,
     ) -> tuple[Backend, int]:
         """Room for workers of so many threads, None for all of a machine, and how many they are.
 
         local: what holds the only one on this machine, if that is the place: a thread of its own,
-        or the one that takes the outcomes.
+        or the one that takes the outcomes. needs_gpu: machines of a cluster with a GPU alone;
+        raises WorkError where it knows of none.
         """
 
     def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
@@ -99,7 +103,10 @@ class ThisMachine:
         return torch.cuda.device_count()
 
     def whole_machines(
-        self, threads: int | None, local: Literal["threads", "caller"] = "threads"
+        self,
+        threads: int | None,
+        local: Literal["threads", "caller"] = "threads",
+        needs_gpu: bool = False,
     ) -> tuple[Backend, int]:
         backend = Threads(1) if local == "threads" else Caller()
         return backend, min(threads or self.cores, self.cores)

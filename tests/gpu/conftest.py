@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+
 import pytest
 
 from rna_gpu import Device, GpuError, open_device
+from rna_render.render import load_world
+from rna_render.scene_file import SceneFile, read_scene
+from rna_render.world import World
 
 
 @pytest.fixture(scope="session")
@@ -13,3 +19,13 @@ def device() -> Device:
         return open_device()
     except GpuError as error:
         pytest.skip(str(error))
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Callable[..., tuple[SceneFile, World]]:
+    def read(text: str, **changes: object) -> tuple[SceneFile, World]:
+        (tmp_path / "scene.yaml").write_text(text)
+        scene_file = read_scene(tmp_path / "scene.yaml").with_changes(**changes)
+        return scene_file, load_world(scene_file)
+
+    return read

@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
-from importlib.metadata import EntryPoint
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from rna_gpu import Device, GpuError, open_device, rendering
-from rna_gpu.rendering import render_scene
-from rna_render import cli, devices
-from rna_render.film import Film
+from rna_gpu import Device, open_device, rendering
+from rna_render.film import Layers
 from rna_render.images import write_exr
-from rna_render.render import load_world, make_integrator, render
-from rna_render.scene_file import SceneFile, read_scene
+from rna_render.scene_file import SceneFile
 from rna_render.world import World
 from tests.conformance.conftest import KIT
 from tests.conftest import REPOSITORY
+from tests.gpu.scenes import assert_same_law, assert_same_numbers, on_cpu, on_gpu
 
 TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 BALL = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
@@ -65,30 +60,6 @@ samples: 16
 max_depth: 3
 clamp_indirect: 2
 """
-
-
-@pytest.fixture
-def scene(tmp_path: Path) -> Callable[..., tuple[SceneFile, World]]:
-    def read(text: str, **changes: object) -> tuple[SceneFile, World]:
-        (tmp_path / "scene.yaml").write_text(text)
-        scene_file = read_scene(tmp_path / "scene.yaml").with_changes(**changes)
-        return scene_file, load_world(scene_file)
-
-    return read
-
-
-def on_gpu(
-    scene_file: SceneFile,
-    world: World,
-    open_it: Callable[[], Device],
-    stop: Callable[[], bool] = lambda: False,
-) -> Film:
-    return render_scene(scene_file, world, stop, lambda pixels: None, lambda: None, open_it)
-
-
-def on_cpu(scene_file: SceneFile, world: World) -> Film:
-    integrator = make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
-    return render(scene_file.scene, integrator)
 
 
 RELIEF = f"""
@@ -138,11 +109,7 @@ def test_the_image_of_the_cpu_with_the_same_numbers(
     objects(tmp_path)
     scene_file, world = scene(text)
     found = on_gpu(scene_file, world, lambda: device).channels()
-    expected = on_cpu(scene_file, world).channels()
-    assert found.keys() == expected.keys() and found["R"].max() > 0.1
-    for name, values in expected.items():
-        close = np.isclose(found[name], values, rtol=1e-2, atol=1e-3)
-        assert close.mean() > 0.985, name
+    assert_same_numbers(found, on_cpu(scene_file, world).channels())
 
 
 def sky(path: Path) -> None:
@@ -158,50 +125,35 @@ def test_the_image_of_the_cpu_with_other_numbers(
     sky(tmp_path / "sky.exr")
     found = on_gpu(*scene(UNDER_A_SKY), lambda: device).channels()
     expected = on_cpu(*scene(UNDER_A_SKY, seed=7)).channels()
-    tiles = welch(found, expected, 8)
-    assert np.abs(tiles).max() < 4.5 and np.mean(tiles**2) < 2.0
-    assert np.allclose(found["A"].mean(), expected["A"].mean(), atol=0.01)
-    darker = {name: values * 0.7 for name, values in found.items()}
-    assert np.mean(welch(darker, expected, 8) ** 2) > 4.0  # less light is seen
-
-
-def welch(a: dict[str, np.ndarray], b: dict[str, np.ndarray], side: int) -> np.ndarray:
-    """Differences of the tiles' means over their standard error."""
-    result = []
-    for colour in "RGB":
-
-        def tiled(values: np.ndarray) -> np.ndarray:
-            shape = values.shape[0] // side, side, values.shape[1] // side, side
-            return values.astype(np.float64).reshape(shape).sum(axis=(1, 3))
-
-        variance = tiled(a[f"variance.{colour}"]) + tiled(b[f"variance.{colour}"])
-        result.append((tiled(a[colour]) - tiled(b[colour])) / np.sqrt(variance + 1e-12))
-    return np.stack(result)
+    assert_same_law(found, expected)
 
 
 def test_a_lost_device_is_replaced(
-    scene: Callable[..., tuple[SceneFile, World]], capsys: pytest.CaptureFixture[str]
+    scene: Callable[..., tuple[SceneFile, World]],
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    scene_file, world = scene(EVERYTHING, resolution=(16, 12), samples=3)
+    scene_file, world = scene(GLOW, resolution=(16, 12), samples=3)
     opened: list[Device] = []
-    asked = 0
+    samples: list[int] = []
+    whole = rendering.Wavefront.render
 
     def open_it() -> Device:
         opened.append(open_device())
         return opened[-1]
 
-    def stop() -> bool:
-        nonlocal asked
-        asked += 1
-        if asked == 3:  # a sample is done, and the next one begins
+    def render(self: rendering.Wavefront, pixels: np.ndarray, sample: int) -> Layers:
+        samples.append(sample)
+        if samples == [0, 1]:
             opened[0].wgpu.destroy()
-        return False
+        return whole(self, pixels, sample)
 
-    found = on_gpu(scene_file, world, open_it, stop)
-    assert len(opened) == 2 and found.samples == 3
+    monkeypatch.setattr(rendering.Wavefront, "render", render)
+    found = on_gpu(scene_file, world, open_it)
+    assert len(opened) == 2 and found.samples == 3 and samples == [0, 1, 1, 2]
     assert "going on with sample 2" in capsys.readouterr().err
-    whole = on_gpu(scene_file, world, open_device)
-    assert np.array_equal(found.channels()["R"], whole.channels()["R"])
+    undisturbed = on_gpu(scene_file, world, lambda: opened[1])
+    assert np.array_equal(found.channels()["R"], undisturbed.channels()["R"])
 
 
 def test_a_device_that_stays_lost(
@@ -210,43 +162,7 @@ def test_a_device_that_stays_lost(
     def lost(*arguments: object) -> None:
         raise rendering.DeviceLostError("llvmpipe: Parent device is lost")
 
-    monkeypatch.setattr(rendering, "_sample", lost)
-    monkeypatch.setattr(rendering, "_on_gpu", lambda *arguments: SimpleNamespace(groups=()))
-    scene_file, world = scene(EVERYTHING, resolution=(4, 4))
+    monkeypatch.setattr(rendering.Wavefront, "render", lost)
+    scene_file, world = scene(GLOW, resolution=(4, 4))
     with pytest.raises(rendering.DeviceLostError, match="llvmpipe: Parent device is lost"):
         on_gpu(scene_file, world, lambda: device)
-
-
-REFUSED = {
-    "quality: {seconds: 3}": "quality.seconds is not supported with --device gpu",
-    "ground: {material: {type: diffuse, emission: [1, 1, 1]}}": "a material that emits light is",
-}
-
-
-@pytest.mark.parametrize("key", REFUSED)
-def test_what_it_does_not_know_is_refused(
-    key: str, scene: Callable[..., tuple[SceneFile, World]], device: Device
-) -> None:
-    text = f"assets: [{{path: {TOY}}}]\ncamera: {{position: [2, 1, 2], look_at: [0, 0, 0]}}\n{key}"
-    with pytest.raises(GpuError, match=re.escape(REFUSED[key])):
-        on_gpu(*scene(text, resolution=(4, 4), samples=1), lambda: device)
-
-
-def test_the_command(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    offered = EntryPoint("gpu", "rna_gpu.rendering:render_scene", devices.GROUP)
-    broken = EntryPoint("tpu", "rna_tpu.rendering:render_scene", devices.GROUP)
-    monkeypatch.setattr(devices, "entry_points", lambda group: [offered, broken])
-    (tmp_path / "scene.yaml").write_text(EVERYTHING)
-    out = tmp_path / "out.exr"
-    usual = [str(tmp_path / "scene.yaml"), "--out", str(out), "--resolution", "8x6"]
-    assert cli.main([*usual, "--samples", "1", "--device", "gpu"]) == 0 and out.is_file()
-    assert "wrote" in capsys.readouterr().out
-    assert cli.main([*usual, "--device", "moon"]) == 1
-    assert "--device moon: no such device; there are: cpu, gpu, tpu" in capsys.readouterr().err
-    assert cli.main([*usual, "--device", "tpu"]) == 1
-    assert "rna_tpu is not installed; try: pip install 'rna-sdk[tpu]'" in capsys.readouterr().err
-    with pytest.raises(SystemExit):
-        cli.main([*usual[:1], "--preview", "--device", "gpu"])
-    assert "--preview is not for --device gpu" in capsys.readouterr().err

@@ -48,6 +48,8 @@ def test_a_measurement_counts_for_the_whole_image(monkeypatch: pytest.MonkeyPatc
     rendered = []
 
     class Slow:
+        groups, at_once = (), None
+
         def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
             rendered.append(pixels)
             clock.now += len(pixels) * 1e-6

@@ -1,5 +1,7 @@
 // Closest and any hits: a tree over instances, and one in each body's object space. Loops take
-// their lengths from the data.
+// their lengths from the data. Of every hit of a triangle they ask
+//     fn rna_stops(primitive: u32, ray: RnaRay, found: vec3f, instance: u32) -> bool
+// which opaque.wgsl answers, or a host that knows what lets light through; found: (t, b1, b2).
 
 // Nodes to come back to: of the tree over instances, then of a body's. Private, since a function's own
 // array would be set to 0 at every call.
@@ -52,7 +54,7 @@ fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, Rna
         let found = rna_meet_triangle(
             line, rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz,
         );
-        if found.x >= RNA_FAR {
+        if found.x >= RNA_FAR || !rna_stops(primitive, ray, found, (*hit).instance) {
             return false;
         }
         *hit = RnaHit(found.x, (*hit).instance, primitive, found.y, found.z, vec3f(0.0));
@@ -116,12 +118,12 @@ fn rna_trace_instance(
     let scale = rna_instances[RNA_INSTANCE * instance + 6u].w;
     let local = rna_to_object(ray, instance);
     var nearest = *hit;
+    nearest.instance = instance;
     nearest.t = min((*hit).t / scale, RNA_FAR);
     if !rna_trace_body(bitcast<u32>(record.x), local, RNA_NOTHING, any, &nearest) {
         return false;
     }
     nearest.t *= scale;
-    nearest.instance = instance;
     *hit = nearest;
     return true;
 }

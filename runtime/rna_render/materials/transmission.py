@@ -39,7 +39,7 @@ def object_transmittance(mesh: MeshObject) -> Transmittance | None:
             continue
         number[mesh.material_numbers == place] = len(textures)
         textures.append(texture)
-        if (image := _main_texture(material)) is not None:
+        if (image := main_texture(material)) is not None:
             row = np.flatnonzero(np.repeat(mesh.material_numbers == place, 3))
             uv = mesh.uv_set(image.uv_set)[corners[row]].astype(np.float64)
             uvs[row] = uv @ image.transform[:, :2].T + image.transform[:, 2]
@@ -54,7 +54,7 @@ def transmitted_by(material: Material) -> TransmittanceTexture | None:
     return _coverage(material)
 
 
-def _main_texture(material: Material) -> Texture | None:
+def main_texture(material: Material) -> Texture | None:
     """The texture whose coordinates count."""
     if material.transmission > 0:
         return next(iter(_glass_textures(material)), None)

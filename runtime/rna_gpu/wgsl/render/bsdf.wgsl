@@ -1,58 +1,18 @@
-// Metallic-roughness materials of objects and the ground: rna_render/materials/bsdf.py says the
-// formulas and their sources. Without clear coat and transmission.
+// How materials of objects and the ground scatter: rna_render/materials/bsdf.py says the formulas and
+// their sources.
 
-const MIN_ALPHA: f32 = 1e-3;
 const MIN_COSINE: f32 = 1e-4;
+const CLEAR_F0: f32 = 0.04;
 
-struct Bsdf {
-    base: vec3f,
-    alpha: f32,
-    metallic: f32,
-    f0: f32,
-    coat: f32, // its weight
-}
-
-fn texel(record: vec2<u32>, at: vec2<u32>, is_srgb: bool) -> vec3f {
-    let word = images[record.x + 1u + at.y * images[record.x] + at.x];
-    let c = vec3f((vec3<u32>(word) >> vec3<u32>(0u, 8u, 16u)) & vec3<u32>(255u)) / 255.0;
-    if !is_srgb {
-        return c;
-    }
-    return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
-}
-
-// Bilinear, repeated, mixed after decoding.
-fn texture_value(record: vec2<u32>, uv: vec2f, is_srgb: bool) -> vec3f {
-    let size = vec2<i32>(texture_size(record));
-    let at = uv * vec2f(size) - 0.5;
-    let low = floor(at);
-    let first = ((vec2<i32>(low) % size) + size) % size;
-    let i = vec2<u32>(first);
-    let j = vec2<u32>((first + 1) % size);
-    let part = at - low;
-    let upper = mix(texel(record, i, is_srgb), texel(record, vec2(j.x, i.y), is_srgb), part.x);
-    let lower = mix(texel(record, vec2(i.x, j.y), is_srgb), texel(record, j, is_srgb), part.x);
-    return mix(upper, lower, part.y);
-}
-
-fn bsdf_of(v: Vertex) -> Bsdf {
-    let at = frame.surfaces + SURFACE_SIZE * v.surface;
-    var base = table[at + 1u];
-    var rest = table[at + 2u];
-    let srgb = u32(rest.w);
-    let colour = texture_of(v.surface, 0u);
-    if colour.y != 0u {
-        base = vec4f(base.xyz * texture_value(colour, v.uv, (srgb & 1u) != 0u), base.w);
-    }
-    let metal = texture_of(v.surface, 1u);
-    if metal.y != 0u {
-        let value = texture_value(metal, v.uv, (srgb & 2u) != 0u);
-        base.w *= value.y;
-        rest.x *= value.z;
-    }
-    let coat = select(0.0, rest.z, rest.y > 0.0);
-    return Bsdf(base.xyz, max(base.w * base.w, MIN_ALPHA), rest.x, rest.y, coat);
-}
+// Gauss and Legendre on [0, 1], for means over sqrt(cosine) with weight 2 cosine.
+const NODES = array<f32, 8>(
+    0.01985507175123188, 0.10166676129318664, 0.2372337950418355, 0.4082826787521751,
+    0.5917173212478249, 0.7627662049581645, 0.8983332387068134, 0.9801449282487681,
+);
+const WEIGHTS = array<f32, 8>(
+    0.05061426814518813, 0.11119051722668724, 0.15685332293894363, 0.18134189168918099,
+    0.18134189168918099, 0.15685332293894363, 0.11119051722668724, 0.05061426814518813,
+);
 
 // The shading normal on wo's side, with at least MIN_COSINE to wo.
 fn turned_normal(n: vec3f, ng: vec3f, o: vec3f) -> vec3f {
@@ -103,13 +63,25 @@ fn albedo(weight: f32, f0: f32, alpha: f32, cosine: f32) -> f32 {
     return weight * (f0 * terms.x + terms.y);
 }
 
-// The mean of what the coat lets through; means stand behind each row of the table.
+// The mean of what both coats let through; means of the lower one stand behind each row of the table.
 fn mean_passed(b: Bsdf) -> f32 {
-    let r = table_place(sqrt(min(b.alpha, 1.0)));
-    let row = u32(r.x);
-    let last = frame.table_size;
-    let terms = mix(albedo_entry(row, last), albedo_entry(row + 1u, last), r.y);
-    return 1.0 - b.coat * (b.f0 * terms.x + terms.y);
+    if b.clear == 0.0 {
+        let r = table_place(sqrt(min(b.alpha, 1.0)));
+        let row = u32(r.x);
+        let last = frame.table_size;
+        let terms = mix(albedo_entry(row, last), albedo_entry(row + 1u, last), r.y);
+        return 1.0 - b.coat * (b.f0 * terms.x + terms.y);
+    }
+    var nodes = NODES;
+    var weights = WEIGHTS;
+    var result = 0.0;
+    for (var k = 0u; k < 8u; k++) {
+        let cosine = nodes[k] * nodes[k];
+        let passed = (1.0 - albedo(b.coat, b.f0, b.alpha, cosine))
+            * (1.0 - albedo(b.clear, CLEAR_F0, b.clear_alpha, cosine));
+        result += weights[k] * 4.0 * nodes[k] * cosine * passed;
+    }
+    return result;
 }
 
 // D, of the squared sine and the cosine of the half vector to the normal.
@@ -145,40 +117,70 @@ fn half_of(m: vec3f, o: vec3f, i: vec3f) -> Half {
     return Half(dot(aside, aside), min(dot(m, h), 1.0), dot(o, h));
 }
 
-// f(o, i) |n.i|. m: of turned_normal; g: geometric normal.
-fn bsdf_value(b: Bsdf, m: vec3f, g: vec3f, o: vec3f, i: vec3f) -> vec3f {
+// V D about the normal m, and Schlick's weight.
+fn lobe(alpha: f32, m: vec3f, o: vec3f, i: vec3f) -> vec2f {
+    let h = half_of(m, o, i);
     let cos_o = dot(m, o);
-    let cos_i = max(dot(m, i), 0.0);
-    if dot(g, o) * dot(g, i) <= 0.0 || cos_i == 0.0 {
-        return vec3f(0.0);
-    }
-    var mirror = 0.0;
-    var s = 0.0;
-    var below = 1.0;
-    if b.metallic > 0.0 || b.coat > 0.0 {
-        let h = half_of(m, o, i);
-        let root = cos_i * smith_root(b.alpha, cos_o) + cos_o * smith_root(b.alpha, cos_i);
-        mirror = distribution(b.alpha, h.sine2, h.nh) * 0.5 / root;
-        s = schlick(h.oh);
-        below = (1.0 - albedo(b.coat, b.f0, b.alpha, cos_o))
-            * (1.0 - albedo(b.coat, b.f0, b.alpha, cos_i)) / max(mean_passed(b), 1e-9);
-    }
-    let coat = (1.0 - b.metallic) * b.coat * (b.f0 + (1.0 - b.f0) * s);
-    let metal = b.metallic * (b.base + (1.0 - b.base) * s);
-    return cos_i * (mirror * (metal + coat) + b.base * ((1.0 - b.metallic) / PI * below));
+    let cos_i = dot(m, i);
+    let root = cos_i * smith_root(alpha, cos_o) + cos_o * smith_root(alpha, cos_i);
+    return vec2f(distribution(alpha, h.sine2, h.nh) * 0.5 / root, schlick(h.oh));
 }
 
-// Part of the samples for the microfacets.
-fn specular_share(b: Bsdf, cos_o: f32) -> f32 {
-    if b.metallic == 0.0 && b.coat == 0.0 {
-        return 0.0;
+// What the clear coat sends on itself, and lets through to what is below it on both ways: the less
+// of the two, and their product.
+fn clear_coat(b: Bsdf, o: vec3f, i: vec3f) -> vec3f {
+    if b.clear == 0.0 {
+        return vec3f(0.0, 1.0, 1.0);
     }
+    let cos_i = max(dot(b.clear_m, i), 0.0);
+    var sent = 0.0;
+    if cos_i > 0.0 {
+        let found = lobe(b.clear_alpha, b.clear_m, o, i);
+        sent = b.clear * found.x * (CLEAR_F0 + (1.0 - CLEAR_F0) * found.y) * cos_i;
+    }
+    let way_out = 1.0 - albedo(b.clear, CLEAR_F0, b.clear_alpha, dot(b.clear_m, o));
+    let way_in = 1.0 - albedo(b.clear, CLEAR_F0, b.clear_alpha, cos_i);
+    return vec3f(sent, min(way_out, way_in), way_out * way_in);
+}
+
+// f(o, i) |n.i|. g: geometric normal.
+fn bsdf_value(b: Bsdf, g: vec3f, o: vec3f, i: vec3f) -> vec3f {
+    let cos_o = dot(b.m, o);
+    let cos_i = max(dot(b.m, i), 0.0);
+    if dot(g, o) * dot(g, i) <= 0.0 || (cos_i == 0.0 && b.clear == 0.0) {
+        return vec3f(0.0);
+    }
+    let above = clear_coat(b, o, i);
+    if cos_i == 0.0 {
+        return vec3f(above.x);
+    }
+    var mirror = vec2f(0.0);
+    var below = b.diffuse * above.z;
+    if b.metallic > 0.0 || b.coat > 0.0 || b.clear > 0.0 {
+        mirror = lobe(b.alpha, b.m, o, i);
+        below *= (1.0 - albedo(b.coat, b.f0, b.alpha, cos_o))
+            * (1.0 - albedo(b.coat, b.f0, b.alpha, cos_i)) / max(mean_passed(b), 1e-9);
+    }
+    let coat = (1.0 - b.metallic) * b.coat * (b.f0 + (1.0 - b.f0) * mirror.y);
+    let metal = b.metallic * (b.base + (1.0 - b.base) * mirror.y);
+    let diffuse = b.base * ((1.0 - b.metallic) / PI * below);
+    return cos_i * (above.y * mirror.x * (metal + coat) + diffuse) + above.x;
+}
+
+// Parts of the samples for the clear coat, and for the microfacets below it.
+fn lobe_parts(b: Bsdf, o: vec3f) -> vec2f {
+    if b.metallic == 0.0 && b.coat == 0.0 && b.clear == 0.0 {
+        return vec2f(0.0);
+    }
+    let cos_o = dot(b.m, o);
     let mean = (b.base.x + b.base.y + b.base.z) / 3.0;
     let coat = albedo(b.coat, b.f0, b.alpha, cos_o);
-    let specular = b.metallic * albedo(1.0, mean, b.alpha, cos_o) + (1.0 - b.metallic) * coat;
-    let diffuse = (1.0 - b.metallic) * mean * (1.0 - coat);
-    let total = specular + diffuse;
-    return select(0.0, specular / max(total, 1e-30), total > 0.0);
+    let top = albedo(b.clear, CLEAR_F0, b.clear_alpha, dot(b.clear_m, o));
+    var specular = b.metallic * albedo(1.0, mean, b.alpha, cos_o) + (1.0 - b.metallic) * coat;
+    specular *= 1.0 - top;
+    let diffuse = (1.0 - b.metallic) * mean * (1.0 - coat) * b.diffuse * (1.0 - top);
+    let total = top + specular + diffuse;
+    return select(vec2f(0.0), vec2f(top, specular) / max(total, 1e-30), total > 0.0);
 }
 
 // Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps (HPG 2023).
@@ -193,29 +195,42 @@ fn sample_reflection(alpha: f32, o: vec3f, u: vec2f) -> vec3f {
     return 2.0 * dot(o, n) * n - o;
 }
 
-fn bsdf_sample(b: Bsdf, m: vec3f, o: vec3f, u: vec3f) -> vec3f {
-    let local = tangents_of(m);
+fn bsdf_sample(b: Bsdf, o: vec3f, u: vec3f) -> vec3f {
+    let parts = lobe_parts(b, o);
+    let on_clear = u.z < parts.x;
+    let axis = select(b.m, b.clear_m, on_clear);
+    let local = tangents_of(axis);
     var i = vec3f(0.0);
-    if u.z < specular_share(b, dot(m, o)) {
-        i = sample_reflection(b.alpha, vec3f(dot(local.s, o), dot(local.t, o), dot(m, o)), u.xy);
+    if u.z < parts.x + parts.y {
+        let alpha = select(b.alpha, b.clear_alpha, on_clear);
+        let o_local = vec3f(dot(local.s, o), dot(local.t, o), dot(axis, o));
+        i = sample_reflection(alpha, o_local, u.xy);
     } else {
         let radius = sqrt(u.x);
         let phi = 2.0 * PI * u.y;
         i = vec3f(radius * cos(phi), radius * sin(phi), sqrt(1.0 - u.x));
     }
-    return i.x * local.s + i.y * local.t + i.z * m;
+    return i.x * local.s + i.y * local.t + i.z * axis;
 }
 
-fn bsdf_density(b: Bsdf, m: vec3f, o: vec3f, i: vec3f) -> f32 {
-    let specular = specular_share(b, dot(m, o));
-    var density = (1.0 - specular) * max(0.0, dot(m, i)) / PI;
-    if specular > 0.0 {
-        let h = half_of(m, o, i);
-        if h.nh > 0.0 {
-            let cos_o = dot(m, o);
-            density += specular * distribution(b.alpha, h.sine2, h.nh)
-                / (2.0 * (cos_o + smith_root(b.alpha, cos_o)));
-        }
+// Of sample_reflection about m.
+fn reflected_density(alpha: f32, m: vec3f, o: vec3f, i: vec3f) -> f32 {
+    let h = half_of(m, o, i);
+    if h.nh <= 0.0 {
+        return 0.0;
+    }
+    let cos_o = dot(m, o);
+    return distribution(alpha, h.sine2, h.nh) / (2.0 * (cos_o + smith_root(alpha, cos_o)));
+}
+
+fn bsdf_density(b: Bsdf, o: vec3f, i: vec3f) -> f32 {
+    let parts = lobe_parts(b, o);
+    var density = (1.0 - parts.x - parts.y) * max(0.0, dot(b.m, i)) / PI;
+    if parts.y > 0.0 {
+        density += parts.y * reflected_density(b.alpha, b.m, o, i);
+    }
+    if parts.x > 0.0 {
+        density += parts.x * reflected_density(b.clear_alpha, b.clear_m, o, i);
     }
     return density;
 }

@@ -1,5 +1,7 @@
 // The first rays, and sums of 0.
 
+@group(1) @binding(0) var<storage, read> pixels: array<u32>; // of the band
+
 @compute @workgroup_size(64)
 fn camera(
     @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
@@ -8,7 +10,7 @@ fn camera(
     if k >= frame.paths {
         return;
     }
-    let pixel = frame.first_pixel + k;
+    let pixel = pixels[k];
     let u = square(pixel, 0u, frame.sample);
     let x = f32(pixel % frame.width) + u.x;
     let y = f32(pixel / frame.width) + u.y;
@@ -20,7 +22,7 @@ fn camera(
     path.state = ALIVE;
     path.own = NONE;
     paths[k] = path;
-    pendings[k].part = NONE;
+    pendings[2u * k].part = NONE;
     for (var slot = 0u; slot < frame.sums; slot++) {
         sums[frame.sums * k + slot] = vec4f(0.0);
     }

@@ -9,18 +9,26 @@ fn closest(
         return;
     }
     let path = paths[k];
-    let hit = trace(RnaRay(path.origin, 0.0, path.direction, RNA_FAR), path.own, false);
+    let ray = RnaRay(path.origin, 0.0, path.direction, RNA_FAR);
+    let found = closest_through(ray, path.own, chance_of(path.pixel));
+    let hit = found.hit;
     paths[k].t = hit.t;
     paths[k].instance = hit.instance;
     paths[k].primitive = hit.primitive;
     paths[k].b1 = hit.b1;
     paths[k].b2 = hit.b2;
     paths[k].normal = hit.normal;
-    if pendings[k].part == NONE {
+    let asked = pendings[2u * k];
+    if asked.part == NONE {
+        paths[k].beta = path.beta * found.weight;
         return;
     }
-    pendings[k].visible = select(0.0, 1.0, path.self_t > hit.t || path.self_t >= RNA_FAR);
     if hit.instance == RNA_NOTHING && (frame.flags & HAS_SKY) == 0u {
-        pendings[k].part = NONE; // a ray into a black sky brings nothing
+        pendings[2u * k].part = NONE; // a ray into a black sky brings nothing
+        return;
     }
+    let far = min(hit.t / rna_instances[RNA_INSTANCE * path.own + 6u].w, RNA_FAR);
+    let way = RnaRay(path.leaving, 0.0, asked.wi, far);
+    pendings[2u * k].visible = own_kept(path.own, way, asked.strand);
+    pendings[2u * k].weight = asked.weight * found.weight;
 }

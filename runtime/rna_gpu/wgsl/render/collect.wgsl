@@ -1,11 +1,14 @@
 // The light that rays have met, and what the camera sees; ends paths that met no scatterer.
 
-fn add_met(k: u32, path: Path, light: u32, met: Met) {
-    var weight = path.beta;
-    if frame.depth > 0u {
-        weight *= share(path.pdf, light_probability(light, frame.depth) * met.pdf);
+fn met_weight(path: Path, light: u32, pdf: f32) -> vec3f {
+    if frame.depth == 0u {
+        return path.beta;
     }
-    add_light(k, light, clamped(weight * met.radiance));
+    return path.beta * share(path.pdf, light_probability(light, frame.depth) * pdf);
+}
+
+fn add_met(k: u32, path: Path, light: u32, met: Met) {
+    add_light(k, light, clamped(met_weight(path, light, met.pdf) * met.radiance));
 }
 
 fn collect_sky(k: u32, path: Path) {
@@ -31,10 +34,31 @@ fn collect_shape(k: u32, path: Path) {
     add_met(k, path, light, Met(radiance, pdf));
 }
 
-// Asks what an asset emits itself: times the factor of its instance.
-fn ask_emission(k: u32, path: Path, v: Vertex) {
-    let weight = path.beta * rna_instances[RNA_INSTANCE * v.instance + 7u].w;
-    pendings[k] = Pending(v.x, v.h, v.axis, v.part, v.wo, 1.0, v.wo, NONE, weight, 0u);
+// The light of a thing that scatters, too.
+fn collect_shining(k: u32, path: Path, record: vec4<u32>) {
+    let light = bitcast<u32>(rna_instances[RNA_INSTANCE * path.instance + 7u].w);
+    if light == NONE || !surface_has(record.w >> 1u, EMITS) {
+        return;
+    }
+    if frame.depth > 0u && (frame.flags & RAYS_MEET_LIGHTS) == 0u {
+        return;
+    }
+    var pdf = 0.0;
+    if (record.w & 1u) == 0u { // strands are found by rays alone
+        let x = rna_object_point(path.origin, path.instance);
+        let d = rna_object_direction(path.direction, path.instance);
+        pdf = triangle_pdf(light, path.primitive, x, d);
+    }
+    if surface_kind(record.w >> 1u) == OF_MATERIAL {
+        add_met(k, path, light, Met(emission_on(record, path.b1, path.b2), pdf));
+        return;
+    }
+    let weight = met_weight(path, light, pdf) * light_vector(light, 0u);
+    let v = vertex_of(path);
+    let none = vec3f(0.0);
+    pendings[2u * k] = Pending(
+        v.x, v.h, v.axis, v.part, v.wo, light, v.wo, NONE, weight, 0.0, none, 0u,
+    );
 }
 
 fn describe(k: u32, v: Vertex) {
@@ -71,7 +95,7 @@ fn collect(
         return;
     }
     let path = paths[k];
-    pendings[k].part = NONE;
+    pendings[2u * k].part = NONE;
     let meets = frame.depth == 0u || (frame.flags & RAYS_MEET_LIGHTS) != 0u;
     if path.instance == RNA_NOTHING {
         paths[k].state = DEAD;
@@ -84,16 +108,10 @@ fn collect(
             collect_shape(k, path);
         }
     } else if thing_of(path.instance).y == SCATTERS {
-        let emits = surface_emits(rna_primitives[path.primitive].w >> 1u);
-        if emits || frame.depth == 0u {
-            let v = vertex_of(path);
-            if frame.depth == 0u {
-                describe(k, v);
-            }
-            if emits {
-                ask_emission(k, path, v);
-            }
+        if frame.depth == 0u {
+            describe(k, vertex_of(path));
         }
+        collect_shining(k, path, rna_primitives[path.primitive]);
     } else if frame.depth == 0u {
         behind_catcher(k, path);
     }

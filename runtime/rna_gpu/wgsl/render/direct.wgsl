@@ -1,5 +1,5 @@
 // A sample of a light at each path's point: what materials send on is added at once, what assets send
-// on waits for their decoder.
+// on waits for their decoder, and before that for the decoder of what an asset emits as a light.
 
 // Direction and length of the ray from `origin` to just before the light's point.
 fn shadow_ray(x: vec3f, origin: vec3f, light: LightSample) -> RnaRay {
@@ -34,52 +34,103 @@ fn light_point(pixel: u32) -> vec2f {
     return square(pixel, dimension, frame.sample * frame.parts + frame.part);
 }
 
+// Asks what an asset emits at the point of it that was sampled, towards the path's point, with the
+// share of it that is there; or does the same for an object. Returns the sample with its radiance.
+fn shining(k: u32, light: u32, found: LightSample) -> LightSample {
+    var lit = found;
+    let instance = light_instance(light);
+    let record = rna_primitives[found.primitive];
+    let there = triangle_vertex(record, found.b1, found.b2);
+    let d = rna_object_direction(found.wi, instance);
+    if surface_kind(record.w >> 1u) == OF_MATERIAL {
+        let tau = transmittance(record, found.b1, found.b2, vec3f(1.0), true);
+        lit.radiance *= emission_on(record, found.b1, found.b2) * (1.0 - tau);
+        return lit;
+    }
+    lit.radiance *= 1.0 - transmittance(record, found.b1, found.b2, d, dot(there.ng, d) < 0.0);
+    let none = vec3f(0.0);
+    let part = surface_part(record.w >> 1u);
+    pendings[2u * k + 1u] = Pending(
+        there.x, 0.0, there.axis, part, -d, light, -d, NONE, none, 0.0, none, 0u,
+    );
+    return lit;
+}
+
+fn waits_for_light(k: u32) -> bool {
+    return pendings[2u * k + 1u].part != NONE;
+}
+
+fn mean_of(c: vec3f) -> f32 {
+    return (c.x + c.y + c.z) / 3.0;
+}
+
 // How much of the light a shadow catcher receives, and would without what is in the way.
-fn catch_light(k: u32, path: Path, v: Vertex, light: u32, found: LightSample) {
+fn catch_light(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, kept: vec3f) {
     var cosine = abs(dot(v.n_world, found.wi));
     if dot(v.ng_world, path.direction) * dot(v.ng_world, found.wi) >= 0.0 {
         cosine = 0.0;
     }
-    let pdf = found.pdf * light_probability(light, 1u);
-    if pdf <= 0.0 || cosine == 0.0 {
+    let weight = found.radiance * (cosine / (found.pdf * light_probability(light, 1u)));
+    if waits_for_light(k) {
+        pendings[2u * k].part = CATCHES_IT;
+        pendings[2u * k].weight = weight;
+        pendings[2u * k].visible = kept;
         return;
     }
-    let received = cosine / pdf * dot(found.radiance, vec3f(1.0 / 3.0));
-    let ray = shadow_ray(v.x_world, origin_of(v, found.wi), found);
-    let free = trace(ray, NONE, true).instance == RNA_NOTHING;
-    sums[frame.sums * k + 3u] += vec4f(0.0, 0.0, select(0.0, received, free), received);
+    sums[frame.sums * k + 3u] += vec4f(0.0, 0.0, mean_of(weight * kept), mean_of(weight));
 }
 
-fn direct_material(k: u32, path: Path, v: Vertex, light: u32, found: LightSample) {
+// The part of the estimate that belongs to samples of this light, over its density.
+fn light_share(light: u32, pdf_of_light: f32, own: f32) -> f32 {
+    let pdf = pdf_of_light * light_probability(light, frame.depth);
+    if (light_flags(light) & 2u) != 0u || (frame.flags & RAYS_MEET_LIGHTS) == 0u {
+        return 1.0 / pdf;
+    }
+    return share(pdf, own) / pdf;
+}
+
+fn direct_material(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, kept: vec3f) {
     let b = bsdf_of(v);
     let wi = rna_object_direction(found.wi, v.instance);
-    let m = turned_normal(v.n, v.ng, v.wo);
-    let pdf = found.pdf * light_probability(light, frame.depth);
-    var own = bsdf_density(b, m, v.wo, wi);
-    if (light_flags(light) & 2u) != 0u || (frame.flags & RAYS_MEET_LIGHTS) == 0u {
-        own = 0.0;
+    let value = bsdf_value(b, v.ng, v.wo, wi) / ending_share(v);
+    let share_of = light_share(light, found.pdf, bsdf_density(b, v.wo, wi));
+    let weight = path.beta * value * found.radiance * share_of * kept;
+    if waits_for_light(k) {
+        pendings[2u * k].part = ADDS;
+        pendings[2u * k].light = light;
+        pendings[2u * k].weight = weight;
+    } else {
+        add_light(k, light, clamped(weight));
     }
-    let value = bsdf_value(b, m, v.ng, v.wo, wi) * found.radiance * (share(pdf, own) / pdf);
-    add_light(k, light, clamped(path.beta * value));
+    count_seen(k, mean_of(kept));
 }
 
-fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, found: LightSample) {
+fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, kept: vec3f) {
     let wi = rna_object_direction(found.wi, v.instance);
-    let far = min(found.distance / instance_scale(v), RNA_FAR);
-    let visible = trace_own(v, own_ray(v, wi, far), true).instance == RNA_NOTHING;
-    let pdf = found.pdf * light_probability(light, frame.depth);
-    var own = 0.0;
-    if (light_flags(light) & 2u) == 0u && (frame.flags & RAYS_MEET_LIGHTS) != 0u {
-        let is_fiber = v.kind == OF_FIBERS;
-        let tangent = select(vec3f(0.0), v.axis, is_fiber);
-        own = lobe_density(lobe_frame(v.shading, tangent, v.wo), is_fiber, wi);
-    }
-    let weight = path.beta * found.radiance * (share(pdf, own) / pdf);
-    let seen = select(0.0, 1.0, visible);
-    pendings[k] = Pending(v.x, v.h, v.axis, v.part, v.wo, seen, wi, light, weight, 0u);
+    let far = min(found.distance / instance_scale(v.instance), RNA_FAR);
+    let way = RnaRay(leaving_point(v, wi), 0.0, wi, far);
+    let visible = own_kept(v.instance, way, v.strand);
+    let is_fiber = v.kind == OF_FIBERS;
+    let tangent = select(vec3f(0.0), v.axis, is_fiber);
+    let own = lobe_density(lobe_frame(v.shading, tangent, v.wo), is_fiber, wi);
+    let weight = path.beta * found.radiance * light_share(light, found.pdf, own) * kept;
+    pendings[2u * k] = Pending(
+        v.x, v.h, v.axis, v.part, v.wo, light, wi, v.strand, weight, 0.0, visible, 0u,
+    );
+    count_seen(k, mean_of(visible) * mean_of(kept));
+}
+
+fn count_seen(k: u32, seen: f32) {
+    pendings[2u * k].seen = seen;
     if frame.depth == 1u {
         sums[frame.sums * k + 3u].y += seen;
     }
+}
+
+// Whether what the light throws on the point's own instance is part of its transport.
+fn is_own_light(light: u32, v: Vertex) -> bool {
+    return light_kind(light) == TRIANGLES && light_instance(light) == v.instance
+        && thing_of(v.instance).w == 1.0;
 }
 
 @compute @workgroup_size(64)
@@ -90,35 +141,36 @@ fn direct(
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }
-    pendings[k].part = NONE;
+    pendings[2u * k].part = NONE;
+    pendings[2u * k + 1u].part = NONE;
     let path = paths[k];
     let v = vertex_of(path);
-    let light = chosen_light(path.pixel);
-    let found = sample_light(light, v.x_world, light_point(path.pixel));
     let thing = thing_of(v.instance);
-    if thing.y == CATCHES {
-        if frame.depth == 1u {
-            catch_light(k, path, v, light, found);
-        }
+    let catches = thing.y == CATCHES;
+    let light = chosen_light(path.pixel);
+    if (catches && frame.depth != 1u) || is_own_light(light, v) {
         return;
+    }
+    var found = sample_light(light, v.x_world, light_point(path.pixel));
+    if found.pdf > 0.0 && found.primitive != NONE {
+        found = shining(k, light, found);
     }
     if found.pdf <= 0.0 || all(found.radiance <= vec3f(0.0)) {
+        pendings[2u * k + 1u].part = NONE;
         return;
     }
-    if frame.depth == 1u {
+    if frame.depth == 1u && !catches {
         sums[frame.sums * k + 3u].x += 1.0;
     }
     let own = select(NONE, v.instance, thing.w == 1.0);
-    let ray = shadow_ray(v.x_world, origin_of(v, found.wi), found);
-    if trace(ray, own, true).instance != RNA_NOTHING {
-        return;
-    }
-    if v.kind == OF_MATERIAL {
-        direct_material(k, path, v, light, found);
-        if frame.depth == 1u {
-            sums[frame.sums * k + 3u].y += 1.0;
-        }
+    let kept = kept_on(shadow_ray(v.x_world, origin_of(v, found.wi), found), own);
+    if catches {
+        catch_light(k, path, v, light, found, kept);
+    } else if all(kept <= vec3f(0.0)) {
+        pendings[2u * k + 1u].part = NONE;
+    } else if v.kind == OF_MATERIAL {
+        direct_material(k, path, v, light, found, kept);
     } else {
-        direct_neural(k, path, v, light, found);
+        direct_neural(k, path, v, light, found, kept);
     }
 }

@@ -1,5 +1,7 @@
 // Directions about an axis.
 
+const SPHERE_PDF: f32 = 1.0 / (4.0 * PI);
+
 struct Tangents {
     s: vec3f,
     t: vec3f,

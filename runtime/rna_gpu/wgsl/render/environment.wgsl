@@ -133,7 +133,7 @@ fn sample_image(light: u32, u: vec2f) -> LightSample {
     let wi = vec3f(turn.x * away + turn.y * along, cos(theta), turn.x * along - turn.y * away);
     let radiance = in_cell(cell, x, y);
     let pdf = image_density(light, row, sine, luminance(radiance), dot(l, vec4f(0.25)));
-    return LightSample(wi, RNA_FAR, light_vector(light, 0u) * radiance, pdf);
+    return light_sample(wi, RNA_FAR, light_vector(light, 0u) * radiance, pdf);
 }
 
 fn look_up_image(light: u32, d: vec3f) -> Met {

@@ -4,7 +4,7 @@ struct Frame {
     camera: vec3f,
     width: u32,
     corner: vec3f, // direction through the image's top left corner
-    first_pixel: u32,
+    textures: u32, // as `things` below
     step_x: vec3f, // of a pixel
     paths: u32,
     step_y: vec3f,
@@ -22,9 +22,10 @@ struct Frame {
     lights: u32,
     albedo: u32,
     sums: u32, // vec4f a path: beauty, normal and hit, position and number, lights, behind catcher
-    flags: u32, // HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS, FOR_EMISSION
+    flags: u32, // of those below
     neural_part: u32,
     table_size: u32, // of albedo
+    domains: u32,
 }
 
 const NONE: u32 = 0xffffffffu;
@@ -32,6 +33,8 @@ const HAS_SKY: u32 = 1u;
 const FOR_BETA: u32 = 2u;
 const RAYS_MEET_LIGHTS: u32 = 4u;
 const FOR_EMISSION: u32 = 8u;
+const FOR_LIGHT: u32 = 16u;
+const TRANSMITS: u32 = 32u; // something lets light through
 const IS_LIGHT: u32 = 0x80000000u; // with a light's number, in place of an instance
 const PI: f32 = 3.14159265358979;
 const SHADOW_RAY: u32 = 4u;
@@ -55,24 +58,29 @@ struct Path {
     primitive: u32,
     own: u32, // instance that the ray passes through
     b1: f32,
+    leaving: vec3f, // of a ray that leaves an asset: its start in object space
     b2: f32,
-    self_t: f32, // where a ray that leaves an asset meets the asset itself
-    reserved: vec2<u32>,
 }
 
-// A query of a decoder: its row, and what becomes of the result.
+// A query of a decoder: its row, and what becomes of the result. A path has two: what its point
+// sends on, and what an asset emits that its point samples as a light.
 struct Pending {
     x: vec3f,
     h: f32,
     axis: vec3f,
-    part: u32, // NONE: nothing is asked
+    part: u32, // or one of those below
     wo: vec3f,
-    visible: f32,
-    wi: vec3f,
     light: u32,
+    wi: vec3f,
+    strand: u32, // that a ray from here passes through
     weight: vec3f,
+    seen: f32, // mean of what all that is in the way leaves of the light
+    visible: vec3f, // what the asset itself leaves of it
     reserved: u32,
 }
+
+const ADDS: u32 = 0xfffffffeu; // parts, beside NONE: no decoder is asked what is sent on
+const CATCHES_IT: u32 = 0xfffffffdu; // a shadow catcher
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read_write> paths: array<Path>;

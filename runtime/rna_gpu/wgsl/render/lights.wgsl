@@ -1,7 +1,7 @@
 // Lights: samples of them, and what rays that meet them find. They are those of rna_render.lights.
 
-// A light is LIGHT_SIZE vec4f: kind, group, flags (1 camera sees it, 2 delta); 20 numbers; samples
-// at a point of depth 1, 2 and later; places in `images`.
+// A light is LIGHT_SIZE vec4f: kind, group, flags (1 camera sees it, 2 delta), instance of triangles; 20
+// numbers; samples at a point of depth 1, 2 and later; places in `images`.
 const DIRECTIONAL: u32 = 0u;
 const SUN: u32 = 1u;
 const POINT: u32 = 2u;
@@ -10,15 +10,22 @@ const DISK: u32 = 4u;
 const SPHERE: u32 = 5u;
 const UNIFORM: u32 = 6u;
 const IMAGE: u32 = 7u;
-const SPHERE_PDF: f32 = 1.0 / (4.0 * PI);
+const TRIANGLES: u32 = 8u;
 const MAX_PDF: f32 = 1e18;
 const MIN_SOLID_ANGLE: f32 = 1e-3; // float32 knows no smaller one to 1e-3 of itself
 
 struct LightSample {
     wi: vec3f,
     distance: f32,
-    radiance: vec3f,
+    radiance: vec3f, // of an asset's triangles a factor on what they emit
     pdf: f32,
+    primitive: u32, // of triangles
+    b1: f32,
+    b2: f32,
+}
+
+fn light_sample(wi: vec3f, distance: f32, radiance: vec3f, pdf: f32) -> LightSample {
+    return LightSample(wi, distance, radiance, pdf, NONE, 0.0, 0.0);
 }
 
 struct Met {
@@ -191,7 +198,7 @@ fn point_light(light: u32, x: vec3f) -> LightSample {
     let way = light_vector(light, 3u) - x;
     let r = length(way);
     if r <= 0.0 {
-        return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
+        return light_sample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
     }
     let wi = way / r;
     let cosine = -dot(wi, light_vector(light, 6u));
@@ -203,7 +210,7 @@ fn point_light(light: u32, x: vec3f) -> LightSample {
         factor = t * t * (3.0 - 2.0 * t);
     }
     let pdf = select(0.0, 1.0, factor > 0.0);
-    return LightSample(wi, r, factor / (r * r) * light_vector(light, 0u), pdf);
+    return light_sample(wi, r, factor / (r * r) * light_vector(light, 0u), pdf);
 }
 
 fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
@@ -214,16 +221,19 @@ fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
         return sample_image(light, u);
     }
     if kind == UNIFORM {
-        return LightSample(
+        return light_sample(
             cone_direction(vec3f(0.0, 0.0, 1.0), 2.0, u), RNA_FAR, colour, SPHERE_PDF,
         );
     }
     if kind == SUN {
         let cone = light_number(light, 6u);
-        return LightSample(cone_direction(axis, cone, u), RNA_FAR, colour, 1.0 / (2.0 * PI * cone));
+        return light_sample(cone_direction(axis, cone, u), RNA_FAR, colour, 1.0 / (2.0 * PI * cone));
     }
     if kind == DIRECTIONAL {
-        return LightSample(axis, RNA_FAR, colour, 1.0);
+        return light_sample(axis, RNA_FAR, colour, 1.0);
+    }
+    if kind == TRIANGLES {
+        return sample_triangles(light, x, u);
     }
     if kind == POINT {
         return point_light(light, x);
@@ -231,9 +241,9 @@ fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
     let way = shape_point(light, x, u);
     let r = length(way);
     if r <= 0.0 {
-        return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
+        return light_sample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
     }
-    return LightSample(way / r, r, colour, shape_pdf(light, x, way / r));
+    return light_sample(way / r, r, colour, shape_pdf(light, x, way / r));
 }
 
 // What a ray along d that leaves the scene finds.
@@ -286,18 +296,4 @@ fn meet_light(light: u32, ray: RnaRay) -> f32 {
         t = select(RNA_FAR, t, inside);
     }
     return select(RNA_FAR, t, t >= ray.near && t < ray.far);
-}
-
-// The closest hit of bodies and of lights with a shape.
-fn trace(ray: RnaRay, own: u32, any: bool) -> RnaHit {
-    var hit = rna_trace(ray, own, frame.rays, any);
-    for (var light = 0u; light < frame.light_count; light++) {
-        let hidden = frame.rays == 1u && (light_flags(light) & 1u) == 0u;
-        let t = meet_light(light, RnaRay(ray.origin, ray.near, ray.direction, hit.t));
-        if !hidden && t < RNA_FAR && (hit.instance == RNA_NOTHING || t < hit.t) {
-            hit = rna_miss(t);
-            hit.instance = IS_LIGHT | light;
-        }
-    }
-    return hit;
 }

@@ -45,3 +45,9 @@ fn square(pixel: u32, dimension: u32, number: u32) -> vec2f {
 fn at_point(pixel: u32, dimension: u32) -> vec2f {
     return square(pixel, (frame.depth - 1u) * DIMENSIONS + dimension, frame.sample);
 }
+
+// What a path's next ray passes at random through.
+fn chance_of(pixel: u32) -> u32 {
+    let path = hash_bits(hash_bits(frame.seed + 1u) ^ hash_bits(pixel + 1u));
+    return hash_bits(hash_bits(path ^ frame.sample) + frame.depth);
+}

@@ -8,7 +8,7 @@ fn scatter(
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }
-    pendings[k].part = NONE;
+    pendings[2u * k].part = NONE;
     let path = paths[k];
     let thing = thing_of(path.instance);
     if thing.y == CATCHES {
@@ -30,10 +30,9 @@ fn scatter(
     var pdf = 0.0;
     if v.kind == OF_MATERIAL {
         let b = bsdf_of(v);
-        let m = turned_normal(v.n, v.ng, v.wo);
-        wi = bsdf_sample(b, m, v.wo, u);
-        pdf = bsdf_density(b, m, v.wo, wi);
-        let value = bsdf_value(b, m, v.ng, v.wo, wi);
+        wi = bsdf_sample(b, v.wo, u);
+        pdf = bsdf_density(b, v.wo, wi);
+        let value = bsdf_value(b, v.ng, v.wo, wi) / ending_share(v);
         beta *= select(vec3f(0.0), value / max(pdf, 1e-30), pdf > 0.0);
         if all(beta <= vec3f(0.0)) {
             paths[k].state = DEAD;
@@ -44,10 +43,11 @@ fn scatter(
         let at = lobe_frame(v.shading, select(vec3f(0.0), v.axis, is_fiber), v.wo);
         wi = lobe_sample(at, is_fiber, u);
         pdf = lobe_density(at, is_fiber, wi);
-        let own = trace_own(v, own_ray(v, wi, RNA_FAR), false);
-        paths[k].self_t = min(own.t * instance_scale(v), RNA_FAR);
         let weight = beta / max(pdf, 1e-30);
-        pendings[k] = Pending(v.x, v.h, v.axis, v.part, v.wo, 1.0, wi, NONE, weight, 0u);
+        pendings[2u * k] = Pending(
+            v.x, v.h, v.axis, v.part, v.wo, NONE, wi, v.strand, weight, 0.0, vec3f(0.0), 0u,
+        );
+        paths[k].leaving = leaving_point(v, wi);
         beta = vec3f(0.0); // until the decoder has answered
     }
     let wi_world = normalize(rna_world_direction(wi, v.instance));

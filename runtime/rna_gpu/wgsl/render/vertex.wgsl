@@ -1,13 +1,7 @@
 // The point that a path has come to, from its hit.
 
-@group(2) @binding(4) var<storage, read> normals: array<vec4f>;
-
 const SCATTERS: f32 = 0.0; // roles of things
 const CATCHES: f32 = 1.0;
-
-const OF_MATERIAL: u32 = 0u; // kinds of surfaces
-const OF_NEURAL: u32 = 1u;
-const OF_FIBERS: u32 = 2u;
 
 struct Vertex {
     x: vec3f, // object space, as all that is not said otherwise
@@ -25,8 +19,10 @@ struct Vertex {
     x_world: vec3f,
     shading: vec3f, // mapped normal of meshes, n of strands
     n_world: vec3f, // the same
-    uv: vec2f,
+    b1: f32,
     ng_world: vec3f,
+    b2: f32,
+    record: vec4<u32>, // of its primitive
 }
 
 // number, role, step off the surface, 1 where rays that start on it pass through it
@@ -34,46 +30,21 @@ fn thing_of(instance: u32) -> vec4f {
     return table[frame.things + instance];
 }
 
-const SURFACE_SIZE: u32 = 4u; // vec4f: kind, part, 1 where it emits; base colour, roughness; metallic, F0, coat's
-                              // weight, which textures are sRGB; place and size of two textures
-
-fn surface_kind(surface: u32) -> u32 {
-    return bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * surface].x);
-}
-
-fn surface_emits(surface: u32) -> bool {
-    return bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * surface].z) == 1u;
-}
-
-// Place in `images`, and rows * 65536 + columns, 0 for none: of normals or base colour, and of
-// metallic and roughness.
-fn texture_of(surface: u32, k: u32) -> vec2<u32> {
-    let record = bitcast<vec4<u32>>(table[frame.surfaces + SURFACE_SIZE * surface + 3u]);
-    return select(record.xy, record.zw, k == 1u);
-}
-
-fn texture_size(record: vec2<u32>) -> vec2<u32> {
-    return vec2<u32>(record.y & 0xffffu, record.y >> 16u);
-}
-
 // Of a normal map: a u32 a texel, whose first two bytes are its numbers.
 fn rna_map_texel(map: u32, row: u32, column: u32) -> vec2f {
-    let word = images[map + 1u + row * images[map] + column];
+    let at = image_of(map);
+    let word = images[at.place + row * at.size.x + column];
     return vec2f(f32(word & 255u), f32((word >> 8u) & 255u));
 }
 
-fn corner_uv(point: u32) -> vec2f {
-    return vec2f(rna_points[point].w, normals[point].w);
-}
-
-fn triangle_vertex(path: Path, record: vec4<u32>) -> Vertex {
+fn triangle_vertex(record: vec4<u32>, b1: f32, b2: f32) -> Vertex {
     var v: Vertex;
-    let b = vec3f(1.0 - path.b1 - path.b2, path.b1, path.b2);
+    let b = weights_of(b1, b2);
     let p = mat3x3f(
         rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz,
     );
     let n = mat3x3f(normals[record.x].xyz, normals[record.y].xyz, normals[record.z].xyz);
-    v.x = p[0] + path.b1 * (p[1] - p[0]) + path.b2 * (p[2] - p[0]);
+    v.x = p[0] + b1 * (p[1] - p[0]) + b2 * (p[2] - p[0]);
     let mixed = n * b;
     v.n = select(vec3f(0.0), mixed / max(length(mixed), 1e-30), dot(mixed, mixed) > 0.0);
     let area = cross(p[1] - p[0], p[2] - p[0]);
@@ -82,12 +53,12 @@ fn triangle_vertex(path: Path, record: vec4<u32>) -> Vertex {
         v.ng = normalize(area / largest);
     }
     v.lift = rna_lift(v.x, b, p, n);
-    let uv = mat3x2f(corner_uv(record.x), corner_uv(record.y), corner_uv(record.z));
-    v.uv = uv * b;
     v.shading = v.n;
-    let map = texture_of(record.w >> 1u, 0u);
-    if surface_kind(record.w >> 1u) == OF_NEURAL && map.y != 0u {
-        v.shading = rna_mapped_normal(map.x, texture_size(map), v.n, p, uv, b);
+    v.b1 = b1;
+    v.b2 = b2;
+    let map = bitcast<u32>(surface_row(record.w >> 1u, 0u).w);
+    if map != NONE {
+        v.shading = rna_mapped_normal(map, image_of(map).size, v.n, p, corner_uvs(record, 0u), b);
     }
     v.axis = v.shading;
     v.strand = RNA_NOTHING;
@@ -131,13 +102,17 @@ fn vertex_of(path: Path) -> Vertex {
     let wo = rna_object_direction(-path.direction, path.instance);
     var v: Vertex;
     if (record.w & 1u) == 0u {
-        v = triangle_vertex(path, record);
+        v = triangle_vertex(record, path.b1, path.b2);
     } else {
         v = segment_vertex(path, record, wo);
     }
+    v.record = record;
     v.surface = record.w >> 1u;
     v.kind = surface_kind(v.surface);
-    v.part = bitcast<u32>(table[frame.surfaces + SURFACE_SIZE * v.surface].y);
+    v.part = surface_part(v.surface);
+    if v.kind == OF_MATERIAL {
+        v.shading = bumped_normal(record, v.b1, v.b2, v.n, v.ng, wo);
+    }
     v.wo = wo;
     v.instance = path.instance;
     v.x_world = rna_world_point(v.x, path.instance);
@@ -152,24 +127,15 @@ fn origin_of(v: Vertex, wi_world: vec3f) -> vec3f {
     return v.x_world + select(step, -step, dot(v.ng_world, wi_world) < 0.0) * v.ng_world;
 }
 
-// The ray along wi that asks whether the asset itself is in the way.
-fn own_ray(v: Vertex, wi: vec3f, far: f32) -> RnaRay {
+// Where the ray along wi starts that asks whether the asset itself is in the way; object space.
+fn leaving_point(v: Vertex, wi: vec3f) -> vec3f {
     if v.kind == OF_FIBERS {
-        return RnaRay(v.x, 0.0, wi, far);
+        return v.x;
     }
     let extent = rna_instances[RNA_INSTANCE * v.instance + 7u].z;
-    return RnaRay(rna_leaving_origin(v.x, v.n, v.ng, v.lift, wi, extent), 0.0, wi, far);
+    return rna_leaving_origin(v.x, v.n, v.ng, v.lift, wi, extent);
 }
 
-fn trace_own(v: Vertex, ray: RnaRay, any: bool) -> RnaHit {
-    var hit = rna_miss(ray.far);
-    let root = bitcast<u32>(rna_instances[RNA_INSTANCE * v.instance + 7u].x);
-    if rna_trace_body(root, ray, v.strand, any, &hit) {
-        hit.instance = v.instance;
-    }
-    return hit;
-}
-
-fn instance_scale(v: Vertex) -> f32 {
-    return rna_instances[RNA_INSTANCE * v.instance + 6u].w;
+fn instance_scale(instance: u32) -> f32 {
+    return rna_instances[RNA_INSTANCE * instance + 6u].w;
 }

@@ -1,0 +1,65 @@
+// Rays of the three sorts through the whole scene, lights with a shape among it.
+
+// The hit, or a nearer one of a light with a shape.
+fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit {
+    var hit = met;
+    for (var light = 0u; light < frame.light_count; light++) {
+        let hidden = frame.rays == 1u && (light_flags(light) & 1u) == 0u;
+        let t = meet_light(light, RnaRay(ray.origin, ray.near, ray.direction, hit.t));
+        if !hidden && t < RNA_FAR && (hit.instance == RNA_NOTHING || t < hit.t) {
+            hit = rna_miss(t);
+            hit.instance = IS_LIGHT | light;
+        }
+    }
+    return hit;
+}
+
+struct Through {
+    hit: RnaHit,
+    weight: vec3f, // for what the ray passed or met at random, if that has a colour
+}
+
+// The closest hit of a camera or indirect ray; `key` decides what it passes.
+fn closest_through(ray: RnaRay, own: u32, key: u32) -> Through {
+    var hit = rna_miss(ray.far);
+    var line = ray;
+    var share = vec3f(1.0);
+    chance_key = key;
+    stopped_share = vec3f(1.0);
+    start_passing(AT_RANDOM);
+    loop {
+        let found = rna_trace(line, own, frame.rays, false);
+        if passing == WEIGH {
+            break;
+        }
+        hit = with_lights(ray, found);
+        let is_triangle = (hit.instance & IS_LIGHT) == 0u
+            && (rna_primitives[hit.primitive].w & 1u) == 0u;
+        share = select(share, stopped_share, is_triangle);
+        if !is_coloured {
+            break;
+        }
+        passing = WEIGH;
+        line.far = hit.t;
+    }
+    return Through(hit, share * passed_weight);
+}
+
+// What a shadow ray keeps of its light.
+fn kept_on(ray: RnaRay, own: u32) -> vec3f {
+    start_passing(WEAKEN);
+    var hit = rna_trace(ray, own, frame.rays, true);
+    if hit.instance == RNA_NOTHING {
+        hit = with_lights(ray, hit);
+    }
+    return select(vec3f(0.0), passed_weight, hit.instance == RNA_NOTHING);
+}
+
+// What an asset leaves of light along a ray from itself, in its object space.
+fn own_kept(instance: u32, ray: RnaRay, strand: u32) -> vec3f {
+    var hit = rna_miss(ray.far);
+    let root = bitcast<u32>(rna_instances[RNA_INSTANCE * instance + 7u].x);
+    start_passing(WEAKEN);
+    let stopped = rna_trace_body(root, ray, strand, true, &hit);
+    return select(passed_weight, vec3f(0.0), stopped);
+}

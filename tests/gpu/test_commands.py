@@ -1,0 +1,105 @@
+"""`rna-run --device gpu`: stills, sequences, pieces of an image, and what is refused."""
+
+from __future__ import annotations
+
+from importlib.metadata import EntryPoint
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_gpu import Device
+from rna_render import cli, devices
+from rna_render.images import read_exr
+from rna_render.kept_pieces import Piece
+from rna_render.output import Output
+from rna_render.pieces import render_pieces
+from rna_render.render import load_world
+from rna_render.scene_file import read_scene
+from rna_sdk.errors import WorkError
+from rna_work import cluster
+from rna_work.places import this_machine
+from tests.conformance.conftest import KIT
+from tests.gpu.scenes import on_gpu
+
+SCENE = f"""
+assets: [{{path: {KIT / "packages" / "surface-glow.rna"}}}]
+camera: {{position: [1.4, 1.6, 2.6], look_at: [0, 0.2, 0], vertical_fov_deg: 30}}
+lights: [{{type: point, position: [1, 2, 1], intensity: [1, 1, 1]}}]
+resolution: [12, 8]
+samples: 2
+max_depth: 1
+"""
+
+
+@pytest.fixture(autouse=True)
+def offered(monkeypatch: pytest.MonkeyPatch) -> None:
+    gpu = EntryPoint("gpu", "rna_gpu.rendering:GpuRenderer", devices.GROUP)
+    broken = EntryPoint("tpu", "rna_tpu.rendering:Renderer", devices.GROUP)
+    monkeypatch.setattr(devices, "entry_points", lambda group: [gpu, broken])
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    path = tmp_path / "scene.yaml"
+    path.write_text(SCENE)
+    return path
+
+
+def test_a_still(scene: Path, device: Device, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the image so far, and within a time."""
+    written: list[int] = []
+    monkeypatch.setattr(Output, "write_so_far", lambda _, scene, film: written.append(film.samples))
+    scene.write_text(SCENE + "quality: {seconds: 100}\n")
+    out = scene.parent / "out.exr"
+    usual = [str(scene), "--out", str(out), "--device", "gpu"]
+    assert cli.main([*usual, "--every", "0"]) == 0
+    assert out.is_file() and written == [1]
+
+
+def test_frames(scene: Path, device: Device, capsys: pytest.CaptureFixture[str]) -> None:
+    scene.write_text(SCENE + "animation: {frames: 4, turntable: {degrees: 90}}\n")
+    out = scene.parent / "frame.%d.exr"
+    usual = [str(scene), "--out", str(out), "--device", "gpu", "--frames", "0-1"]
+    assert cli.main(usual) == 0
+    first, second = (read_exr(scene.parent / f"frame.{k}.exr")[0] for k in range(2))
+    assert not np.array_equal(first["R"], second["R"])
+    capsys.readouterr()
+    assert cli.main(usual) == 0
+    assert capsys.readouterr().out.count("is there already") == 2
+
+
+def test_pieces_are_the_whole_and_are_kept(scene: Path, device: Device) -> None:
+    scene_file = read_scene(scene)
+    folder = scene.parent / "pieces"
+    film, kept = render_pieces(scene_file, this_machine(), 1, folder, "gpu")
+    whole = on_gpu(scene_file, load_world(scene_file), lambda: device)
+    for name, values in whole.channels().items():
+        assert np.array_equal(values, film.channels()[name]), name
+    assert [piece for piece, _ in kept.found()] == [Piece(0, 96)]
+    again, _ = render_pieces(scene_file, this_machine(), 1, folder, "gpu")
+    assert np.array_equal(again.channels()["R"], film.channels()["R"])
+    render_pieces(scene_file, this_machine(), 1, folder, "cpu")  # pieces of its own
+    assert [piece for piece, _ in kept.found()] == []
+
+
+def test_machines_of_a_cluster_that_have_a_gpu(monkeypatch: pytest.MonkeyPatch) -> None:
+    nodes = [{"Resources": {"CPU": 8.0}}, {"Resources": {"CPU": 16.0, "GPU": 2.0}}]
+    monkeypatch.setattr(cluster, "alive_nodes", lambda: nodes)
+    workers, threads = cluster.RayCluster().whole_machines(None, needs_gpu=True)
+    assert (threads, workers.needs.gpus) == (16, 1.0)
+    assert cluster.RayCluster().whole_machines(None)[1] == 8
+    del nodes[1]
+    with pytest.raises(WorkError, match="Ray knows of no machine of the cluster with a GPU"):
+        cluster.RayCluster().whole_machines(None, needs_gpu=True)
+
+
+def test_what_is_refused(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    usual = [str(scene), "--out", str(scene.parent / "out.exr")]
+    assert cli.main([*usual, "--device", "moon"]) == 1
+    assert "--device moon: no such device; there are: cpu, gpu, tpu" in capsys.readouterr().err
+    assert cli.main([*usual, "--device", "tpu"]) == 1
+    assert "rna_tpu is not installed; try: pip install 'rna-sdk[tpu]'" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        cli.main([str(scene), "--preview", "--device", "gpu"])
+    assert "--preview is not for --device gpu" in capsys.readouterr().err
