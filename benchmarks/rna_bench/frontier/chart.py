@@ -5,21 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import matplotlib
-
-from rna_bench.frontier.points import COSTS, front
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
 
-COLOURS = {
-    "ours": "#2f6fb3",
-    "paper": "#d9822b",
-    "opponent": "#3d8f5f",
-    "ablation": "#8a8f98",
-    "cycles": "#b0407a",
-}
+from rna_bench.frontier.points import COSTS, front
+from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure
+
+COLOURS = {"ours": OURS, "paper": PAPER, "opponent": OPPONENT, "ablation": QUIET, "cycles": CYCLES}
 LABELS = {
     "ours": "our models",
     "paper": "the paper's models",
@@ -35,16 +26,14 @@ _MARKERS = {"float32": "o", "int8": "D"}
 def draw(reports: list[dict[str, Any]], path: Path) -> None:
     """Write a PNG of reports of `study`, a row each."""
     rows = len(reports)
-    figure, grid = plt.subplots(
-        rows, 2, figsize=(12, 0.8 + 4.2 * rows), layout="constrained", sharey="row", squeeze=False
-    )
+    drawn = figure(12, 0.8 + 4.2 * rows)
+    grid = drawn.subplots(rows, 2, sharey="row", squeeze=False)
     for axes, report in zip(grid, reports, strict=True):
         _draw_row(axes, report)
     for axis, cost in zip(grid[-1], _SHOWN, strict=True):
         axis.set_xlabel(COSTS[cost])
-    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-    figure.savefig(path, dpi=120)
-    plt.close(figure)
+    drawn.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    drawn.savefig(path, dpi=120)
 
 
 def _draw_row(axes: Any, report: dict[str, Any]) -> None:
@@ -54,7 +43,6 @@ def _draw_row(axes: Any, report: dict[str, Any]) -> None:
             axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axis.xaxis.set_major_formatter(EngFormatter())
         axis.xaxis.set_minor_formatter(NullFormatter())
-        axis.grid(alpha=0.25)
         _draw_points(axis, report["points"], cost)
     top = axes[0].get_ylim()[1] + _ABOVE
     axes[0].set_ylim(top=top)

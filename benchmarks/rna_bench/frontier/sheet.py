@@ -4,29 +4,24 @@ from __future__ import annotations
 
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import matplotlib
 import numpy as np
 
 from rna_bench.frontier.paper_tables import paper_tables
-from rna_bench.frontier.pictures import brightest, cut
+from rna_bench.frontier.pictures import brightest, cut, strip_path
+from rna_bench.plot_style import figure
 from rna_export.capture.validation_view import ValidationView
 from rna_export.metrics import to_png
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-
-if TYPE_CHECKING:
-    from rna_bench.frontier.study import Study
 
 _INCHES = 1.5  # of a picture
 
 
-def draw_sheet(
-    report: dict[str, Any], study: Study, views: list[ValidationView], path: Path
-) -> None:
-    """Write a PNG with a strip for each table that has rows, Cycles first; none if none has."""
+def draw_sheet(report: dict[str, Any], folder: Path, views: list[ValidationView]) -> None:
+    """Write `tables.png`: a strip for each table that has rows, Cycles first; none if none has.
+
+    folder: of the study.
+    """
     tables = [table for table in paper_tables(report["points"]) if table["rows"]]
     if not tables:
         return
@@ -34,21 +29,18 @@ def draw_sheet(
     view = views[shown]
     reference = to_png(view.image(view.samples["radiance"]))
     columns = 1 + max(len(table["rows"]) for table in tables)
-    figure = plt.figure(
-        figsize=(_INCHES * columns, 2.5 * _INCHES * len(tables)), layout="constrained"
-    )
-    for part, table in zip(np.atleast_1d(figure.subfigures(len(tables))), tables, strict=True):
+    drawn = figure(_INCHES * columns, 2.5 * _INCHES * len(tables))
+    for part, table in zip(np.atleast_1d(drawn.subfigures(len(tables))), tables, strict=True):
         part.suptitle(table["title"], x=0.01, ha="left")
         grid = part.subplots(2, columns)
         for axes in grid.flat:
             axes.set_axis_off()
         _show(grid[:, 0], "Cycles", [reference])
         for axes, row, point in zip(grid[:, 1:].T, table["rows"], table["points"], strict=False):
-            strips = (study.strip(point, what) for what in ("render", "flip"))
+            strips = (strip_path(folder, point, what) for what in ("render", "flip"))
             pair = [cut(strip, [shown], view.resolution)[0] for strip in strips]
             _show(axes, f"{textwrap.fill(row[0], 22)}\n{row[1]} dB", pair)
-    figure.savefig(path, dpi=80)
-    plt.close(figure)
+    drawn.savefig(folder / "tables.png", dpi=80)
 
 
 def _show(column: np.ndarray, title: str, pictures: list[np.ndarray]) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -16,7 +15,8 @@ from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.page import write_page
 from rna_bench.frontier.points import label_of, points_of
 from rna_bench.frontier.sheet import draw_sheet
-from rna_bench.step_times import step_times
+from rna_bench.results import write_results
+from rna_bench.speed.step_times import step_times
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.sample_files import write_atomically
@@ -48,6 +48,7 @@ class Study:
     chosen: list[Trial]  # to train now
     out: Path
     crew: Crew
+    stamp: dict[str, Any]
 
     @classmethod
     def of(cls, args: argparse.Namespace, where: Place) -> Study:
@@ -59,7 +60,7 @@ class Study:
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.kind, args.steps or usual)
         crew = Crew.usual(args.device, args.workers, where, args.store, dataset.folder)
-        return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew)
+        return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew, args.stamp)
 
     def folder(self, trial: Trial) -> Path:
         """Of a trial's checkpoint, packages and record."""
@@ -122,14 +123,6 @@ class Study:
         """Of a finished trial."""
         return self.folder(trial) / f"{precision}.rna"
 
-    def strip(self, label: str, what: str) -> Path:
-        """All views of a point, or of Cycles ("cycles-16"), side by side.
-
-        what: "render", or "flip" for the map of its error.
-        """
-        folder = self.out if label.startswith("cycles-") else self.out / "trials"
-        return folder / f"{label}-{what}.png"
-
     def render_cycles(self, source: Path) -> None:
         """Render the validation images with Cycles, unless that is done."""
         path = self.out / "cycles.json"
@@ -169,11 +162,11 @@ class Study:
         """Write `frontier.json`, `frontier.png`, `tables.png`, `index.html` of what is there."""
         report = self.report()
         path = self.out / "frontier.json"
-        write_atomically(path, (json.dumps(report, indent=1) + "\n").encode())
+        write_results(path, self.stamp, report)
         draw([report], self.out / "frontier.png")
         views = self.dataset.validation_views()
-        draw_sheet(report, self, views, self.out / "tables.png")
-        write_page(report, self, views)
+        draw_sheet(report, self.out, views)
+        write_page(self.out, self.stamp, report, views)
         for sentence in sentences(report["findings"]):
             print(sentence)
         print(f"wrote {path}; pictures and index.html lie beside it")

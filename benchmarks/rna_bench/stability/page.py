@@ -2,55 +2,53 @@
 
 from __future__ import annotations
 
-import html
 import io
 import json
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 from matplotlib.figure import Figure, FigureBase
 from PIL import Image
 
+from rna_bench.pages import write_html
+from rna_bench.plot_style import FAIL, PASS, QUIET, figure
+from rna_bench.results import write_results
 from rna_bench.stability.case import Row
 from rna_bench.stability.suite import CASES, Result
 
-matplotlib.use("Agg")
-
-_COLOURS = {"pass": "#2a7d2a", "fail": "#b3261e", "skipped": "#666666"}
-_STYLE = {
-    "font.size": 8,
-    "legend.fontsize": 7,
-    "axes.grid": True,
-    "grid.alpha": 0.3,
-    "lines.markersize": 3.5,
-}
+_COLOURS = {"pass": PASS, "fail": FAIL, "skipped": QUIET}
 _ACROSS, _SIZE = 3, (6.6, 3.2)  # charts of the sheet in a row; inches of one
 
 
-def write_page(folder: Path, name: str, settings: dict[str, Any], results: list[Result]) -> None:
+def write_page(
+    folder: Path,
+    stamp: dict[str, Any] | None,
+    name: str,
+    settings: dict[str, Any],
+    results: list[Result],
+) -> None:
     """Write `results.json`, `summary.md`, `index.html`, `sheet.png` and a PNG a case."""
-    folder.mkdir(parents=True, exist_ok=True)
     saved = {"asset": name, "settings": settings, "cases": [_as_json(r) for r in results]}
-    (folder / "results.json").write_text(json.dumps(saved, separators=(",", ":")) + "\n")
+    write_results(folder / "results.json", stamp, saved, indent=None)
     (folder / "summary.md").write_text(table(results))
     drawn = [result for result in results if not result.skipped]
-    with matplotlib.rc_context(_STYLE):
-        for result in drawn:
-            figure = Figure(figsize=_SIZE, layout="constrained")
-            _draw(figure, result)
-            figure.savefig(folder / f"{result.case.name}.png", dpi=110)
-        if drawn:
-            _save_small(_sheet(drawn), folder / "sheet.png")
-    (folder / "index.html").write_text(_page(name, settings, results))
+    for result in drawn:
+        chart = figure(*_SIZE)
+        _draw(chart, result)
+        chart.savefig(folder / f"{result.case.name}.png", dpi=110)
+    if drawn:
+        _save_small(_sheet(drawn), folder / "sheet.png")
+    told = [(result, _found(result), _COLOURS[result.status]) for result in results]
+    page = folder / "index.html"
+    write_html(page, "stability.html", name=name, stamp=stamp, settings=settings, results=told)
 
 
-def read_results(path: Path) -> tuple[str, dict[str, Any], list[Result]]:
-    """What `write_page` left in `results.json`: name, settings, results."""
+def read_results(path: Path) -> tuple[dict[str, Any] | None, str, dict[str, Any], list[Result]]:
+    """Stamp (None in old ones), name, settings and results that `write_page` left."""
     saved = json.loads(path.read_text())
     by_name = {case.name: case for case in CASES}
     results = [Result(by_name[c["case"]], c["rows"], c["skipped"]) for c in saved["cases"]]
-    return saved["asset"], saved["settings"], results
+    return saved.get("stamp"), saved["asset"], saved["settings"], results
 
 
 def table(results: list[Result]) -> str:
@@ -88,46 +86,15 @@ def _save_small(figure: Figure, path: Path) -> None:
 
 def _sheet(results: list[Result]) -> Figure:
     down = -(-len(results) // _ACROSS)
-    size = (_ACROSS * _SIZE[0], down * _SIZE[1])
-    sheet = Figure(figsize=size, layout="constrained")
+    sheet = figure(_ACROSS * _SIZE[0], down * _SIZE[1])
     parts = sheet.subfigures(down, _ACROSS, squeeze=False).reshape(-1)
     for part, result in zip(parts, results, strict=False):
         _draw(part, result)
     return sheet
 
 
-def _draw(figure: FigureBase, result: Result) -> None:
-    figure.suptitle(
+def _draw(chart: FigureBase, result: Result) -> None:
+    chart.suptitle(
         f"{result.case.title}: {result.status}", color=_COLOURS[result.status], fontsize=9
     )
-    result.case.draw(figure, result.rows)
-
-
-def _page(name: str, settings: dict[str, Any], results: list[Result]) -> str:
-    rows = "".join(_table_row(result) for result in results)
-    charts = "".join(
-        f'<h2 id="{r.case.name}">{html.escape(r.case.title)}</h2><p>{html.escape(r.case.advice)} '
-        f"Must reach: {html.escape(r.case.mark)}. Found: {html.escape(_found(r))}.</p>"
-        f'<img src="{r.case.name}.png" alt="chart">'
-        for r in results
-        if not r.skipped
-    )
-    return (
-        f"<!doctype html><meta charset=utf-8><title>Stability of {html.escape(name)}</title>"
-        "<style>body{font:15px/1.4 sans-serif;margin:2em auto;max-width:70em}"
-        "td,th{padding:4px 10px;text-align:left;vertical-align:top}img{max-width:100%}</style>"
-        f"<h1>Stability of {html.escape(name)}</h1><p>{html.escape(json.dumps(settings))}</p>"
-        "<table><tr><th>case<th>varies<th>must reach<th>found<th></tr>"
-        f"{rows}</table>{charts}\n"
-    )
-
-
-def _table_row(result: Result) -> str:
-    case = result.case
-    cells = (case.varies, case.mark, _found(result))
-    colour = _COLOURS[result.status]
-    return (
-        f'<tr><td><a href="#{case.name}">{case.name}</a>'
-        + "".join(f"<td>{html.escape(cell)}" for cell in cells)
-        + f'<td style="color:{colour}">{result.status}</tr>'
-    )
+    result.case.draw(chart, result.rows)

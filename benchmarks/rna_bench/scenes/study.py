@@ -1,0 +1,130 @@
+"""All scenes of one asset: what is measured, with which settings, and what is written of it."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+from contextlib import ExitStack
+from functools import cache, partial
+from pathlib import Path
+from typing import Any
+
+from rna_bench.cycles import cycles
+from rna_bench.results import write_results
+from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION
+from rna_bench.scenes.bleeding import bleeding
+from rna_bench.scenes.judge import judge
+from rna_bench.scenes.kept import Kept
+from rna_bench.scenes.measure import MeasuredScene, Plan
+from rna_bench.scenes.page import write_page
+from rna_bench.scenes.scene_list import WALL, find_environment, scenes
+from rna_bench.scenes.sheet import draw_sheet
+from rna_bench.scenes.stage import Stage
+from rna_export.capture.worker import BlenderWorker
+from rna_export.metrics import FLIP_DEFINITION
+from rna_render.scene_model import Scene
+from rna_sdk.errors import SceneError
+from rna_sdk.runtime import load
+
+DEFINITIONS = {
+    "psnr": "PSNR without the noise of Cycles' references over the asset's pixels, dB, of "
+    + EXPOSURE_DEFINITION,
+    "floor": "the same of our image with so many samples that hardly any noise is left: the "
+    "package's own error",
+    "noise": "PSNR of our image against that one: what more samples take away",
+    "flip": FLIP_DEFINITION.replace("sRGB image over black", "image shown so, as sRGB"),
+    "equal error": "the time that Cycles takes for the PSNR of our raw image over our time; its "
+    "error is fitted as one over its samples, its time as a line",
+    "seconds": "of rendering, and of denoising where that is said; nothing is loaded meanwhile",
+    "kernels": "CPU seconds of a render on one thread: decoder, queries (features and the "
+    "decoder's other inputs), rays (Embree), and the rest of the renderer",
+}
+
+
+def study(args: argparse.Namespace) -> None:
+    """Measure the scenes that the options ask for; write `scenes.json`, `scenes.png`, the page."""
+    asset = load(args.asset, tier=args.tier, threads=1)
+    environments = [find_environment(name) for name in args.environment]
+    view = {"turn_deg": args.turn, "resolution": tuple(args.resolution)}
+    stage = Stage.of(asset, args.asset.resolve(), args.tier, **view)
+    args.out.mkdir(parents=True, exist_ok=True)
+    every = scenes(stage, environments, args.out.resolve())
+    plan = _plan(args)
+    references, measured = _kept(args, stage, environments)
+    with ExitStack() as stack:
+        worker = cache(lambda: stack.enter_context(cycles(args.source, args.script_arguments)))
+        done = [
+            MeasuredScene(name, scene, plan, references, measured, worker, _say)
+            for name, scene in _chosen(every, args.scenes).items()
+        ]
+        found = {one.name: judge(one) for one in done}
+        for one in done:
+            if one.name == WALL:
+                measure = partial(_bleeding, stage, one.scene, plan)
+                found[one.name]["bleeding"] = one.record("bleeding", measure)
+    report = {
+        "asset": args.asset.name,
+        "tier": args.tier or "default",
+        "resolution": args.resolution,
+    }
+    report |= {"definitions": DEFINITIONS, "scenes": found}
+    write_results(args.out / "scenes.json", args.stamp, report)
+    draw_sheet(done, found, args.out / "scenes.png")
+    write_page(args.out / "index.html", args.stamp, report, done)
+
+
+def _say(line: str) -> None:
+    print(line, flush=True)
+
+
+def _plan(args: argparse.Namespace) -> Plan:
+    counts = sorted(args.samples), sorted(args.cycles_samples)
+    if len(counts[1]) < 2:
+        raise SceneError("--cycles-samples: found one number; expected two, to fit its error")
+    return Plan(*counts, args.reference_samples, args.floor_samples, args.repeats, args.bounces)
+
+
+def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> tuple[Kept, Kept]:
+    """Cycles' references, which depend on little; and what is measured, on one commit and CPU."""
+    shared: dict[str, Any] = {
+        "source": _digest(args.source),
+        "script_arguments": list(args.script_arguments),
+        "environments": {path.name: _digest(path) for path in environments},
+        "resolution": list(args.resolution),
+        "camera": json.loads(json.dumps(stage.camera)),
+        "bounces": args.bounces,
+        "reference_samples": args.reference_samples,
+    }
+    own = {
+        "asset": _digest(args.asset),
+        "tier": args.tier,
+        "samples": args.samples,
+        "cycles_samples": args.cycles_samples,
+        "floor_samples": args.floor_samples,
+        "repeats": args.repeats,
+        "commit": args.stamp["commit"],
+        "cpu": args.stamp["cpu"],
+    }
+    elsewhere = "choose another --out"
+    return (
+        Kept(args.out / "references", shared, False, elsewhere),
+        Kept(args.out / "measured", own, args.again, f"{elsewhere}, or --again"),
+    )
+
+
+def _digest(path: Path) -> str:
+    if not path.is_file():
+        raise SceneError(f"{path}: no such file")
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+
+
+def _chosen(every: dict[str, Scene], names: list[str] | None) -> dict[str, Scene]:
+    unknown = sorted(set(names or ()) - set(every))
+    if unknown:
+        raise SceneError(f"--scenes: found {', '.join(unknown)}; expected of {', '.join(every)}")
+    return {name: scene for name, scene in every.items() if names is None or name in names}
+
+
+def _bleeding(stage: Stage, scene: Scene, plan: Plan, worker: BlenderWorker) -> dict[str, Any]:
+    return bleeding(stage, scene, worker, max(plan.samples), plan.bounces)
