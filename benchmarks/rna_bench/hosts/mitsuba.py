@@ -15,16 +15,13 @@ import tempfile
 import time
 from pathlib import Path
 
-import mitsuba as mi
 import numpy as np
 from PIL import Image
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
 
-mi.set_variant("llvm_ad_rgb")
-
-from rna_bench.hosts.mitsuba_scenes import Ours, Theirs, pairs  # noqa: E402
+_VARIANT = "llvm_ad_rgb"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -36,6 +33,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> None:
+    import mitsuba
+
+    mitsuba.set_variant(_VARIANT)  # before anything of Mitsuba is imported from its modules
+    from rna_bench.hosts.mitsuba_scenes import Ours, Theirs, pairs
+
     rows, records = [], {}
     with tempfile.TemporaryDirectory() as folder:
         for name, pair in pairs(Path(folder)).items():
@@ -53,7 +55,7 @@ def run(args: argparse.Namespace) -> None:
     small = (image.width * 3 // 5, image.height * 3 // 5)  # a third of the bytes
     image.resize(small, Image.LANCZOS).save(args.picture, optimize=True)
     settings = {"size": list(args.size), "samples": args.samples, "runs": args.runs}
-    publish({"variant": mi.variant(), **settings, "scenes": records}, args)
+    publish({"variant": _VARIANT, **settings, "scenes": records}, args)
 
 
 def render_in_turn(both, runs):  # type: ignore[no-untyped-def]

@@ -1,7 +1,7 @@
 """Queries a second on a GPU beside the CPU runtime, and what a query costs: for a roofline.
 
-rna-bench gpu examples/quickstart/toy.rna examples/fibers/curly_ball.rna \
-    --out benchmarks/results/gpu.json
+    rna-bench gpu examples/quickstart/toy.rna examples/fibers/curly_ball.rna \
+        --out benchmarks/results/gpu.json
 
 One run, alternating; medians. Arithmetic counts multiply-adds of the decoder twice, and those of
 the bilinear lookups; bytes are those of texels, row and result, without caches. Weights are read

@@ -44,7 +44,7 @@ _state = None
 
 
 def render_scene(request):
-    """Write a multilayer EXR of `scene`, seen as by `ray_render.render_view`; `denoise` it or not."""
+    """Write a multilayer EXR of `scene`, seen as by `ray_render.render_view`, denoised or not."""
     global _state
     if _state is None:
         _state = _State()
