@@ -24,6 +24,11 @@ def add_options(p: argparse.ArgumentParser) -> None:
     p.add_argument("--out", type=Path, required=True, help="folder for page and results (path)")
     p.add_argument("--tier", help="of the asset (text, default: its first)")
     p.add_argument(
+        "--max-error",
+        type=float,
+        help="let quality choose tiers by this error (float, default: the tier for all)",
+    )
+    p.add_argument(
         "--environment",
         nargs="*",
         default=["forest", "studio"],

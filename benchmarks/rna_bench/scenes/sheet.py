@@ -13,19 +13,25 @@ from rna_bench.scenes.chart import SIZE, draw_charts
 from rna_bench.scenes.judge import shown_pictures
 from rna_bench.scenes.measure import MeasuredScene
 
-_PICTURES = 4.2  # inches that pictures and their FLIP maps take
+_TITLES = 0.4  # inches, of a row of pictures and what is above it
 
 
 def draw_sheet(done: Sequence[MeasuredScene], found: dict[str, Any], path: Path) -> None:
     """Write the PNG; found: scene -> what `judge` gave."""
-    width, height = SIZE
-    sheet = figure(width, len(done) * (_PICTURES + height))
-    parts = sheet.subfigures(2 * len(done), 1, height_ratios=[_PICTURES, height] * len(done))
+    heights = [height for one in done for height in (_pictures_height(one), SIZE[1])]
+    sheet = figure(SIZE[0], sum(heights))
+    parts = sheet.subfigures(len(heights), 1, height_ratios=heights)
     for k, measured in enumerate(done):
         parts[2 * k].suptitle(measured.name, x=0.01, ha="left", fontsize=12, fontweight="bold")
         _draw_pictures(parts[2 * k], measured)
         draw_charts(parts[2 * k + 1], found[measured.name])
     sheet.savefig(path, dpi=100)
+
+
+def _pictures_height(measured: MeasuredScene) -> float:
+    """Inches of pictures and FLIP maps below them."""
+    width, height = measured.scene.resolution
+    return 2 * (SIZE[0] / len(shown_pictures(measured)) * height / width + _TITLES)
 
 
 def _draw_pictures(part: FigureBase, measured: MeasuredScene) -> None:

@@ -27,7 +27,8 @@ class Stage:
 
     package: the .rna file. tier: of it. positions: (n, 3), points of the asset. turn_deg: where
     its front is, as for rna-compare. resolution: width, height. margin: half the picture's height
-    at the asset's middle, in units of its radius.
+    at the asset's middle, in units of its radius. max_error: of each asset at its size, by which
+    `quality` chooses tiers; None for the tier named.
     """
 
     package: Path
@@ -36,6 +37,7 @@ class Stage:
     turn_deg: float
     resolution: tuple[int, int]
     margin: float = 1.35
+    max_error: float | None = None
 
     @classmethod
     def of(cls, asset: Asset, package: Path, tier: str | None, **view: Any) -> Stage:
@@ -100,6 +102,8 @@ class Stage:
         """The asset, or the given `assets`, with the given lights and things."""
         assets = things.pop("assets", [{"path": self.package, "tier": self.tier}])
         fair = {"resolution": self.resolution, "clamp_indirect": None}
+        if self.max_error is not None:
+            fair["quality"] = {"max_error": self.max_error}
         return Scene(assets=assets, camera=self.camera, lights=lights, **fair, **things)
 
     @property

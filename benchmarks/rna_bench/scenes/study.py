@@ -46,7 +46,10 @@ def study(args: argparse.Namespace) -> None:
     """Measure the scenes that the options ask for; write `scenes.json`, `scenes.png`, the page."""
     asset = load(args.asset, tier=args.tier, threads=1)
     environments = [find_environment(name) for name in args.environment]
+    if args.tier is not None and args.max_error is not None:
+        raise SceneError("--tier and --max-error: found both, expected one at most")
     view = {"turn_deg": args.turn, "resolution": tuple(args.resolution)}
+    view["max_error"] = args.max_error
     stage = Stage.of(asset, args.asset.resolve(), args.tier, **view)
     args.out.mkdir(parents=True, exist_ok=True)
     every = scenes(stage, environments, args.out.resolve())
@@ -66,6 +69,7 @@ def study(args: argparse.Namespace) -> None:
     report = {
         "asset": args.asset.name,
         "tier": args.tier or "default",
+        "max_error": args.max_error,
         "resolution": args.resolution,
     }
     report |= {"definitions": DEFINITIONS, "scenes": found}
@@ -99,6 +103,7 @@ def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> t
     own = {
         "asset": _digest(args.asset),
         "tier": args.tier,
+        "max_error": args.max_error,
         "samples": args.samples,
         "cycles_samples": args.cycles_samples,
         "floor_samples": args.floor_samples,

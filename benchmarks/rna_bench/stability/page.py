@@ -13,7 +13,7 @@ from PIL import Image
 from rna_bench.pages import write_html
 from rna_bench.plot_style import FAIL, PASS, QUIET, figure
 from rna_bench.results import write_results
-from rna_bench.stability.case import Row
+from rna_bench.stability.case import Case, Row
 from rna_bench.stability.suite import CASES, Result
 
 _COLOURS = {"pass": PASS, "fail": FAIL, "skipped": QUIET}
@@ -47,8 +47,18 @@ def read_results(path: Path) -> tuple[dict[str, Any] | None, str, dict[str, Any]
     """Stamp (None in old ones), name, settings and results that `write_page` left."""
     saved = json.loads(path.read_text())
     by_name = {case.name: case for case in CASES}
-    results = [Result(by_name[c["case"]], c["rows"], c["skipped"]) for c in saved["cases"]]
+    results = [_read(by_name[c["case"]], c["rows"], c["skipped"]) for c in saved["cases"]]
     return saved.get("stamp"), saved["asset"], saved["settings"], results
+
+
+def _read(case: Case, rows: list[Row], skipped: str | None) -> Result:
+    """Rows of an earlier definition of the case, which lack what it judges by now, are left out."""
+    result = Result(case, rows, skipped)
+    try:
+        _ = result.verdict
+    except KeyError as missing:
+        return Result(case, rows, f"measured before there was {missing.args[0]}: measure again")
+    return result
 
 
 def table(results: list[Result]) -> str:
