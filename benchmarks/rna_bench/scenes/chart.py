@@ -34,7 +34,8 @@ def draw_charts(chart: FigureBase, scene: dict[str, Any]) -> None:
     flip.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     flip.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     flip.yaxis.set_minor_formatter(NullFormatter())
-    psnr.legend()
+    lines = psnr.get_legend_handles_labels()
+    chart.legend(*lines, loc="outside lower center", ncols=len(lines[0]))
     _by_kernel(kernels, scene["kernels"])
 
 

@@ -22,9 +22,11 @@ def scenes(stage: Stage, environments: Sequence[Path], folder: Path) -> dict[str
     """All scenes by name; environments are called as their files.
 
     folder: for the mesh of the wall. The first environment, if any, lights the instances near and
-    far, else the lamp does.
+    far, else the lamp does. Raises SceneError where two would have one name.
     """
     skies = {path.stem: stage.environment(path) for path in environments}
+    if len({*skies, *BESIDE_ENVIRONMENTS}) < len(environments) + len(BESIDE_ENVIRONMENTS):
+        raise SceneError("--environment: found two scenes of one name; rename a file")
     light = next(iter(skies.values()), stage.lamp)
     ground = stage.ground
     found = {name: stage.scene(sky, ground=ground) for name, sky in skies.items()}

@@ -26,6 +26,7 @@ from rna_export.metrics import FLIP_DEFINITION
 from rna_render.scene_model import Scene
 from rna_sdk.errors import SceneError
 from rna_sdk.runtime import load
+from rna_work.progress import Progress
 
 DEFINITIONS = {
     "psnr": "PSNR without the noise of Cycles' references over the asset's pixels, dB, of "
@@ -44,42 +45,45 @@ DEFINITIONS = {
 
 def study(args: argparse.Namespace) -> None:
     """Measure the scenes that the options ask for; write `scenes.json`, `scenes.png`, the page."""
-    asset = load(args.asset, tier=args.tier, threads=1)
     environments = [find_environment(name) for name in args.environment]
-    if args.tier is not None and args.max_error is not None:
-        raise SceneError("--tier and --max-error: found both, expected one at most")
-    view = {"turn_deg": args.turn, "resolution": tuple(args.resolution)}
-    view["max_error"] = args.max_error
-    stage = Stage.of(asset, args.asset.resolve(), args.tier, **view)
+    stage, plan = _stage(args), _plan(args)
     args.out.mkdir(parents=True, exist_ok=True)
-    every = scenes(stage, environments, args.out.resolve())
-    plan = _plan(args)
+    chosen = _chosen(scenes(stage, environments, args.out.resolve()), args.scenes)
     references, measured = _kept(args, stage, environments)
-    with ExitStack() as stack:
+    with (
+        ExitStack() as stack,
+        Progress(len(chosen), "scene", "measuring") as progress,
+    ):
         worker = cache(lambda: stack.enter_context(cycles(args.source, args.script_arguments)))
-        done = [
-            MeasuredScene(name, scene, plan, references, measured, worker, _say)
-            for name, scene in _chosen(every, args.scenes).items()
-        ]
-        found = {one.name: judge(one) for one in done}
-        for one in done:
-            if one.name == WALL:
-                measure = partial(_bleeding, stage, one.scene, plan)
-                found[one.name]["bleeding"] = one.record("bleeding", measure)
+        done, found = [], {}
+        for name, scene in chosen.items():
+            kept = references, measured
+            done.append(MeasuredScene(name, scene, plan, *kept, worker, progress.tell))
+            found[name] = judge(done[-1])
+            if name == WALL:
+                measure = partial(_bleeding, stage, scene, plan)
+                found[name]["bleeding"] = done[-1].record("bleeding", measure)
+            progress.advance({})
     report = {
         "asset": args.asset.name,
         "tier": args.tier or "default",
         "max_error": args.max_error,
         "resolution": args.resolution,
+        "definitions": DEFINITIONS,
+        "scenes": found,
     }
-    report |= {"definitions": DEFINITIONS, "scenes": found}
     write_results(args.out / "scenes.json", args.stamp, report)
     draw_sheet(done, found, args.out / "scenes.png")
     write_page(args.out / "index.html", args.stamp, report, done)
 
 
-def _say(line: str) -> None:
-    print(line, flush=True)
+def _stage(args: argparse.Namespace) -> Stage:
+    if args.tier is not None and args.max_error is not None:
+        raise SceneError("--tier and --max-error: found both, expected one at most")
+    asset = load(args.asset, tier=args.tier, threads=1)
+    view = {"turn_deg": args.turn, "resolution": tuple(args.resolution)}
+    view["max_error"] = args.max_error
+    return Stage.of(asset, args.asset.resolve(), args.tier, **view)
 
 
 def _plan(args: argparse.Namespace) -> Plan:
