@@ -20,6 +20,7 @@ from typing import Any
 from rna_bench.options import add_out
 from rna_bench.plot_style import figure
 from rna_bench.results import publish
+from rna_bench.scores import scores_of
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.validation_view import ValidationView
@@ -28,7 +29,6 @@ from rna_export.metrics import WITHOUT_NOISE_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.presets import PRESETS
 from rna_export.training.run import Run, train
-from rna_export.training.validation import score, shade
 
 RESOLUTIONS = (16, 32, 128)
 
@@ -94,7 +94,7 @@ def _trained(
         chosen = preset.with_model(resolution=resolution).with_training(steps=args.steps)
         train(Run(dataset, chosen, "small", out))
     trained = load_checkpoint(checkpoint).model
-    scores = score([shade(trained, view) for view in views], views)
+    scores = scores_of(trained, views)
     return {
         "paths_a_ray": plan.samples,
         "rays_a_light": plan.rays,

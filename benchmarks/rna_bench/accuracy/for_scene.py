@@ -23,12 +23,12 @@ import numpy as np
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
+from rna_bench.scores import scores_of
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import light_direction
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.validation import score, shade
 from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
@@ -71,7 +71,4 @@ def share(region: Region) -> float:
 def errors(trained: dict[str, Any], dataset: DatasetPart) -> dict[str, dict[str, float]]:
     """Scores of each model on the dataset's validation images."""
     views = dataset.validation_views()
-    return {
-        name: asdict(score([shade(one.model, view) for view in views], views))
-        for name, one in trained.items()
-    }
+    return {name: asdict(scores_of(one.model, views)) for name, one in trained.items()}

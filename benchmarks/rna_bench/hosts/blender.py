@@ -25,6 +25,7 @@ from rna_bench.checkout import ROOT
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.blender_env import find_python
+from rna_export.metrics import IRRADIANCE, psnr
 from rna_render.images import read_exr
 from rna_render.view_transform import to_display
 
@@ -134,9 +135,8 @@ def blocks(image: np.ndarray) -> np.ndarray:
 def compared(images: dict[str, np.ndarray]) -> dict[str, float]:
     """Of the engine's picture: its brightness over the others', and PSNR against Cycles."""
     ours, run, cycles = images["engine"], images["rna-run"], images["cycles"]
-    error = np.mean(np.square(np.clip(ours, 0, 1) - np.clip(cycles, 0, 1)))
     return {
         "largest difference from rna-run": float(np.abs(ours - run).max()),
         "brightness over Cycles": float(ours.mean() / cycles.mean()),
-        "PSNR against Cycles, dB": float(-10.0 * np.log10(error)),
+        "PSNR against Cycles, dB": psnr(ours / IRRADIANCE, cycles / IRRADIANCE),
     }

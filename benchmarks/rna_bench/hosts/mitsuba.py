@@ -20,6 +20,7 @@ from PIL import Image
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
+from rna_export.metrics import IRRADIANCE, psnr
 
 _VARIANT = "llvm_ad_rgb"
 
@@ -76,7 +77,6 @@ def render_in_turn(both, runs):  # type: ignore[no-untyped-def]
 def record(images, seconds, first):  # type: ignore[no-untyped-def]
     """What goes into the JSON of a scene."""
     ours, theirs = images
-    squares = np.mean((np.clip(ours, 0, 1) - np.clip(theirs, 0, 1)) ** 2)
     medians = [statistics.median(of) for of in seconds]
     return {
         "rnaRunSeconds": round(medians[0], 3),
@@ -85,5 +85,5 @@ def record(images, seconds, first):  # type: ignore[no-untyped-def]
         "firstRunSeconds": {"rnaRun": round(first[0], 1), "mitsuba": round(first[1], 1)},
         "meanRnaRun": [round(float(x), 5) for x in ours.mean(axis=(0, 1))],
         "meanMitsuba": [round(float(x), 5) for x in theirs.mean(axis=(0, 1))],
-        "psnr": round(float(-10 * np.log10(squares)), 2),
+        "psnr": round(psnr(ours / IRRADIANCE, theirs / IRRADIANCE), 2),
     }

@@ -13,7 +13,7 @@ from rna_bench.scenes.chart import SIZE, draw_charts
 from rna_bench.scenes.judge import shown_pictures
 from rna_bench.scenes.measure import MeasuredScene
 
-_TITLES = 0.4  # inches, of a row of pictures and what is above it
+_TITLES = 0.45  # inches, of a row of pictures and what is above it
 
 
 def draw_sheet(done: Sequence[MeasuredScene], found: dict[str, Any], path: Path) -> None:
@@ -40,7 +40,7 @@ def _draw_pictures(part: FigureBase, measured: MeasuredScene) -> None:
     for axes in grid.flat:
         axes.set_axis_off()
     for (above, below), shown in zip(grid.T, pictures, strict=True):
-        above.set_title(shown.caption, fontsize=8)
+        above.set_title(shown.caption.replace(": ", "\n", 1), fontsize=8)
         above.imshow(shown.picture)
         if shown.flip is not None:
             below.imshow(shown.flip)

@@ -112,7 +112,7 @@ def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> t
         "cycles_samples": args.cycles_samples,
         "floor_samples": args.floor_samples,
         "repeats": args.repeats,
-        "commit": args.stamp["commit"],
+        "commit": args.stamp["commit"].removesuffix("+changes"),
         "cpu": args.stamp["cpu"],
     }
     elsewhere = "choose another --out"

@@ -17,11 +17,10 @@ import time
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from rna_bench.checkout import CURLS, TOY
 from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
+from rna_bench.speed.query_batches import random_queries
 from rna_sdk.runtime import load
 from tests.hosts.c_host import CAsset, build
 from tests.hosts.packages import make_profile_tier, write_profile_package
@@ -66,11 +65,7 @@ def write_package(path: Path, width: int) -> Path:
 def compare(library: Path, path: Path, tier: str, args: argparse.Namespace) -> dict[str, Any]:
     """Median ns/query of both, on the same random queries."""
     runtime, host = load(path, tier, threads=1), CAsset(library, path, tier)
-    rng = np.random.default_rng(1)
-    positions = rng.uniform(runtime.bounds[0], runtime.bounds[1], (args.rows, 3))
-    axes, wo, wi = rng.normal(size=(3, args.rows, 3))
-    h = [rng.uniform(-1, 1, args.rows)] if runtime.kind == "fiber" else []
-    rows = [a.astype(np.float32) for a in (positions, axes, *h, wo, wi)]
+    rows = random_queries(runtime, args.rows)
     times: dict[str, list[float]] = {"runtime": [], "c": []}
     for _ in range(args.repeats + 1):  # the first run warms up
         for name, asset in (("runtime", runtime), ("c", host)):

@@ -21,6 +21,7 @@ import numpy as np
 import rna_gpu
 from rna_bench.options import add_out
 from rna_bench.results import publish
+from rna_bench.speed.query_batches import random_queries
 from rna_gpu import Device, GpuPart
 from rna_sdk import runtime
 
@@ -50,7 +51,7 @@ def measure(
     cpu, gpu = runtime.load(path, threads=threads), rna_gpu.load(path, device=device)
     if isinstance(cpu, runtime.CompositeAsset) or not isinstance(gpu, GpuPart):
         raise SystemExit(f"{path}: expected a package of one part")
-    arguments = _arguments(cpu, rows)
+    arguments = random_queries(cpu, rows)
     calls: dict[str, Callable[[], object]] = {
         "gpu": lambda: gpu.evaluate(*arguments),
         "cpu": lambda: cpu.evaluate(*arguments),
@@ -70,17 +71,6 @@ def measure(
         "gpu_over_cpu": round(rates["gpu"] / rates["cpu"], 4),
         "per_query": _cost(gpu, cpu),
     }
-
-
-def _arguments(asset: Any, rows: int) -> list[np.ndarray]:
-    rng = np.random.default_rng(0)
-    directions = rng.normal(size=(3, rows, 3))
-    directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
-    low, high = asset.bounds
-    positions = rng.uniform(low, high, (rows, 3))
-    axis, wo, wi = (a.astype(np.float32) for a in directions)
-    h = [rng.uniform(-1, 1, rows).astype(np.float32)] if asset.kind == "fiber" else []
-    return [positions.astype(np.float32), axis, *h, wo, wi]
 
 
 def _cost(gpu: Any, cpu: Any) -> dict[str, float]:

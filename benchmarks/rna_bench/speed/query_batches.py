@@ -27,6 +27,14 @@ def random_points(n: int) -> Arrays:
     return positions, *(unit(rng.normal(size=(n, 3))) for _ in range(3))
 
 
+def random_queries(asset: Asset, n: int) -> Arrays:
+    """The same in the box of an asset, as arguments of its `evaluate`."""
+    low, high = asset.bounds
+    positions, *directions = random_points(n)
+    inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)
+    return arguments_of(asset, (inside, *directions))
+
+
 def sphere_scan(n: int) -> Arrays:
     """Camera hits on a ball, row of pixels by row, under one distant light."""
     side = int(np.ceil(np.sqrt(n)))
