@@ -20,3 +20,7 @@ def main() -> int:
         print(_WHERE, file=sys.stderr)
         return 1
     return measure()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

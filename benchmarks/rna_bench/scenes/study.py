@@ -50,19 +50,19 @@ def study(args: argparse.Namespace) -> None:
     args.out.mkdir(parents=True, exist_ok=True)
     chosen = _chosen(scenes(stage, environments, args.out.resolve()), args.scenes)
     references, measured = _kept(args, stage, environments)
-    with (
-        ExitStack() as stack,
-        Progress(len(chosen), "scene", "measuring") as progress,
-    ):
-        worker = cache(lambda: stack.enter_context(cycles(args.source, args.script_arguments)))
-        done, found = [], {}
+    done, found = [], {}
+    with Progress(len(chosen), "scene", "measuring") as progress:
         for name, scene in chosen.items():
-            kept = references, measured
-            done.append(MeasuredScene(name, scene, plan, *kept, worker, progress.tell))
-            found[name] = judge(done[-1])
-            if name == WALL:
-                measure = partial(_bleeding, stage, scene, plan)
-                found[name]["bleeding"] = done[-1].record("bleeding", measure)
+            # A Blender of its own for each: one that builds many scenes may crash.
+            with ExitStack() as stack:
+                worker = cache(partial(_enter, stack, args))
+                kept = references, measured
+                one = MeasuredScene(name, scene, plan, *kept, worker, progress.tell)
+                found[name] = judge(one)
+                if name == WALL:
+                    measure = partial(_bleeding, stage, scene, plan)
+                    found[name]["bleeding"] = one.record("bleeding", measure)
+            done.append(one)
             progress.advance({})
     report = {
         "asset": args.asset.name,
@@ -75,6 +75,10 @@ def study(args: argparse.Namespace) -> None:
     write_results(args.out / "scenes.json", args.stamp, report)
     draw_sheet(done, found, args.out / "scenes.png")
     write_page(args.out / "index.html", args.stamp, report, done)
+
+
+def _enter(stack: ExitStack, args: argparse.Namespace) -> BlenderWorker:
+    return stack.enter_context(cycles(args.source, args.script_arguments))
 
 
 def _stage(args: argparse.Namespace) -> Stage:
