@@ -34,9 +34,9 @@ class Command:
 
 GROUPS: dict[str, tuple[Command, ...]] = {
     "an asset": (
-        Command("scenes", "scenes.command", resumes=True),
-        Command("frontier", "frontier.command", resumes=True),
-        Command("stability", "stability.command", resumes=True),
+        Command("scenes", "scenes.scenes_command", resumes=True),
+        Command("frontier", "frontier.frontier_command", resumes=True),
+        Command("stability", "stability.stability_command", resumes=True),
         Command("fit", "frontier.fit", resumes=True),
         Command("frontier-chart", "frontier.redraw"),
     ),

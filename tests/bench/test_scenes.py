@@ -11,7 +11,7 @@ from safetensors.numpy import load_file
 
 from rna_bench.checkout import TOY
 from rna_bench.cli import main
-from rna_bench.scenes import study
+from rna_bench.scenes import scenes_study
 from rna_bench.scenes.beside_cycles import OurScene
 from rna_bench.scenes.equal_error import equal_error
 from rna_bench.scenes.kept import Kept
@@ -117,7 +117,7 @@ def test_a_tiny_run(
 
     # A second run renders nothing: what is measured is kept, for these settings alone.
     before = (tmp_path / "scenes.json").read_text().partition('"scenes": {')[2]
-    monkeypatch.setattr(study, "cycles", None)
+    monkeypatch.setattr(scenes_study, "cycles", None)
     monkeypatch.setattr(OurScene, "render", None)
     assert run(tmp_path) == 0
     assert (tmp_path / "scenes.json").read_text().partition('"scenes": {')[2] == before

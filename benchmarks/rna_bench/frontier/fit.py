@@ -15,7 +15,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from rna_bench.frontier.points import label_of
+from rna_bench.frontier.chart_points import label_of
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.dataset import Dataset

@@ -10,7 +10,7 @@ import argparse
 import json
 from pathlib import Path
 
-from rna_bench.frontier.chart import draw
+from rna_bench.frontier.frontier_chart import draw
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

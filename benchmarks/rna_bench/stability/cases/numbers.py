@@ -16,7 +16,7 @@ from rna_bench.scenes.stage import Stage
 from rna_bench.stability.answers import Answers, Queries, of_model, of_package, picked
 from rna_bench.stability.case import Case, Row, Verdict
 from rna_bench.stability.chosen import Samples, rows_of
-from rna_bench.stability.errors import joined_views
+from rna_bench.stability.view_errors import joined_views
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise

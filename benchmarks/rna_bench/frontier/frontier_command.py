@@ -70,7 +70,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def _run(args: argparse.Namespace, where: Place) -> None:
-    from rna_bench.frontier.study import Study
+    from rna_bench.frontier.frontier_study import Study
 
     study = Study.of(args, where)
     parts = [args.only] if args.only else _PARTS

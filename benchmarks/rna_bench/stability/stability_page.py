@@ -10,7 +10,7 @@ from typing import Any
 from matplotlib.figure import Figure, FigureBase
 from PIL import Image
 
-from rna_bench.pages import write_html
+from rna_bench.html_pages import write_html
 from rna_bench.plot_style import FAIL, PASS, QUIET, figure
 from rna_bench.results import write_results
 from rna_bench.stability.case import Case, Row

@@ -68,7 +68,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> None:
     """Measure what is not measured yet, and write."""
-    from rna_bench.scenes.study import study
+    from rna_bench.scenes.scenes_study import study
 
     study(args)
     names = ("index.html", "scenes.json", "scenes.png")

@@ -87,7 +87,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> None:
     """Measure."""
-    from rna_bench.stability.page import read_results, write_page
+    from rna_bench.stability.stability_page import read_results, write_page
     from rna_bench.stability.suite import CASES, run_cases
 
     if args.redraw is not None:

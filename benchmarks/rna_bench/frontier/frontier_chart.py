@@ -7,7 +7,7 @@ from typing import Any
 
 from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
 
-from rna_bench.frontier.points import COSTS, front
+from rna_bench.frontier.chart_points import COSTS, front
 from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure
 
 COLOURS = {"ours": OURS, "paper": PAPER, "opponent": OPPONENT, "ablation": QUIET, "cycles": CYCLES}

@@ -9,12 +9,12 @@ from typing import Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rna_bench.frontier.chart import draw
-from rna_bench.frontier.cycles import CyclesCurve, render_curve
+from rna_bench.frontier.chart_points import label_of, points_of
+from rna_bench.frontier.cycles_curve import CyclesCurve, render_curve
 from rna_bench.frontier.findings import findings, sentences
-from rna_bench.frontier.page import write_page
-from rna_bench.frontier.points import label_of, points_of
-from rna_bench.frontier.sheet import draw_sheet
+from rna_bench.frontier.frontier_chart import draw
+from rna_bench.frontier.frontier_page import write_page
+from rna_bench.frontier.tables_sheet import draw_sheet
 from rna_bench.results import write_results
 from rna_bench.speed.step_times import step_times
 from rna_export.capture.dataset import Dataset

@@ -17,9 +17,9 @@ from rna_bench.scenes.bleeding import bleeding
 from rna_bench.scenes.judge import judge
 from rna_bench.scenes.kept import Kept
 from rna_bench.scenes.measure import MeasuredScene, Plan
-from rna_bench.scenes.page import write_page
 from rna_bench.scenes.scene_list import WALL, find_environment, scenes
-from rna_bench.scenes.sheet import draw_sheet
+from rna_bench.scenes.scenes_page import write_page
+from rna_bench.scenes.scenes_sheet import draw_sheet
 from rna_bench.scenes.stage import Stage
 from rna_export.capture.worker import BlenderWorker
 from rna_export.metrics import FLIP_DEFINITION
