@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import ast
+import re
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -60,6 +61,22 @@ def test_an_unknown_command_is_bad_usage(capsys: pytest.CaptureFixture[str]) -> 
         main(["speed"])
     assert ended.value.code == 2
     assert "invalid choice: 'speed'" in capsys.readouterr().err
+
+
+def test_documents_name_commands_that_exist() -> None:
+    pages = [
+        REPOSITORY / "README.md",
+        *(REPOSITORY / "docs").glob("*.md"),
+        PACKAGE.parent / "README.md",
+    ]
+    pages += (REPOSITORY / "examples").rglob("*.md")
+    named = {
+        name
+        for page in pages
+        for name in re.findall(r"rna-bench ([a-z][a-z0-9-]*)", page.read_text())
+    }
+    assert len(named) > 20 and named <= set(COMMANDS)
+    assert not any("python benchmarks/" in page.read_text() for page in pages)
 
 
 def test_no_module_imports_itself_by_way_of_others() -> None:
