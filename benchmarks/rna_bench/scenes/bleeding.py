@@ -43,7 +43,7 @@ def bleeding(
     return {
         region: {
             case: {
-                program: np.round(image[regions[region]].mean(axis=0), 5).tolist()
+                program: np.round(image[regions[region]].mean(axis=0, dtype=np.float64), 5).tolist()
                 for program, image in images[case].items()
             }
             for case in of_region
