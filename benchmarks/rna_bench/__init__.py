@@ -1,1 +1,1 @@
-"""What `rna-bench` measures: speed against accuracy, and where the method breaks."""
+"""The project's benchmarks, one command each: `rna-bench NAME`. See commands.py."""

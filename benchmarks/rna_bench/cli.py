@@ -1,47 +1,67 @@
-"""`rna-bench`: the chart of speed against accuracy, and the suite of known failures."""
+"""`rna-bench NAME`: every measurement of the project as one command."""
 
 from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
+from importlib import import_module
 
-from rna_bench.frontier import cli as frontier
-from rna_bench.stability import cli as stability
-from rna_sdk.console import command_parser, run_command
+from rna_bench.commands import COMMANDS, GROUPS, Command
+from rna_bench.options import OptionHelp
+from rna_bench.stamp import stamp
+from rna_sdk.console import command_parser, run_command, split_script_arguments
 
-_COMMANDS = (frontier, stability)
-"""Modules with NAME, SENTENCE, EXAMPLE, WHEN_STOPPED, add_options(parser) and run(args)."""
+_EXAMPLE = "rna-bench scenes toy.rna --source toy.py --out bench/toy"
 
 
 def parser() -> argparse.ArgumentParser:
-    """The options of `rna-bench` and of its commands."""
+    """The parser of the name alone; its help lists all commands."""
+    width = max(map(len, COMMANDS))
+    listed = "\n".join(
+        f"{group}:\n" + "".join(f"  {c.name:{width}}  {c.sentence}\n" for c in commands)
+        for group, commands in GROUPS.items()
+    )
     p = command_parser(
         "rna-bench",
-        "Measure models of one asset: speed against accuracy, and where the method breaks.",
-        frontier.EXAMPLE,
-        epilog="rna-bench COMMAND --help shows the options of a command.",
+        "Measure assets, and the SDK itself; each NAME is one measurement.",
+        _EXAMPLE,
+        epilog=f"{listed}\nrna-bench NAME --help shows the options of a command.",
     )
-    commands = p.add_subparsers(required=True, metavar="COMMAND")
-    for module in _COMMANDS:
-        command = commands.add_parser(
-            module.NAME,
-            help=module.SENTENCE,
-            description=f"{module.SENTENCE}\n\n  {module.EXAMPLE}",
-            formatter_class=argparse.RawDescriptionHelpFormatter,
-        )
-        module.add_options(command)
-        command.add_argument(
-            "--debug", action="store_true", help="show the traceback of an error (default: off)"
-        )
-        command.set_defaults(module=module)
+    p.add_argument("name", metavar="NAME", choices=COMMANDS, help="what to measure: see below")
     return p
 
 
-def main(argv: list[str] | None = None) -> int:
+def parser_of(command: Command) -> argparse.ArgumentParser:
+    """The parser of one command's own arguments; imports its module."""
+    module = import_module(f"rna_bench.{command.module}")
+    p = argparse.ArgumentParser(
+        prog=f"rna-bench {command.name}",
+        description=(module.__doc__ or "").replace("%", "%%"),
+        formatter_class=OptionHelp,
+    )
+    module.add_options(p)
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    p.set_defaults(run=module.run)
+    return p
+
+
+def main(argv: Sequence[str] | None = None) -> int:
     """Entry point; returns the exit status."""
-    args = parser().parse_args(argv)
-    module = args.module
-    return run_command(lambda: module.run(args), args.debug, module.WHEN_STOPPED, "bench")
+    given = list(sys.argv[1:] if argv is None else argv)
+    command = COMMANDS[parser().parse_args(given[:1]).name]
+    own, script_arguments = split_script_arguments(given[1:])
+
+    def measure() -> int | None:
+        args = parser_of(command).parse_args(own)
+        args.script_arguments, args.stamp = script_arguments, stamp(given)
+        return args.run(args)
+
+    kept = "finished parts are kept: run the same command to go on"
+    stopped = kept if command.resumes else "nothing was written"
+    return run_command(measure, "--debug" in own, stopped, command.extra)
 
 
 if __name__ == "__main__":

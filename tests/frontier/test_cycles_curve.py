@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rna_bench.frontier.cycles import _doubling
+from rna_bench.frontier.cycles_curve import _doubling
 
 
 def counts(seconds_a_path: float, allowed: float, reference: int) -> list[int]:

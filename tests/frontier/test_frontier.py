@@ -10,9 +10,9 @@ import pytest
 from PIL import Image
 
 from rna_bench.cli import main
-from rna_bench.frontier import study as study_module
+from rna_bench.frontier import frontier_study as study_module
+from rna_bench.frontier.chart_points import front
 from rna_bench.frontier.findings import findings, sentences
-from rna_bench.frontier.points import front
 from rna_export.capture.dataset import Dataset
 from rna_export.trials.grid import full_grid
 from rna_export.trials.packages import PRECISIONS

@@ -156,7 +156,7 @@ def test_damaged_packages_under_sanitizers(fuzzer: Path, tmp_path: Path) -> None
 
 def test_fuzz_benchmark_compares_the_verdicts(fuzzer: Path, tmp_path: Path) -> None:
     out = tmp_path / "fuzz.json"
-    command = [sys.executable, EXAMPLES.parent / "benchmarks" / "fuzz.py", "--jobs", 1]
+    command = [sys.executable, "-m", "rna_bench.cli", "fuzz", "--jobs", 1]
     command += ["--mutations", 60, "--validate", 60, "--build", fuzzer.parent, "--out", out]
     result = run(*command)
     assert result.returncode == 0, result.stderr

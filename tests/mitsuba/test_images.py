@@ -12,7 +12,7 @@ from tests.render.studio import one_thread
 from tests.render.test_second_opinion import LEVEL, coarser, student_limit, welch
 
 if TYPE_CHECKING:
-    from benchmarks.mitsuba_scenes import Pair
+    from rna_bench.hosts.mitsuba_scenes import Pair
 
 SIZE, BATCHES = (24, 16), 16
 
@@ -22,7 +22,7 @@ SIZE, BATCHES = (24, 16), 16
     [("sun", 32), ("environment and ground", 128), ("lamp and red wall", 160), ("curls", 512)],
 )
 def test_both_show_the_same(name: str, samples: int, tmp_path: Path) -> None:
-    from benchmarks.mitsuba_scenes import pairs
+    from rna_bench.hosts.mitsuba_scenes import pairs
 
     assert_both_alike(pairs(tmp_path)[name], samples, tmp_path)
 
@@ -32,7 +32,8 @@ def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> N
     import mitsuba as mi
 
     import rna_mitsuba
-    from benchmarks.mitsuba_scenes import TOY, Pair, sun
+    from rna_bench.checkout import TOY
+    from rna_bench.hosts.mitsuba_scenes import Pair, sun
 
     light = (-0.6, 0.5, 0.7), (2.5, 2.4, 2.2)
     place = {"translation": (0.22, 0.14, 0.18)}
@@ -55,7 +56,7 @@ def test_assets_whose_boxes_overlap_shadow_each_other_alone(tmp_path: Path) -> N
 
 
 def assert_both_alike(pair: Pair, samples: int, tmp_path: Path) -> None:
-    from benchmarks.mitsuba_scenes import Ours, Theirs
+    from rna_bench.hosts.mitsuba_scenes import Ours, Theirs
 
     theirs = Theirs(pair, SIZE, samples)
     reference = np.stack([theirs(seed) for seed in range(BATCHES)])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rna_bench.stability.cases import grazing, sharp, unseen
-from rna_bench.stability.errors import joined_views
+from rna_bench.stability.view_errors import joined_views
 from rna_export.capture.dataset import Dataset
 from tests.exporters.synthetic import make_dataset, transport
 

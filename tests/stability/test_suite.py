@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from rna_bench.cli import main
-from rna_bench.stability import cli
+from rna_bench.stability import stability_command
 from rna_bench.stability.case import Case, Verdict
-from rna_bench.stability.page import read_results, table
+from rna_bench.stability.stability_page import read_results, table
 from rna_bench.stability.suite import CASES, Result, run_cases
 from rna_bench.stability.workshop import Subject, Workshop
 from rna_sdk.errors import TrainingError
@@ -36,7 +36,7 @@ def counting(measured: list[int]) -> Case:
 
 
 def test_the_command_knows_every_case() -> None:
-    assert tuple(case.name for case in CASES) == cli.CASE_NAMES
+    assert tuple(case.name for case in CASES) == stability_command.CASE_NAMES
 
 
 def test_a_finished_case_is_measured_once(tmp_path: Path) -> None:
@@ -74,9 +74,20 @@ def test_a_tiny_run(tmp_path: Path) -> None:
     for name in ("index.html", "summary.md", "sheet.png", "grazing.png"):
         assert (out / name).stat().st_size > 0
     assert not (out / "zoom.png").exists()
-    _, _, results = read_results(out / "results.json")
+    stamp, _, _, results = read_results(out / "results.json")
     assert main(["stability", "--redraw", str(out / "results.json"), "--out", str(out / "2")]) == 0
     assert table(results) == (out / "2" / "summary.md").read_text()
+    assert stamp["command"].startswith("rna-bench stability ball --out out")
+    assert read_results(out / "2" / "results.json")[0] == stamp
+
+
+def test_results_of_an_earlier_definition_are_left_out(tmp_path: Path) -> None:
+    old = {"case": "grazing", "skipped": None, "rows": [{"model": "package", "direction": "wo"}]}
+    path = tmp_path / "old.json"
+    path.write_text(json.dumps({"asset": "a", "settings": {}, "cases": [old]}))
+    stamp, _, _, (result,) = read_results(path)
+    assert stamp is None
+    assert result.skipped == "measured before there was of_all: measure again"
 
 
 def test_a_missing_file_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rna_bench.frontier.points import label_of
+from rna_bench.frontier.chart_points import label_of
 from rna_export.trials.grid import PAPER_ARCHITECTURES, PAPER_CHANNELS
 
 _PAPER_ARCHITECTURE_PSNR = (27.47, 27.36, 28.77, 31.02, 32.68, 33.07, 33.80, 34.09, 34.20, 34.90)

@@ -8,8 +8,18 @@ import matplotlib
 import numpy as np
 from PIL import Image
 
+from rna_bench.plot_style import ERROR_MAP
 from rna_export.capture.validation_view import ValidationView
 from rna_export.metrics import display
+
+
+def strip_path(folder: Path, label: str, what: str) -> Path:
+    """All views of a point, or of Cycles ("cycles-16"), side by side, in a study's folder.
+
+    what: "render", or "flip" for the map of its error.
+    """
+    inside = folder if label.startswith("cycles-") else folder / "trials"
+    return inside / f"{label}-{what}.png"
 
 
 def brightest(views: list[ValidationView], count: int) -> list[int]:
@@ -23,5 +33,5 @@ def cut(strip: Path, chosen: list[int], size: int) -> list[np.ndarray]:
     with Image.open(strip) as image:
         pixels = np.asarray(image)
     if pixels.ndim == 2:
-        pixels = (255.0 * matplotlib.colormaps["magma"](pixels)[..., :3]).astype(np.uint8)
+        pixels = (255.0 * matplotlib.colormaps[ERROR_MAP](pixels)[..., :3]).astype(np.uint8)
     return [pixels[:, k * size : (k + 1) * size] for k in chosen]

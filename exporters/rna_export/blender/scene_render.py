@@ -44,12 +44,14 @@ _state = None
 
 
 def render_scene(request):
-    """Write a multilayer EXR of `scene`, seen as by `ray_render.render_view`."""
+    """Write a multilayer EXR of `scene`, seen as by `ray_render.render_view`, denoised or not."""
     global _state
     if _state is None:
         _state = _State()
     if request["scene"] != _state.shown:
         _build(_state, request["scene"])
+    cycles = bpy.context.scene.cycles
+    cycles.denoiser, cycles.use_denoising = "OPENIMAGEDENOISE", request["denoise"]
     ray_render.emit(request["scene"]["emission"])
     ray_render.render_pinhole(request)
 

@@ -279,10 +279,12 @@ class BlenderWorker:
         seed: int,
         width: int,
         height: int,
+        denoise: bool = False,
     ) -> np.ndarray:
         """A pinhole image of the source in a scene, (height, width, 4) float32 premultiplied RGBA.
 
-        scene: see `rna_export.compare.cycles_scene`. No clamping. What the scene describes is built
+        scene: see `rna_export.compare.cycles_scene`. No clamping. `denoise`: by Cycles' own
+        denoiser, Open Image Denoise with albedo and normals. What the scene describes is built
         anew when it is another one than in the render before; the numbers of samples may differ
         without a fresh process, so the same render need not repeat to the bit. `to_world` and
         `fov_y` as in `render_view`.
@@ -297,6 +299,7 @@ class BlenderWorker:
             **_pinhole(to_world, fov_y, width, height),
             samples=samples,
             seed=seed,
+            denoise=denoise,
         )
         passes = _read_render(out)
         out.unlink()

@@ -6,13 +6,13 @@ import numpy as np
 import torch
 from matplotlib.figure import FigureBase
 
+from rna_bench.scores import scores_of
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, light_numbers, rows_of
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.checkpoint import Trained
 from rna_export.training.losses import sample_loss
-from rna_export.training.validation import score, shade
 
 LOSS_DB, GAP_DB = 1.0, 1.0  # the mark
 
@@ -59,7 +59,7 @@ def _trained(
     name = f"little-{row['lights']}-{row['points']}"
     trained = workshop.train(name, some, workshop.preset(dataset.kind))
     views = dataset.validation_views()
-    scores = score([shade(trained.model, view) for view in views], views)
+    scores = scores_of(trained.model, views)
     own = loss_of(trained, _tested(rows_of(samples, chosen)))
     gap = 10.0 * np.log10(loss_of(trained, held_out) / own)
     return {"psnr": scores.psnr_without_noise.db, "flip": scores.flip, "gap_db": float(gap)}

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from matplotlib.figure import FigureBase
 
+from rna_bench.scores import scores_of
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
 from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import Preset
-from rna_export.training.validation import score, shade
 
 SPREAD = 0.3  # the mark, dB
 SEEDS = 5
@@ -20,7 +20,7 @@ def measure(workshop: Workshop) -> list[Row]:
     rows = []
     for seed in range(SEEDS):
         trained = _seeded(workshop, preset, seed)
-        scores = score([shade(trained.model, view) for view in views], views)
+        scores = scores_of(trained.model, views)
         rows.append({"seed": seed, "psnr": scores.psnr_without_noise.db, "flip": scores.flip})
     return rows
 

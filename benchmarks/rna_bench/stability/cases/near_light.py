@@ -1,13 +1,23 @@
-"""Light from so near that its direction differs within the way it travels inside the asset."""
+"""Light from so near that its direction differs within the way it travels inside the asset.
+
+The light stands towards (1, 1, 1) as the camera sees it; its distance counts from the asset's
+middle, in sizes, the longest side of the bounding box: at 0.87 sizes it is a corner of the cube
+about the asset. Its intensity goes with the square of the distance.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
 from matplotlib.figure import FigureBase
 
-from rna_bench.near_light import near_lights
+from rna_bench.scenes.beside_cycles import Beside, CyclesScene, OurScene
+from rna_bench.scenes.stage import Stage
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
-from rna_bench.stage import Stage
+from rna_export.capture.worker import BlenderWorker
 
 LOST_DB = 3.0  # the mark
 
@@ -21,10 +31,42 @@ def measure(workshop: Workshop) -> list[Row]:
     stage = Stage.of(workshop.asset, workshop.package.resolve(), subject.tier, **view)
     spent = workshop.some(_SAMPLES), workshop.some(_CYCLES_SAMPLES)
     with workshop.cycles(subject.source) as worker:
-        return [
-            {name: getattr(near, name) for name in ("distance", "psnr", "flip", "brightness")}
-            for near in near_lights(stage, worker, DISTANCES, *spent)
-        ]
+        return list(_near_lights(stage, worker, DISTANCES, *spent))
+
+
+def _near_lights(
+    stage: Stage,
+    worker: BlenderWorker,
+    distances: Iterable[float],
+    samples: int,
+    cycles_samples: int,
+) -> Iterator[Row]:
+    """Errors and brightness over Cycles'; `cycles_samples`: of each of two references."""
+    covered = OurScene(stage.scene()).channels(8)["A"] > 0.0
+    for distance in distances:
+        scene = stage.scene(_light(stage, distance))
+        cycles = CyclesScene(worker, scene, bounces=None)
+        halves = [cycles.render(cycles_samples, seed).pixels for seed in (2, 3)]
+        beside = Beside.of(np.stack(halves), covered)
+        ours = OurScene(scene).render(samples).pixels
+        yield {
+            "distance": distance,
+            "psnr": beside.psnr(ours).db,
+            "flip": beside.flip(ours)[0],
+            "brightness": float(ours[covered].mean() / beside.reference[covered].mean()),
+        }
+
+
+def _light(stage: Stage, distance: float) -> dict[str, Any]:
+    length = distance * stage.size
+    # As seen from the camera: (1, 1, 1) is to the right, above and in front.
+    camera = np.asarray(stage.camera["position"]) - stage.centre
+    front = np.array([camera[0], 0.0, camera[2]]) / np.hypot(camera[0], camera[2])
+    right = np.cross([0.0, 1.0, 0.0], front)
+    towards = (front + right + [0.0, 1.0, 0.0]) / np.sqrt(3.0)
+    position = stage.centre + length * towards
+    intensity = (np.pi * length**2,) * 3
+    return {"type": "point", "position": tuple(position.tolist()), "intensity": intensity}
 
 
 def judge(rows: list[Row]) -> Verdict:

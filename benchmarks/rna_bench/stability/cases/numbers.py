@@ -11,13 +11,13 @@ from matplotlib.figure import FigureBase
 from onnx import TensorProto, numpy_helper
 from onnx.reference import ReferenceEvaluator
 
-from rna_bench.beside_cycles import OurScene
+from rna_bench.scenes.beside_cycles import OurScene
+from rna_bench.scenes.stage import Stage
 from rna_bench.stability.answers import Answers, Queries, of_model, of_package, picked
 from rna_bench.stability.case import Case, Row, Verdict
 from rna_bench.stability.chosen import Samples, rows_of
-from rna_bench.stability.errors import joined_views
+from rna_bench.stability.view_errors import joined_views
 from rna_bench.stability.workshop import Workshop
-from rna_bench.stage import Stage
 from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Package

@@ -10,7 +10,7 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples
-from rna_bench.stability.errors import relative_error
+from rna_bench.stability.view_errors import relative_error
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.validation_view import ValidationView
 

@@ -9,7 +9,7 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
-from rna_bench.stability.errors import joined_views
+from rna_bench.stability.view_errors import joined_views
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.shift import scene_of

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import FigureBase
 from PIL import Image
 
-from rna_bench.beside_cycles import OurScene
+from rna_bench.scenes.beside_cycles import OurScene
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.worker import BlenderWorker

@@ -1,0 +1,10 @@
+"""Where the repository is: benchmarks run from a checkout, beside its examples and tests."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+TOY = ROOT / "examples" / "quickstart" / "toy.rna"
+CURLS = ROOT / "examples" / "fibers" / "curly_ball.rna"
+QUICKSTART = ROOT / "examples" / "quickstart" / "scene.yaml"

@@ -1,0 +1,129 @@
+"""Rate of a capture and of frames on a Ray cluster of this machine, over that of its own pools.
+
+    rna-bench cluster-rate examples/quickstart/toy.py examples/quickstart/scene.yaml \
+        --out benchmarks/results/cluster-rate.json
+
+Both in one run, in turns, as often as there is time for, from when every worker has finished
+something: no start of Ray, Blender or a compiler counts.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import statistics
+import tempfile
+import time
+from collections.abc import Iterable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from rna_bench.options import add_out
+from rna_bench.results import publish
+from rna_export.capture import blender_env
+from rna_export.capture.gathered import Gathered
+from rna_export.capture.run import Crew, begin
+from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.shift import CaptureJob, CaptureWorker
+from rna_export.capture.tasks import TrainingShard
+from rna_export.capture.worker import Source
+from rna_render.frame_worker import Frame, FrameJob, FrameWorker
+from rna_render.output import Output
+from rna_render.scene_file import read_scene
+from rna_render.scene_model import Scene
+from rna_render.scene_sources import carried_scene
+from rna_work.places import Place, place
+from rna_work.pool import Pool
+
+FRAMES = 10  # those of a new process are slower at first
+
+
+def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
+    """An item, from when every worker has finished one."""
+    at_work: set[str] = set()
+    ends: list[float] = []
+    with pool:
+        for outcome in pool.run(items):
+            outcome.value()
+            at_work.add(outcome.worker)
+            if len(at_work) == workers:
+                ends.append(time.perf_counter())
+    return (ends[-1] - ends[0]) / (len(ends) - 1)
+
+
+def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:
+    """A shard of a capture."""
+    crew = Crew(blender_env.find_python(), folder / "scratch", workers, where)
+    asked = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
+    dataset = begin(source, asked, folder / "a.rays", crew, None, lambda line: None)
+    carried = Gathered.of(dataset, where, None).carried()
+    scratch = None if where.far else crew.scratch
+    job = CaptureJob(carried, None, source, crew.carried(source), scratch)
+    tasks = [TrainingShard(k) for k in range(dataset.manifest.shards)]
+    return seconds(Pool(crew.backend(), partial(CaptureWorker, job)), tasks, workers)
+
+
+def frame_seconds(where: Place, scene: Path, folder: Path) -> float:
+    """A frame, by one worker with all cores."""
+    size = {"samples": 8, "resolution": [640, 360]}
+    turning = {"animation": {"frames": FRAMES, "turntable": {}}, **size}
+    scene_file = read_scene(scene)
+    data = scene_file.scene.model_dump(exclude={"animation", "samples", "resolution"}) | turning
+    scene_file = scene_file.with_changes(**dict(Scene.model_validate(data)))
+    backend, threads = where.whole_machines(None)
+    numbers, output = range(FRAMES), Output(folder / "%d.exr")
+    files = carried_scene(scene_file, where)
+    job = FrameJob(scene_file, files, numbers, output, threads, time.perf_counter())
+    frames = [Frame(number, str(number)) for number in numbers]
+    return seconds(Pool(backend, partial(FrameWorker, job)), frames, 1)
+
+
+def one_round(
+    places: list[tuple[str, Place]], source: Source, scene: Path, workers: int
+) -> dict[str, float]:
+    """Seconds of a shard and of a frame in each place, in this order."""
+    found = {}
+    for name, where in places:
+        folder = Path(tempfile.mkdtemp())
+        try:
+            found[f"frames, {name}"] = frame_seconds(where, scene, folder)
+            found[f"capture, {name}"] = capture_seconds(where, source, folder, workers)
+        finally:
+            shutil.rmtree(folder)
+    return found
+
+
+def report(rounds: list[dict[str, float]]) -> dict[str, Any]:
+    """The rounds, and over them the medians of times and of ratios within a round."""
+    medians = {name: statistics.median(r[name] for r in rounds) for name in rounds[0]}
+    for kind in ("capture", "frames"):
+        ratios = [r[f"{kind}, here"] / r[f"{kind}, ray"] for r in rounds]
+        medians[f"{kind}, rate on Ray over rate here"] = statistics.median(ratios)
+    return {"seconds": rounds, "median": medians}
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", type=Path, help="to capture")
+    parser.add_argument("scene", type=Path, help="to render")
+    parser.add_argument("--rounds", type=int, default=5, help="at most")
+    parser.add_argument("--minutes", type=float, default=5.5, help="at most, but for one round")
+    add_out(parser)
+
+
+def run(args: argparse.Namespace) -> None:
+    started, longest = time.monotonic(), 0.0
+    workers = len(os.sched_getaffinity(0))
+    source = Source.captured(args.source, (), CaptureSettings())
+    rounds: list[dict[str, float]] = []
+    with place(None) as here, place("local") as there:
+        places = [("here", here), ("ray", there)]
+        while len(rounds) < args.rounds:
+            begun = time.monotonic()
+            if rounds and begun - started + longest > 60.0 * args.minutes:
+                break
+            rounds.append(one_round(places, source, args.scene, workers))
+            places.reverse()
+            longest = max(longest, time.monotonic() - begun)
+    publish(report(rounds), args)

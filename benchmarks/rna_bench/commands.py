@@ -1,0 +1,79 @@
+"""Every command of `rna-bench`: its name and the module that measures."""
+
+from __future__ import annotations
+
+import ast
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Command:
+    """One measurement.
+
+    module: its docstring is the help, first line first; it has `add_options(parser)` and
+    `run(args)`, and is imported when the command is chosen. resumes: whether a stopped run goes on
+    where it was. extra: of the distribution, which the module needs.
+    """
+
+    name: str
+    module: str
+    resumes: bool = False
+    extra: str = "bench"
+
+    @property
+    def sentence(self) -> str:
+        """What it measures: the docstring's first line, read without an import."""
+        spec = find_spec(f"rna_bench.{self.module}")
+        assert spec is not None and spec.origin is not None, self.module
+        docstring = ast.get_docstring(ast.parse(Path(spec.origin).read_text()))
+        assert docstring, self.module
+        return docstring.splitlines()[0]
+
+
+GROUPS: dict[str, tuple[Command, ...]] = {
+    "an asset": (
+        Command("scenes", "scenes.scenes_command", resumes=True),
+        Command("frontier", "frontier.frontier_command", resumes=True),
+        Command("stability", "stability.stability_command", resumes=True),
+        Command("fit", "frontier.fit", resumes=True),
+        Command("frontier-chart", "frontier.redraw"),
+    ),
+    "speed of queries": (
+        Command("evaluate", "speed.evaluate"),
+        Command("evaluate-against", "speed.evaluate_against"),
+        Command("c-host", "speed.c_host"),
+        Command("gpu", "speed.gpu", extra="gpu"),
+    ),
+    "8-bit decoders": (
+        Command("int8-tiers", "int8.tiers"),
+        Command("int8-weights", "int8.weights"),
+    ),
+    "accuracy": (
+        Command("presets", "accuracy.presets", resumes=True),
+        Command("capture-budget", "accuracy.capture_budget", resumes=True),
+        Command("for-scene", "accuracy.for_scene"),
+        Command("closeup", "accuracy.closeup"),
+        Command("emission", "accuracy.emission"),
+        Command("sun-width", "accuracy.sun_width"),
+        Command("prefiltered-planes", "accuracy.prefiltered_planes"),
+    ),
+    "readers and files": (
+        Command("readers", "readers.agreement"),
+        Command("fuzz", "readers.fuzz"),
+        Command("package-bytes", "packages.sizes"),
+    ),
+    "hosts": (
+        Command("preview", "hosts.preview"),
+        Command("mitsuba", "hosts.mitsuba", extra="mitsuba"),
+        Command("blender", "hosts.blender"),
+    ),
+    "clusters": (
+        Command("cluster-rate", "cluster.rate", extra="cluster"),
+        Command("cluster-scale", "cluster.scale", extra="cluster"),
+    ),
+}
+"""What is measured -> its commands."""
+
+COMMANDS = {command.name: command for group in GROUPS.values() for command in group}

@@ -1,0 +1,30 @@
+"""Cycles with an original open, as all comparisons start it."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from rna_export.capture import blender_env
+from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.machine import default_workers
+from rna_sdk.errors import CaptureError
+
+
+@contextmanager
+def cycles(source: Path, arguments: tuple[str, ...] = ()) -> Iterator[BlenderWorker]:
+    """A worker with the source open, on all cores; arguments: of a source that is a script.
+
+    Raises CaptureError where there is no such file, no Blender, or it cannot open the source.
+    """
+    if not source.is_file():
+        raise CaptureError(f"{source}: no such file")
+    with (
+        tempfile.TemporaryDirectory(prefix="rna-bench-") as scratch,
+        BlenderWorker(
+            blender_env.find_python(), Source(source, arguments), Path(scratch), default_workers()
+        ) as worker,
+    ):
+        yield worker

@@ -1,0 +1,99 @@
+"""Frontiers as a picture: PSNR against cost, and against bytes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
+
+from rna_bench.frontier.chart_points import COSTS, front
+from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure
+
+COLOURS = {"ours": OURS, "paper": PAPER, "opponent": OPPONENT, "ablation": QUIET, "cycles": CYCLES}
+LABELS = {
+    "ours": "our models",
+    "paper": "the paper's models",
+    "opponent": "NRHints' network",
+    "ablation": "ablations",
+    "cycles": "Cycles, paths a pixel",
+}
+_SHOWN = ("ns", "bytes")
+_ABOVE = 4.0  # dB, free above the best model
+_MARKERS = {"float32": "o", "int8": "D"}
+
+
+def draw(reports: list[dict[str, Any]], path: Path) -> None:
+    """Write a PNG of reports of `study`, a row each."""
+    rows = len(reports)
+    drawn = figure(12, 0.8 + 4.2 * rows)
+    grid = drawn.subplots(rows, 2, sharey="row", squeeze=False)
+    for axes, report in zip(grid, reports, strict=True):
+        _draw_row(axes, report)
+    for axis, cost in zip(grid[-1], _SHOWN, strict=True):
+        axis.set_xlabel(COSTS[cost])
+    drawn.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    drawn.savefig(path, dpi=120)
+
+
+def _draw_row(axes: Any, report: dict[str, Any]) -> None:
+    for axis, cost in zip(axes, _SHOWN, strict=True):
+        axis.set(xscale="log")
+        if cost == "bytes":  # less than a decade or two
+            axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axis.xaxis.set_major_formatter(EngFormatter())
+        axis.xaxis.set_minor_formatter(NullFormatter())
+        _draw_points(axis, report["points"], cost)
+    top = axes[0].get_ylim()[1] + _ABOVE
+    axes[0].set_ylim(top=top)
+    _draw_cycles(axes[0], report["cycles"], top)
+    axes[0].set_ylabel("PSNR, dB (irradiance pi, clamped to [0, 1])")
+    steps = report["points"][0]["steps"]
+    axes[0].set_title(f"{report['dataset']['name']}: {steps:,} steps of each model", loc="left")
+
+
+def _draw_points(axis: Any, points: list[dict[str, Any]], cost: str) -> None:
+    shown = [p for p in points if p[cost] is not None]
+    for family in ("ours", "paper", "opponent", "ablation"):
+        for decoder, marker in _MARKERS.items():
+            some = [
+                p for p in shown if p["family"] == family and p["precision"].startswith(decoder)
+            ]
+            if some:
+                label = LABELS[family] + (", int8" if decoder == "int8" else "")
+                axis.scatter(
+                    [p[cost] for p in some],
+                    [p["psnr"] for p in some],
+                    s=26,
+                    c=COLOURS[family],
+                    marker=marker,
+                    label=label,
+                    alpha=0.85,
+                    lw=0,
+                )
+    best = front(points, cost, "psnr")
+    line = [p[cost] for p in best], [p["psnr"] for p in best]
+    axis.step(*line, where="post", color=COLOURS["ours"], lw=1, alpha=0.6, label="best at its cost")
+    for point in shown:
+        if point["name"] in ("paper-small", "paper-hq") and point["precision"].startswith("float"):
+            at = point[cost], point["psnr"]
+            axis.annotate(
+                point["name"], at, (0, 6), textcoords="offset points", fontsize=8, ha="center"
+            )
+
+
+def _draw_cycles(axis: Any, curve: dict[str, Any] | None, top: float) -> None:
+    """Cycles' points; those above `top` stand at the edge, with their value."""
+    if curve is None:
+        return
+    ns = [p["ns"] for p in curve["points"]]
+    psnr = [p["scores"]["psnr"] for p in curve["points"]]
+    axis.plot(ns, psnr, "s-", ms=4, lw=1, color=COLOURS["cycles"], label=LABELS["cycles"])
+    for point, x, y in zip(curve["points"], ns, psnr, strict=True):
+        text = {"textcoords": "offset points", "fontsize": 7}
+        if y <= top:
+            axis.annotate(str(point["samples"]), (x, y), (4, -9), **text)
+        else:
+            axis.plot(x, top, "^", ms=5, color=COLOURS["cycles"], clip_on=False)
+            label = f"{point['samples']}: {y:.0f} dB"
+            axis.annotate(label, (x, top), (-4, -38), rotation=90, **text)

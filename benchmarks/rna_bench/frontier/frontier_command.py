@@ -1,0 +1,84 @@
+"""Train and measure a grid of models on one dataset, and chart cost against accuracy.
+
+    rna-bench frontier toy.rays/ --short --source toy.py --out bench/toy
+
+Decode cost against accuracy of our models, the paper's and ablations: see docs/frontier.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from rna_work.places import Place, add_cluster_option, place
+from rna_work.store import add_store_option
+
+_PARTS = ("train", "cost", "cycles", "chart")
+
+
+def add_options(p: argparse.ArgumentParser) -> None:
+    """The options of the command."""
+    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote (path)")
+    p.add_argument(
+        "--out", type=Path, required=True, help="folder for models, records and page (path)"
+    )
+    p.add_argument(
+        "--short",
+        action="store_true",
+        help="about 20 models, briefly trained: within 40 minutes on 2 cores (default: off)",
+    )
+    p.add_argument(
+        "--steps", type=int, help="of each training (int, default: 40,000; short: 5,000)"
+    )
+    p.add_argument(
+        "--source",
+        type=Path,
+        help="what was captured, for Cycles on the same chart (path, default: without Cycles)",
+    )
+    p.add_argument(
+        "--only",
+        choices=_PARTS,
+        help="one part of the work: timings, for one, mean something on an idle machine alone "
+        "(default: all)",
+    )
+    p.add_argument(
+        "--trials",
+        nargs="+",
+        metavar="NAME",
+        help="train these of the grid alone: models, or groups of them (ours, paper, opponent, "
+        "ablation, and the tables: architecture, channels, ...; default: all)",
+    )
+    p.add_argument(
+        "--device",
+        choices=("auto", "cpu", "cuda"),
+        default="auto",
+        help="for trainings (default: %(default)s, the GPU if there is one)",
+    )
+    p.add_argument(
+        "--workers",
+        type=int,
+        help="trainings side by side (int, default: one a core, one for a GPU)",
+    )
+    add_cluster_option(p)
+    add_store_option(p, "checkpoints")
+
+
+def run(args: argparse.Namespace) -> None:
+    """Train, measure and chart; resumes and skips completed steps."""
+    with place(args.cluster) as where:
+        _run(args, where)
+
+
+def _run(args: argparse.Namespace, where: Place) -> None:
+    from rna_bench.frontier.frontier_study import Study
+
+    study = Study.of(args, where)
+    parts = [args.only] if args.only else _PARTS
+    if "train" in parts:
+        study.train()
+    if "cost" in parts:
+        study.time(again=args.only is not None)
+    if "cycles" in parts and args.source is not None:
+        study.render_cycles(args.source)
+    if "chart" in parts:
+        study.write()

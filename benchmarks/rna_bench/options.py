@@ -1,0 +1,36 @@
+"""Options that commands share, and how their help shows type and default."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+_TYPES = {None: "text", Path: "path"}
+
+
+class OptionHelp(argparse.RawDescriptionHelpFormatter):
+    """Adds type and default to the help of options that do not tell them themselves."""
+
+    def _get_help_string(self, action: argparse.Action) -> str:
+        told = action.help or ""
+        if "default" in told or not action.option_strings or action.required or action.nargs == 0:
+            return told
+        default = "none" if action.default is None else action.default
+        if isinstance(default, list | tuple):
+            default = " ".join(map(str, default)) or "none"
+        kind = _TYPES.get(action.type) or getattr(action.type, "__name__", "text")
+        return f"{told} ({kind}, default: {default})".lstrip()
+
+
+def add_out(parser: argparse.ArgumentParser) -> None:
+    """`--out` of a command whose result is one JSON file."""
+    parser.add_argument(
+        "--out", type=Path, help="JSON to write (path, default: it is printed alone)"
+    )
+
+
+def add_repeats(parser: argparse.ArgumentParser, default: int = 9) -> None:
+    """`--repeats` of alternating measurements."""
+    parser.add_argument(
+        "--repeats", type=int, default=default, help="runs that a median is taken of"
+    )

@@ -1,0 +1,37 @@
+"""One look for all charts: import it before drawing; colours mean the same everywhere."""
+
+from __future__ import annotations
+
+import matplotlib
+from matplotlib.figure import Figure
+
+matplotlib.use("Agg")
+
+OURS, CYCLES, PAPER, OPPONENT, QUIET = "#2f6fb3", "#b0407a", "#d9822b", "#3d8f5f", "#8a8f98"
+PASS, FAIL = "#2a7d2a", "#b3261e"
+
+ERROR_MAP = "magma"
+"""The colour map of FLIP, as its authors show it."""
+
+matplotlib.rcParams.update(
+    {
+        "font.size": 9,
+        "axes.titlesize": 9,
+        "axes.titlelocation": "left",
+        "legend.fontsize": 8,
+        "axes.grid": True,
+        "grid.alpha": 0.25,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.prop_cycle": matplotlib.cycler(color=[OURS, PAPER, OPPONENT, CYCLES, QUIET]),
+        "lines.markersize": 4,
+        "lines.linewidth": 1.2,
+        "svg.fonttype": "none",
+        "svg.hashsalt": "rna-bench",
+    }
+)
+
+
+def figure(width: float, height: float) -> Figure:
+    """An empty one of so many inches."""
+    return Figure(figsize=(width, height), layout="constrained")

@@ -1,0 +1,120 @@
+"""A scene rendered by us and, with the original in the asset's place, by Cycles."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+
+from rna_bench.plot_style import ERROR_MAP
+from rna_export.capture.worker import BlenderWorker
+from rna_export.compare.cycles_scene import cycles_scene
+from rna_export.compare.run import Timed
+from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
+from rna_render.camera import Camera
+from rna_render.lights.directions import LUMINANCE
+from rna_render.render import load_world, make_integrator, render
+from rna_render.scene_file import SceneFile
+from rna_render.scene_model import Scene
+
+EXPOSURE_DEFINITION = (
+    "radiance times the scene's exposure, which puts the 95th percentile of the asset's luminance "
+    "in Cycles' image at 0.8, clamped to [0, 1]"
+)
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Two independent references, (2, h, w, 3), and the exposure that images are shown with."""
+
+    halves: np.ndarray
+    exposure: float
+    asset: np.ndarray  # (h, w) bool: pixels that the asset covers, in part at least
+
+    @classmethod
+    def of(cls, halves: np.ndarray, asset: np.ndarray) -> Beside:
+        luminance = halves.mean(axis=0)[asset] @ LUMINANCE
+        return cls(halves, float(0.8 / np.percentile(luminance, 95.0)), asset)
+
+    @property
+    def reference(self) -> np.ndarray:
+        return self.halves.mean(axis=0, dtype=np.float32)
+
+    def psnr(self, image: np.ndarray, where: np.ndarray | None = None) -> NoiselessPsnr:
+        """Of the image as displayed, without the references' noise, over the asset or `where`."""
+        rows = self.asset if where is None else where
+        ours = display(self._shown(image)) / IRRADIANCE  # its own noise is an error, as displayed
+        return psnr_without_noise(ours[rows], *(self._shown(h)[rows] for h in self.halves))
+
+    def flip(self, image: np.ndarray) -> tuple[float, np.ndarray]:
+        """Mean and map, (h, w)."""
+        return flip(*(np.ascontiguousarray(self._shown(i)) for i in (image, self.reference)))
+
+    def picture(self, image: np.ndarray) -> np.ndarray:
+        """The image as displayed, (h, w, 3) uint8."""
+        return to_png(self._shown(image))
+
+    def flip_picture(self, image: np.ndarray) -> np.ndarray:
+        """FLIP's map in its colours, (h, w, 3) uint8."""
+        colours = matplotlib.colormaps[ERROR_MAP](np.clip(self.flip(image)[1], 0.0, 1.0))
+        return (255.0 * colours[..., :3]).astype(np.uint8)
+
+    def strip(self, image: np.ndarray) -> np.ndarray:
+        """Ours, Cycles and FLIP side by side, (h, 3 w, 3) uint8."""
+        shown = self.picture(image), self.picture(self.reference), self.flip_picture(image)
+        return np.concatenate(shown, axis=1)
+
+    def _shown(self, image: np.ndarray) -> np.ndarray:
+        """As `metrics` takes images, which show radiance times IRRADIANCE."""
+        return (image * (self.exposure / IRRADIANCE)).astype(np.float32)
+
+
+class OurScene:
+    """A scene of ours, loaded."""
+
+    def __init__(self, scene: Scene):
+        self._scene = scene
+        self._world = load_world(SceneFile(Path("scene.yaml"), scene, {}))
+
+    def render(self, samples: int, repeats: int = 1, seed: int = 0) -> Timed:
+        """RGB and the median time of the renders, which hold no reading of files."""
+        scene = self._scene.model_copy(update={"samples": samples, "seed": seed})
+        integrator = make_integrator(scene, self._world)
+        seconds = []
+        for _ in range(repeats):
+            begun = time.perf_counter()
+            channels = render(scene, integrator).channels()
+            seconds.append(time.perf_counter() - begun)
+        image = np.stack([channels[c] for c in "RGB"], axis=-1)
+        return Timed(image, float(np.median(seconds)))
+
+    def channels(self, samples: int) -> dict[str, np.ndarray]:
+        scene = self._scene.model_copy(update={"samples": samples})
+        return render(scene, make_integrator(scene, self._world)).channels()
+
+
+class CyclesScene:
+    """The same scene in a worker that has the original open.
+
+    bounces: of light, or None for what the original's file sets, as capture has it. emission:
+    whether its materials emit light.
+    """
+
+    def __init__(
+        self, worker: BlenderWorker, scene: Scene, bounces: int | None, emission: bool = False
+    ):
+        self._worker, self._size = worker, scene.resolution
+        self._described = cycles_scene(scene, bounces=bounces, emission=emission)
+        fov = np.radians(scene.camera.vertical_fov_deg)
+        self._view = Camera(scene.camera, scene.resolution).to_world, fov
+        self.render(1, seed=1)  # builds the scene
+
+    def render(self, samples: int, seed: int, denoise: bool = False) -> Timed:
+        """RGB, and the time of the request without any building of the scene."""
+        begun = time.perf_counter()
+        asked = samples, seed, *self._size, denoise
+        image = self._worker.render_scene(self._described, *self._view, *asked)
+        return Timed(image[..., :3], time.perf_counter() - begun)

@@ -1,0 +1,51 @@
+"""Results of finished steps, which a resumed run does not make again."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from safetensors.numpy import load_file
+
+from rna_export.capture.sample_files import write_arrays, write_atomically
+from rna_sdk.errors import RnaError
+
+Arrays = dict[str, np.ndarray]
+
+
+class Kept:
+    """A folder of results that were all made with the same settings."""
+
+    def __init__(self, folder: Path, settings: dict[str, Any], again: bool, remedy: str):
+        """again: forget what was made with other settings.
+
+        Raises RnaError, which names the remedy, where there is some and it is not to be forgotten.
+        """
+        self._folder, path = folder, folder / "settings.json"
+        earlier = json.loads(path.read_text()) if path.is_file() else None
+        if earlier is not None and again:
+            shutil.rmtree(folder)
+        elif earlier not in (None, settings):
+            differ = [k for k in settings if earlier.get(k) != settings[k]]
+            told = ", ".join(f"{k} {earlier.get(k)}, now {settings[k]}" for k in differ)
+            raise RnaError(f"{folder} was made with other settings ({told}): {remedy}")
+        folder.mkdir(parents=True, exist_ok=True)
+        write_atomically(path, json.dumps(settings, indent=1).encode())
+
+    def arrays(self, name: str, make: Callable[[], Arrays]) -> Arrays:
+        """What `make` gives, or gave before."""
+        path = self._folder / f"{name}.safetensors"
+        if not path.is_file():
+            write_arrays(path, make())
+        return load_file(path)
+
+    def record(self, name: str, make: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+        """Likewise, of what JSON can hold."""
+        path = self._folder / f"{name}.json"
+        if not path.is_file():
+            write_atomically(path, json.dumps(make(), indent=1).encode())
+        return json.loads(path.read_text())

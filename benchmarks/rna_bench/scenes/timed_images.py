@@ -1,0 +1,86 @@
+"""The images of one scene whose time counts: ours and Cycles', raw and denoised, by turns."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from itertools import zip_longest
+
+import numpy as np
+
+from rna_bench.scenes.beside_cycles import CyclesScene, OurScene
+from rna_export.compare.run import Timed
+from rna_export.machine import default_workers
+from rna_render.denoise import Denoiser
+from rna_sdk.errors import SceneError
+
+Arrays = dict[str, np.ndarray]
+
+OURS, CYCLES, DENOISED = "ours", "cycles", "denoised"
+
+_SECONDS = ".seconds"
+_FIRST_SEED = 100  # of Cycles; the references have smaller ones
+
+
+def find_denoiser() -> Denoiser | None:
+    """Open Image Denoise on all cores, or None where it is not installed."""
+    try:
+        return Denoiser(default_workers())
+    except SceneError:
+        return None
+
+
+def label_of(who: str, samples: int, denoised: bool = False) -> str:
+    """The name of an image among `render_by_turns`' arrays."""
+    return f"{who}-{samples}" + (f"-{DENOISED}" if denoised else "")
+
+
+def render_by_turns(
+    ours: OurScene,
+    cycles: CyclesScene,
+    samples: Sequence[int],
+    cycles_samples: Sequence[int],
+    repeats: int,
+    denoiser: Denoiser | None,
+) -> Arrays:
+    """RGB by `label_of`, and its seconds beside it: see `image_of`.
+
+    Ours are medians of so many renders. Denoised ones count the render and the denoiser; without a
+    denoiser of ours they are left out.
+    """
+    arrays: Arrays = {}
+
+    def keep(label: str, image: Timed) -> None:
+        arrays[label] = image.pixels.astype(np.float32)
+        arrays[label + _SECONDS] = np.array([image.seconds])
+
+    first = ours.render(1)  # compiles
+    if denoiser is not None:
+        denoiser(first.pixels)  # builds its networks
+    for n, m in zip_longest(samples, cycles_samples):
+        if n is not None:
+            image = ours.render(n, repeats)
+            keep(label_of(OURS, n), image)
+            if denoiser is not None:
+                keep(label_of(OURS, n, True), _denoised(image, denoiser, repeats))
+        if m is not None:
+            for denoise in (False, True):
+                image = cycles.render(m, _FIRST_SEED + m, denoise)
+                keep(label_of(CYCLES, m, denoise), image)
+    return arrays
+
+
+def image_of(arrays: Arrays, label: str) -> Timed | None:
+    """One image of `render_by_turns`, if it is there."""
+    if label not in arrays:
+        return None
+    return Timed(arrays[label], float(arrays[label + _SECONDS][0]))
+
+
+def _denoised(image: Timed, denoise: Callable[[np.ndarray], np.ndarray], repeats: int) -> Timed:
+    seconds = []
+    for _ in range(repeats):
+        begun = time.perf_counter()
+        pixels = denoise(image.pixels)
+        seconds.append(time.perf_counter() - begun)
+    return Timed(pixels, image.seconds + float(np.median(seconds)))

@@ -1,0 +1,14 @@
+"""A trained model's scores on validation images."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rna_export.capture.validation_view import ValidationView
+from rna_export.training.model import NeuralAsset
+from rna_export.training.validation import Scores, score, shade
+
+
+def scores_of(model: NeuralAsset, views: Sequence[ValidationView]) -> Scores:
+    """Of all views together, as `rna-train` reports them."""
+    return score([shade(model, view) for view in views], views)

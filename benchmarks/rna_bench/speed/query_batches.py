@@ -1,0 +1,50 @@
+"""Batches of queries: scattered over an asset, and coherent as those of a camera."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_sdk.runtime import Asset
+
+Arrays = tuple[NDArray[np.float32], ...]
+"""Arguments of `evaluate`."""
+
+
+def arguments_of(asset: Asset, points: Arrays) -> Arrays:
+    """What `evaluate` takes, from surface points; fibers get the normals for tangents, random h."""
+    if asset.kind == "surface":
+        return points
+    positions, normals, wo, wi = points
+    h = np.random.default_rng(3).uniform(-1, 1, len(positions)).astype(np.float32)
+    return positions, normals, h, wo, wi
+
+
+def random_points(n: int) -> Arrays:
+    """Points all over the box and all directions: nothing is near what came before it."""
+    rng = np.random.default_rng(1)
+    positions = rng.uniform(-1, 1, (n, 3)).astype(np.float32)
+    return positions, *(unit(rng.normal(size=(n, 3))) for _ in range(3))
+
+
+def random_queries(asset: Asset, n: int) -> Arrays:
+    """The same in the box of an asset, as arguments of its `evaluate`."""
+    low, high = asset.bounds
+    positions, *directions = random_points(n)
+    inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)
+    return arguments_of(asset, (inside, *directions))
+
+
+def sphere_scan(n: int) -> Arrays:
+    """Camera hits on a ball, row of pixels by row, under one distant light."""
+    side = int(np.ceil(np.sqrt(n)))
+    x, y = np.meshgrid(np.linspace(-0.7, 0.7, side), np.linspace(0.7, -0.7, side))
+    normals = unit(np.stack([x, y, np.sqrt(1 - x**2 - y**2)], axis=2).reshape(-1, 3)[:n])
+    positions = np.float32(0.95) * normals
+    wo = unit(np.array([0, 0, 5]) - positions)
+    wi = np.broadcast_to(unit(np.array([[1, 2, 3]])), (n, 3)).copy()
+    return positions, normals, wo, wi
+
+
+def unit(vectors: NDArray[np.floating]) -> NDArray[np.float32]:
+    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)

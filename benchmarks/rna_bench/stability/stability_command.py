@@ -1,0 +1,122 @@
+"""Measure each way that relightable neural assets are known to fail, with a pass mark.
+
+    rna-bench stability toy.rays/ --source toy.py --out bench/stability
+
+One chart a failure: see docs/stability.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from rna_export.machine import default_workers
+from rna_sdk.errors import CaptureError
+from rna_work.places import add_cluster_option, place
+
+# As in `suite.CASES`, which takes seconds to import: not for --help.
+CASE_NAMES = (
+    "sharp",
+    "grazing",
+    "near-light",
+    "unseen",
+    "shadow-edges",
+    "thin",
+    "zoom",
+    "noise",
+    "little-data",
+    "luck",
+    "numbers",
+    "energy",
+    "posed",
+)
+
+
+def add_options(p: argparse.ArgumentParser) -> None:
+    """The options of the command."""
+    p.add_argument(
+        "dataset", nargs="?", type=Path, help="of the asset (path, default: the suite's own alone)"
+    )
+    p.add_argument("--package", type=Path, help="of the asset (path, default: one is trained)")
+    p.add_argument("--tier", help="of the package (text, default: its first)")
+    p.add_argument(
+        "--source",
+        type=Path,
+        help="what the asset was captured from (path, default: without Cycles)",
+    )
+    p.add_argument(
+        "--out", type=Path, required=True, help="folder of results, runs and captures (path)"
+    )
+    p.add_argument(
+        "--work", type=Path, help="folder of runs and captures (path, default: OUT/work)"
+    )
+    p.add_argument(
+        "--cases",
+        nargs="+",
+        choices=CASE_NAMES,
+        metavar="CASE",
+        help=", ".join(CASE_NAMES) + " (default: all)",
+    )
+    p.add_argument(
+        "--steps",
+        type=int,
+        default=3000,
+        help="of each training, sharp's three times as many (int, default: %(default)s)",
+    )
+    p.add_argument(
+        "--workers",
+        type=int,
+        default=default_workers(),
+        help="Blender processes (int, default: one a core, here %(default)s)",
+    )
+    add_cluster_option(p)
+    p.add_argument(
+        "--short", action="store_true", help="an eighth of everything: a try (default: off)"
+    )
+    p.add_argument(
+        "--again", action="store_true", help="measure finished cases again (default: off)"
+    )
+    p.add_argument(
+        "--redraw",
+        type=Path,
+        metavar="JSON",
+        help="draw the results of an earlier run alone (path, default: measure)",
+    )
+
+
+def run(args: argparse.Namespace) -> None:
+    """Measure."""
+    from rna_bench.stability.stability_page import read_results, write_page
+    from rna_bench.stability.suite import CASES, run_cases
+
+    if args.redraw is not None:
+        write_page(args.out, *read_results(args.redraw))
+    else:
+        workshop = _workshop(args)
+        settings = {"steps": workshop.steps, "short": args.short, "tier": args.tier or "default"}
+        cases = [case for case in CASES if args.cases is None or case.name in args.cases]
+        with place(args.cluster) as where:
+            folder = args.out / "cases"
+            results = run_cases(cases, workshop, folder, settings, args.again, print, where)
+        write_page(args.out, args.stamp, workshop.name, settings, results)
+    print(f"wrote {args.out / 'index.html'}, {args.out / 'summary.md'}, {args.out / 'sheet.png'}")
+
+
+def _workshop(args: argparse.Namespace) -> Any:
+    from rna_bench.stability.workshop import Subject, Workshop
+    from rna_export.capture.dataset import Dataset
+    from rna_export.capture.worker import Source
+
+    for name in ("dataset", "package", "source", "out", "work") if args.cluster else ():
+        if (path := getattr(args, name)) is not None:
+            setattr(args, name, path.absolute())  # for workers on other machines
+    for path in (args.package, args.source):
+        if path is not None and not path.is_file():
+            raise CaptureError(f"{path}: no such file")
+    dataset = Dataset(args.dataset).only if args.dataset else None
+    arguments = dataset.manifest.arguments if dataset else ()
+    source = Source(args.source, arguments) if args.source else None
+    subject = Subject(dataset, args.package, args.tier, source)
+    folder = args.work or args.out / "work"
+    return Workshop(folder, subject, args.steps, args.workers, args.short)

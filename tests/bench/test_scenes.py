@@ -1,0 +1,141 @@
+"""`rna-bench scenes`: its figures on known answers, and one tiny run beside Cycles."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from safetensors.numpy import load_file
+
+from rna_bench.checkout import TOY
+from rna_bench.cli import main
+from rna_bench.scenes import scenes_study
+from rna_bench.scenes.beside_cycles import OurScene
+from rna_bench.scenes.equal_error import equal_error
+from rna_bench.scenes.kept import Kept
+from rna_bench.scenes.kernel_times import KERNELS, kernel_times
+from rna_bench.scenes.scene_list import NEAR_AND_FAR, find_environment, scenes
+from rna_bench.scenes.stage import Stage
+from rna_render.transforms import world_from_object
+from rna_sdk.errors import RnaError, SceneError
+from rna_sdk.runtime import load
+
+SOURCE = TOY.with_suffix(".py")
+
+
+@pytest.fixture(scope="module")
+def stage() -> Stage:
+    asset = load(TOY, threads=1)
+    return Stage.of(asset, TOY, None, turn_deg=0.0, resolution=(48, 32))
+
+
+def test_equal_error_is_exact_where_error_and_time_are_as_assumed() -> None:
+    cycles = [
+        {"samples": n, "seconds": 1.0 + 0.5 * n, "psnr": -10 * np.log10(0.08 / n)}
+        for n in (4, 8, 16)
+    ]
+    found = equal_error({"psnr": -10 * np.log10(0.08 / 10), "seconds": 0.5}, cycles)
+    assert found["cycles_samples"] == pytest.approx(10.0)
+    assert found["cycles_seconds"] == pytest.approx(6.0)
+    assert found["times_as_fast"] == pytest.approx(12.0) and not found["extrapolated"]
+    far = equal_error({"psnr": 40.0, "seconds": 0.5}, cycles)
+    assert far["extrapolated"]
+
+
+def test_kernels_share_all_of_the_time(stage: Stage) -> None:
+    ours = OurScene(stage.scene(stage.lamp, ground=stage.ground))
+    ours.render(1)
+    with kernel_times() as times:
+        ours.render(4)
+    assert set(times.seconds) == set(KERNELS) and min(times.seconds.values()) > 0.0
+    assert times.total == pytest.approx(sum(times.as_json()["cpu_seconds"].values()), abs=1e-3)
+    assert times.rows["rays"] >= 4 * 48 * 32  # at least the camera's
+    assert 0 < times.rows["queries"] <= times.rows["decoder"]  # tiles are rounded up
+    before = dict(times.rows)
+    ours.render(1)
+    assert times.rows == before  # nothing is left patched
+
+
+def test_instances_near_and_far_stand_apart(stage: Stage, tmp_path: Path) -> None:
+    scene = scenes(stage, [], tmp_path)[NEAR_AND_FAR]
+    centre = np.array([*stage.centre, 1.0])
+    middles = np.array([(world_from_object(a.transform) @ centre)[:3] for a in scene.assets])
+    np.testing.assert_allclose(middles[0], stage.centre, atol=1e-6)
+    apart = np.linalg.norm(middles[:, None] - middles, axis=-1)
+    assert apart[np.triu_indices(len(middles), 1)].min() > 2.0 * stage.radius
+    distance = np.linalg.norm(middles - scene.camera.position, axis=1)
+    assert distance.max() > 5.0 * distance.min()
+
+
+def test_what_is_kept_was_made_with_the_same_settings(tmp_path: Path) -> None:
+    made: list[int] = []
+
+    def make() -> dict[str, int]:
+        made.append(1)
+        return {"n": len(made)}
+
+    def kept(samples: int, again: bool = False) -> Kept:
+        return Kept(tmp_path / "a", {"samples": samples}, again, "choose another --out")
+
+    assert kept(4).record("x", make) == kept(4).record("x", make) == {"n": 1}
+    with pytest.raises(RnaError, match=r"samples 4, now 8\): choose another --out"):
+        kept(8)
+    assert kept(8, again=True).record("x", make) == {"n": 2}
+    assert kept(8).record("x", make) == {"n": 2}
+
+
+def run(out: Path, *more: str) -> int:
+    command = ["scenes", str(TOY), "--source", str(SOURCE), "--out", str(out), "--environment"]
+    command += ["--scenes", "lamp", "--resolution", "48", "32", "--samples", "2", "4"]
+    command += ["--cycles-samples", "2", "4", "--reference-samples", "8", "--floor-samples", "8"]
+    return main([*command, *more])
+
+
+def roughness(image: np.ndarray) -> float:
+    return float(np.abs(np.diff(image, axis=1)).mean() / image.mean())
+
+
+@pytest.mark.blender
+def test_a_tiny_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(tmp_path) == 0
+    report = json.loads((tmp_path / "scenes.json").read_text())
+    lamp = report["scenes"]["lamp"]
+    assert report["stamp"]["command"].startswith("rna-bench scenes examples/quickstart/toy.rna")
+    assert [row["samples"] for row in lamp["ours"]] == [2, 4]
+    assert [row["samples"] for row in lamp["cycles_denoised"]] == [2, 4]
+    assert all(row["seconds"] > 0.0 and row["psnr"] > 10.0 for row in lamp["cycles"] + lamp["ours"])
+    images = load_file(tmp_path / "measured" / "lamp-images.safetensors")
+    assert roughness(images["cycles-2-denoised"]) < 0.8 * roughness(images["cycles-2"])
+    assert set(lamp["kernels"]["cpu_seconds"]) == set(KERNELS)
+    page = (tmp_path / "index.html").read_text()
+    assert page.count("<figure>") >= 4 and "data:image/svg+xml" in page
+    assert (tmp_path / "scenes.png").stat().st_size > 10_000
+
+    # A second run renders nothing: what is measured is kept, for these settings alone.
+    before = (tmp_path / "scenes.json").read_text().partition('"scenes": {')[2]
+    monkeypatch.setattr(scenes_study, "cycles", None)
+    monkeypatch.setattr(OurScene, "render", None)
+    assert run(tmp_path) == 0
+    assert (tmp_path / "scenes.json").read_text().partition('"scenes": {')[2] == before
+    capsys.readouterr()
+    assert run(tmp_path, "--repeats", "3") == 1
+    assert "repeats 1, now 3): choose another --out, or --again" in capsys.readouterr().err
+
+
+def test_bad_input_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(tmp_path, "--scenes", "moon") == 1
+    assert capsys.readouterr().err == (
+        "error: --scenes: found moon; expected of lamp, wall, near-and-far\n"
+    )
+    assert run(tmp_path, "--source", "no.py") == 1
+    assert capsys.readouterr().err == "error: no.py: no such file\n"
+
+
+@pytest.mark.blender
+def test_an_unknown_environment_is_one_line() -> None:
+    with pytest.raises(SceneError, match="found moon; expected a file or one of city, courtyard"):
+        find_environment("moon")
