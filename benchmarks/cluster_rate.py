@@ -23,7 +23,7 @@ from typing import Any
 
 from rna_export.capture import blender_env
 from rna_export.capture.gathered import Gathered
-from rna_export.capture.run import Crew, begin
+from rna_export.capture.run import CaptureCrew, begin
 from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureJob, CaptureWorker
@@ -56,7 +56,7 @@ def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
 
 def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:
     """A shard of a capture."""
-    crew = Crew(blender_env.find_python(), folder / "scratch", workers, where)
+    crew = CaptureCrew(blender_env.find_python(), folder / "scratch", workers, where)
     asked = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
     dataset = begin(source, asked, folder / "a.rays", crew, None, lambda line: None)
     carried = Gathered.of(dataset, where, None).carried()
