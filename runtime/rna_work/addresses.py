@@ -47,7 +47,7 @@ def _asks(target: str, method: str) -> bool:
         try:
             channel.unary_unary(method)(b"", timeout=_SECONDS)
         except grpc.RpcError as error:
-            return error.code() == grpc.StatusCode.UNAUTHENTICATED
+            return bool(error.code() == grpc.StatusCode.UNAUTHENTICATED)
     return False
 
 

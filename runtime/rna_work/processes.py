@@ -102,6 +102,7 @@ def _serve(pipe: Connection, make: MakeWorker, name: str) -> None:
         return
     pipe.send((HERE, None))
     while (given := pipe.recv()) is not None:
+        answer: tuple[Any, Exception | None]
         try:
             answer = worker.run(*given), None
         except Exception as error:

@@ -73,7 +73,7 @@ class RaySlot:
         import ray
 
         self.name = name
-        self._actor = ray.remote(_Actor).options(**options).remote(threads)
+        self._actor: Any = ray.remote(_Actor).options(**options).remote(threads)
         self.ready = _settled(self._actor.begin.remote(make, name))
 
     def give(self, item: Any) -> Future[Any]:

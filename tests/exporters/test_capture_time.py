@@ -11,7 +11,7 @@ from rna_export.capture import run as run_module
 from rna_export.capture import time_plan
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.run import Crew, finish
+from rna_export.capture.run import CaptureCrew, finish
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureWorker
 from rna_export.capture.tasks import TrainingShard, ValidationHalf
@@ -128,7 +128,7 @@ def test_a_slow_capture_ends_in_time(
         monkeypatch.setattr(kind, "run", run)
     monkeypatch.setattr(run_module, "CaptureWorker", WithoutBlender)
     said: list[str] = []
-    crew, source = Crew(Path("python"), dataset.folder, 1), Source(Path("ball.py"))
+    crew, source = CaptureCrew(Path("python"), dataset.folder, 1), Source(Path("ball.py"))
     finish(dataset, source, crew, TimeLimit(1.0, 0.0), said.append)
     again = Dataset(dataset.folder)
     assert again.manifest == dataset.manifest

@@ -11,7 +11,7 @@ import torch
 from rna_export.export.decoder import (
     ABSOLUTE,
     RELATIVE,
-    check_decoder,
+    compare_decoder,
     export_decoder,
     extreme_queries,
     random_queries,
@@ -53,7 +53,7 @@ def test_agrees_with_pytorch(kind: str, preset: str) -> None:
     found, expected = run(decoder, queries), model.transport(y).flatten(1).numpy()
     assert np.all(np.abs(found - expected) <= ABSOLUTE + RELATIVE * np.abs(expected))
     assert found.min() == 0.0 and found[:, 3:].max() == pytest.approx(12.5)  # both clamps reached
-    agreement = check_decoder(decoder, model)
+    agreement = compare_decoder(decoder, model)
     assert 0.0 < agreement.max_absolute < 1e-3 and agreement.max_relative < RELATIVE
 
 
@@ -99,7 +99,7 @@ def test_another_decoder_is_refused(change) -> None:
     decoder = export_decoder(model)
     change(model)
     with pytest.raises(ExportError, match="differs from PyTorch"):
-        check_decoder(decoder, model)
+        compare_decoder(decoder, model)
 
 
 def test_extreme_queries_are_extreme() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.manifest import SAMPLE_FIELDS
-from rna_export.capture.run import Crew, begin, finish
+from rna_export.capture.run import CaptureCrew, begin, finish
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import Source
@@ -110,7 +110,7 @@ def test_direct_light_has_no_noise_and_is_there_where_we_see_the_light(
 def test_a_dataset_of_fibers(tmp_path: Path, blender_python: Path) -> None:
     source = Source(write_scene(tmp_path, "fur", FUR))
     asked = {"lights": 3, "rays": 300, "validation_views": 1, "validation_resolution": 24}
-    crew = Crew(blender_python, tmp_path / "scratch", 1)
+    crew = CaptureCrew(blender_python, tmp_path / "scratch", 1)
     dataset = begin(source, asked, tmp_path / "fur.rays", crew, None, lambda _: None)
     finish(dataset, source, crew)
     dataset = dataset.only

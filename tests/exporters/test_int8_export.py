@@ -13,7 +13,7 @@ import torch
 from rna_export.capture.dataset import Dataset
 from rna_export.export.build import build_package
 from rna_export.export.cli import main
-from rna_export.export.decoder import check_int8_decoder, export_decoder, random_queries
+from rna_export.export.decoder import compare_int8_decoder, export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.training.checkpoint import load_checkpoint
@@ -39,7 +39,7 @@ def test_onnx_is_the_twin_and_near_the_trained(kind: str, preset: str) -> None:
     queries = random_queries(model, 5000, 7)
     layers = int8_decoder(model, queries)
     decoder = export_decoder(model, layers)
-    agreement = check_int8_decoder(decoder, model, layers, random_queries(model, 2000, 8))
+    agreement = compare_int8_decoder(decoder, model, layers, random_queries(model, 2000, 8))
     assert 0.0 < agreement.max_absolute < 12.5
     y, exact = layers(queries), model.decoder(queries)
     assert float((y - exact).square().mean()) < 1e-3 * float(exact.square().mean())
@@ -110,7 +110,7 @@ def test_another_decoder_is_refused(change) -> None:
     decoder = export_decoder(model, layers)
     others = replace(layers, layers=(*layers.layers[:-1], change(layers.layers[-1])))
     with pytest.raises(ExportError, match="differs from its twin"):
-        check_int8_decoder(decoder, model, others, queries)
+        compare_int8_decoder(decoder, model, others, queries)
 
 
 def test_output_is_finite_and_never_negative_whatever_is_asked() -> None:

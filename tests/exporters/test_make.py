@@ -13,7 +13,7 @@ import pytest
 
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.guide import Guide
-from rna_export.capture.run import Crew
+from rna_export.capture.run import CaptureCrew
 from rna_export.capture.sample_files import write_parts
 from rna_export.capture.tasks import Task, TrainingShard
 from rna_export.capture.time_plan import TimeLimit
@@ -65,7 +65,7 @@ class Cycles:
         self,
         dataset: Dataset,
         source: Source,
-        crew: Crew,
+        crew: CaptureCrew,
         limit: TimeLimit | None = None,
         say: object = None,
         tasks: Sequence[Task] = (),
@@ -118,7 +118,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
             steps=None,
             seed=0,
         )
-        crew = Crew(Path("python"), tmp_path / "scratch", 1)
+        crew = CaptureCrew(Path("python"), tmp_path / "scratch", 1)
         source = Source(tmp_path / "ball.py")
         order = Order(source, {}, None, work, presets, goal, minutes, None, 0, "cpu", crew)
         return Make(order, asked, run_module.monotonic(), lambda _: None).run(), cycles

@@ -6,7 +6,7 @@ import onnxruntime
 import pytest
 import torch
 
-from rna_export.export.decoder import check_decoder, export_decoder, random_queries
+from rna_export.export.decoder import compare_decoder, export_decoder, random_queries
 from rna_export.training.feature_network import ENCODED_DIRECTIONS
 from rna_export.training.losses import sample_loss
 from rna_export.training.model import NeuralAsset
@@ -41,7 +41,7 @@ def samples(n: int) -> dict[str, torch.Tensor]:
 def test_decoder_adds_its_colours_up(kind: str, hint: bool) -> None:
     model = model_of(kind, visibility_hint=hint)
     decoder = export_decoder(model)
-    check_decoder(decoder, model)
+    compare_decoder(decoder, model)
     session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
     queries = random_queries(model, 50, 3).detach().numpy()
     (found,) = session.run(None, {"queries": queries})

@@ -9,7 +9,7 @@ import pytest
 
 from rna_export.capture.asset_scene import AssetScene, part_counts
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.run import Crew, begin, finish
+from rna_export.capture.run import CaptureCrew, begin, finish
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.view_rays import _aimed, _outside, sample_view_rays
 from rna_export.capture.worker import Source
@@ -125,7 +125,7 @@ def test_cycles_agrees_where_light_reaches_hair_beside_a_ball(
     hair = fur(400, bend=0.2, root=0.012, tip=0.006, melanin=0.3)
     source = Source(write_scene(tmp_path, "furry", half + body + hair))
     asked = {"lights": 3, "rays": 2000, "validation_views": 1, "validation_resolution": 24}
-    crew = Crew(blender_python, tmp_path / "scratch", 1)
+    crew = CaptureCrew(blender_python, tmp_path / "scratch", 1)
     dataset = begin(source, asked, tmp_path / "furry.rays", crew, None, lambda _: None)
     finish(dataset, source, crew)
     assert dataset.manifest.settings.samples == CaptureSettings.usual("both").samples

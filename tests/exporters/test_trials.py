@@ -12,7 +12,7 @@ from rna_export.export.build import build_package
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.run import train
 from rna_export.trials import run as run_module
-from rna_export.trials.packages import PRECISIONS, USUAL
+from rna_export.trials.packages import TRIAL_PRECISIONS, USUAL
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import read_record
 from rna_export.trials.run import run_trial
@@ -48,7 +48,9 @@ def test_record_is_what_the_exporter_says_of_the_package(
     trained = load_checkpoint(finished / "best.ckpt")
     for name, point in record.points.items():
         path = tmp_path / "exported.rna"
-        build_package([trained], dataset.dataset, path, None, "CC0-1.0", print, [PRECISIONS[name]])
+        build_package(
+            [trained], dataset.dataset, path, None, "CC0-1.0", print, [TRIAL_PRECISIONS[name]]
+        )
         tier = load(path).tier
         assert point.scores.psnr == pytest.approx(tier.validation.psnr, abs=0.01)
         assert point.scores.flip == pytest.approx(tier.validation.flip, abs=1e-4)

@@ -15,12 +15,12 @@ from rna_bench.frontier.chart_points import front
 from rna_bench.frontier.findings import findings, sentences
 from rna_export.capture.dataset import Dataset
 from rna_export.trials.grid import full_grid
-from rna_export.trials.packages import PRECISIONS
+from rna_export.trials.packages import TRIAL_PRECISIONS
 from rna_export.trials.trial import Trial
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.render.chromium import find_chromium, open_page
 
-POINTS = 3 * len(PRECISIONS)
+POINTS = 3 * len(TRIAL_PRECISIONS)
 
 
 def grid(kind: str, steps: int) -> list[Trial]:

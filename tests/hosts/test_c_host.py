@@ -13,7 +13,7 @@ import onnx
 import pytest
 
 from rna_sdk.runtime import load
-from tests.conformance.kit.decoders import Int8Decoder, Int8Layer
+from tests.conformance.kit.decoders import Int8Decoder, KitInt8Layer
 from tests.hosts.c_host import CAsset, build, compiler
 from tests.hosts.packages import make_profile_tier, write_fuzz_packages, write_profile_package
 from tests.package.builders import read_entries
@@ -88,10 +88,12 @@ def test_int8_sums_of_a_wide_layer_are_exact(programs: dict[str, Path], tmp_path
     columns, wide, unit = tier.parts[0].query_width, 1100, np.float32(0.25)
     ones, steps = np.ones(columns, np.float32), np.arange(1, 7)
     weight = (126 + np.arange(wide * 6).reshape(wide, 6) % 2).astype(np.int8)
-    full = Int8Layer(
+    full = KitInt8Layer(
         np.zeros((columns, wide), np.int8), np.ones(wide, np.float32), np.full(wide, 300), ones[0]
     )
-    left = Int8Layer(weight, np.full(6, unit), steps - 255 * weight.sum(axis=0, dtype=int), ones[0])
+    left = KitInt8Layer(
+        weight, np.full(6, unit), steps - 255 * weight.sum(axis=0, dtype=int), ones[0]
+    )
     layers = [replace(layer, bias=layer.bias.astype(np.int32)) for layer in (full, left)]
     file = Int8Decoder(ones, ones, layers, np.float32(1)).file()
     package = write_profile_package(tmp_path / "wide.rna", tier)

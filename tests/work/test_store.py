@@ -11,7 +11,7 @@ import pytest
 
 from rna_export.capture import run as run_module
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.run import Crew, finish
+from rna_export.capture.run import CaptureCrew, finish
 from rna_export.capture.worker import Source
 from rna_sdk.errors import WorkError
 from rna_work.store import Store
@@ -64,7 +64,7 @@ def test_a_capture_is_gathered(
     for kind in (run_module.TrainingShard, type(run_module.all_tasks(dataset)[0])):
         monkeypatch.setattr(kind, "run", run)
     monkeypatch.setattr(run_module, "CaptureWorker", WithoutBlender)
-    crew = Crew(Path("python"), tmp_path / "scratch", 1, store=store)
+    crew = CaptureCrew(Path("python"), tmp_path / "scratch", 1, store=store)
     tasks = run_module.all_tasks(dataset)
     finish(dataset, Source(Path("ball.py")), crew, say=lambda _: None)
     assert len(made) == len(tasks) == len(store.names())

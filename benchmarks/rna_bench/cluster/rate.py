@@ -24,7 +24,7 @@ from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture import blender_env
 from rna_export.capture.gathered import Gathered
-from rna_export.capture.run import Crew, begin
+from rna_export.capture.run import CaptureCrew, begin
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureJob, CaptureWorker
 from rna_export.capture.tasks import TrainingShard
@@ -55,7 +55,7 @@ def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
 
 def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:
     """A shard of a capture."""
-    crew = Crew(blender_env.find_python(), folder / "scratch", workers, where)
+    crew = CaptureCrew(blender_env.find_python(), folder / "scratch", workers, where)
     asked = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
     dataset = begin(source, asked, folder / "a.rays", crew, None, lambda line: None)
     carried = Gathered.of(dataset, where, None).carried()

@@ -192,7 +192,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         print(f"Blender {blender_env.BPY_VERSION} is ready: {blender_env.set_up()}")
         return
     check_source(args.source)
-    from rna_export.capture.run import Crew, begin, finish
+    from rna_export.capture.run import CaptureCrew, begin, finish
     from rna_export.capture.time_plan import TimeLimit
     from rna_export.capture.worker import Source
     from rna_render.scene_file import read_scene
@@ -207,7 +207,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     begun = (args.out / "manifest.json").is_file()
     try:
         with place(args.cluster) as where:
-            crew = Crew(python, scratch, args.workers, where, args.store)
+            crew = CaptureCrew(python, scratch, args.workers, where, args.store)
             if begun:
                 dataset = _continue(args.out, args.source, arguments, asked)
                 _check_scene(dataset, for_scene)

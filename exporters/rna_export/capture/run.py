@@ -48,7 +48,7 @@ _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
 @dataclass(frozen=True)
-class Crew:
+class CaptureCrew:
     """Who captures.
 
     python, scratch: of Blender on this machine. workers: how many, each with one thread, since a
@@ -84,7 +84,7 @@ def begin(
     source: Source,
     asked: dict[str, Any],
     out: Path,
-    crew: Crew,
+    crew: CaptureCrew,
     limit: TimeLimit | None,
     say: Callable[[str], None],
     for_scene: SceneFile | None = None,
@@ -136,7 +136,7 @@ def begin(
 def finish(
     dataset: Dataset,
     source: Source,
-    crew: Crew,
+    crew: CaptureCrew,
     limit: TimeLimit | None = None,
     say: Callable[[str], None] = print,
     tasks: Sequence[Task] | None = None,

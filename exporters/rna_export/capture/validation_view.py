@@ -8,6 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
+from rna_export.capture.asset_arguments import emission_arguments, evaluate_arguments
 from rna_sdk.runtime import Asset
 
 _NO_QUERY = ("radiance", "direct", "visible", "pixel", "weight")
@@ -16,8 +17,13 @@ _NO_QUERY = ("radiance", "direct", "visible", "pixel", "weight")
 class CapturedImage(Protocol):
     """What a model's answers are scored against."""
 
-    index: int
-    resolution: int
+    @property
+    def index(self) -> int:
+        """Number of the image in its dataset."""
+
+    @property
+    def resolution(self) -> int:
+        """Pixels along a side."""
 
     @property
     def reference(self) -> np.ndarray:
@@ -53,7 +59,7 @@ class ValidationView:
 
     @property
     def queries(self) -> dict[str, np.ndarray]:
-        """What a model is asked, by name, in the order of `evaluate`'s arguments."""
+        """What a model is asked, by name."""
         return queries_of(self.samples)
 
     def pick(self, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
@@ -62,7 +68,7 @@ class ValidationView:
 
     def shaded_by(self, asset: Asset) -> np.ndarray:
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
-        return self.pick(*asset.evaluate(*self.queries.values()))
+        return self.pick(*asset.evaluate(*evaluate_arguments(self.samples)))
 
     def image(self, values: np.ndarray) -> np.ndarray:
         """See `CapturedImage`."""
@@ -75,7 +81,7 @@ class EmissionView(ValidationView):
 
     def shaded_by(self, asset: Asset) -> np.ndarray:
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
-        return asset.emission(*self.queries.values())
+        return asset.emission(*emission_arguments(self.samples))
 
 
 @dataclass(frozen=True)
@@ -134,5 +140,5 @@ def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
 
 def all_queries(views: list[ValidationView]) -> list[np.ndarray]:
     """The arguments of `evaluate` for every pixel of the images."""
-    parts = zip(*(view.queries.values() for view in views), strict=True)
+    parts = zip(*(evaluate_arguments(view.samples) for view in views), strict=True)
     return [np.concatenate(part) for part in parts]

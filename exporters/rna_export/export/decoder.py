@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import onnxruntime
 import torch
@@ -14,18 +12,11 @@ from rna_export.export.int8_decoder import Int8Decoder
 from rna_export.training.inputs import Points
 from rna_export.training.model import NeuralAsset
 from rna_sdk.errors import ExportError
+from rna_sdk.package import Agreement
 from rna_sdk.runtime.agreement import ABSOLUTE, RELATIVE, TIES, close_rows
 
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
-
-
-@dataclass(frozen=True)
-class Agreement:
-    """Largest differences of the ONNX decoder from the trained one over the checked queries."""
-
-    max_absolute: float
-    max_relative: float  # of values above ABSOLUTE / RELATIVE
 
 
 class EmissionModel:
@@ -101,24 +92,24 @@ def _int8_layers(graph: Graph, value: str, int8: Int8Decoder) -> str:
 
 
 @torch.no_grad()
-def check_decoder(decoder: bytes, model: Exported, seed: int = 0) -> Agreement:
+def compare_decoder(decoder: bytes, model: Exported, seed: int = 0) -> Agreement:
     """Compare ONNX with PyTorch on random and extreme queries; `ExportError` beyond tolerance."""
     queries = torch.cat(
         [random_queries(model, _RANDOM_QUERIES, seed), extreme_queries(model, seed)]
     )
     found, expected = _run(decoder, queries), _transport(model, model.decoder(queries))
-    agreement = _agreement(found, expected)
+    absolute, relative = _differences(found, expected)
     if not close_rows(found, expected).all():
         raise ExportError(
-            f"the ONNX decoder differs from PyTorch by up to {agreement.max_absolute:.2e} "
-            f"absolute, {agreement.max_relative:.2e} relative; expected at most {ABSOLUTE:g} + "
+            f"the ONNX decoder differs from PyTorch by up to {absolute:.2e} "
+            f"absolute, {relative:.2e} relative; expected at most {ABSOLUTE:g} + "
             f"{RELATIVE:g} |x|"
         )
-    return agreement
+    return Agreement(max_absolute=absolute, max_relative=relative)
 
 
 @torch.no_grad()
-def check_int8_decoder(
+def compare_int8_decoder(
     decoder: bytes, model: Exported, int8: Int8Decoder, queries: Tensor, seed: int = 0
 ) -> Agreement:
     """Compare ONNX with the twin in PyTorch; `ExportError` beyond tolerance.
@@ -136,7 +127,9 @@ def check_int8_decoder(
             f"the int8 ONNX decoder differs from its twin in PyTorch in {differing:.1%} of the "
             f"rows; expected at most {TIES:.1%}"
         )
-    return _agreement(_run(decoder, queries), _transport(model, model.decoder(queries)))
+    expected = _transport(model, model.decoder(queries))
+    absolute, relative = _differences(_run(decoder, queries), expected)
+    return Agreement(max_absolute=absolute, max_relative=relative)
 
 
 def _run(decoder: bytes, queries: Tensor) -> np.ndarray:
@@ -149,13 +142,12 @@ def _transport(model: Exported, y: Tensor) -> np.ndarray:
     return model.transport(y.unflatten(1, (-1, 3))).flatten(1).numpy()
 
 
-def _agreement(found: np.ndarray, expected: np.ndarray) -> Agreement:
+def _differences(found: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
+    """Largest absolute difference, and largest relative one of values above ABSOLUTE / RELATIVE."""
     difference = np.abs(found - expected)
     large = np.abs(expected) > ABSOLUTE / RELATIVE
-    return Agreement(
-        float(difference.max()),
-        float((difference[large] / np.abs(expected[large])).max(initial=0.0)),
-    )
+    relative = (difference[large] / np.abs(expected[large])).max(initial=0.0)
+    return float(difference.max()), float(relative)
 
 
 def random_queries(model: Exported, n: int, seed: int) -> torch.Tensor:

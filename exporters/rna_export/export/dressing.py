@@ -53,7 +53,8 @@ def _proxies(
     if record.transmittance or record.normal_maps:
         say(f"{record.name}: its textures belong to its triangles, no proxy")
         return []
-    mesh, found = package.mesh(part), []
+    mesh = package.mesh(part)
+    found: list[tuple[Geometry, int]] = []
     for pixels in heights:
         proxy = proxy_of(mesh, pixels)
         whole = f"{record.name}: {len(mesh.triangles):,} triangles"

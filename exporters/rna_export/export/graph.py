@@ -16,10 +16,10 @@ class Graph:
         self._nodes: list[onnx.NodeProto] = []
         self._constants: list[onnx.TensorProto] = []
 
-    def constant(self, value: np.ndarray | float) -> str:
+    def constant(self, value: np.ndarray | np.generic | float) -> str:
         """A constant of the array's dtype; float32 for a Python number."""
         name = f"c{len(self._constants)}"
-        array = np.float32(value) if isinstance(value, float) else np.asarray(value)
+        array = np.asarray(value, np.float32 if isinstance(value, float) else None)
         self._constants.append(numpy_helper.from_array(array, name))
         return name
 

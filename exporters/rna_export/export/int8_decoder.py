@@ -25,7 +25,7 @@ _CLIPS = torch.linspace(0.3, 1.0, 36)
 
 
 @dataclass(frozen=True)
-class Int8Layer:
+class TorchInt8Layer:
     """What a layer multiplies: sum = weight @ q + bias, in units of input_scale * weight_scale.
 
     Attributes:
@@ -57,7 +57,7 @@ class Int8Decoder:
 
     gain: Tensor
     offset: Tensor
-    layers: tuple[Int8Layer, ...]
+    layers: tuple[TorchInt8Layer, ...]
 
     def __call__(self, queries: Tensor) -> Tensor:
         """y as the model's decoder gives it, (n, outputs) float32, for queries (n, K)."""
@@ -143,7 +143,7 @@ def _scale(values: Tensor) -> float:
 
 def _layer(
     weight: Tensor, scale: Tensor, bias: Tensor, input_scale: float, q: Tensor, expected: Tensor
-) -> Int8Layer:
+) -> TorchInt8Layer:
     """The layer for inputs q (n, inputs), in steps of `input_scale`; weights in steps of `scale`.
 
     expected: its sums (n, outputs) in the trained decoder. The bias makes their means equal, so
@@ -153,4 +153,4 @@ def _layer(
     moved = expected.mean(dim=0) - (q @ rounded.T * (scale * input_scale) + bias).mean(dim=0)
     limit = np.iinfo(np.int32).max // 2
     steps = ((bias + moved).double() / (scale.double() * input_scale)).round().clamp(-limit, limit)
-    return Int8Layer(rounded.to(torch.int8), scale, steps.to(torch.int32), input_scale)
+    return TorchInt8Layer(rounded.to(torch.int8), scale, steps.to(torch.int32), input_scale)

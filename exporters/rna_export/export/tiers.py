@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict
 
 import numpy as np
 import torch
@@ -11,11 +10,10 @@ import torch
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.validation_view import queries_of
-from rna_export.export.decoder import Agreement as DecoderAgreement
 from rna_export.export.decoder import (
     EmissionModel,
-    check_decoder,
-    check_int8_decoder,
+    compare_decoder,
+    compare_int8_decoder,
     export_decoder,
 )
 from rna_export.export.int8_decoder import int8_decoder
@@ -51,7 +49,7 @@ class _PartExport:
 
     def __init__(self, one: Trained, part: DatasetPart, say: Callable[[str], None]):
         self._one, self._part, self._say = one, part, say
-        self._decoders: dict[DecoderPrecision, tuple[bytes, DecoderAgreement]] = {}
+        self._decoders: dict[DecoderPrecision, tuple[bytes, Agreement]] = {}
 
     def tier_part(self, precision: Precision) -> tuple[TierPart, TierData]:
         """The part's record in a tier of this precision, and its data."""
@@ -72,7 +70,7 @@ class _PartExport:
             channels=config.channels,
             plane_precision=precision.planes,
             decoder_precision=precision.decoder,
-            agreement=Agreement(**asdict(agreement)),
+            agreement=agreement,
             emission=self._emission(stem),
         )
         planes = stored_planes(one.model.triplane.planes.detach().numpy(), precision.planes)
@@ -83,12 +81,12 @@ class _PartExport:
         decoder = self._emission_decoder()
         if decoder is None:
             return None
-        agreement = check_decoder(decoder, EmissionModel(self._one.model))
+        agreement = compare_decoder(decoder, EmissionModel(self._one.model))
         return TierEmission(
             decoder=f"decoders/{stem}-emission.onnx",
             inputs=self._one.preset.model.emission_inputs,
             decoder_precision="float32",
-            agreement=Agreement(**asdict(agreement)),
+            agreement=agreement,
         )
 
     def _emission_decoder(self) -> bytes | None:
@@ -96,7 +94,7 @@ class _PartExport:
             return None
         return export_decoder(EmissionModel(self._one.model))
 
-    def _decoder(self, precision: DecoderPrecision) -> tuple[bytes, DecoderAgreement]:
+    def _decoder(self, precision: DecoderPrecision) -> tuple[bytes, Agreement]:
         """The exported decoder, and how far it is from the trained one."""
         if precision not in self._decoders:
             self._decoders[precision] = _exported(self._one, precision, self._part)
@@ -105,14 +103,14 @@ class _PartExport:
 
 def _exported(
     one: Trained, precision: DecoderPrecision, part: DatasetPart
-) -> tuple[bytes, DecoderAgreement]:
+) -> tuple[bytes, Agreement]:
     if precision == "float32":
         exported = export_decoder(one.model)
-        return exported, check_decoder(exported, one.model)
+        return exported, compare_decoder(exported, one.model)
     queries = calibration_queries(one, part)
     layers = int8_decoder(one.model, queries)
     exported = export_decoder(one.model, layers)
-    return exported, check_int8_decoder(exported, one.model, layers, queries)
+    return exported, compare_int8_decoder(exported, one.model, layers, queries)
 
 
 @torch.no_grad()

@@ -108,7 +108,7 @@ def _run(args: argparse.Namespace, where: Place) -> None:
     from rna_export.fit.run import fit
     from rna_export.training.checkpoint import load_checkpoint
     from rna_export.trials.grid import full_grid, short_grid
-    from rna_export.trials.packages import PRECISIONS
+    from rna_export.trials.packages import TRIAL_PRECISIONS
     from rna_export.trials.pool import Crew
 
     if args.steps < 16:
@@ -127,7 +127,7 @@ def _run(args: argparse.Namespace, where: Place) -> None:
         args.source,
         args.license,
         print,
-        [PRECISIONS[found.chosen.precision]],
+        [TRIAL_PRECISIONS[found.chosen.precision]],
         max_loss=math.inf,  # what was found meets the goal as it is
     )
     write_page(found, dataset.manifest.name, work / "index.html")

@@ -19,7 +19,7 @@ from rna_export.training.checkpoint import Trained
 from rna_export.training.model import NeuralAsset
 from rna_export.training.run import padded_bounds
 from rna_export.trials.cost import Costs, measure_costs
-from rna_export.trials.packages import PRECISIONS, write_packages
+from rna_export.trials.packages import TRIAL_PRECISIONS, write_packages
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
@@ -81,7 +81,9 @@ def _with_costs(
     dataset: DatasetPart, trials: list[Trial], work: Path, say: Callable[[str], None]
 ) -> tuple[list[Candidate], Costs]:
     """Every trial at every precision, with the cost of its shape: weights do not change it."""
-    named = {f"{t.name}/{precision}": (t, precision) for t in trials for precision in PRECISIONS}
+    named = {
+        f"{t.name}/{precision}": (t, precision) for t in trials for precision in TRIAL_PRECISIONS
+    }
     path = work / "costs.json"
     costs = _read_costs(path) if path.is_file() else None
     if costs is None or set(costs.of) != set(named):

@@ -151,7 +151,7 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> None:
     check_source(args.model)
     from rna_export.capture.blender_env import find_python
-    from rna_export.capture.run import Crew
+    from rna_export.capture.run import CaptureCrew
     from rna_export.capture.settings import CaptureSettings
     from rna_export.capture.worker import Source
     from rna_export.make.order import Order
@@ -195,7 +195,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 steps=args.steps,
                 seed=args.seed,
                 device=device,
-                crew=Crew(python, scratch, args.workers, where, args.store),
+                crew=CaptureCrew(python, scratch, args.workers, where, args.store),
             )
             made = Make(order, asked, begun, print).run()
         manifest = export(made, args.out, args.source, args.license)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rna_export.capture.run import Crew
+from rna_export.capture.run import CaptureCrew
 from rna_export.capture.worker import Source
 from rna_export.fit.goal import Goal
 from rna_render.scene_file import SceneFile
@@ -26,4 +26,4 @@ class Order:
     steps: int | None  # of the last phase; None: the preset's
     seed: int
     device: str
-    crew: Crew
+    crew: CaptureCrew

@@ -24,6 +24,9 @@ class EmissionDecoder(nn.Module):
     `unit` is a radiance that is usual, `ceiling` bounds what is answered, as in `NeuralAsset`.
     """
 
+    ceiling: Tensor
+    unit: Tensor
+
     def __init__(self, inputs: tuple[str, ...], channels: int, width: int):
         super().__init__()
         self.inputs = inputs

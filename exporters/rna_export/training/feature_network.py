@@ -27,6 +27,9 @@ class FeatureNetwork(nn.Module):
     width: of the hidden layers. `low` and `high` are the asset's box.
     """
 
+    low: Tensor
+    high: Tensor
+
     def __init__(self, width: int, channels: int, low: Tensor, high: Tensor):
         super().__init__()
         encoded = 3 + 3 * 2 * _POSITION_OCTAVES

@@ -27,6 +27,9 @@ class NeuralAsset(nn.Module):
     presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
     """
 
+    ceiling: Tensor
+    unit: Tensor
+
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
         self.config = config
@@ -35,7 +38,8 @@ class NeuralAsset(nn.Module):
         else:
             texture = {"triplane": Triplane, "uv": UvTexture}[config.texture]
             self.triplane = texture(config.resolution, config.channels, *bounds)
-        width, layers = config.width, []
+        width = config.width
+        layers: list[nn.Module] = []
         columns = query_width(config.inputs, config.channels)
         for _ in range(config.hidden_layers):
             layers += [nn.Linear(columns, width), nn.ReLU()]
@@ -64,7 +68,8 @@ class NeuralAsset(nn.Module):
 
     def forward(self, at: Points, blur: float = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
-        return through(self.decoder, self.queries(at, blur)).unflatten(1, (-1, 3))
+        y = through(self.decoder, self.queries(at, blur))
+        return y.reshape(len(y), y.shape[1] // 3, 3)
 
     def queries(self, at: Points, blur: float = 1.0) -> Tensor:
         """What the decoder is asked, (k, K)."""

@@ -23,6 +23,9 @@ INITIAL_DEVIATION = 0.003
 class Triplane(nn.Module):
     """Planes (3, R, R, C) float32 over the object-space box `low`..`high`, (3,) each."""
 
+    low: Tensor
+    high: Tensor
+
     def __init__(self, resolution: int, channels: int, low: Tensor, high: Tensor):
         super().__init__()
         shape = (3, resolution, resolution, channels)

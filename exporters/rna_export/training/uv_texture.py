@@ -16,6 +16,9 @@ class UvTexture(nn.Module):
     places that are not near each other.
     """
 
+    low: Tensor
+    high: Tensor
+
     def __init__(self, resolution: int, channels: int, low: Tensor, high: Tensor):
         super().__init__()
         shape = (1, channels, resolution, resolution)

@@ -10,7 +10,7 @@ from rna_export.export.build import build_package
 from rna_export.export.precision import Precision
 from rna_export.training.checkpoint import Trained
 
-PRECISIONS = {
+TRIAL_PRECISIONS = {
     "float32-float16": Precision("float32", "float16"),
     "int8-float16": Precision("int8", "float16"),
     "int8-int8": Precision("int8", "int8"),
@@ -24,7 +24,7 @@ def write_packages(
     trained: Trained,
     dataset: DatasetPart,
     folder: Path,
-    precisions: Sequence[str] = tuple(PRECISIONS),
+    precisions: Sequence[str] = tuple(TRIAL_PRECISIONS),
 ) -> dict[str, Path]:
     """Write `<precision>.rna` into `folder`; returns their paths by precision.
 
@@ -32,7 +32,7 @@ def write_packages(
     """
     paths = {precision: folder / f"{precision}.rna" for precision in precisions}
     for precision, path in paths.items():
-        chosen = [PRECISIONS[precision]]
+        chosen = [TRIAL_PRECISIONS[precision]]
         build_package([trained], dataset.dataset, path, None, "NOASSERTION", _quiet, chosen, False)
     return paths
 

@@ -15,7 +15,7 @@ from rna_export.training.checkpoint import Trained, load_checkpoint, load_progre
 from rna_export.training.run import Run, train
 from rna_export.training.samples import SampleTable
 from rna_export.training.validation import shade
-from rna_export.trials.packages import PRECISIONS, USUAL, write_packages
+from rna_export.trials.packages import TRIAL_PRECISIONS, USUAL, write_packages
 from rna_export.trials.record import Point, Record, read_record
 from rna_export.trials.scores import judge, write_strips
 from rna_export.trials.trial import Trial
@@ -35,7 +35,7 @@ def run_trial(
 ) -> Record:
     """Train, export and measure what is not finished yet in `folder`; returns the record.
 
-    A finished training without some of `PRECISIONS` gets those alone. table: the dataset's
+    A finished training without some of `TRIAL_PRECISIONS` gets those alone. table: the dataset's
     samples on the device, to share between trials. after_checkpoint: called with each. Raises
     `TrainingError` when the folder belongs to another trial, `ExportError` when the model cannot be
     exported.
@@ -55,7 +55,7 @@ def run_trial(
     trained = load_checkpoint(folder / "best.ckpt")
     if trial.packageable:
         points = dict(record.points) if record else {}
-        wanted = missing_precisions(record) if record else tuple(PRECISIONS)
+        wanted = missing_precisions(record) if record else tuple(TRIAL_PRECISIONS)
         points.update(_measure_packages(trained, dataset, folder, wanted))
     else:
         points = _measure_model(trained, dataset, folder)
@@ -74,10 +74,10 @@ def run_trial(
 
 
 def missing_precisions(record: Record) -> tuple[str, ...]:
-    """Of PRECISIONS, those that were not measured; none of a model that no package holds."""
+    """Of TRIAL_PRECISIONS, those that were not measured; none of a model that no package holds."""
     if not record.trial.packageable:
         return ()
-    return tuple(p for p in PRECISIONS if p not in record.points)
+    return tuple(p for p in TRIAL_PRECISIONS if p not in record.points)
 
 
 def _run(

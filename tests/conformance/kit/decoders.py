@@ -31,7 +31,7 @@ class Layer:
 
 
 @dataclass(frozen=True)
-class Int8Layer:
+class KitInt8Layer:
     """weight (inputs, outputs) int8, scale (outputs,) float32, bias (outputs,) int32, in units of
     input_scale * scale; input_scale: what a step of the uint8 inputs means."""
 
@@ -76,7 +76,7 @@ class Int8Decoder:
 
     gain: np.ndarray
     offset: np.ndarray
-    layers: list[Int8Layer]
+    layers: list[KitInt8Layer]
     ends: np.ndarray
     output: str = "transport"
 
@@ -165,13 +165,15 @@ def make_int8_decoder(decoder: Decoder, blocks: np.ndarray, largest: int = 64) -
     biases = [layer.bias.astype(np.float64) for layer in decoder.layers]
     weights[0] = weights[0] / gain[:, None]
     biases[0] = biases[0] - offset @ weights[0]
-    layers: list[Int8Layer] = []
+    layers: list[KitInt8Layer] = []
     scale, x = np.float32(1), blocks * gain + offset
     for weight, bias in zip(weights, biases, strict=True):
         weight_scale = short(np.abs(weight).max(axis=0) / largest)
         steps = np.clip(np.round(weight / weight_scale), -largest, largest).astype(np.int8)
         unit = np.float64(scale) * weight_scale
-        layers.append(Int8Layer(steps, weight_scale, np.round(bias / unit).astype(np.int32), scale))
+        layers.append(
+            KitInt8Layer(steps, weight_scale, np.round(bias / unit).astype(np.int32), scale)
+        )
         x = _sums(_quantized(x, layers[-1]), layers[-1])
         scale = np.float32(short(np.maximum(x, 0).max() / 255.0))
     return Int8Decoder(gain, offset, layers, decoder.ends, decoder.output)
@@ -206,12 +208,12 @@ def _product(x: np.ndarray, weight: np.ndarray) -> np.ndarray:
     return x @ weight.astype(np.float64)
 
 
-def _sums(steps: np.ndarray, layer: Int8Layer) -> np.ndarray:
+def _sums(steps: np.ndarray, layer: KitInt8Layer) -> np.ndarray:
     unit = np.float64(layer.input_scale) * layer.scale
     return (_product(steps, layer.weight) + layer.bias) * unit
 
 
-def _quantized(x: np.ndarray, layer: Int8Layer) -> np.ndarray:
+def _quantized(x: np.ndarray, layer: KitInt8Layer) -> np.ndarray:
     return np.clip(np.rint(x / np.float64(layer.input_scale)), 0, 255)
 
 

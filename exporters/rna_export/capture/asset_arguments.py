@@ -1,0 +1,58 @@
+"""Captured samples as the positional arguments of the runtime's `evaluate` and `emission`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+
+class SurfaceArguments(NamedTuple):
+    """Of `SurfaceAsset.evaluate`: (n, 3) float32 each, object space."""
+
+    position: np.ndarray
+    normal: np.ndarray
+    wo: np.ndarray
+    wi: np.ndarray
+
+
+class FiberArguments(NamedTuple):
+    """Of `FiberAsset.evaluate`: h (n,), the others (n, 3), float32, object space."""
+
+    position: np.ndarray
+    tangent: np.ndarray
+    h: np.ndarray
+    wo: np.ndarray
+    wi: np.ndarray
+
+
+class SurfaceEmissionArguments(NamedTuple):
+    """Of `SurfaceAsset.emission`."""
+
+    position: np.ndarray
+    normal: np.ndarray
+    wo: np.ndarray
+
+
+class FiberEmissionArguments(NamedTuple):
+    """Of `FiberAsset.emission`."""
+
+    position: np.ndarray
+    tangent: np.ndarray
+    h: np.ndarray
+    wo: np.ndarray
+
+
+def evaluate_arguments(fields: Mapping[str, np.ndarray]) -> SurfaceArguments | FiberArguments:
+    """Those of a part's samples by name, whatever their order; other fields are left out."""
+    form = FiberArguments if "tangent" in fields else SurfaceArguments
+    return form(**{name: fields[name] for name in form._fields})
+
+
+def emission_arguments(
+    fields: Mapping[str, np.ndarray],
+) -> SurfaceEmissionArguments | FiberEmissionArguments:
+    """Likewise, for samples that know of no light."""
+    form = FiberEmissionArguments if "tangent" in fields else SurfaceEmissionArguments
+    return form(**{name: fields[name] for name in form._fields})
