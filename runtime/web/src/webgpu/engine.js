@@ -118,7 +118,7 @@ export class WebGPUEngine {
       return texture;
     };
     this.images?.forEach((texture) => texture.destroy());
-    this.images = [image(width, height, "rgba32float", values, 16), image(height, 1, "r32float", marginal, 4)];
+    this.images = [image(width, height, "rgba32float", values, 16), image(marginal.length, 1, "r32float", marginal, 4)];
     this._bind();
   }
 

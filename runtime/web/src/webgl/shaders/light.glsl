@@ -10,7 +10,7 @@ uniform int lightKind;          // 0: sun, 1: environment, 2: given directions
 uniform vec3 lightDirection;    // of a sun
 uniform vec3 lightColour;       // its irradiance, or a factor of the environment
 uniform sampler2D environment;  // radiance, row 0 at +y; w: the row's distribution along it
-uniform sampler2D marginal;     // distribution over rows
+uniform sampler2D marginal;     // distribution over rows; 1 / the sum of weights; the least weight
 uniform vec2 turn;              // cosine and sine of the environment's rotation
 uniform vec4 ground;            // height, 1 if there is one, middle x and z
 uniform vec3 groundColour;      // radiance of it in full light, over the light's irradiance
@@ -35,33 +35,54 @@ int searched(sampler2D table, int row, int count, float u, int channel) {
   return low;
 }
 
-vec3 environmentAt(vec2 st) {
-  ivec2 size = textureSize(environment, 0);
-  vec2 at = st * vec2(size) - 0.5, low = floor(at), f = at - low;
-  ivec2 a = ivec2(low), b = a + 1;
-  a.y = clamp(a.y, 0, size.y - 1);
-  b.y = clamp(b.y, 0, size.y - 1);
-  a.x = (a.x + size.x) % size.x;
-  b.x = b.x % size.x;
-  return mix(mix(texelFetch(environment, a, 0), texelFetch(environment, ivec2(b.x, a.y), 0), f.x),
-             mix(texelFetch(environment, ivec2(a.x, b.y), 0), texelFetch(environment, b, 0), f.x), f.y).xyz;
+// A texel's weight among all: luminance times the sine of its row.
+float texelWeight(vec3 rgb, int row, ivec2 size) {
+  float least = texelFetch(marginal, ivec2(size.y + 1, 0), 0).x;
+  return max(least, dot(rgb, vec3(0.2126, 0.7152, 0.0722))) * sin(PI * (float(row) + 0.5) / float(size.y));
 }
 
-// A direction in proportion to the luminance of texels; radiance over density.
+// Radiance at a place in the image, bilinear, over the density there of sampleEnvironment: the weights, bilinear.
+vec3 environmentOverDensity(vec2 st, float sine) {
+  ivec2 size = textureSize(environment, 0);
+  vec2 at = st * vec2(size) - 0.5, low = floor(at), f = at - low;
+  vec3 radiance = vec3(0.0);
+  float weight = 0.0;
+  for (int k = 0; k < 4; k++) {
+    ivec2 offset = ivec2(k & 1, k >> 1);
+    float share = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
+    int column = (int(low.x) + offset.x + size.x) % size.x, row = clamp(int(low.y) + offset.y, 0, size.y - 1);
+    vec3 rgb = texelFetch(environment, ivec2(column, row), 0).xyz;
+    radiance += share * rgb;
+    weight += share * texelWeight(rgb, row, size);
+  }
+  float overTotal = texelFetch(marginal, ivec2(size.y, 0), 0).x;
+  float density = weight * overTotal * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
+  return radiance / density;
+}
+
+// From the uniform distribution on [0, 1] to the tent about 0, on [-1, 1].
+vec2 tent(vec2 u) {
+  vec2 t = 2.0 * clamp(u, 0.0, 1.0) - 1.0;
+  return sign(t) * (1.0 - sqrt(1.0 - abs(t)));
+}
+
+// A direction, and radiance over density: a texel in proportion to its weight, then a place about its middle by a tent
+// two texels wide. So the density is the weights' bilinear interpolation, and follows the radiance that is looked up.
 vec3 sampleEnvironment(vec2 u, out vec3 wi) {
   ivec2 size = textureSize(environment, 0);
   int row = searched(marginal, 0, size.y, u.y, 0);
   float before = row > 0 ? texelFetch(marginal, ivec2(row - 1, 0), 0).x : 0.0;
-  float chance = texelFetch(marginal, ivec2(row, 0), 0).x - before, v = (u.y - before) / chance;
+  float chance = texelFetch(marginal, ivec2(row, 0), 0).x - before;
   int column = searched(environment, row, size.x, u.x, 3);
   float left = column > 0 ? texelFetch(environment, ivec2(column - 1, row), 0).w : 0.0;
   float width = texelFetch(environment, ivec2(column, row), 0).w - left;
-  vec2 st = (vec2(column, row) + vec2((u.x - left) / width, clamp(v, 0.0, 1.0))) / vec2(size);
+  vec2 within = (u - vec2(left, before)) / max(vec2(width, chance), 1e-12);
+  vec2 place = (vec2(column, row) + 0.5 + tent(within)) / vec2(size);
+  vec2 st = vec2(fract(place.x), 1.0 - abs(1.0 - abs(place.y)));  // back from beyond the poles
   float theta = PI * st.y, phi = 2.0 * PI * (st.x - 0.5), sine = sin(theta);
   vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
   wi = vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
-  float density = chance * width * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
-  return environmentAt(st) / density;
+  return environmentOverDensity(st, sine);
 }
 
 vec3 sampleLight(ivec2 pixel, out vec3 wi) {

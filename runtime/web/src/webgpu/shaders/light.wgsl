@@ -27,7 +27,7 @@ struct Lit {
 @group(1) @binding(3) var<storage, read_write> sums: array<vec4f>; // of the whole picture
 @group(2) @binding(0) var<uniform> light: Light;
 @group(2) @binding(1) var environment: texture_2d<f32>; // radiance, row 0 at +y; w: distribution along the row
-@group(2) @binding(2) var marginal: texture_2d<f32>;    // distribution over rows
+@group(2) @binding(2) var marginal: texture_2d<f32>;    // distribution over rows; 1 / the sum of weights; the least weight
 
 const PI = 3.14159265358979;
 
@@ -59,29 +59,47 @@ fn column_of(u: f32, row: i32, count: i32) -> i32 {
     return low;
 }
 
-fn environment_at(st: vec2f) -> vec3f {
-    let size = vec2<i32>(textureDimensions(environment));
-    let at = st * vec2f(size) - 0.5;
-    let low = floor(at);
-    let f = at - low;
-    let a = vec2<i32>(low);
-    let rows_at = clamp(vec2<i32>(a.y, a.y + 1), vec2<i32>(0), vec2<i32>(size.y - 1));
-    let columns_at = (vec2<i32>(a.x, a.x + 1) + size.x) % size.x;
-    let lower = mix(
-        textureLoad(environment, vec2<i32>(columns_at.x, rows_at.x), 0),
-        textureLoad(environment, vec2<i32>(columns_at.y, rows_at.x), 0), f.x);
-    let upper = mix(
-        textureLoad(environment, vec2<i32>(columns_at.x, rows_at.y), 0),
-        textureLoad(environment, vec2<i32>(columns_at.y, rows_at.y), 0), f.x);
-    return mix(lower, upper, f.y).xyz;
-}
-
 struct Arrival {
     wi: vec3f,
     radiance: vec3f, // over the density
 }
 
-// A direction in proportion to the luminance of texels.
+// A texel's weight among all: luminance times the sine of its row.
+fn texel_weight(rgb: vec3f, row: i32, size: vec2<i32>) -> f32 {
+    let least = textureLoad(marginal, vec2<i32>(size.y + 1, 0), 0).x;
+    return max(least, dot(rgb, vec3f(0.2126, 0.7152, 0.0722))) * sin(PI * (f32(row) + 0.5) / f32(size.y));
+}
+
+// Radiance at a place in the image, bilinear, over the density there of `sample_environment`: the weights, bilinear.
+fn environment_over_density(st: vec2f, sine: f32) -> vec3f {
+    let size = vec2<i32>(textureDimensions(environment));
+    let at = st * vec2f(size) - 0.5;
+    let low = floor(at);
+    let f = at - low;
+    var radiance = vec3f(0.0);
+    var weight = 0.0;
+    for (var k = 0; k < 4; k++) {
+        let step = vec2<i32>(k & 1, k >> 1u);
+        let share = select(1.0 - f.x, f.x, step.x == 1) * select(1.0 - f.y, f.y, step.y == 1);
+        let column = (i32(low.x) + step.x + size.x) % size.x;
+        let row = clamp(i32(low.y) + step.y, 0, size.y - 1);
+        let rgb = textureLoad(environment, vec2<i32>(column, row), 0).xyz;
+        radiance += share * rgb;
+        weight += share * texel_weight(rgb, row, size);
+    }
+    let over_total = textureLoad(marginal, vec2<i32>(size.y, 0), 0).x;
+    let density = weight * over_total * f32(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
+    return radiance / density;
+}
+
+// From the uniform distribution on [0, 1] to the tent about 0, on [-1, 1].
+fn tent(u: vec2f) -> vec2f {
+    let t = 2.0 * clamp(u, vec2f(0.0), vec2f(1.0)) - 1.0;
+    return sign(t) * (1.0 - sqrt(1.0 - abs(t)));
+}
+
+// A direction: a texel in proportion to its weight, then a place about its middle by a tent two texels wide. So the
+// density is the weights' bilinear interpolation, and follows the radiance that is looked up, beside a sun, too.
 fn sample_environment(u: vec2f) -> Arrival {
     let size = vec2<i32>(textureDimensions(environment));
     let row = row_of(u.y, size.y);
@@ -96,15 +114,15 @@ fn sample_environment(u: vec2f) -> Arrival {
         left = textureLoad(environment, vec2<i32>(column - 1, row), 0).w;
     }
     let width = textureLoad(environment, vec2<i32>(column, row), 0).w - left;
-    let within = clamp(vec2f((u.x - left) / width, (u.y - before) / chance), vec2f(0.0), vec2f(1.0));
-    let st = (vec2f(f32(column), f32(row)) + within) / vec2f(size);
+    let within = (u - vec2f(left, before)) / max(vec2f(width, chance), vec2f(1e-12));
+    let place = (vec2f(f32(column), f32(row)) + 0.5 + tent(within)) / vec2f(size);
+    let st = vec2f(fract(place.x), 1.0 - abs(1.0 - abs(place.y))); // back from beyond the poles
     let theta = PI * st.y;
     let phi = 2.0 * PI * (st.x - 0.5);
     let sine = sin(theta);
     let d = vec3f(sine * sin(phi), cos(theta), -sine * cos(phi));
     let turned = vec3f(light.turn.x * d.x + light.turn.y * d.z, d.y, light.turn.x * d.z - light.turn.y * d.x);
-    let density = chance * width * f32(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
-    return Arrival(turned, environment_at(st) / density);
+    return Arrival(turned, environment_over_density(st, sine));
 }
 
 fn arrival_at(pixel: vec2<u32>, row: Row) -> Arrival {
