@@ -21,6 +21,7 @@ from rna_work.travelling import Travelling, check_elsewhere
 
 Answer = TypeVar("Answer")
 
+_TRIES = 3
 _NODE_SECONDS = 1800.0  # for what each node does before work begins, such as installing Blender
 
 
@@ -41,16 +42,27 @@ def connected(address: str) -> Iterator[RayCluster]:
         options |= {"include_dashboard": False}
     begun_here = not ray.is_initialized()
     if begun_here:
-        try:
-            ray.init(**options)
-        except (ImportError, ConnectionError, RuntimeError, ValueError, OSError) as error:
-            line = next(iter(str(error).splitlines()), type(error).__name__)
-            raise WorkError(f"--cluster {address}: no cluster answers: {line}") from error
+        _connect(ray, options)
     try:
         yield RayCluster()
     finally:
         if begun_here:
             ray.shutdown()
+
+
+def _connect(ray: Any, options: dict[str, Any]) -> None:
+    """`ray.init`. Raises WorkError where no cluster answers."""
+    for left in reversed(range(_TRIES)):
+        try:
+            ray.init(**options)
+            return
+        except (ImportError, ConnectionError, RuntimeError, ValueError, OSError) as error:
+            # A busy head takes longer than Ray's 30 s to start what serves a ray:// address.
+            if left and isinstance(error, ConnectionAbortedError):
+                continue
+            line = next(reversed(str(error).strip().splitlines()), type(error).__name__)
+            where = f"--cluster {options['address']}"
+            raise WorkError(f"{where}: no cluster answers: {line}") from error
 
 
 def imported_ray() -> Any:

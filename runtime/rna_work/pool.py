@@ -63,7 +63,7 @@ class Pool(Generic[Item, Result]):
         self._attempts, self._most, self._patience = attempts, 1 + ahead, patience
         self._tell_user = tell
         self._names = count()
-        self._events: SimpleQueue[tuple[_Member, Future[Any]]] = SimpleQueue()
+        self._events: SimpleQueue[tuple[_Member, _Job | None, Future[Any]]] = SimpleQueue()
         self._starting: set[_Member] = set()
         self._ready: dict[_Member, None] = {}  # in order of their starts
         self._failed_starts = 0
@@ -139,10 +139,11 @@ class Pool(Generic[Item, Result]):
         if not member.jobs:
             member.since = monotonic()
         member.jobs.append(job)
-        self._tell(member, member.slot.give(job.item))
+        self._tell(member, job, member.slot.give(job.item))
 
-    def _tell(self, member: _Member, future: Future[Any]) -> None:
-        future.add_done_callback(lambda done: self._events.put((member, done)))
+    def _tell(self, member: _Member, job: _Job | None, future: Future[Any]) -> None:
+        """Have its end put among the events; job: None where it is the member's start."""
+        future.add_done_callback(lambda done: self._events.put((member, job, done)))
 
     def _hire(self, feed: _Feed) -> None:
         if monotonic() - self._looked >= _LOOK:
@@ -152,21 +153,21 @@ class Pool(Generic[Item, Result]):
         for _ in range(int(min(new, feed.most_left() - idle - len(self._starting)))):
             member = _Member(self._backend.slot(self._make, str(next(self._names))))
             self._starting.add(member)
-            self._tell(member, member.slot.ready)
+            self._tell(member, None, member.slot.ready)
 
     def _next_outcomes(self, feed: _Feed) -> list[tuple[int, Outcome[Item, Result]]]:
         """Of the next event; none if it was of another kind, or if none came for a while."""
         try:
-            member, future = self._events.get(timeout=_LOOK)
+            member, job, future = self._events.get(timeout=_LOOK)
         except Empty:
             self._wait_for_room()
             return self._out_of_time(feed)
         if member in self._starting:
             self._started(member, future)
             return []
-        if member not in self._ready:
+        if job is None or member not in self._ready:
             return []  # of a worker that was given up
-        outcome = self._finished(member, future, feed)
+        outcome = self._finished(member, job, future, feed)
         late = self._out_of_time(feed) if monotonic() - self._looked >= _LOOK else []
         return late if outcome is None else [outcome, *late]
 
@@ -203,12 +204,13 @@ class Pool(Generic[Item, Result]):
             raise failure
 
     def _finished(
-        self, member: _Member, future: Future[Any], feed: _Feed
+        self, member: _Member, job: _Job, future: Future[Any], feed: _Feed
     ) -> tuple[int, Outcome[Item, Result]] | None:
         failure = future.exception()
         if failure is not None and not isinstance(failure, Exception):
             raise failure
-        job, begun, member.since = member.jobs.popleft(), member.since, monotonic()
+        member.jobs.remove(job)  # not always the first: a cluster may tell of a later one before
+        begun, member.since = member.since, monotonic()
         seconds = member.since - begun
         if failure is None:
             if self._patience is not None:

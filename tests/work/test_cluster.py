@@ -100,6 +100,38 @@ def test_no_cluster_is_one_line() -> None:
         pass
 
 
+class BusyHead:
+    """Stands for Ray with a head that is too busy to serve the first sessions."""
+
+    def __init__(self, failures: int) -> None:
+        self.failures, self.connected = failures, False
+
+    def is_initialized(self) -> bool:
+        return self.connected
+
+    def init(self, **options: Any) -> None:
+        if self.failures:
+            self.failures -= 1
+            raise ConnectionAbortedError("Initialization failure from server:\nIt did not start.")
+        self.connected = True
+
+    def shutdown(self) -> None:
+        self.connected = False
+
+
+def test_a_busy_head_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    head = BusyHead(failures=2)
+    monkeypatch.setattr("rna_work.cluster.imported_ray", lambda: head)
+    with place("auto"):
+        assert head.connected
+    head.failures = 3
+    with (
+        pytest.raises(WorkError, match=r"^--cluster auto: no cluster answers: It did not start\.$"),
+        place("auto"),
+    ):
+        pass
+
+
 def test_workers_share_a_gpu(cluster: Any, where: Place) -> None:
     """Ray believes what a node says of its GPUs; whether CUDA works there is not seen here."""
     node = cluster.add_node(num_cpus=2, num_gpus=1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Iterator
+from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
@@ -35,6 +36,50 @@ def test_order_is_kept_where_it_is_asked_for() -> None:
     with Pool(Threads(3), Doubling, ahead=1) as pool:
         found = [o.value() for o in pool.run(slow_first, ordered=True)]
     assert found == [2 * s for s in slow_first]
+
+
+class OutOfTurn:
+    """A backend of one worker, whose pairs of items are told of in reverse, as Ray may do."""
+
+    losses = 1
+    name = "0"
+
+    def __init__(self) -> None:
+        self.ready: Future[str] = Future()
+        self.ready.set_result("here")
+        self._given: list[tuple[int, Future[int]]] = []
+
+    def width(self) -> int:
+        return 1
+
+    def slot(self, make: object, name: str) -> OutOfTurn:
+        return self
+
+    def give(self, item: int) -> Future[int]:
+        future: Future[int] = Future()
+        self._given.append((item, future))
+        if len(self._given) == 2:
+            threading.Timer(0.01, self._settle, [self._given]).start()
+            self._given = []
+        return future
+
+    @staticmethod
+    def _settle(given: list[tuple[int, Future[int]]]) -> None:
+        for item, future in reversed(given):
+            future.set_result(2 * item)
+
+    def close(self, kill: bool) -> None:
+        pass
+
+
+@pytest.mark.parametrize("ordered", [False, True])
+def test_a_result_belongs_to_its_item_whatever_is_told_of_first(ordered: bool) -> None:
+    with Pool(OutOfTurn(), Doubling, ahead=1) as pool:
+        outcomes = list(pool.run(range(20), ordered=ordered))
+    assert all(o.result == 2 * o.item for o in outcomes)
+    assert sorted(o.item for o in outcomes) == list(range(20))
+    if ordered:
+        assert [o.item for o in outcomes] == list(range(20))
 
 
 def test_items_are_taken_when_workers_are_free_for_them() -> None:
