@@ -6,7 +6,7 @@ uniform sampler2D rows1;
 uniform sampler2D rows2;
 uniform sampler2D rows3;
 uniform sampler2D given;        // directions, of the conformance kit
-uniform int lightKind;          // 0: sun, 1: environment, 2: given directions
+uniform int lightKind;          // 0: sun; environment: 1 where it is bright, 3 about the normal; 2: given directions
 uniform vec3 lightDirection;    // of a sun
 uniform vec3 lightColour;       // its irradiance, or a factor of the environment
 uniform sampler2D environment;  // radiance, row 0 at +y; w: the row's distribution along it
@@ -41,8 +41,8 @@ float texelWeight(vec3 rgb, int row, ivec2 size) {
   return max(least, dot(rgb, vec3(0.2126, 0.7152, 0.0722))) * sin(PI * (float(row) + 0.5) / float(size.y));
 }
 
-// Radiance at a place in the image, bilinear, over the density there of sampleEnvironment: the weights, bilinear.
-vec3 environmentOverDensity(vec2 st, float sine) {
+// Radiance at a place in the image, bilinear, and the density there of brightDirection: the weights, bilinear.
+vec3 skyAt(vec2 st, float sine, out float density) {
   ivec2 size = textureSize(environment, 0);
   vec2 at = st * vec2(size) - 0.5, low = floor(at), f = at - low;
   vec3 radiance = vec3(0.0);
@@ -56,8 +56,8 @@ vec3 environmentOverDensity(vec2 st, float sine) {
     weight += share * texelWeight(rgb, row, size);
   }
   float overTotal = texelFetch(marginal, ivec2(size.y, 0), 0).x;
-  float density = weight * overTotal * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
-  return radiance / density;
+  density = weight * overTotal * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
+  return radiance;
 }
 
 // From the uniform distribution on [0, 1] to the tent about 0, on [-1, 1].
@@ -66,9 +66,9 @@ vec2 tent(vec2 u) {
   return sign(t) * (1.0 - sqrt(1.0 - abs(t)));
 }
 
-// A direction, and radiance over density: a texel in proportion to its weight, then a place about its middle by a tent
+// A direction: a texel in proportion to its weight, then a place about its middle by a tent
 // two texels wide. So the density is the weights' bilinear interpolation, and follows the radiance that is looked up.
-vec3 sampleEnvironment(vec2 u, out vec3 wi) {
+vec3 brightDirection(vec2 u) {
   ivec2 size = textureSize(environment, 0);
   int row = searched(marginal, 0, size.y, u.y, 0);
   float before = row > 0 ? texelFetch(marginal, ivec2(row - 1, 0), 0).x : 0.0;
@@ -81,15 +81,44 @@ vec3 sampleEnvironment(vec2 u, out vec3 wi) {
   vec2 st = vec2(fract(place.x), 1.0 - abs(1.0 - abs(place.y)));  // back from beyond the poles
   float theta = PI * st.y, phi = 2.0 * PI * (st.x - 0.5), sine = sin(theta);
   vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
-  wi = vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
-  return environmentOverDensity(st, sine);
+  return vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
 }
 
-vec3 sampleLight(ivec2 pixel, out vec3 wi) {
-  ivec2 seen = ivec2(pixel.x, height - 1 - pixel.y - firstRow);
-  if (lightKind == 1) return lightColour * sampleEnvironment(random(seen, DIRECTION), wi);
-  wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
-  return lightColour;
+// Directions about the asset: by the cosine about the normal, and some from all sides, since light comes through; about
+// a strand, n = 0, all from all sides.
+const float FROM_ALL_SIDES = 0.25, EVEN = 0.25 / PI;
+
+vec3 directionAbout(vec3 n, vec2 u) {
+  bool allSides = u.y < FROM_ALL_SIDES;
+  float v = allSides ? u.y / FROM_ALL_SIDES : (u.y - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES);
+  float phi = 2.0 * PI * u.x, z = 1.0 - 2.0 * v;
+  vec3 ball = vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(phi), sin(phi)), z);
+  return normalize(ball + (allSides ? vec3(0.0) : n * 1.0001));
+}
+
+float densityAbout(vec3 n, vec3 wi) {
+  return n == vec3(0.0) ? EVEN : mix(max(0.0, dot(n, wi)) / PI, EVEN, FROM_ALL_SIDES);
+}
+
+vec3 normalOf(vec4 row0, vec4 row1, vec4 row2) {
+  if (row0.w == 0.0) return vec3(0.0, 1.0, 0.0);  // of the ground
+  if ((wordsAt(primitives, int(row2.w)).w & SEGMENT) != 0u) return vec3(0.0);
+  return dot(row1.xyz, row2.xyz) < 0.0 ? -row1.xyz : row1.xyz;
+}
+
+// One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
+vec3 sampleLight(ivec2 pixel, vec3 n, out vec3 wi) {
+  if (lightKind == 0 || lightKind == 2) {
+    wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
+    return lightColour;
+  }
+  vec2 u = random(ivec2(pixel.x, height - 1 - pixel.y - firstRow), DIRECTION);
+  wi = lightKind == 1 ? brightDirection(u) : directionAbout(n, u);
+  vec3 d = vec3(turn.x * wi.x - turn.y * wi.z, wi.y, turn.x * wi.z + turn.y * wi.x);
+  float density;
+  vec2 st = vec2(atan(d.x, -d.z) / (2.0 * PI) + 0.5, acos(clamp(d.y, -1.0, 1.0)) / PI);
+  vec3 radiance = skyAt(st, length(d.xz), density);
+  return lightColour * radiance / (density + densityAbout(n, wi));
 }
 
 // Where a ray to the light starts, and what it may bring.
@@ -123,7 +152,7 @@ void main() {
   vec4 row0 = texelFetch(rows0, pixel, 0), row1 = texelFetch(rows1, pixel, 0);
   vec4 row2 = texelFetch(rows2, pixel, 0), row3 = texelFetch(rows3, pixel, 0);
   bool isQuery = row0.w != 0.0;
-  vec3 wi, radiance = row3.xyz * sampleLight(pixel, wi);
+  vec3 wi, radiance = row3.xyz * sampleLight(pixel, normalOf(row0, row1, row2), wi);
   Start start;
   if (isQuery) start = startOf(row0, row1, row2, row3.w, wi);
   else start = startOnGround(-row2.xyz, wi);
