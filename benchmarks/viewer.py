@@ -1,6 +1,7 @@
 """The viewer in headless Chromium beside the CPU runtime: queries of its decoder, pictures.
 
-    python benchmarks/viewer.py examples/quickstart/scene.yaml --out benchmarks/results/viewer.json
+    python benchmarks/viewer.py examples/quickstart/scene.yaml --repeats 3 \\
+        --out benchmarks/results/viewer.json
 
 Prints JSON. WebGPU and WebGL2 run in a page each (`?bench=1`), in Chromium on SwiftShader, which it
 brings; rna_gpu runs the same WGSL of the decoder on the GPU or driver that wgpu finds (lavapipe);
