@@ -66,6 +66,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
     ),
     "hosts": (
         Command("preview", "hosts.preview"),
+        Command("viewer", "hosts.viewer", extra="gpu"),
         Command("mitsuba", "hosts.mitsuba", extra="mitsuba"),
         Command("blender", "hosts.blender"),
     ),

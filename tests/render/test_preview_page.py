@@ -74,7 +74,10 @@ def pixels(page: Page) -> np.ndarray:
 
 def finish(page: Page) -> np.ndarray:
     """The finished picture of what was asked for last."""
-    idle = "!sending && !pending && shown === state.revision"
+    idle = (
+        "!rnaPreview.changes.sending && !rnaPreview.changes.pending"
+        " && rnaPreview.shown === rnaPreview.state.revision"
+    )
     page.wait_for(f"{idle} && {PICTURE}.dataset.samples == 4")
     return pixels(page)
 
@@ -102,15 +105,15 @@ def test_a_picture_is_there_and_orbits(page):
     assert first[12, 21, 0] > first[12, 10, 0] + 60  # red, which has no light from behind
     assert (first[0, 0] == first[-1, -1]).all()
     drag(page, 300, 0)
-    page.wait_for("state.revision > 1")
+    page.wait_for("rnaPreview.state.revision > 1")
     orbited = finish(page)
     assert np.abs(orbited.astype(int) - first).mean() > 5
-    camera = page.evaluate("state.camera")
+    camera = page.evaluate("rnaPreview.state.camera")
     # The ball turns with the pointer, so the camera goes the other way: by 120 degrees.
     np.testing.assert_allclose(camera["position"], (-4 * np.sqrt(0.75), 0, -2), atol=1e-9)
     page.evaluate(f"{PICTURE}.focus()")
     press(page, "Home")
-    page.wait_for("Math.abs(state.camera.position[0]) < 1e-9")
+    page.wait_for("Math.abs(rnaPreview.state.camera.position[0]) < 1e-9")
     np.testing.assert_array_equal(finish(page), first)
 
 
@@ -118,17 +121,17 @@ def test_a_picture_is_there_and_orbits(page):
 def test_light_turns_by_drag_slider_and_keys(page):
     first = pixels(page)
     drag(page, 100, 0, modifiers=8)  # with Shift
-    page.wait_for("Math.abs(state.light_rotation_deg - 40) < 1e-6")
+    page.wait_for("Math.abs(rnaPreview.state.light_rotation_deg - 40) < 1e-6")
     turned = finish(page)
     assert np.abs(turned.astype(int) - first).mean() > 2
-    assert page.evaluate("state.camera.position[2]") == pytest.approx(4.0)
+    assert page.evaluate("rnaPreview.state.camera.position[2]") == pytest.approx(4.0)
     page.evaluate(f"{PICTURE}.focus()")
     press(page, "]")
-    page.wait_for("Math.abs(state.light_rotation_deg - 45) < 1e-6")
+    page.wait_for("Math.abs(rnaPreview.state.light_rotation_deg - 45) < 1e-6")
     page.evaluate("document.getElementById('rotation').focus()")
     assert page.evaluate("document.getElementById('rotation-value').textContent") == "+45°"
     page.evaluate("document.getElementById('reset').click()")
-    page.wait_for("state.light_rotation_deg === 0")
+    page.wait_for("rnaPreview.state.light_rotation_deg === 0")
     np.testing.assert_array_equal(finish(page), first)
 
 
@@ -137,19 +140,19 @@ def test_environment_wheel_and_exposure(page):
     first = pixels(page)
     choose = "(e => { e.value = 'white'; e.dispatchEvent(new Event('change')); })"
     page.evaluate(f"{choose}(document.getElementById('lighting'))")
-    page.wait_for("state.lighting === 'white'")
+    page.wait_for("rnaPreview.state.lighting === 'white'")
     white = finish(page)
     assert white[12, 10, 0] > first[12, 10, 0] + 60
     slide = "(e => { e.value = -2; e.dispatchEvent(new Event('input')); })"
     page.evaluate(f"{slide}(document.getElementById('exposure'))")
-    page.wait_for("state.exposure === -2")
+    page.wait_for("rnaPreview.state.exposure === -2")
     page.wait_for(f"{PICTURE}.getContext('2d').getImageData(16, 12, 1, 1).data[0] < 180")
     page.mouse("mouseWheel", 300, 300, deltaX=0, deltaY=300)
-    page.wait_for("state.camera.position[2] > 5")
+    page.wait_for("rnaPreview.state.camera.position[2] > 5")
     assert finish(page)[12, 6].mean() < 60  # the ball has become smaller
     undo = '{"reset": true, "lighting": "scene", "exposure": 0}'
-    page.evaluate(f"ask({undo})")
-    page.wait_for("state.lighting === 'scene'")
+    page.evaluate(f"rnaPreview.ask({undo})")
+    page.wait_for("rnaPreview.state.lighting === 'scene'")
 
 
 def end(started: subprocess.Popen) -> None:

@@ -58,6 +58,10 @@ def test_the_page_brings_all_that_it_needs(server):
     assert status == 200 and headers["Content-Type"] == "text/html; charset=utf-8"
     assert "frame-ancestors 'none'" in headers["Content-Security-Policy"]
     assert b"<canvas" in body
+    for path in ("/preview.js", "/preview.css"):
+        status, _, more = ask(server, "GET", path)
+        assert status == 200 and path[1:].encode() in body
+        body += more
     # Nothing from the network: its only address is the name of SVG.
     assert body.count(b"http") == body.count(b"http://www.w3.org/2000/svg")
 
@@ -134,7 +138,7 @@ def test_a_link_on_another_page_may_lead_here(server):
     ("method", "path", "status"),
     [
         ("GET", "/nothing", 404),
-        ("GET", "/page.html", 404),
+        ("GET", "/index.html", 404),
         ("GET", "/../../etc/passwd", 404),
         ("GET", "/change", 404),
         ("POST", "/", 404),

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import threading
 import time
 
 import numba
 import numpy as np
 import pytest
+from PIL import Image
 
 from rna_render.preview.change import Change
 from rna_render.preview.lighting import Lighting, lighting_choices
@@ -102,6 +104,32 @@ def test_a_change_of_view_starts_again(session, change, red):
     assert session.change(Change(**change))["revision"] == 2
     picture = finished(session, 2)
     assert np.median(picture.rgba[..., 0]) == pytest.approx(red, rel=0.1)
+
+
+def test_denoising_is_switched_and_renders_nothing_again(scene_file, world):
+    def white(rgb):
+        return np.ones_like(rgb)
+
+    session = Session(scene_file, world, lighting_choices(scene_file.path), denoiser=white)
+    session.start()
+    try:
+        denoised = finished(session)
+        assert session.state()["denoise"] is True and pixels(denoised).min() > 250
+        assert session.change(Change(denoise=False))["revision"] == 1
+        plain = session.wait(denoised.label.serial, 1.0)
+        assert plain.label.samples == 4 and pixels(plain).min() < 200
+    finally:
+        session.stop()
+
+
+def pixels(picture) -> np.ndarray:
+    """What its JPEG shows."""
+    return np.asarray(Image.open(io.BytesIO(picture.jpeg)))
+
+
+def test_without_a_denoiser_there_is_none_to_switch(session):
+    assert session.change(Change(denoise=True))["denoise"] is None
+    assert finished(session).denoise is None
 
 
 def test_exposure_renders_nothing_again(session):

@@ -1,4 +1,4 @@
-"""The page that is shipped is what its sources give, and its decoder is rna_gpu's WGSL."""
+"""The pages shipped are what their sources give; the viewer's decoder is rna_gpu's WGSL."""
 
 from __future__ import annotations
 
@@ -17,19 +17,29 @@ MOST_BYTES = 1_500_000
 SHADERS = REPOSITORY / "runtime" / "rna_gpu" / "wgsl"
 
 
+SITES = {
+    "viewer": REPOSITORY / "runtime" / "rna_view" / "site",
+    "preview": REPOSITORY / "runtime" / "rna_render" / "preview" / "site",
+}
+
+
 def test_page_is_small():
     assert sum(len(viewer_file(name)) for name in VIEWER_FILES) <= MOST_BYTES
 
 
-def test_page_is_what_its_sources_give(tmp_path):
+def test_pages_are_what_their_sources_give(tmp_path):
     if shutil.which("npm") is None:
         pytest.skip("no Node; on Debian: apt-get install nodejs npm")
     subprocess.run([REPOSITORY / "scripts" / "web-bundle", tmp_path], check=True, timeout=300)
-    built = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
-    shipped = {name: viewer_file(name) for name in VIEWER_FILES}
-    assert built.keys() == shipped.keys()
-    changed = [name for name in built if built[name] != shipped[name]]
+    built = {name: _contents(tmp_path / name) for name in SITES}
+    shipped = {name: _contents(site) for name, site in SITES.items()}
+    changed = [f"{s}/{n}" for s in SITES for n in built[s] if built[s][n] != shipped[s].get(n)]
     assert not changed, f"scripts/web-bundle builds another {changed}: commit what it gives"
+    assert {s: set(shipped[s]) for s in SITES} == {s: set(built[s]) for s in SITES}
+
+
+def _contents(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
 @pytest.mark.chromium

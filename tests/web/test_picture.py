@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import OpenEXR
 import pytest
 
 from rna_render.camera import Camera
@@ -31,6 +32,7 @@ SUNS = """
   {type: directional, direction: [-0.7, 0.35, -0.65], irradiance: [1.1, 1.3, 1.7]}
 """
 ENVIRONMENT = "{type: environment, radiance: [0.5, 0.6, 0.8], visible_to_camera: false}"
+SKY = "{type: environment, path: sky.exr, rotation_deg: 30, visible_to_camera: false}"
 TOY = {
     "path": REPOSITORY / "examples" / "quickstart" / "toy.rna",
     "position": [1.42, 0.8, 0.78],
@@ -68,7 +70,9 @@ def write_scene(folder: Path, asset: dict, lights: str, size: list[int], samples
 
 def by_rna_run(path: Path) -> np.ndarray:
     scene_file = read_scene(path)
-    integrator = make_integrator(scene_file.scene, load_world(scene_file))
+    integrator = make_integrator(
+        scene_file.scene, load_world(scene_file), resolve=scene_file.resolve
+    )
     return rgba(render(scene_file.scene, integrator))
 
 
@@ -102,6 +106,20 @@ def test_environment(api, tmp_path):
     path = write_scene(tmp_path, TOY, ENVIRONMENT, [48, 30], 64)
     found, expected = by_viewer(path, api), by_rna_run(path)
     assert np.mean(found[..., :3]) == pytest.approx(np.mean(expected[..., :3]), rel=0.02)
+
+
+@pytest.mark.parametrize("api", APIS)
+@pytest.mark.usefixtures("middles_of_pixels")
+def test_sun_in_an_image(api, tmp_path):
+    """A texel 400 times brighter than the sky: the same picture, no pixel too bright."""
+    rows = np.linspace([0.25, 0.35, 0.6], [0.12, 0.1, 0.08], 32, dtype=np.float32)
+    sky = np.repeat(rows[:, None], 64, axis=1)
+    sky[9, 40] = [160.0, 140.0, 112.0]
+    OpenEXR.File({}, {"RGB": sky}).write(str(tmp_path / "sky.exr"))
+    path = write_scene(tmp_path, TOY, SKY, [48, 30], 320)
+    found, expected = by_viewer(path, api, "&jitter=0"), by_rna_run(path)
+    assert psnr(found, expected) >= LEAST_PSNR
+    assert found[..., :3].max() < 1.2 * expected[..., :3].max()
 
 
 @pytest.mark.parametrize("api", APIS)

@@ -52,7 +52,7 @@ WATCH = """
     samples: +target.dataset.samples,
   }), true);
   document.addEventListener("pointermove", (event) => {
-    if (event.buttons) moved.push({at: event.timeStamp, revision: state.revision});
+    if (event.buttons) moved.push({at: event.timeStamp, revision: rnaPreview.state.revision});
   }, true);
 """
 

@@ -28,3 +28,4 @@ class Change(BaseModel):
     )
     lighting: str | None = Field(default=None, max_length=64, description="Key of the choice.")
     exposure: float | None = Field(default=None, ge=-64, le=64, description="Stops.")
+    denoise: bool | None = Field(default=None, description="Whether noise is taken out.")

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import sys
 import threading
+from importlib.util import find_spec
 from pathlib import Path
 
+from rna_render.denoise import Denoiser
 from rna_render.preview.lighting import lighting_choices
 from rna_render.preview.server import PreviewServer
 from rna_render.preview.session import Session
 from rna_render.render import load_world
 from rna_render.scene_file import SceneFile
+from rna_sdk.errors import SceneError
 
 
 def preview(
@@ -23,7 +27,8 @@ def preview(
     with PreviewServer(port) as server:
         world = load_world(scene_file)
         choices = lighting_choices(scene_file.path, environments)
-        session = server.session = Session(scene_file, world, choices, threads)
+        denoiser = _denoiser(threads)
+        session = server.session = Session(scene_file, world, choices, threads, denoiser)
         session.start()
         threading.Thread(target=server.serve_forever, name="server", daemon=True).start()
         try:
@@ -35,3 +40,14 @@ def preview(
         finally:
             session.stop()
             server.shutdown()
+
+
+def _denoiser(threads: int) -> Denoiser | None:
+    """Where one is installed."""
+    if find_spec("pyoidn") is None:
+        return None
+    try:
+        return Denoiser(threads)
+    except SceneError as error:
+        print(f"note: the preview does not denoise: {error}", file=sys.stderr)
+        return None

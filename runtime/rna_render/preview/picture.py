@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -39,13 +40,14 @@ class Picture:
     """A picture, encoded when it is first asked for.
 
     rgba: (h, w, 4) float32, linear and premultiplied; None after an error. exposure: stops.
-    view: see to_display.
+    view: see to_display. denoise: what is done to (h, w, 3) float32 radiance before it is shown.
     """
 
     label: Label
     rgba: np.ndarray | None
     exposure: float
     view: str
+    denoise: Callable[[np.ndarray], np.ndarray] | None = None
 
     @cached_property
     def jpeg(self) -> bytes:
@@ -55,6 +57,8 @@ class Picture:
         if self.rgba is None:
             return b""
         rgb, a = self.rgba[..., :3], self.rgba[..., 3:]
+        if self.denoise is not None:
+            rgb = self.denoise(rgb)
         if (a == 1).all():
             encoded = to_display(rgb, self.view, self.exposure)
         else:

@@ -1,6 +1,6 @@
 """Serves the preview's page, on this computer alone.
 
-    GET /               the page
+    GET /               the page; /preview.js and /preview.css, its script and its style
     GET /state          what its controls show, JSON
     GET /picture?after=SERIAL
                         the newest picture, JPEG, once there is one with a higher serial; its label
@@ -38,13 +38,26 @@ LONG_POLL_S = 20.0
 HEADERS = {
     "Cache-Control": "no-store",
     # The page brings all it needs; no other page may frame it, and none may use its pictures.
-    "Content-Security-Policy": "default-src 'none'; script-src 'unsafe-inline'; "
-    "style-src 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self'; "
+    "Content-Security-Policy": "default-src 'none'; script-src 'self'; "
+    "style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
     "Cross-Origin-Resource-Policy": "same-origin",
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
 }
+
+
+# What scripts/web-bundle builds from runtime/web, by the path that it is asked for with.
+PAGE = {
+    "/": ("index.html", "text/html; charset=utf-8"),
+    "/preview.js": ("preview.js", "text/javascript; charset=utf-8"),
+    "/preview.css": ("preview.css", "text/css; charset=utf-8"),
+}
+
+
+def page_file(name: str) -> bytes:
+    """A file of the page."""
+    return (files("rna_render.preview") / "site" / name).read_bytes()
 
 
 class PreviewServer(ThreadingHTTPServer):
@@ -57,7 +70,7 @@ class PreviewServer(ThreadingHTTPServer):
     block_on_close = False
 
     def __init__(self, port: int, session: Session | None = None) -> None:
-        self.page = files("rna_render.preview").joinpath("page.html").read_bytes()
+        self.page = {path: (kind, page_file(name)) for path, (name, kind) in PAGE.items()}
         self.session = session
         try:
             super().__init__((ADDRESS, port), _Handler)
@@ -90,7 +103,8 @@ class _Handler(BaseHTTPRequestHandler):
     timeout = 60.0  # for the next request on an open connection
 
     def do_GET(self) -> None:
-        self._answer({"/": self._page, "/state": self._state, "/picture": self._picture})
+        pages = dict.fromkeys(PAGE, self._page)
+        self._answer({**pages, "/state": self._state, "/picture": self._picture})
 
     def do_POST(self) -> None:
         self._answer({"/change": self._change})
@@ -127,7 +141,7 @@ class _Handler(BaseHTTPRequestHandler):
             raise _Refusal(HTTPStatus.FORBIDDEN, "not for other pages")
 
     def _page(self) -> None:
-        self._send(HTTPStatus.OK, "text/html; charset=utf-8", self.server.page)
+        self._send(HTTPStatus.OK, *self.server.page[urlsplit(self.path).path])
 
     def _state(self) -> None:
         self._send_json(self._session().state())

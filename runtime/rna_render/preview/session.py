@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass, replace
 
@@ -37,19 +37,21 @@ COARSEST = 16
 
 @dataclass(frozen=True)
 class View:
-    """What is shown: from where, lit by what, how bright."""
+    """What is shown: from where, lit by what, how bright, with or without noise."""
 
     orbit: Orbit
     lighting: str
     light_rotation_deg: float
     exposure: float
+    denoise: bool
 
 
 class Session:
     """Renders one scene for any number of pages.
 
     world: the scene's, loaded. threads: to render with; all if None. choices: what the scene can
-    be lit with.
+    be lit with. denoiser: what pages may switch off, from and to (h, w, 3) float32; None: there is
+    none. It runs in threads of the server, one at a time.
     """
 
     def __init__(
@@ -58,16 +60,17 @@ class Session:
         world: World,
         choices: Mapping[str, Lighting],
         threads: int | None = None,
+        denoiser: Callable[[np.ndarray], np.ndarray] | None = None,
     ) -> None:
         self._scene_file, self._world, self._choices = scene_file, world, choices
-        self._threads = threads
+        self._threads, self._denoiser, self._denoising = threads, denoiser, threading.Lock()
         scene = scene_file.scene
         self._start = Orbit.of(scene.camera)
         self._ms_a_pixel: float | None = None  # of the last sample; the render thread's own
         self._thread = threading.Thread(target=self._run, name="preview", daemon=True)
         self._changed = threading.Condition()
         # All below is guarded by _changed.
-        self._view = View(self._start, SCENE_LIGHTS, 0.0, scene.exposure)
+        self._view = View(self._start, SCENE_LIGHTS, 0.0, scene.exposure, denoiser is not None)
         self._revision = 1
         self._serial = 0
         self._picture: Picture | None = None  # of this revision
@@ -97,12 +100,13 @@ class Session:
             raise QueryError(f"lighting: there is no {change.lighting!r}")
         with self._changed:
             before, self._view = self._view, _changed(self._view, change, self._start)
-            if replace(before, exposure=self._view.exposure) != self._view:
+            shown = {"exposure": self._view.exposure, "denoise": self._view.denoise}
+            if replace(before, **shown) != self._view:
                 self._revision += 1
                 self._picture = None
             elif self._picture is not None and before != self._view:
                 label = replace(self._picture.label, serial=self._next_serial())
-                self._picture = replace(self._picture, label=label, exposure=self._view.exposure)
+                self._picture = self._picture_of(label, self._picture.rgba)
             self._changed.notify_all()
             return self._state()
 
@@ -142,8 +146,18 @@ class Session:
             "lighting": view.lighting,
             "light_rotation_deg": view.light_rotation_deg,
             "exposure": view.exposure,
+            "denoise": None if self._denoiser is None else view.denoise,
             "camera": camera.model_dump(mode="json"),
         }
+
+    def _picture_of(self, label: Label, picture: np.ndarray | None) -> Picture:
+        """As the view has it; it is denoised when it is encoded."""
+        wanted = self._denoise if self._denoiser is not None and self._view.denoise else None
+        return Picture(label, picture, self._view.exposure, self._scene_file.scene.view, wanted)
+
+    def _denoise(self, rgb: np.ndarray) -> np.ndarray:
+        with self._denoising:
+            return self._denoiser(rgb)
 
     def _next_serial(self) -> int:
         self._serial += 1
@@ -244,9 +258,7 @@ class Session:
         with self._changed:
             if label.revision == self._revision:
                 label = replace(label, serial=self._next_serial())
-                self._picture = Picture(
-                    label, picture, self._view.exposure, self._scene_file.scene.view
-                )
+                self._picture = self._picture_of(label, picture)
                 self._changed.notify_all()
 
 
@@ -263,5 +275,6 @@ def _changed(view: View, change: Change, start: Orbit) -> View:
         "lighting": change.lighting,
         "light_rotation_deg": change.light_rotation_deg,
         "exposure": change.exposure,
+        "denoise": change.denoise,
     }
     return replace(view, orbit=orbit, **{k: v for k, v in asked.items() if v is not None})

@@ -3,15 +3,17 @@
 const LARGEST = [1024, 512];
 
 /**
- * { values, marginal, width, height, up }: radiance with the distribution along the row as fourth number, the
- * distribution over rows, and the irradiance on a plane that faces +y. rgb: rows from +y down, the middle towards -z.
+ * { values, marginal, width, height, up }: radiance with the distribution along the row as fourth number; the
+ * distribution over rows, and behind it 1 / the sum of all texels' weights and the least weight; the irradiance on a
+ * plane that faces +y. A texel's weight is its luminance times the sine of its row's angle from +y.
+ * rgb: rows from +y down, the middle towards -z.
  */
 export function environmentTables({ rgb, width, height }) {
   const image = reduced({ rgb, width, height });
   ({ rgb, width, height } = image);
-  const values = new Float32Array(4 * width * height), marginal = new Float32Array(height), up = [0, 0, 0];
+  const values = new Float32Array(4 * width * height), marginal = new Float32Array(height + 2), up = [0, 0, 0];
   let total = 0;
-  const least = 1e-4 * mean(rgb) + 1e-20;  // so that what is looked up between texels has a density everywhere
+  const least = 1e-4 * mean(rgb) + 1e-20;  // black texels may have bright colours beside them
   for (let row = 0; row < height; row++) {
     const theta = (Math.PI * (row + 0.5)) / height, solid = (2 * Math.PI ** 2 * Math.sin(theta)) / (width * height);
     let sum = 0;
@@ -29,6 +31,7 @@ export function environmentTables({ rgb, width, height }) {
     marginal[row] = total;
   }
   for (let row = 0; row < height; row++) marginal[row] /= total;
+  marginal.set([1 / total, least], height);
   return { values, marginal, width, height, up };
 }
 

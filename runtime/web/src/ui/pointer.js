@@ -1,6 +1,6 @@
 // Pointer, touch, wheel and keys over the picture.
 
-const RADIANS_A_PIXEL = 0.007;
+const RADIANS_A_PIXEL = (0.4 * Math.PI) / 180;
 const STEP = (5 * Math.PI) / 180;
 
 /**
@@ -18,7 +18,7 @@ export function listen(canvas, actions) {
     canvas.classList.add("dragging");
     if (pointers.size === 2) way = "two";
     else if (pointers.size === 1) {
-      way = event.button === 2 ? "pan" : event.altKey || event.shiftKey ? "light" : "orbit";
+      way = event.button === 2 ? "pan" : event.button !== 0 ? null : event.altKey || event.shiftKey ? "light" : "orbit";
     }
   });
 

@@ -58,7 +58,7 @@ export class WebGLEngine {
     const { gl } = this;
     for (const image of [this.environment, this.marginal]) if (image) gl.deleteTexture(image.texture);
     this.environment = texture2d(gl, width, height, gl.RGBA32F, gl.RGBA, gl.FLOAT, values);
-    this.marginal = texture2d(gl, height, 1, gl.R32F, gl.RED, gl.FLOAT, marginal);
+    this.marginal = texture2d(gl, marginal.length, 1, gl.R32F, gl.RED, gl.FLOAT, marginal);
   }
 
   /** A picture of this size, empty. */
@@ -183,7 +183,7 @@ export class WebGLEngine {
   }
 }
 
-const KINDS = { sun: 0, environment: 1, given: 2 };
+const KINDS = { sun: 0, environment: 1, given: 2, aroundNormal: 3 };
 
 function lightUniforms({ kind, direction = [0, 1, 0], colour, angle = 0, ground }) {
   return {

@@ -6,7 +6,7 @@ import { PartEvaluator, Pipelines } from "./part_evaluator.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
-const KINDS = { sun: 0, environment: 1, given: 2 };
+const KINDS = { sun: 0, environment: 1, given: 2, aroundNormal: 3 };
 
 export class WebGPUEngine {
   static label = "WebGPU";
@@ -118,7 +118,7 @@ export class WebGPUEngine {
       return texture;
     };
     this.images?.forEach((texture) => texture.destroy());
-    this.images = [image(width, height, "rgba32float", values, 16), image(height, 1, "r32float", marginal, 4)];
+    this.images = [image(width, height, "rgba32float", values, 16), image(marginal.length, 1, "r32float", marginal, 4)];
     this._bind();
   }
 

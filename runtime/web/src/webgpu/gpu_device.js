@@ -1,6 +1,6 @@
 // What WebGPU gives in one place: a device, buffers that are checked, modules, dispatches.
 import { NotSupported } from "../package/errors.js";
-import { readableBytes } from "../ui/panel.js";
+import { readableBytes } from "../ui/elements.js";
 
 const WANTED = ["maxStorageBufferBindingSize", "maxBufferSize"];
 

@@ -6,11 +6,11 @@ uniform sampler2D rows1;
 uniform sampler2D rows2;
 uniform sampler2D rows3;
 uniform sampler2D given;        // directions, of the conformance kit
-uniform int lightKind;          // 0: sun, 1: environment, 2: given directions
+uniform int lightKind;          // 0: sun; environment: 1 where it is bright, 3 about the normal; 2: given directions
 uniform vec3 lightDirection;    // of a sun
 uniform vec3 lightColour;       // its irradiance, or a factor of the environment
 uniform sampler2D environment;  // radiance, row 0 at +y; w: the row's distribution along it
-uniform sampler2D marginal;     // distribution over rows
+uniform sampler2D marginal;     // distribution over rows; 1 / the sum of weights; the least weight
 uniform vec2 turn;              // cosine and sine of the environment's rotation
 uniform vec4 ground;            // height, 1 if there is one, middle x and z
 uniform vec3 groundColour;      // radiance of it in full light, over the light's irradiance
@@ -35,40 +35,90 @@ int searched(sampler2D table, int row, int count, float u, int channel) {
   return low;
 }
 
-vec3 environmentAt(vec2 st) {
-  ivec2 size = textureSize(environment, 0);
-  vec2 at = st * vec2(size) - 0.5, low = floor(at), f = at - low;
-  ivec2 a = ivec2(low), b = a + 1;
-  a.y = clamp(a.y, 0, size.y - 1);
-  b.y = clamp(b.y, 0, size.y - 1);
-  a.x = (a.x + size.x) % size.x;
-  b.x = b.x % size.x;
-  return mix(mix(texelFetch(environment, a, 0), texelFetch(environment, ivec2(b.x, a.y), 0), f.x),
-             mix(texelFetch(environment, ivec2(a.x, b.y), 0), texelFetch(environment, b, 0), f.x), f.y).xyz;
+// A texel's weight among all: luminance times the sine of its row.
+float texelWeight(vec3 rgb, int row, ivec2 size) {
+  float least = texelFetch(marginal, ivec2(size.y + 1, 0), 0).x;
+  return max(least, dot(rgb, vec3(0.2126, 0.7152, 0.0722))) * sin(PI * (float(row) + 0.5) / float(size.y));
 }
 
-// A direction in proportion to the luminance of texels; radiance over density.
-vec3 sampleEnvironment(vec2 u, out vec3 wi) {
+// Radiance at a place in the image, bilinear, and the density there of brightDirection: the weights, bilinear.
+vec3 skyAt(vec2 st, float sine, out float density) {
+  ivec2 size = textureSize(environment, 0);
+  vec2 at = st * vec2(size) - 0.5, low = floor(at), f = at - low;
+  vec3 radiance = vec3(0.0);
+  float weight = 0.0;
+  for (int k = 0; k < 4; k++) {
+    ivec2 offset = ivec2(k & 1, k >> 1);
+    float share = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
+    int column = (int(low.x) + offset.x + size.x) % size.x, row = clamp(int(low.y) + offset.y, 0, size.y - 1);
+    vec3 rgb = texelFetch(environment, ivec2(column, row), 0).xyz;
+    radiance += share * rgb;
+    weight += share * texelWeight(rgb, row, size);
+  }
+  float overTotal = texelFetch(marginal, ivec2(size.y, 0), 0).x;
+  density = weight * overTotal * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
+  return radiance;
+}
+
+// From the uniform distribution on [0, 1] to the tent about 0, on [-1, 1].
+vec2 tent(vec2 u) {
+  vec2 t = 2.0 * clamp(u, 0.0, 1.0) - 1.0;
+  return sign(t) * (1.0 - sqrt(1.0 - abs(t)));
+}
+
+// A direction: a texel in proportion to its weight, then a place about its middle by a tent
+// two texels wide. So the density is the weights' bilinear interpolation, and follows the radiance that is looked up.
+vec3 brightDirection(vec2 u) {
   ivec2 size = textureSize(environment, 0);
   int row = searched(marginal, 0, size.y, u.y, 0);
   float before = row > 0 ? texelFetch(marginal, ivec2(row - 1, 0), 0).x : 0.0;
-  float chance = texelFetch(marginal, ivec2(row, 0), 0).x - before, v = (u.y - before) / chance;
+  float chance = texelFetch(marginal, ivec2(row, 0), 0).x - before;
   int column = searched(environment, row, size.x, u.x, 3);
   float left = column > 0 ? texelFetch(environment, ivec2(column - 1, row), 0).w : 0.0;
   float width = texelFetch(environment, ivec2(column, row), 0).w - left;
-  vec2 st = (vec2(column, row) + vec2((u.x - left) / width, clamp(v, 0.0, 1.0))) / vec2(size);
+  vec2 within = (u - vec2(left, before)) / max(vec2(width, chance), 1e-12);
+  vec2 place = (vec2(column, row) + 0.5 + tent(within)) / vec2(size);
+  vec2 st = vec2(fract(place.x), 1.0 - abs(1.0 - abs(place.y)));  // back from beyond the poles
   float theta = PI * st.y, phi = 2.0 * PI * (st.x - 0.5), sine = sin(theta);
   vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
-  wi = vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
-  float density = chance * width * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
-  return environmentAt(st) / density;
+  return vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
 }
 
-vec3 sampleLight(ivec2 pixel, out vec3 wi) {
-  ivec2 seen = ivec2(pixel.x, height - 1 - pixel.y - firstRow);
-  if (lightKind == 1) return lightColour * sampleEnvironment(random(seen, DIRECTION), wi);
-  wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
-  return lightColour;
+// Directions about the asset: by the cosine about the normal, and some from all sides, since light comes through; about
+// a strand, n = 0, all from all sides.
+const float FROM_ALL_SIDES = 0.25, EVEN = 0.25 / PI;
+
+vec3 directionAbout(vec3 n, vec2 u) {
+  bool allSides = u.y < FROM_ALL_SIDES;
+  float v = allSides ? u.y / FROM_ALL_SIDES : (u.y - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES);
+  float phi = 2.0 * PI * u.x, z = 1.0 - 2.0 * v;
+  vec3 ball = vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(phi), sin(phi)), z);
+  return normalize(ball + (allSides ? vec3(0.0) : n * 1.0001));
+}
+
+float densityAbout(vec3 n, vec3 wi) {
+  return n == vec3(0.0) ? EVEN : mix(max(0.0, dot(n, wi)) / PI, EVEN, FROM_ALL_SIDES);
+}
+
+vec3 normalOf(vec4 row0, vec4 row1, vec4 row2) {
+  if (row0.w == 0.0) return vec3(0.0, 1.0, 0.0);  // of the ground
+  if ((wordsAt(primitives, int(row2.w)).w & SEGMENT) != 0u) return vec3(0.0);
+  return dot(row1.xyz, row2.xyz) < 0.0 ? -row1.xyz : row1.xyz;
+}
+
+// One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
+vec3 sampleLight(ivec2 pixel, vec3 n, out vec3 wi) {
+  if (lightKind == 0 || lightKind == 2) {
+    wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
+    return lightColour;
+  }
+  vec2 u = random(ivec2(pixel.x, height - 1 - pixel.y - firstRow), DIRECTION);
+  wi = lightKind == 1 ? brightDirection(u) : directionAbout(n, u);
+  vec3 d = vec3(turn.x * wi.x - turn.y * wi.z, wi.y, turn.x * wi.z + turn.y * wi.x);
+  float density;
+  vec2 st = vec2(atan(d.x, -d.z) / (2.0 * PI) + 0.5, acos(clamp(d.y, -1.0, 1.0)) / PI);
+  vec3 radiance = skyAt(st, length(d.xz), density);
+  return lightColour * radiance / (density + densityAbout(n, wi));
 }
 
 // Where a ray to the light starts, and what it may bring.
@@ -102,7 +152,7 @@ void main() {
   vec4 row0 = texelFetch(rows0, pixel, 0), row1 = texelFetch(rows1, pixel, 0);
   vec4 row2 = texelFetch(rows2, pixel, 0), row3 = texelFetch(rows3, pixel, 0);
   bool isQuery = row0.w != 0.0;
-  vec3 wi, radiance = row3.xyz * sampleLight(pixel, wi);
+  vec3 wi, radiance = row3.xyz * sampleLight(pixel, normalOf(row0, row1, row2), wi);
   Start start;
   if (isQuery) start = startOf(row0, row1, row2, row3.w, wi);
   else start = startOnGround(-row2.xyz, wi);

@@ -3,7 +3,7 @@
 
 struct Light {
     direction: vec3f, // of a sun
-    kind: u32,        // 0: sun, 1: environment, 2: directions that are in the rows
+    kind: u32,        // 0: sun; the environment: 1 where it is bright, 3 about the normal; 2: directions of the rows
     colour: vec3f,    // irradiance of a sun, or a factor of the environment
     ground: f32,      // its height
     turn: vec2f,      // cosine and sine of the environment's rotation
@@ -27,7 +27,7 @@ struct Lit {
 @group(1) @binding(3) var<storage, read_write> sums: array<vec4f>; // of the whole picture
 @group(2) @binding(0) var<uniform> light: Light;
 @group(2) @binding(1) var environment: texture_2d<f32>; // radiance, row 0 at +y; w: distribution along the row
-@group(2) @binding(2) var marginal: texture_2d<f32>;    // distribution over rows
+@group(2) @binding(2) var marginal: texture_2d<f32>;    // distribution over rows; 1 / the sum of weights; the least weight
 
 const PI = 3.14159265358979;
 
@@ -59,30 +59,61 @@ fn column_of(u: f32, row: i32, count: i32) -> i32 {
     return low;
 }
 
-fn environment_at(st: vec2f) -> vec3f {
-    let size = vec2<i32>(textureDimensions(environment));
-    let at = st * vec2f(size) - 0.5;
-    let low = floor(at);
-    let f = at - low;
-    let a = vec2<i32>(low);
-    let rows_at = clamp(vec2<i32>(a.y, a.y + 1), vec2<i32>(0), vec2<i32>(size.y - 1));
-    let columns_at = (vec2<i32>(a.x, a.x + 1) + size.x) % size.x;
-    let lower = mix(
-        textureLoad(environment, vec2<i32>(columns_at.x, rows_at.x), 0),
-        textureLoad(environment, vec2<i32>(columns_at.y, rows_at.x), 0), f.x);
-    let upper = mix(
-        textureLoad(environment, vec2<i32>(columns_at.x, rows_at.y), 0),
-        textureLoad(environment, vec2<i32>(columns_at.y, rows_at.y), 0), f.x);
-    return mix(lower, upper, f.y).xyz;
-}
-
 struct Arrival {
     wi: vec3f,
     radiance: vec3f, // over the density
 }
 
-// A direction in proportion to the luminance of texels.
-fn sample_environment(u: vec2f) -> Arrival {
+// A texel's weight among all: luminance times the sine of its row.
+fn texel_weight(rgb: vec3f, row: i32, size: vec2<i32>) -> f32 {
+    let least = textureLoad(marginal, vec2<i32>(size.y + 1, 0), 0).x;
+    return max(least, dot(rgb, vec3f(0.2126, 0.7152, 0.0722))) * sin(PI * (f32(row) + 0.5) / f32(size.y));
+}
+
+struct Sky {
+    radiance: vec3f,
+    density: f32, // of `bright_direction`
+}
+
+// Radiance at a place in the image, bilinear, and the density there: the weights, bilinear.
+fn sky_at(st: vec2f, sine: f32) -> Sky {
+    let size = vec2<i32>(textureDimensions(environment));
+    let at = st * vec2f(size) - 0.5;
+    let low = floor(at);
+    let f = at - low;
+    var radiance = vec3f(0.0);
+    var weight = 0.0;
+    for (var k = 0; k < 4; k++) {
+        let step = vec2<i32>(k & 1, k >> 1u);
+        let share = select(1.0 - f.x, f.x, step.x == 1) * select(1.0 - f.y, f.y, step.y == 1);
+        let column = (i32(low.x) + step.x + size.x) % size.x;
+        let row = clamp(i32(low.y) + step.y, 0, size.y - 1);
+        let rgb = textureLoad(environment, vec2<i32>(column, row), 0).xyz;
+        radiance += share * rgb;
+        weight += share * texel_weight(rgb, row, size);
+    }
+    let over_total = textureLoad(marginal, vec2<i32>(size.y, 0), 0).x;
+    return Sky(radiance, weight * over_total * f32(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6)));
+}
+
+// From a direction of the image to that of the world, and back.
+fn turned(d: vec3f) -> vec3f {
+    return vec3f(light.turn.x * d.x + light.turn.y * d.z, d.y, light.turn.x * d.z - light.turn.y * d.x);
+}
+
+fn turned_back(d: vec3f) -> vec3f {
+    return vec3f(light.turn.x * d.x - light.turn.y * d.z, d.y, light.turn.x * d.z + light.turn.y * d.x);
+}
+
+// From the uniform distribution on [0, 1] to the tent about 0, on [-1, 1].
+fn tent(u: vec2f) -> vec2f {
+    let t = 2.0 * clamp(u, vec2f(0.0), vec2f(1.0)) - 1.0;
+    return sign(t) * (1.0 - sqrt(1.0 - abs(t)));
+}
+
+// A direction: a texel in proportion to its weight, then a place about its middle by a tent two texels wide. So the
+// density is the weights' bilinear interpolation, and follows the radiance that is looked up, beside a sun, too.
+fn bright_direction(u: vec2f) -> vec3f {
     let size = vec2<i32>(textureDimensions(environment));
     let row = row_of(u.y, size.y);
     var before = 0.0;
@@ -96,17 +127,44 @@ fn sample_environment(u: vec2f) -> Arrival {
         left = textureLoad(environment, vec2<i32>(column - 1, row), 0).w;
     }
     let width = textureLoad(environment, vec2<i32>(column, row), 0).w - left;
-    let within = clamp(vec2f((u.x - left) / width, (u.y - before) / chance), vec2f(0.0), vec2f(1.0));
-    let st = (vec2f(f32(column), f32(row)) + within) / vec2f(size);
+    let within = (u - vec2f(left, before)) / max(vec2f(width, chance), vec2f(1e-12));
+    let place = (vec2f(f32(column), f32(row)) + 0.5 + tent(within)) / vec2f(size);
+    let st = vec2f(fract(place.x), 1.0 - abs(1.0 - abs(place.y))); // back from beyond the poles
     let theta = PI * st.y;
     let phi = 2.0 * PI * (st.x - 0.5);
-    let sine = sin(theta);
-    let d = vec3f(sine * sin(phi), cos(theta), -sine * cos(phi));
-    let turned = vec3f(light.turn.x * d.x + light.turn.y * d.z, d.y, light.turn.x * d.z - light.turn.y * d.x);
-    let density = chance * width * f32(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
-    return Arrival(turned, environment_at(st) / density);
+    return turned(vec3f(sin(theta) * sin(phi), cos(theta), -sin(theta) * cos(phi)));
 }
 
+// Directions about the asset: by the cosine about the normal, and some from all sides, since light comes through; about
+// a strand, n = 0, all from all sides.
+const FROM_ALL_SIDES = 0.25;
+
+fn direction_about(n: vec3f, u: vec2f) -> vec3f {
+    let all_sides = u.y < FROM_ALL_SIDES;
+    let v = select((u.y - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES), u.y / FROM_ALL_SIDES, all_sides);
+    let phi = 2.0 * PI * u.x;
+    let z = 1.0 - 2.0 * v;
+    let ball = vec3f(sqrt(max(0.0, 1.0 - z * z)) * vec2f(cos(phi), sin(phi)), z);
+    return normalize(ball + select(n * 1.0001, vec3f(0.0), all_sides));
+}
+
+fn density_about(n: vec3f, wi: vec3f) -> f32 {
+    let even = 0.25 / PI;
+    return select(mix(max(0.0, dot(n, wi)) / PI, even, FROM_ALL_SIDES), even, all(n == vec3f(0.0)));
+}
+
+fn normal_of(row: Row) -> vec3f {
+    if row.axis.w == 0u {
+        return vec3f(0.0, 1.0, 0.0); // of the ground
+    }
+    if HAS_SEGMENTS && (primitives[row.wo.w].w & SEGMENT) != 0u {
+        return vec3f(0.0);
+    }
+    let n = bitcast<vec3f>(row.axis.xyz);
+    return select(n, -n, dot(n, bitcast<vec3f>(row.wo.xyz)) < 0.0);
+}
+
+// One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
 fn arrival_at(pixel: vec2<u32>, row: Row) -> Arrival {
     if light.kind == 0u {
         return Arrival(light.direction, light.colour);
@@ -114,8 +172,17 @@ fn arrival_at(pixel: vec2<u32>, row: Row) -> Arrival {
     if light.kind == 2u {
         return Arrival(bitcast<vec3f>(row.wi.xyz), light.colour);
     }
-    let found = sample_environment(random(pixel, DIRECTION));
-    return Arrival(found.wi, light.colour * found.radiance);
+    let u = random(pixel, DIRECTION);
+    let n = normal_of(row);
+    var wi: vec3f;
+    if light.kind == 1u {
+        wi = bright_direction(u);
+    } else {
+        wi = direction_about(n, u);
+    }
+    let d = turned_back(wi);
+    let sky = sky_at(vec2f(atan2(d.x, -d.z) / (2.0 * PI) + 0.5, acos(clamp(d.y, -1.0, 1.0)) / PI), length(d.xz));
+    return Arrival(wi, light.colour * sky.radiance / (sky.density + density_about(n, wi)));
 }
 
 // Where a ray to the light starts, and what it may bring.

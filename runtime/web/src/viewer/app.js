@@ -1,18 +1,19 @@
 // The page: opens packages and images, and ties the panel, the pointer and the picture together.
-import { Reader } from "./conformance.js";
-import { openEngine } from "./engines.js";
-import { sceneArrays } from "./geometry/scene_arrays.js";
-import { evenImage } from "./light/environment.js";
-import { readImage } from "./light/image_files.js";
-import { NotSupported, PackageError } from "./package/errors.js";
-import { Package } from "./package/package.js";
-import { BlobSource, UrlSource } from "./package/source.js";
-import { Lighting } from "./ui/lighting.js";
-import { Orbit } from "./ui/orbit.js";
-import { Panel } from "./ui/panel.js";
-import { listen } from "./ui/pointer.js";
+import { Reader } from "../conformance.js";
+import { openEngine } from "../engines.js";
+import { sceneArrays } from "../geometry/scene_arrays.js";
+import { evenImage } from "../light/environment.js";
+import { readImage } from "../light/image_files.js";
+import { NotSupported, PackageError } from "../package/errors.js";
+import { Package } from "../package/package.js";
+import { BlobSource, UrlSource } from "../package/source.js";
+import { clamp, say, wrappedDegrees } from "../ui/elements.js";
+import { listen } from "../ui/pointer.js";
+import { compose, sharedFiles, rayKernels } from "../webgpu/sources.js";
+import { Lighting } from "./lighting.js";
+import { Orbit } from "./orbit.js";
+import { Panel } from "./panel.js";
 import { BACKDROP, Viewer } from "./viewer.js";
-import { compose, sharedFiles, rayKernels } from "./webgpu/sources.js";
 
 const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of phones
 
@@ -54,7 +55,7 @@ export class App {
     this.loading?.abort();
     const loading = (this.loading = new AbortController());
     try {
-      this.panel.say(null);
+      say(null);
       const source = from instanceof Blob
         ? new BlobSource(from, from.name)
         : await UrlSource.open(from, (got, all) => this.panel.showProgress(got, all), loading.signal);
@@ -148,6 +149,7 @@ export class App {
   setExposure(stops) {
     if (!this.viewer) return;
     this.viewer.exposure = stops;
+    this.panel.showExposure(stops);
     this.viewer.show();
   }
 
@@ -228,8 +230,8 @@ export class App {
       pan: moved((x, y) => this.orbit.pan(x, y)),
       zoom: moved((factor) => this.orbit.zoom(factor)),
       light: (x, y, moving) => {
-        this.lighting.rotation = ((this.lighting.rotation + (x * 180) / Math.PI + 540) % 360) - 180;
-        this.lighting.sunHeight = Math.min(90, Math.max(-10, this.lighting.sunHeight + (y * 180) / Math.PI));
+        this.lighting.rotation = wrappedDegrees(this.lighting.rotation + (x * 180) / Math.PI);
+        this.lighting.sunHeight = clamp(this.lighting.sunHeight + (y * 180) / Math.PI, -10, 90);
         this.panel.showLighting(this.lighting);
         this.changed(moving === true);
       },
@@ -262,7 +264,7 @@ export class App {
 
   async _recover(why) {
     const { shown, arrays } = this;
-    this.panel.say(`${why}; starting again`, true);
+    say(`${why}; starting again`, true);
     this.viewer?.stop();
     this.uploaded = null;
     try {
@@ -275,7 +277,7 @@ export class App {
         this.changed();
         this.viewer.start();
       }
-      this.panel.say(null);
+      say(null);
     } catch (error) {
       this._failed(error);
     }
@@ -284,7 +286,7 @@ export class App {
   _failed(error) {
     const known = error instanceof PackageError || error instanceof NotSupported;
     if (!known) console.error(error);
-    this.panel.say(known ? error.message : `this did not work: ${error.message ?? error}`);
+    say(known ? error.message : `this did not work: ${error.message ?? error}`);
     this.failures = (this.failures ?? 0) + 1;
   }
 }

@@ -1,6 +1,6 @@
 // ?bench=1: how many queries a second the decoder answers here, and how long a picture takes. One line to send in.
-import * as inWebGL from "./webgl/answers.js";
-import * as inWebGPU from "./webgpu/answers.js";
+import * as inWebGL from "../webgl/answers.js";
+import * as inWebGPU from "../webgpu/answers.js";
 
 const TRIALS = 5, TRIAL_MS = 400;
 

@@ -41,7 +41,9 @@ export class Lighting {
     }
     if (this.strength > 0) {
       const colour = [this.strength, this.strength, this.strength];
-      lights.push({ kind: "environment", colour, angle: (this.rotation + this.imageTurn) * RADIANS });
+      const angle = (this.rotation + this.imageTurn) * RADIANS;
+      // One light, sampled in two ways, which share it.
+      lights.push({ kind: "environment", colour, angle }, { kind: "aroundNormal", colour, angle });
       this.tables().up.forEach((value, c) => { up[c] += value * this.strength; });
     }
     return { lights, irradiance: up };

@@ -1,15 +1,9 @@
 // What stands beside the picture: the panel's controls and figures, progress, poster, messages.
-
-const element = (id) => document.getElementById(id);
-
-export function readableBytes(count) {
-  return count < 1e6 ? `${Math.round(count / 1e3)} kB` : `${(count / 1e6).toFixed(count < 1e7 ? 2 : 1)} MB`;
-}
+import { element, on, readableBytes, say, showValue, signed } from "../ui/elements.js";
 
 export class Panel {
   constructor(app) {
     this.app = app;
-    const on = (id, event, action) => element(id).addEventListener(event, (e) => action(e.target));
     on("tier", "change", ({ value }) => app.switchTier(value));
     const light = (id, name) => {
       on(id, "input", ({ valueAsNumber }) => this._setLight(name, valueAsNumber, true));
@@ -27,12 +21,14 @@ export class Panel {
     on("screenshot", "click", () => this._save());
     on("fullscreen", "click", () => this._fullScreen());
     this.showLighting(app.lighting);
+    this.showExposure(0);
   }
 
   _setLight(name, value, moving) {
     // The first touch of the sun puts the page's sun in place of a scene's.
     if (name === "sun" || name === "sunHeight") this.app.lighting.suns = null;
     this.app.lighting[name] = value;
+    this.showLighting(this.app.lighting);
     this.app.changed(moving);
   }
 
@@ -44,11 +40,18 @@ export class Panel {
     element("ground").checked = on;
   }
 
-  showLighting({ images, choice, strength, sun, sunHeight, rotation }) {
+  showLighting({ images, choice, strength, sun, suns, sunHeight, rotation }) {
     const options = [...images].map(([key, { label }]) => new Option(label, key, false, key === choice));
     element("environment").replaceChildren(...options);
-    const values = { "environment-intensity": strength, "sun-intensity": sun, "sun-height": sunHeight, rotation };
-    for (const [id, value] of Object.entries(values)) element(id).value = value;
+    showValue("environment-intensity", strength, strength.toFixed(2));
+    // The suns of a scene are no sun of the panel's.
+    showValue("sun-intensity", sun, suns ? "the scene's" : sun.toFixed(1));
+    showValue("sun-height", sunHeight, suns ? "the scene's" : `${signed(Math.round(sunHeight), 0)}\u00b0`);
+    showValue("rotation", rotation, `${signed(Math.round(rotation), 0)}\u00b0`);
+  }
+
+  showExposure(stops) {
+    showValue("exposure", stops, `${signed(stops, 1)} stops`);
   }
 
   showEngine(label, reasons) {
@@ -66,7 +69,7 @@ export class Panel {
     element("error").textContent = validation ? `${validation.psnr.toFixed(1)} dB, FLIP ${validation.flip.toFixed(3)}` : "not recorded";
     element("cost").textContent = cost ? `${cost.multiplyAdds.toLocaleString("en")} multiply-adds` : "not recorded";
     element("size").textContent = readableBytes(own.bytesOf(tier.name));
-    if (warnings.length) this.say(warnings.join("; "), true);
+    if (warnings.length) say(warnings.join("; "), true);
   }
 
   showStats({ ms, rounds, scale }) {
@@ -90,14 +93,6 @@ export class Panel {
     image.hidden = !blob;
     if (blob) image.src = URL.createObjectURL(blob);
     else image.removeAttribute("src");
-  }
-
-  /** One line; null takes it away. calm: it is no error. */
-  say(text, calm = false) {
-    const notice = element("notice");
-    notice.hidden = !text;
-    notice.textContent = text ?? "";
-    notice.classList.toggle("calm", calm);
   }
 
   async _save() {

@@ -1,0 +1,36 @@
+// What the panels of both pages share: elements by id, their events, numbers as text, the line of a message.
+
+export const element = (id) => document.getElementById(id);
+
+export function on(id, event, action) {
+  element(id).addEventListener(event, ({ target }) => action(target));
+}
+
+/** One line over the picture; null takes it away. calm: it is no error. */
+export function say(text, calm = false) {
+  const notice = element("notice");
+  notice.hidden = !text;
+  notice.textContent = text ?? "";
+  notice.classList.toggle("calm", calm);
+}
+
+export const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
+
+/** The same angle in [-180, 180). */
+export const wrappedDegrees = (degrees) => ((((degrees + 180) % 360) + 360) % 360) - 180;
+
+/** With a sign, but for zero. */
+export function signed(x, digits) {
+  const text = Math.abs(x).toFixed(digits);
+  return Number(text) === 0 ? text : (x < 0 ? "\u2212" : "+") + text;
+}
+
+/** What an <output> beside a slider says of its value. */
+export function showValue(id, value, text) {
+  element(id).value = value;
+  element(`${id}-value`).textContent = text;
+}
+
+export function readableBytes(count) {
+  return count < 1e6 ? `${Math.round(count / 1e3)} kB` : `${(count / 1e6).toFixed(count < 1e7 ? 2 : 1)} MB`;
+}
