@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.training.triplane import PLANE_AXES, Triplane, blurred, gathered
+from rna_export.training.triplane import PLANE_AXES, Triplane, blurred, diffused, gathered
 from rna_sdk.runtime.queries_reference import triplane_features
 
 LOW, HIGH = torch.tensor([-1.0, 0.0, 2.0]), torch.tensor([1.0, 3.0, 2.5])
@@ -112,3 +112,17 @@ def test_blur_has_its_width() -> None:
     offset = torch.arange(65) - 32.0
     deviation = ((row * offset**2).sum() / row.sum()).sqrt().item()
     assert deviation == pytest.approx(1.5, rel=0.06)  # the kernel ends at 2.5 of it
+
+
+def test_smoothing_exchanges_between_neighbours(triplane: Triplane) -> None:
+    before = triplane.planes.detach().clone()
+    expected = diffused(before, 0.2)
+    triplane.smooth(0.2)
+    found = triplane.planes.detach()
+    assert torch.allclose(found, expected, atol=1e-6)
+    assert torch.allclose(found.sum((1, 2)), before.sum((1, 2)), atol=1e-4)
+    texel = torch.zeros(3, 5, 5, 1)
+    texel[:, 2, 0] = 1.0  # at an edge: nothing leaves
+    row = torch.tensor([0.8, 0.2, 0.0, 0.0, 0.0])
+    column = torch.tensor([0.0, 0.2, 0.6, 0.2, 0.0])
+    assert torch.allclose(diffused(texel, 0.2)[0, :, :, 0], column[:, None] * row, atol=1e-6)

@@ -1,4 +1,4 @@
-"""Trainings of a preset, one after the other, each from where the one before ended."""
+"""Trainings of a preset, one after the other, each anew: texels keep what noise they begin with."""
 
 from __future__ import annotations
 
@@ -20,22 +20,18 @@ from rna_export.training.run import Run, train
 from rna_export.training.samples import SampleTable
 from rna_export.training.validation import mean_flip, mean_psnr, shade
 
-_RESTART = 0.5  # of the preset's rates, where a training goes on from an earlier one
-
 
 @dataclass(frozen=True)
 class Phase:
     """A training of one preset, of all parts.
 
-    folder: for checkpoints, one folder in it for each of several parts. start: of the phase that it
-    goes on from.
+    folder: for checkpoints, one folder in it for each of several parts.
     """
 
     dataset: Dataset
     preset: str
     length: Length
     folder: Path
-    start: Path | None
     seed: int
     device: str
 
@@ -56,28 +52,15 @@ class Phase:
                 minutes[part.name],
                 begun,
                 self.device,
-                start=self._start(part.name),
             )
             table = SampleTable(part.samples_of(shards), device=self.device)
             train(run, table, _quiet, stage.part(k / len(parts), 1 / len(parts)))
 
-    def _start(self, part: str) -> Path | None:
-        if self.start is None:
-            return None
-        return part_folder(self.start, self.dataset, part) / "last.ckpt"
-
     def _preset(self, kind: str) -> Preset:
-        """The preset of this length; planes are blurred, and rates full, in a first phase alone."""
+        """The preset of this length."""
         preset = PRESETS[kind][self.preset]
-        training = preset.training
-        if self.length.steps is not None:
-            preset = preset.with_training(steps=self.length.steps)
-        if self.start is None:
-            return preset
-        return preset.with_training(
-            blur=1.0,
-            learning_rate=_RESTART * training.learning_rate,
-            plane_learning_rate=_RESTART * training.plane_learning_rate,
+        return (
+            preset if self.length.steps is None else preset.with_training(steps=self.length.steps)
         )
 
 

@@ -120,14 +120,13 @@ class Make:
             self._short_phase(number, round_)
 
     def _short_phase(self, number: int, round_: Round) -> None:
-        """The training of the leading preset in a round, from where it was in the one before."""
+        """The training of the leading preset in a round."""
         assert round_.phase is not None
         work, lead = self._order.work, self._lead
         stage = self._progress.stage(f"round {number + 1}: {lead}", _PHASE)
-        start = phase_folder(work, lead, number - 1) if number else None
         folder = phase_folder(work, lead, number)
         dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
-        phase = Phase(dataset, lead, round_.phase, folder, start, seed, device)
+        phase = Phase(dataset, lead, round_.phase, folder, seed, device)
         phase.run(self._rays.to_train_on(number), stage)
         stage.done()
         round_.score = score(trained_in(folder, dataset), dataset)
@@ -136,7 +135,7 @@ class Make:
         self._progress.say(f"round {number + 1}: {told}")
 
     def _last_phase(self, preset: str) -> None:
-        """The full one, on all rays; of the leading preset from where its rounds led."""
+        """The full one, on all rays."""
         stage = self._progress.stage(f"last phase: {preset}", _LAST)
         last = self._state.last.get(preset)
         if last is None:
@@ -145,12 +144,9 @@ class Make:
             self._state.last[preset] = last
             self._save()
         if last.score is None:
-            phases = [k for k, r in enumerate(self._state.rounds) if r.score is not None]
-            leads = preset == self._lead and bool(phases)
-            start = phase_folder(self._order.work, preset, phases[-1]) if leads else None
             folder = phase_folder(self._order.work, preset, None)
             dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
-            phase = Phase(dataset, preset, last.phase, folder, start, seed, device)
+            phase = Phase(dataset, preset, last.phase, folder, seed, device)
             phase.run(dataset.finished_shards(), stage)
             last.score = score(trained_in(folder, dataset), dataset)
             self._save()

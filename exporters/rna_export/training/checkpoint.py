@@ -84,7 +84,7 @@ def _trained(saved: dict[str, Any]) -> Trained:
         record["preset_name"],
         record["part"],
         int(record["cut"]),
-        int(record["steps"]) + int(record["steps_before"]),
+        int(record["steps"]),
         int(record["seed"]),
     )
     return Trained(model.eval(), preset, *made, capture, Path(record["dataset"]))

@@ -16,6 +16,8 @@ from rna_export.training.presets import Preset, TrainingConfig
 from rna_export.training.samples import columns
 from rna_export.training.triplane import Triplane
 
+_SMOOTHED_TOGETHER = 16  # steps
+
 
 class Fitting:
     """Fits a `NeuralAsset`; the loss sees only the output that matches the visibility.
@@ -57,7 +59,19 @@ class Fitting:
         for optimizer in self._optimizers:
             optimizer.step()
             optimizer.zero_grad()
+        self._smooth()
         return loss.detach()
+
+    def _smooth(self) -> None:
+        """Diffusion of planes, several steps' worth at a time: it passes over all texels."""
+        planes = self.model.triplane
+        if not (self._config.smoothing and isinstance(planes, Triplane)):
+            return
+        of_decoders, of_features = self._optimizers
+        steps = int(next(iter(of_decoders.state.values()))["step"])
+        if steps % _SMOOTHED_TOGETHER == 0:
+            share = self._config.smoothing * of_features.param_groups[0]["lr"] * _SMOOTHED_TOGETHER
+            planes.smooth(min(share, 0.25))
 
     @property
     def learning_rate(self) -> float:
@@ -83,10 +97,8 @@ class Fitting:
         }
 
     def load(self, state: dict[str, Any]) -> None:
-        """Go on from a `state`; what an answer may be at most is the higher of both."""
-        ceiling = self.model.ceiling.clone()
+        """Go on from a `state`."""
         self.model.load_state_dict(state["model"])
-        self.model.ceiling.copy_(torch.maximum(self.model.ceiling, ceiling))
         for optimizer, saved in zip(self._optimizers, state["optimizers"], strict=True):
             optimizer.load_state_dict(saved)
 

@@ -1,4 +1,4 @@
-"""Compiled CPU kernels of the triplane: gather from blurred planes, its transpose, and Adam.
+"""Compiled CPU kernels of the triplane: gather from blurred planes, its transpose, Adam, diffusion.
 
 Every element is written by one thread and summed in the order of the samples, so results repeat
 to the bit whatever the number of threads. `triplane.py` holds the PyTorch twins.
@@ -104,3 +104,29 @@ def adam(values, gradient, mean, square, rate, betas, epsilon):
             v_i = kept_square * v[i] + (np.float32(1.0) - kept_square) * g[i] * g[i]
             m[i], v[i], g[i] = m_i, v_i, np.float32(0.0)
             x[i] -= rate * m_i / (np.float32(math.sqrt(v_i)) + epsilon)
+
+
+@compiled(parallel=True, fastmath=_FASTMATH)
+def diffuse(planes, share):
+    """Exchange a share of the difference between neighbours, along rows, then along columns.
+
+    planes: (3, R, R, C) float32, changed in place; their sums stay as they are.
+    """
+    resolution, channels = planes.shape[1], planes.shape[3]
+    for line in prange(3 * resolution):
+        row = planes[line // resolution, line % resolution]
+        for c in range(channels):
+            taken = np.float32(0.0)  # from this texel by the one before
+            for i in range(resolution):
+                given = share * (row[i + 1, c] - row[i, c]) if i + 1 < resolution else np.float32(0)
+                row[i, c] += given - taken
+                taken = given
+    for task in prange(3 * resolution):
+        plane, column = planes[task // resolution], task % resolution
+        for c in range(channels):
+            taken = np.float32(0.0)
+            for i in range(resolution):
+                below = plane[i + 1, column, c] if i + 1 < resolution else plane[i, column, c]
+                given = share * (below - plane[i, column, c])
+                plane[i, column, c] += given - taken
+                taken = given

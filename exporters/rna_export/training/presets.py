@@ -86,6 +86,13 @@ class TrainingConfig(BaseModel):
         description="footprint in texels that planes are blurred with at first; decays to 1, "
         "no blur, over the first fifth of the run"
     )
+    smoothing: float = Field(
+        0.0,
+        ge=0.0,
+        description="diffusion of the planes, beside Adam: times the rate, the share of the "
+        "difference to its neighbours that a texel loses a step. Where samples are noisy texels "
+        "then average, and what is sharp and well seen stays",
+    )
 
 
 class Preset(BaseModel):
@@ -128,6 +135,7 @@ def _paper(kind: str, width: int) -> Preset:
 
 # Fine planes learn the noise of hair's scattered light (docs/decisions.md).
 _PLANES = {"surface": (256, 8), "fiber": (32, 16)}
+_SMOOTHING = {"surface": 0.25, "fiber": 0.0}  # of hair not measured; docs/decisions.md
 # For assets that are small in the image.
 _TINY_PLANES = {"surface": (128, 8), "fiber": (16, 16)}
 
@@ -160,6 +168,7 @@ def _ours(
             loss="log" if kind == "fiber" else "auto",
             unbiased_share=0.1,
             blur=4.0,
+            smoothing=_SMOOTHING[kind],
         ),
     )
 

@@ -42,8 +42,6 @@ class Run:
     begun: float | None = None  # when the minutes began, of `time.monotonic`; None: with `train`
     device: str = "cpu"
     validations: int = 10  # over the run; the best checkpoint is one of as many
-    start: Path | None = None  # `last.ckpt` of a run of the same model that this one goes on from
-    steps_before: int = 0  # that led to `start`; `train` finds them
     after_checkpoint: Callable[[], None] = lambda: None
 
 
@@ -64,11 +62,9 @@ def train(
         table = SampleTable(run.dataset.training_samples(), device=run.device)
     # Nothing brighter than the training data: a network asked beyond it may answer anything.
     ceiling = 1.5 * table.largest_radiance
-    earlier = load_progress(run.start) if run.start is not None else None
-    unit = _unit(run, table, earlier)
-    before = _steps(earlier) if earlier else 0
-    preset = with_fitting_loss(run.preset, run.dataset, unit)
-    run = replace(run, preset=preset, steps_before=before)
+    # Radiance that the loss calls 1.
+    unit = table.usual_radiance if run.preset.training.unit == "usual" else 1.0
+    run = replace(run, preset=with_fitting_loss(run.preset, run.dataset, unit))
     if run.dataset.manifest.emitters:
         inputs = INPUTS[run.dataset.kind]
         run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
@@ -80,8 +76,8 @@ def train(
     torch.manual_seed(run.seed)
     bounds, emission = padded_bounds(run.dataset), _emission(run, done)
     fitting = Fitting(run.preset, bounds, ceiling, unit, table.fields, emission, run.device)
-    if saved or earlier:
-        fitting.load(saved["fitting"] if saved else earlier["progress"]["fitting"])
+    if saved:
+        fitting.load(saved["fitting"])
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
     with bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar:
@@ -127,18 +123,6 @@ def _fit(
     return report.brightness
 
 
-def _unit(run: Run, table: SampleTable, earlier: dict[str, Any] | None) -> float:
-    """Radiance that the loss calls 1; of a run that goes on from another, the same as there."""
-    if earlier is not None:
-        return float(earlier["progress"]["fitting"]["model"]["unit"])
-    return table.usual_radiance if run.preset.training.unit == "usual" else 1.0
-
-
-def _steps(earlier: dict[str, Any]) -> int:
-    """That led to a checkpoint."""
-    return int(earlier["progress"]["step"]) + int(earlier["record"]["steps_before"])
-
-
 def _validations(run: Run, pace: Pace) -> int:
     """That are due by now."""
     return int(pace.progress * run.validations + _ROUNDING)
@@ -173,7 +157,6 @@ def _record(run: Run, done: int) -> dict[str, Any]:
         "preset_name": run.preset_name,
         "seed": run.seed,
         "steps": run.preset.training.steps if run.minutes is None else done,
-        "steps_before": run.steps_before,
         "minutes": run.minutes,
         "part": run.dataset.name,
         "cut": run.dataset.dataset.cut,

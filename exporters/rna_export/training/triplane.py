@@ -43,6 +43,23 @@ class Triplane(nn.Module):
             return _Gather.apply(self.planes, p, blur)
         return gathered(blurred(self.planes, blur) if blur > 1.0 else self.planes, p)
 
+    @torch.no_grad()
+    def smooth(self, share: float) -> None:
+        """Exchange a share, at most 0.25, of the difference between neighbouring texels."""
+        if self.planes.device.type == "cpu":
+            plane_kernels.diffuse(self.planes.numpy(), np.float32(share))
+        else:
+            self.planes.copy_(diffused(self.planes, share))
+
+
+def diffused(planes: Tensor, share: float) -> Tensor:
+    """Planes (3, R, R, C) after an explicit step of diffusion along each axis, in plain PyTorch."""
+    for axis in (2, 1):
+        difference = share * planes.diff(dim=axis)
+        none = torch.zeros_like(planes.narrow(axis, 0, 1))
+        planes = planes + torch.cat([difference, none], axis) - torch.cat([none, difference], axis)
+    return planes
+
 
 def gathered(planes: Tensor, p: Tensor) -> Tensor:
     """Features (n, C) at p (n, 3) in [0, 1], in plain PyTorch: for GPUs, and the kernels' twin."""
