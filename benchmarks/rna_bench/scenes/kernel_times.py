@@ -11,7 +11,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from rna_render import embree_kernels
+from rna_render.embree import kernels as embree_kernels
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.tiles import QueryFiller
 
