@@ -16,6 +16,7 @@ from rna_sdk.compiled import compiled
 _FASTMATH = ("contract", "reassoc")
 _BANDS = 4  # of a plane's rows, each a task: no two tasks write the same texel
 _RUN = 4096  # elements of a task of `adam`
+_COLUMNS = 32  # of a task of `diffuse`
 
 
 @compiled(fastmath=_FASTMATH)
@@ -106,6 +107,22 @@ def adam(values, gradient, mean, square, rate, betas, epsilon):
             x[i] -= rate * m_i / (np.float32(math.sqrt(v_i)) + epsilon)
 
 
+@compiled(fastmath=_FASTMATH)
+def _exchange(texels, share, taken):
+    """Along the first axis of texels (R, n, C), in place. taken: (n, C) to work in."""
+    last, n, channels = texels.shape[0] - 1, texels.shape[1], texels.shape[2]
+    taken[:] = 0.0  # from these texels, by those before
+    for i in range(last):
+        for j in range(n):
+            for c in range(channels):
+                given = share * (texels[i + 1, j, c] - texels[i, j, c])
+                texels[i, j, c] += given - taken[j, c]
+                taken[j, c] = given
+    for j in range(n):
+        for c in range(channels):
+            texels[last, j, c] -= taken[j, c]
+
+
 @compiled(parallel=True, fastmath=_FASTMATH)
 def diffuse(planes, share):
     """Exchange a share of the difference between neighbours, along rows, then along columns.
@@ -115,18 +132,10 @@ def diffuse(planes, share):
     resolution, channels = planes.shape[1], planes.shape[3]
     for line in prange(3 * resolution):
         row = planes[line // resolution, line % resolution]
-        for c in range(channels):
-            taken = np.float32(0.0)  # from this texel by the one before
-            for i in range(resolution):
-                given = share * (row[i + 1, c] - row[i, c]) if i + 1 < resolution else np.float32(0)
-                row[i, c] += given - taken
-                taken = given
-    for task in prange(3 * resolution):
-        plane, column = planes[task // resolution], task % resolution
-        for c in range(channels):
-            taken = np.float32(0.0)
-            for i in range(resolution):
-                below = plane[i + 1, column, c] if i + 1 < resolution else plane[i, column, c]
-                given = share * (below - plane[i, column, c])
-                plane[i, column, c] += given - taken
-                taken = given
+        taken = np.empty((1, channels), np.float32)
+        _exchange(row.reshape(resolution, 1, channels), share, taken)
+    blocks = (resolution + _COLUMNS - 1) // _COLUMNS
+    for task in prange(3 * blocks):
+        start = task % blocks * _COLUMNS
+        columns = planes[task // blocks][:, start : start + _COLUMNS]
+        _exchange(columns, share, np.empty(columns.shape[1:], np.float32))
