@@ -11,8 +11,9 @@ from PIL import Image
 
 from rna_bench.cli import main
 from rna_bench.frontier import frontier_study as study_module
-from rna_bench.frontier.chart_points import front
+from rna_bench.frontier.chart_points import front, last_tenth
 from rna_bench.frontier.findings import findings, sentences
+from rna_bench.frontier.frontier_chart import draw
 from rna_export.capture.dataset import Dataset
 from rna_export.trials.grid import full_grid
 from rna_export.trials.packages import TRIAL_PRECISIONS
@@ -117,6 +118,23 @@ def test_page_shows_and_compares_the_models(out: Path) -> None:
 
 def point(name: str, family: str, ns: float, psnr: float) -> dict[str, object]:
     return {"name": name, "family": family, "ns": ns, "psnr": psnr, "precision": "float32-float16"}
+
+
+def test_chart_takes_short_and_long_trainings_of_one_asset(out: Path, tmp_path: Path) -> None:
+    report = json.loads((out / "frontier.json").read_text())
+    longer = {**report, "points": [{**p, "steps": 10 * p["steps"]} for p in report["points"]]}
+    drawn = []
+    for name, reports in (("one", [report]), ("both", [report, longer])):
+        draw(reports, tmp_path / f"{name}.png")
+        drawn.append(np.asarray(Image.open(tmp_path / f"{name}.png")))
+    one, both = drawn
+    assert one.shape == both.shape  # one row
+    assert np.any(one != both)
+
+
+def test_last_tenth_is_what_a_training_still_wins() -> None:
+    assert last_tenth([(50, 30.0), (90, 34.0), (95, 34.5), (100, 35.0)], 100) == 1.0
+    assert last_tenth([(100, 35.0)], 100) is None
 
 
 def test_front_holds_what_none_beats_at_its_cost() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -53,6 +54,8 @@ def _point(record: Record, precision: str, point: Point, costs: Costs | None) ->
         **model.model_dump(mode="json"),
         "steps": trial.preset.training.steps,
         "training_seconds": record.seconds,
+        "curve": record.curve,
+        "last_tenth_db": last_tenth(record.curve, trial.preset.training.steps),
         "bytes": point.bytes,
         "multiply_adds": point.multiply_adds,
         "ns": cost.ns if cost else None,
@@ -64,6 +67,15 @@ def _point(record: Record, precision: str, point: Point, costs: Costs | None) ->
         "p99": scores.p99,
         "views": [view.model_dump() for view in scores.views],
     }
+
+
+def last_tenth(curve: Sequence[tuple[int, float]], steps: int) -> float | None:
+    """dB that the last tenth of a training won; None where it was not validated before.
+
+    curve: steps done and PSNR of each validation, the last of them at the end.
+    """
+    before = [psnr for step, psnr in curve if step <= 0.9 * steps]
+    return curve[-1][1] - before[-1] if before else None
 
 
 def front(points: list[dict[str, Any]], cost: str, error: str) -> list[dict[str, Any]]:

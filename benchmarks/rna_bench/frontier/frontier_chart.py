@@ -24,35 +24,45 @@ _MARKERS = {"float32": "o", "int8": "D"}
 
 
 def draw(reports: list[dict[str, Any]], path: Path) -> None:
-    """Write a PNG of reports of `study`, a row each."""
-    rows = len(reports)
-    drawn = figure(12, 0.8 + 4.2 * rows)
-    grid = drawn.subplots(rows, 2, sharey="row", squeeze=False)
-    for axes, report in zip(grid, reports, strict=True):
-        _draw_row(axes, report)
+    """Write a PNG of reports of `study`: a row an asset, whose longest trainings are filled."""
+    assets = list(dict.fromkeys(report["dataset"]["name"] for report in reports))
+    drawn = figure(12, 0.8 + 4.2 * len(assets))
+    grid = drawn.subplots(len(assets), 2, sharey="row", squeeze=False)
+    for axes, asset in zip(grid, assets, strict=True):
+        of_asset = [report for report in reports if report["dataset"]["name"] == asset]
+        _draw_row(axes, asset, sorted(of_asset, key=_steps, reverse=True))
     for axis, cost in zip(grid[-1], _SHOWN, strict=True):
         axis.set_xlabel(COSTS[cost])
     drawn.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     drawn.savefig(path, dpi=120)
 
 
-def _draw_row(axes: Any, report: dict[str, Any]) -> None:
+def _steps(report: dict[str, Any]) -> int:
+    return max(point["steps"] for point in report["points"])
+
+
+def _draw_row(axes: Any, asset: str, reports: list[dict[str, Any]]) -> None:
+    longest, *shorter = reports
     for axis, cost in zip(axes, _SHOWN, strict=True):
         axis.set(xscale="log")
         if cost == "bytes":  # less than a decade or two
             axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axis.xaxis.set_major_formatter(EngFormatter())
         axis.xaxis.set_minor_formatter(NullFormatter())
-        _draw_points(axis, report["points"], cost)
+        for report in shorter:
+            _draw_points(axis, report["points"], cost, is_short=True)
+        _draw_points(axis, longest["points"], cost)
     top = axes[0].get_ylim()[1] + _ABOVE
     axes[0].set_ylim(top=top)
-    _draw_cycles(axes[0], report["cycles"], top)
+    _draw_cycles(axes[0], next((r["cycles"] for r in reports if r["cycles"]), None), top)
     axes[0].set_ylabel("PSNR, dB (irradiance pi, clamped to [0, 1])")
-    steps = report["points"][0]["steps"]
-    axes[0].set_title(f"{report['dataset']['name']}: {steps:,} steps of each model", loc="left")
+    told = "; hollow: ".join(f"{_steps(report):,} steps" for report in reports)
+    axes[0].set_title(f"{asset}: {told} of each model", loc="left")
 
 
-def _draw_points(axis: Any, points: list[dict[str, Any]], cost: str) -> None:
+def _draw_points(
+    axis: Any, points: list[dict[str, Any]], cost: str, is_short: bool = False
+) -> None:
     shown = [p for p in points if p[cost] is not None]
     for family in ("ours", "paper", "opponent", "ablation"):
         for decoder, marker in _MARKERS.items():
@@ -65,12 +75,15 @@ def _draw_points(axis: Any, points: list[dict[str, Any]], cost: str) -> None:
                     [p[cost] for p in some],
                     [p["psnr"] for p in some],
                     s=26,
-                    c=COLOURS[family],
+                    facecolors="none" if is_short else COLOURS[family],
+                    edgecolors=COLOURS[family],
                     marker=marker,
-                    label=label,
-                    alpha=0.85,
-                    lw=0,
+                    label=None if is_short else label,
+                    alpha=0.5 if is_short else 0.85,
+                    lw=0.8 if is_short else 0,
                 )
+    if is_short:
+        return
     best = front(points, cost, "psnr")
     line = [p[cost] for p in best], [p["psnr"] for p in best]
     axis.step(*line, where="post", color=COLOURS["ours"], lw=1, alpha=0.6, label="best at its cost")

@@ -1,4 +1,4 @@
-"""Draws frontiers from their committed JSON, below one another.
+"""Draws frontiers from their committed JSON: a row an asset, its shorter trainings hollow.
 
     rna-bench frontier-chart benchmarks/results/frontier-toy.json \
         --out docs/images/frontier-toy.png

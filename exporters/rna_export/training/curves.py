@@ -18,7 +18,7 @@ class Curves:
 
     def __init__(self, folder: Path, done: int = 0):
         self._folder = folder
-        self.rows = [row for row in _read(folder / "metrics.csv") if row["step"] <= done]
+        self.rows = [row for row in read_curves(folder) if row["step"] <= done]
 
     @property
     def best_psnr(self) -> float:
@@ -51,7 +51,12 @@ class Curves:
         plt.close(figure)
 
 
-def _read(path: Path) -> list[dict[str, float]]:
+def read_curves(folder: Path) -> list[dict[str, float]]:
+    """The rows of `<folder>/metrics.csv`; none where there is no such file.
+
+    Raises `TrainingError` for another kind of file.
+    """
+    path = folder / "metrics.csv"
     if not path.is_file():
         return []
     try:

@@ -32,6 +32,9 @@ class Record(BaseModel):
     device: str
     seconds: float = Field(description="of training: of all CPU threads together, or of the GPU")
     points: dict[str, Point] = Field(description="by precision of decoder and planes")
+    curve: tuple[tuple[int, float], ...] = Field(
+        (), description="steps done and PSNR in PyTorch, of each validation while it trained"
+    )
 
     def write(self, folder: Path) -> None:
         """Write `record.json`; with it the trial is finished."""

@@ -12,6 +12,7 @@ from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.validation_view import ValidationView
 from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
+from rna_export.training.curves import read_curves
 from rna_export.training.run import Run, train
 from rna_export.training.samples import SampleTable
 from rna_export.training.validation import shade
@@ -65,6 +66,7 @@ def run_trial(
         device=record.device if record else device,
         seconds=seconds,
         points=points,
+        curve=tuple((int(row["step"]), row["psnr"]) for row in read_curves(folder)),
     )
     record.write(folder)
     for checkpoint in folder.glob("*.ckpt"):
