@@ -20,9 +20,9 @@ class DatasetModel(BaseModel):
 class CaptureSettings(DatasetModel):
     """What was asked for; with the source, enough to repeat the capture."""
 
-    samples: int = Field(4, gt=0, description="paths a view ray")
+    samples: int = Field(16, gt=0, description="paths a view ray")
     rays: int = Field(4096, gt=0, description="view rays a light direction")
-    lights: int = Field(4000, gt=0, description="light directions, one small render each")
+    lights: int = Field(2000, gt=0, description="light directions, one small render each")
     domain: str = Field("sphere", pattern="^(sphere|hemisphere)$", description="of wo and of wi")
     parts: str = Field(
         "kinds",
@@ -64,8 +64,8 @@ class CaptureSettings(DatasetModel):
         return cls(**{**_DEFAULTS.get(kind, {}), **asked})
 
 
-# More lights of few paths each teach more than fewer lights of many (docs/decisions.md); of hair,
-# whose paths are dear and noisy, more points of fewer paths, too.
+# Hair's paths are dear and noisy: more points, of fewer paths, teach more (docs/decisions.md).
+# Beside a surface, whose paths are cheap, as many paths a light serve both.
 _FIBERS = {
     "samples": 2,
     "rays": 16384,
