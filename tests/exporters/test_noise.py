@@ -55,7 +55,7 @@ def test_darkening_is_what_the_log_loss_loses(dataset: NoisyPart, deviation: flo
     assert darkening(dataset, UNIT) == pytest.approx(lost, rel=0.15, abs=1e-3)
 
 
-@pytest.mark.parametrize(("deviation", "loss"), [(0.05, "log"), (0.5, "unbiased")])
+@pytest.mark.parametrize(("deviation", "loss"), [(0.05, "log"), (0.9, "unbiased")])
 def test_presets_of_surfaces_choose(dataset: NoisyPart, deviation: float, loss: str) -> None:
     dataset.deviation = deviation
     assert PRESETS["surface"]["small"].training.loss == "auto"

@@ -7,8 +7,8 @@ import numpy as np
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.training.presets import Preset
 
-MOST_DARKENED = 0.02
-"""Part of an asset's brightness that the log loss may cost."""
+MOST_DARKENED = 0.05
+"""Part of the brightness that the log loss may cost; the end of a run puts it right."""
 
 
 def darkening(dataset: DatasetPart, unit: float) -> float:

@@ -75,7 +75,7 @@ class TrainingConfig(BaseModel):
         "log",
         description="log: of log(x / unit + 1). unbiased: relative, so that neither noise in the "
         "targets nor what the model cannot tell apart darkens it. auto: unbiased where noise would "
-        "darken the other by more than 2%",
+        "darken the other by more than 5%",
     )
     unbiased_share: float = Field(
         0.0,
