@@ -8,8 +8,8 @@ from typing import Any, Literal
 
 from pydantic import Field, ValidationError, model_validator
 
-from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.settings import CaptureSettings, DatasetModel
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.package import Domain
 from rna_sdk.package.manifest import Name, NormalMapRecord, TransmittanceRecord
 
