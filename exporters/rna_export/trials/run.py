@@ -132,7 +132,7 @@ def _measure_packages(
     """Error of a package of each precision, through the runtime."""
     views, points = dataset.validation_views(), {}
     for precision, path in write_packages(trained, dataset, folder, precisions).items():
-        asset = load(path, threads=1)
+        (asset,) = load(path, threads=1).parts
         radiance = [view.shaded_by(asset) for view in views]
         size = path.stat().st_size
         points[precision] = _point(trained, radiance, views, folder / precision, size)
