@@ -11,7 +11,7 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from PIL import Image
 
-from rna_export.capture.sample_files import write_atomically
+from rna_sdk.atomic_file import write_atomically
 
 _TEMPLATES = Environment(
     loader=PackageLoader("rna_bench", "templates"),

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from rna_export.capture.sample_files import write_atomically
+from rna_sdk.atomic_file import write_atomically
 
 
 def write_results(

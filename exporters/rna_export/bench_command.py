@@ -19,7 +19,8 @@ def main() -> int:
             raise
         print(_WHERE, file=sys.stderr)
         return 1
-    return measure()
+    status: int = measure()
+    return status
 
 
 if __name__ == "__main__":

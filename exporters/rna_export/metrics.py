@@ -87,7 +87,7 @@ def psnr_without_noise(radiance: np.ndarray, half: np.ndarray, other: np.ndarray
     perfect model's mean is 0 wherever the noise carries the reference across white.
     """
     errors = [IRRADIANCE * (radiance.astype(np.float64) - h) for h in (half, other)]
-    weight = sum((IRRADIANCE * h <= 1.0).astype(np.float64) for h in (half, other)) / 2.0
+    weight = np.mean([IRRADIANCE * h <= 1.0 for h in (half, other)], axis=0)
     products, counts = (weight * errors[0] * errors[1]).sum(axis=1), weight.sum(axis=1)
     total = counts.sum()
     if not total:

@@ -5,7 +5,6 @@ The protocol is that of spec/conformance/README.md.
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -13,6 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import ConformanceError, RnaError
 
 Evaluate = Callable[[str, str, int, NDArray[np.float32]], NDArray[np.float32]]
@@ -82,7 +82,4 @@ def _answer(
 
 
 def _write(path: str, values: NDArray[np.float32]) -> None:
-    """Whole or not at all."""
-    temporary = Path(path).with_name(f".{Path(path).name}.{os.getpid()}.partial")
-    temporary.write_bytes(values.astype("<f4").tobytes())
-    os.replace(temporary, path)
+    write_atomically(Path(path), values.astype("<f4").tobytes())

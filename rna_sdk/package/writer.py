@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 
+from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container import MANIFEST_NAME
 from rna_sdk.package.container_writer import write_container
@@ -91,8 +92,7 @@ def write_entries(
 
 
 def _write(target: Path, entries: list[tuple[str, bytes]]) -> Manifest:
-    temporary = target.with_name(f".{target.name}.{os.getpid()}.partial")
-    try:
+    with atomic_file(target) as temporary:
         with open(temporary, "wb") as file:
             write_container(file, entries)
             file.flush()
@@ -100,9 +100,6 @@ def _write(target: Path, entries: list[tuple[str, bytes]]) -> Manifest:
         result = inspect(temporary)
         if result.errors or result.manifest is None:
             raise PackageError(result.errors, target)
-        os.replace(temporary, target)
-    finally:
-        temporary.unlink(missing_ok=True)
     return result.manifest
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 import time
 from collections.abc import Callable
 from hashlib import sha256
@@ -13,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 import rna_sdk
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
 
 _REPEATS = 5
@@ -64,8 +64,6 @@ def _write(known: dict[str, float]) -> None:
     path = _file()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile("w", dir=path.parent, delete=False) as file:
-            json.dump(known, file)
-        os.replace(file.name, path)
+        write_atomically(path, json.dumps(known).encode())
     except OSError:
         pass

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 from rna_sdk.package import Package, Tier
 from rna_sdk.runtime.arguments import scalars, vectors
@@ -16,6 +17,8 @@ class FiberAsset(AssetPart):
     Attributes:
         curves: the geometry, object space, metres.
     """
+
+    kind: Literal["fiber"]
 
     def __init__(
         self,

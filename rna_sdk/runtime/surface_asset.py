@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 import numpy as np
 
@@ -18,6 +19,8 @@ class SurfaceAsset(AssetPart):
     Attributes:
         mesh: the geometry, object space, metres.
     """
+
+    kind: Literal["surface"]
 
     def __init__(
         self,

@@ -37,8 +37,11 @@ class BandRenderer(Protocol):
     groups: names of the groups of lights. at_once: so many bands at a time; None for any number.
     """
 
-    groups: Sequence[str]
-    at_once: int | None
+    @property
+    def groups(self) -> Sequence[str]: ...
+
+    @property
+    def at_once(self) -> int | None: ...
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers: ...
 

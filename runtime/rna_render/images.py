@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from uuid import uuid4
 from zipfile import BadZipFile
 
 import numpy as np
 
 from rna_render.view_transform import to_display
+from rna_sdk.atomic_file import atomic_file, temporary_path
 from rna_sdk.errors import SceneError
 
 
@@ -121,7 +120,7 @@ def check_writable(path: Path) -> None:
     """Raise SceneError if no image can be written there."""
     if path.is_dir():
         raise SceneError("cannot write the image: it is a folder", file=path)
-    temporary = _temporary(path)
+    temporary = temporary_path(path)
     try:
         temporary.touch()
         temporary.unlink()
@@ -130,15 +129,8 @@ def check_writable(path: Path) -> None:
 
 
 def _write(path: Path, save: Callable[[Path], object]) -> None:
-    temporary = _temporary(path)
     try:
-        save(temporary)
-        os.replace(temporary, path)
+        with atomic_file(path) as temporary:
+            save(temporary)
     except (OSError, RuntimeError) as error:
         raise SceneError(f"cannot write the image: {error}", file=path) from error
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def _temporary(path: Path) -> Path:
-    return path.with_name(f".{path.name}.{uuid4().hex[:12]}.tmp")

@@ -5,15 +5,14 @@ from __future__ import annotations
 import json
 import shutil
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from uuid import uuid4
 
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save_file
 
 from rna_render.film import Film
+from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import SceneError
 
 
@@ -55,15 +54,12 @@ class KeptPieces:
     def keep(self, piece: Piece, film: Film) -> None:
         """Write a piece, whole or not at all. Raises SceneError if that cannot be."""
         path = self.folder / f"{piece.start:010d}-{piece.stop:010d}.safetensors"
-        temporary = path.with_suffix(f".{uuid4().hex[:8]}.part")
         metadata = {"image": self.key, "groups": json.dumps(film.groups)}
         try:
             self.folder.mkdir(exist_ok=True)
-            save_file(film.arrays(), temporary, metadata)
-            temporary.replace(path)
+            with atomic_file(path) as temporary:
+                save_file(film.arrays(), temporary, metadata)
         except (OSError, SafetensorError) as error:
-            with suppress(OSError):
-                temporary.unlink()
             raise SceneError(f"cannot be written: {error}", file=path) from error
 
     def remove(self) -> None:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import shutil
-import tempfile
 from pathlib import Path
 
+from rna_sdk.atomic_file import atomic_file
 from rna_view.errors import ViewError
 from rna_view.site_files import VIEWER_FILES, Site, viewer_file
 
@@ -37,17 +36,10 @@ def export_site(site: Site, folder: Path) -> list[Path]:
 
 def _write(path: Path, content: Path | bytes) -> Path:
     """Under a temporary name first, so that a page is never half of one."""
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            if isinstance(content, bytes):
-                file.write(content)
-            else:
-                with content.open("rb") as source:
-                    shutil.copyfileobj(source, file)
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
+    with atomic_file(path) as temporary:
+        if isinstance(content, bytes):
+            temporary.write_bytes(content)
+        else:
+            shutil.copyfile(content, temporary)
+        temporary.chmod(0o644)  # whatever the umask: a web server reads it
     return path

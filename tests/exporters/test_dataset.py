@@ -9,7 +9,8 @@ import pytest
 from safetensors.numpy import load_file
 
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.sample_files import write_arrays, write_atomically
+from rna_export.capture.sample_files import write_arrays
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import LIGHTS_A_SHARD, RAYS, make_dataset

@@ -6,6 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 folder=${1:-$(mktemp -d)}
+sockets=$(mktemp -d) # short: Ray's sockets lie in it, and their paths have 107 bytes
 net=10.77.0
 python=$PWD/.venv/bin/python
 export PYTHONPATH=$PWD:$PWD/runtime:$PWD/exporters RAY_USAGE_STATS_ENABLED=0 RAY_worker_niceness=0
@@ -17,7 +18,7 @@ finish() {
     for pid in "${pids[@]}"; do kill -9 -- "-$pid" 2>/dev/null || true; done
     for k in 0 1 2; do ip netns del "rna$k" 2>/dev/null || true; done
     ip link del rna-bridge 2>/dev/null || true
-    rm -rf /tmp/rna-ns-[012]
+    rm -rf "$sockets"
 }
 trap finish EXIT
 
@@ -36,7 +37,7 @@ start_node() { # NUMBER ARGUMENTS...
     local k=$1 log=$folder/node-$1.log
     shift
     XDG_CACHE_HOME=$folder/cache-$k setsid ip netns exec "rna$k" .venv/bin/ray start "$@" --block \
-        --node-ip-address "$net.$((k + 1))" --temp-dir "/tmp/rna-ns-$k" >"$log" 2>&1 &
+        --node-ip-address "$net.$((k + 1))" --temp-dir "$sockets/$k" >"$log" 2>&1 &
     pids+=($!)
     disown
     for _ in $(seq 240); do

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from safetensors.numpy import load_file
 
-from rna_export.capture.sample_files import write_arrays, write_atomically
+from rna_export.capture.sample_files import write_arrays
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import RnaError
 
 Arrays = dict[str, np.ndarray]

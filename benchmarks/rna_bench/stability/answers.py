@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from rna_export.capture.asset_arguments import evaluate_arguments
 from rna_export.capture.validation_view import queries_of
 from rna_export.training.model import NeuralAsset
 from rna_export.training.validation import answer
@@ -28,7 +29,8 @@ def of_package(asset: Asset) -> Answers:
     """A package's, through the runtime."""
 
     def ask(queries: Queries) -> tuple[np.ndarray, np.ndarray]:
-        return asset.evaluate(*(np.ascontiguousarray(v, np.float32) for v in queries.values()))
+        rows = {name: np.ascontiguousarray(v, np.float32) for name, v in queries.items()}
+        return asset.evaluate(*evaluate_arguments(rows))
 
     return ask
 

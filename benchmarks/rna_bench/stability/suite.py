@@ -26,8 +26,8 @@ from rna_bench.stability.cases import (
     zoom,
 )
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.sample_files import write_atomically
 from rna_export.memory import keep_freed_memory
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 from rna_work.places import Place, this_machine
 from rna_work.pool import Pool

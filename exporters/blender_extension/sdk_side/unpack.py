@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_sdk.atomic_file import atomic_file
 from rna_sdk.package import Package, PackageError
 from rna_sdk.runtime import load
 
@@ -31,10 +32,8 @@ def main():
         arrays["poster"] = np.frombuffer(poster, np.uint8)
     for number, part in enumerate(asset.parts):
         arrays |= {f"{number}/{name}": values for name, values in geometry(part).items()}
-    temporary = out.with_suffix(".tmp")
-    with temporary.open("wb") as file:
+    with atomic_file(out) as temporary, temporary.open("wb") as file:
         np.savez(file, **arrays)
-    temporary.replace(out)
 
 
 def facts(manifest):

@@ -1,12 +1,14 @@
 """The Python modules that the wheel of bpy ships in a folder that is not on sys.path."""
 
+from __future__ import annotations
+
 import sys
 from pathlib import Path
 
 import bpy
 
 
-def add_to_path():
+def add_to_path() -> None:
     """Make `oslquery` and `pxr` importable; last on the path: an old numpy lies beside them."""
     root = Path(bpy.utils.resource_path("LOCAL"))
     folder = str(root / "python" / "lib" / "python3.11" / "site-packages")

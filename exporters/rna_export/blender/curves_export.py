@@ -1,20 +1,27 @@
 """Exports every strand of hair in the scene, as Cycles will render it."""
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import bpy
 import numpy as np
 import shown_objects
+from attributes import read
 from top_objects import HAIR, top_object
 
 _THINNEST = 1e-3  # of the greatest radius: a package has no strand of radius 0
 _NO_RADIUS = 0.005  # what Cycles takes where curves have no radius
 
 
-def owners():
+def owners() -> list[str]:
     """Names of the top objects with strands, each once."""
     shown = [top_object(i) for i in shown_curves() if len(i.object.data.points)]
     return list(dict.fromkeys(shown))
 
 
-def export_curves(path, owner=None):
+def export_curves(path: str, owner: str | None = None) -> dict[str, Any]:
     """Write an .npz with `points` (p, 3), `radii` (p,) float32 and `offsets` (s + 1,) int64.
 
     World space, Blender's axes. Strand k is points[offsets[k]:offsets[k + 1]], root first. owner:
@@ -33,21 +40,23 @@ def export_curves(path, owner=None):
     return {"strands": len(counts)}
 
 
-def shown_curves():
+def shown_curves() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     """Instances of hair curves that renders show."""
     for instance in shown_objects.instances():
         if instance.object.type == HAIR:
             yield instance
 
 
-def strands_of(instance):
+def strands_of(
+    instance: bpy.types.DepsgraphObjectInstance,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
     """World points, radii and points a strand; None without strands of two points or more."""
     curves = instance.object.data
-    offsets = _read(curves.curve_offset_data, "value", len(curves.curves) + 1, np.int32)
-    points = _read(curves.position_data, "vector", 3 * len(curves.points)).reshape(-1, 3)
+    offsets = read(curves.curve_offset_data, "value", len(curves.curves) + 1, np.int32)
+    points = read(curves.position_data, "vector", 3 * len(curves.points)).reshape(-1, 3)
     radii = np.full(len(points), _NO_RADIUS, np.float32)
     if "radius" in curves.attributes:
-        radii = _read(curves.attributes["radius"].data, "value", len(points))
+        radii = read(curves.attributes["radius"].data, "value", len(points))
     matrix = np.array(instance.matrix_world, np.float64)
     world = (points @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
     radii = radii * np.float32(_scale_of_radii(instance.object.name, matrix[:3, :3]))
@@ -63,7 +72,7 @@ def strands_of(instance):
     return world[here], radii[here], counts[kept]
 
 
-def _scale_of_radii(name, matrix):
+def _scale_of_radii(name: str, matrix: np.ndarray) -> float:
     """Cycles scales radii with the object."""
     scales = np.linalg.svd(matrix, compute_uv=False)
     if scales[0] > 1.001 * scales[-1]:
@@ -71,10 +80,4 @@ def _scale_of_radii(name, matrix):
             f"hair {name!r} is scaled by {scales[0]:.3g} one way and {scales[-1]:.3g} another, "
             "which flattens its strands: apply the scale (Ctrl-A) first"
         )
-    return np.cbrt(np.prod(scales))
-
-
-def _read(collection, attribute, size, dtype=np.float32):
-    values = np.empty(size, dtype)
-    collection.foreach_get(attribute, values)
-    return values
+    return float(np.cbrt(np.prod(scales)))

@@ -1,5 +1,9 @@
 """The light that materials emit: switched off for transport, and on alone for emission."""
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+
 import bpy
 
 _STRENGTH = {"EMISSION": "Strength", "BSDF_PRINCIPLED": "Emission Strength"}
@@ -13,7 +17,7 @@ class Emission:
         materials: names of those that emit.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._sockets = []  # (tree, strength, what it is linked from, its value)
         self.materials = []
         for material in bpy.data.materials:
@@ -28,7 +32,7 @@ class Emission:
                 self._sockets.append((node.id_data, socket, source, socket.default_value))
         self._on = True
 
-    def switch(self, on):
+    def switch(self, on: bool) -> None:
         """Let the materials emit, or not."""
         if on == self._on:
             return
@@ -44,7 +48,7 @@ class Emission:
                 socket.default_value = 0.0
 
 
-def nodes_of(tree):
+def nodes_of(tree: bpy.types.NodeTree) -> Iterator[bpy.types.Node]:
     """All nodes of a shader, those inside groups too."""
     for node in tree.nodes:
         if node.type == "GROUP" and node.node_tree is not None:
@@ -52,7 +56,7 @@ def nodes_of(tree):
         yield node
 
 
-def _emits(node):
+def _emits(node: bpy.types.Node) -> bool:
     if node.type not in _STRENGTH:
         return False
     strength, colour = node.inputs[_STRENGTH[node.type]], node.inputs[_COLOUR[node.type]]

@@ -1,6 +1,9 @@
 """What can follow `--` for a groom, or for an Alembic or USD file; needs nothing of Blender."""
 
+from __future__ import annotations
+
 import argparse
+from typing import NoReturn
 
 GROOMS = (".hair", ".tfx")
 USD = (".usd", ".usda", ".usdc", ".usdz")
@@ -11,11 +14,11 @@ TAPER = 0.3  # tip over root, where the file has no thickness
 class _Parser(argparse.ArgumentParser):
     """Bad arguments become the error that `rna-capture` prints."""
 
-    def error(self, message):
+    def error(self, message: str) -> NoReturn:
         raise ValueError(f"{message} (after --; all options: -- --help)")
 
 
-def parser(suffix):
+def parser(suffix: str) -> argparse.ArgumentParser:
     """What can follow `--` for a file of this suffix, one of those above."""
     p = _Parser(
         prog=f"rna-capture groom{suffix} --out groom.rays --",
@@ -40,7 +43,7 @@ def parser(suffix):
     return p
 
 
-def _add_of_scenes(p):
+def _add_of_scenes(p: argparse.ArgumentParser) -> None:
     """Alembic and USD files hold meshes and motion too."""
     p.add_argument(
         "--unit",
@@ -54,7 +57,7 @@ def _add_of_scenes(p):
     )
 
 
-def _add_of_material(p):
+def _add_of_material(p: argparse.ArgumentParser) -> None:
     """Of Principled Hair, for strands without a material of their own."""
     p.add_argument("--melanin", type=float, default=0.3, help="0 white, 1 black")
     p.add_argument("--redness", type=float, default=0.5, help="of the melanin")

@@ -1,14 +1,18 @@
 """Loads a groom, `.hair` or `.tfx`, which says where strands are and little of how they look."""
 
+from __future__ import annotations
+
+import argparse
 from pathlib import Path
 
+import bpy
 import numpy as np
 import rna_hair
 from groom_options import TAPER, parser
 from rna_hair.objects import add_curves, chiang_material
 
 
-def load(source, arguments):
+def load(source: str, arguments: list[str]) -> None:
     """Add the groom to the scene as one curves object."""
     path = Path(source)
     args = options(path, arguments)
@@ -21,9 +25,9 @@ def load(source, arguments):
     add_curves(shaped(strands, args, args.strands, usual), path.stem, hair_material(args))
 
 
-def options(path, arguments):
+def options(path: Path, arguments: list[str]) -> argparse.Namespace:
     """The arguments after `--`, checked."""
-    args = parser(path.suffix.lower()).parse_args(arguments)
+    args: argparse.Namespace = parser(path.suffix.lower()).parse_args(arguments)
     ranges = {"unit": 1e-9, "radius": 1e-12, "points": 2, "strands": 1, "ior": 1.0}
     for name, least in ranges.items():
         value = getattr(args, name)
@@ -37,7 +41,7 @@ def options(path, arguments):
     return args
 
 
-def hair_material(args):
+def hair_material(args: argparse.Namespace) -> bpy.types.Material:
     """Principled Hair as the options have it."""
     return chiang_material(
         melanin=None if args.colour else args.melanin,
@@ -51,12 +55,17 @@ def hair_material(args):
     )
 
 
-def half_diagonal(points):
+def half_diagonal(points: np.ndarray) -> float:
     """Of the box around points (p, 3)."""
-    return 0.5 * np.linalg.norm(np.ptp(points, axis=0))
+    return 0.5 * float(np.linalg.norm(np.ptp(points, axis=0)))
 
 
-def shaped(strands, args, count, usual_radius):
+def shaped(
+    strands: rna_hair.Strands,
+    args: argparse.Namespace,
+    count: int | None,
+    usual_radius: float | None,
+) -> rna_hair.Strands:
     """The strands as --points, --radius and --tip have them, `count` of them unless it is None.
 
     usual_radius: for strands whose file has no radii; None keeps those of the file.

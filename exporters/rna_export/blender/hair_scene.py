@@ -1,12 +1,16 @@
 """Makes the hair of a loaded scene what capture expects: curves, Chiang's model, round segments."""
 
+from __future__ import annotations
+
 import bpy
 import numpy as np
 
 _THINNEST = 0.01  # of the root: a closed tip ends in this, for a package has no radius 0
 
 
-def prepare_hair(materials_with_nodes):
+def prepare_hair(
+    materials_with_nodes: list[tuple[bpy.types.Material, list[bpy.types.Node]]],
+) -> list[str]:
     """Convert particle hair, set the model of hair shaders and the shape of curves.
 
     `materials_with_nodes`: pairs of a material and all its nodes. Returns notes for the user.
@@ -27,7 +31,7 @@ def prepare_hair(materials_with_nodes):
     return notes
 
 
-def _shown_emitters():
+def _shown_emitters() -> list[bpy.types.Object]:
     """Objects with particle hair, in the view layer or shown by instances of their collections."""
     emitters = {}
     for instance in bpy.context.evaluated_depsgraph_get().object_instances:
@@ -42,11 +46,12 @@ def _shown_emitters():
     return list(emitters.values())
 
 
-def _is_hair(system):
-    return system.settings.type == "HAIR" and system.settings.render_type == "PATH"
+def _is_hair(system: bpy.types.ParticleSystem) -> bool:
+    settings = system.settings
+    return bool(settings.type == "HAIR" and settings.render_type == "PATH")
 
 
-def _convert(emitter):
+def _convert(emitter: bpy.types.Object) -> None:
     """Replace the particle hair of an object by curves objects, as renders show it.
 
     They are in the collections that the object is in: its instances have the hair too.
@@ -79,7 +84,7 @@ def _convert(emitter):
         emitter.hide_render = emitter.hide_viewport = True
 
 
-def _show_as_rendered(settings):
+def _show_as_rendered(settings: bpy.types.ParticleSettings) -> None:
     """What Python can read is the viewport's hair."""
     settings.display_method = "RENDER"
     settings.display_percentage = 100
@@ -87,7 +92,7 @@ def _show_as_rendered(settings):
     settings.child_percent = settings.rendered_child_count
 
 
-def _add_curves_of(emitter, name):
+def _add_curves_of(emitter: bpy.types.Object, name: str) -> bpy.types.Object:
     settings = emitter.particle_systems[name].settings
     emitter.particle_systems.active_index = emitter.particle_systems.find(name)
     bpy.context.view_layer.update()
@@ -108,7 +113,7 @@ def _add_curves_of(emitter, name):
     return item
 
 
-def _set_radii(curves, settings):
+def _set_radii(curves: bpy.types.Curves, settings: bpy.types.ParticleSettings) -> None:
     """As Cycles gives particle hair its radii (`shaperadius` in its Blender add-on's source)."""
     root = 0.5 * settings.root_radius * settings.radius_scale
     tip = 0.5 * settings.tip_radius * settings.radius_scale
@@ -127,11 +132,11 @@ def _set_radii(curves, settings):
     attribute.data.foreach_set("value", radii)
 
 
-def _part_of_length(points, offsets):
+def _part_of_length(points: np.ndarray, offsets: np.ndarray) -> np.ndarray:
     """(p,) 0 at each strand's root, 1 at its tip, by length."""
     steps = np.linalg.norm(np.diff(points, axis=0, prepend=points[:1]), axis=1)
     steps[offsets[:-1]] = 0.0
     length = np.cumsum(steps, dtype=np.float64)
     start = np.repeat(length[offsets[:-1]], np.diff(offsets))
     whole = np.repeat(length[offsets[1:] - 1], np.diff(offsets)) - start
-    return (length - start) / np.maximum(whole, 1e-20)
+    return np.asarray((length - start) / np.maximum(whole, 1e-20))

@@ -3,6 +3,9 @@
 Only what a shown object uses counts, and only nodes that lead to the output.
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
@@ -12,7 +15,7 @@ _OF_EEVEE = {"SHADERTORGB": "Shader to RGB", "EEVEE_SPECULAR": "Specular BSDF"}
 _NAMED = 3
 
 
-def problems():
+def problems() -> list[str]:
     """What is wrong, one sentence each, with the name of the material."""
     found, bare = [], []
     for material, item in _shown_materials():
@@ -23,7 +26,7 @@ def problems():
     return found + _of_bare(bare)
 
 
-def _shown_materials():
+def _shown_materials() -> Iterator[tuple[bpy.types.Material | None, str]]:
     """Each material once, or None with each object that has a slot without one."""
     seen = set()
     for instance in shown_objects.instances():
@@ -37,14 +40,14 @@ def _shown_materials():
                 yield material, item.name
 
 
-def _materials_of(item):
+def _materials_of(item: bpy.types.Object) -> list[bpy.types.Material | None]:
     """The original materials; geometry nodes may have set others than the slots have."""
     slots = [slot.material for slot in item.material_slots]
     materials = [*slots, *(item.data.materials[len(slots) :])] or [None]
     return [None if m is None else m.original for m in materials]
 
 
-def _of_bare(names):
+def _of_bare(names: list[str]) -> list[str]:
     if not names:
         return []
     listed = ", ".join(map(repr, names[:_NAMED]))
@@ -52,7 +55,7 @@ def _of_bare(names):
     return [f"without a material, and so of Cycles' usual grey: {listed}{more}"]
 
 
-def _of_material(material):
+def _of_material(material: bpy.types.Material) -> list[str]:
     output = material.node_tree.get_output_node("CYCLES")
     if output is None:
         return ["it has no material output for Cycles; renders show it black"]
@@ -62,7 +65,7 @@ def _of_material(material):
     return list(dict.fromkeys(what for node in nodes if (what := _of_node(node)) is not None))
 
 
-def _nodes_before(output):
+def _nodes_before(output: bpy.types.Node) -> Iterator[bpy.types.Node]:
     """All nodes whose values reach a node, those inside groups too; without muted ones."""
     todo, seen = [output], set()
     while todo:
@@ -76,7 +79,7 @@ def _nodes_before(output):
             todo += [n for n in node.node_tree.nodes if n.type == "GROUP_OUTPUT"]
 
 
-def _of_node(node):
+def _of_node(node: bpy.types.Node) -> str | None:
     if node.bl_idname == "NodeUndefined":
         return f"the node {node.name!r} is of a kind that Blender {bpy.app.version_string} lacks"
     if node.type in _OF_EEVEE:
@@ -88,7 +91,7 @@ def _of_node(node):
     return None
 
 
-def _of_image(image):
+def _of_image(image: bpy.types.Image | None) -> str | None:
     if image is None:
         return "an image texture has no image; renders show it pink"
     if image.source == "GENERATED" or image.size[0]:
@@ -99,7 +102,7 @@ def _of_image(image):
     return f"image {path!r} {reason}; renders show it pink"
 
 
-def _of_script(node):
+def _of_script(node: bpy.types.Node) -> str | None:
     if not bpy.context.scene.cycles.shading_system:
         return (
             f"the script of the node {node.name!r} is left out: Open Shading Language is off in "

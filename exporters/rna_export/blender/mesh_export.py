@@ -1,12 +1,18 @@
 """Exports every mesh of the scene, as Cycles will render it, into one triangle soup."""
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
 import bpy
 import numpy as np
 import shown_objects
+from attributes import read
 from top_objects import SURFACES, top_object
 
 
-def export_mesh(path, owner=None):
+def export_mesh(path: str, owner: str | None = None) -> dict[str, Any]:
     """Write an .npz with `positions`, `normals` (3t, 3), `uvs` (3t, 2), `has_uv`, `material` (t,).
 
     One row a triangle corner, world space, Blender's axes, float32; materials by their place in
@@ -29,7 +35,7 @@ def export_mesh(path, owner=None):
     return {"materials": names}
 
 
-def owners():
+def owners() -> list[str]:
     """Names of the top objects that renders show as a surface, each once."""
     found = {}
     for instance in _mesh_instances():
@@ -39,33 +45,35 @@ def owners():
     return list(found)
 
 
-def _has_faces(item):
+def _has_faces(item: bpy.types.Object) -> bool:
     faces = len(item.to_mesh().polygons)
     item.to_mesh_clear()
     return faces > 0
 
 
-def _mesh_instances():
+def _mesh_instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     for instance in shown_objects.instances():
         if instance.object.type in SURFACES:
             yield instance
 
 
-def _corners(instance, names):
+def _corners(
+    instance: bpy.types.DepsgraphObjectInstance, names: list[str]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool, np.ndarray]:
     mesh = instance.object.to_mesh()
     try:
         mesh.calc_loop_triangles()
         triangles = len(mesh.loop_triangles)
-        loops = _read(mesh.loop_triangles, "loops", 3 * triangles, np.int32)
-        vertices = _read(mesh.loop_triangles, "vertices", 3 * triangles, np.int32)
-        positions = _read(mesh.vertices, "co", 3 * len(mesh.vertices)).reshape(-1, 3)[vertices]
-        normals = _read(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)[loops]
+        loops = read(mesh.loop_triangles, "loops", 3 * triangles, np.int32)
+        vertices = read(mesh.loop_triangles, "vertices", 3 * triangles, np.int32)
+        positions = read(mesh.vertices, "co", 3 * len(mesh.vertices)).reshape(-1, 3)[vertices]
+        normals = read(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)[loops]
         layer = next((layer for layer in mesh.uv_layers if layer.active_render), None)
         uvs = np.zeros((len(loops), 2), np.float32)
         if layer is not None:
-            uvs = _read(layer.uv, "vector", 2 * len(mesh.loops)).reshape(-1, 2)[loops]
+            uvs = read(layer.uv, "vector", 2 * len(mesh.loops)).reshape(-1, 2)[loops]
             uvs[:, 1] = 1.0 - uvs[:, 1]  # glTF counts v from the top
-        slot = _read(mesh.loop_triangles, "material_index", triangles, np.int32)
+        slot = read(mesh.loop_triangles, "material_index", triangles, np.int32)
         slots = [s.material.name if s.material else None for s in instance.object.material_slots]
         matrix = np.array(instance.matrix_world, np.float32)
     finally:
@@ -75,17 +83,14 @@ def _corners(instance, names):
     return *_place(positions, normals, uvs, matrix), layer is not None, material
 
 
-def _place(positions, normals, uvs, matrix):
+def _place(
+    positions: np.ndarray, normals: np.ndarray, uvs: np.ndarray, matrix: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     world = positions @ matrix[:3, :3].T + matrix[:3, 3]
     turned = normals @ np.linalg.inv(matrix[:3, :3].astype(np.float64))
     turned /= np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-30)
     corners = world.astype(np.float32), turned.astype(np.float32), uvs
     if np.linalg.det(matrix[:3, :3].astype(np.float64)) < 0:  # a mirrored object keeps its outside
-        return tuple(a.reshape(-1, 3, a.shape[1])[:, ::-1].reshape(a.shape) for a in corners)
+        a, b, c = (a.reshape(-1, 3, a.shape[1])[:, ::-1].reshape(a.shape) for a in corners)
+        return a, b, c
     return corners
-
-
-def _read(collection, attribute, size, dtype=np.float32):
-    values = np.empty(size, dtype)
-    collection.foreach_get(attribute, values)
-    return values

@@ -4,7 +4,10 @@ The normal that a material's surface shader is given is rendered on a unit squar
 along u, whose bitangent is up the texture.
 """
 
+from __future__ import annotations
+
 from pathlib import Path
+from typing import Any
 
 import bpy
 import numpy as np
@@ -13,7 +16,7 @@ from uv_render import not_of_uv, rendered, upstream
 _FLAT = 1.0 / 127.0  # x or y of a normal that a texel cannot tell from 0
 
 
-def export_normal_maps(path, side):
+def export_normal_maps(path: str, side: int) -> dict[str, list[str]]:
     """Write an .npz with the maps of all materials that have one, `0`, `1`, ...: (h, w, 2) uint8.
 
     x and y of the normal are (value - 127) / 127. side: texels along a side, at most. Returns the
@@ -34,11 +37,14 @@ def export_normal_maps(path, side):
             )
         if texture is not None:
             found[material.name] = texture
-    np.savez(path, **{str(k): texture for k, texture in enumerate(found.values())})
+    textures: dict[str, Any] = {str(k): each for k, each in enumerate(found.values())}
+    np.savez(path, **textures)
     return {"materials": list(found), "notes": notes}
 
 
-def _map_of(material, folder, side):
+def _map_of(
+    material: bpy.types.Material, folder: Path, side: int
+) -> tuple[np.ndarray | None, str | None]:
     """(texture or None, what keeps it from being one or None) of a material that may be changed."""
     tree = material.node_tree
     output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
@@ -61,7 +67,7 @@ def _map_of(material, folder, side):
     return np.round(127.0 + 127.0 * np.clip(xy, -1.0, 1.0)).astype(np.uint8), None
 
 
-def _normal_socket(surface):
+def _normal_socket(surface: bpy.types.NodeSocket) -> bpy.types.NodeSocket | None:
     """What the first shader with a normal of its own gets it from; None where none has one."""
     for node, _ in upstream(surface):
         socket = node.inputs.get("Normal")
@@ -70,7 +76,7 @@ def _normal_socket(surface):
     return None
 
 
-def _as_colour(tree, normal):
+def _as_colour(tree: bpy.types.NodeTree, normal: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
     """A socket with (n + 1) / 2: emission is not negative."""
     node = tree.nodes.new("ShaderNodeVectorMath")
     node.operation = "MULTIPLY_ADD"
@@ -80,7 +86,7 @@ def _as_colour(tree, normal):
     return node.outputs[0]
 
 
-def _reduced(values, side):
+def _reduced(values: np.ndarray, side: int) -> np.ndarray:
     """Means over squares of texels, as large as it takes for `side` texels along a side."""
     step = -(-max(values.shape[:2]) // side)
     height, width = (-(-n // step) for n in values.shape[:2])
@@ -89,4 +95,4 @@ def _reduced(values, side):
         ((0, height * step - values.shape[0]), (0, width * step - values.shape[1]), (0, 0)),
         mode="wrap",
     )
-    return grown.reshape(height, step, width, step, -1).mean(axis=(1, 3))
+    return np.asarray(grown.reshape(height, step, width, step, -1).mean(axis=(1, 3)))

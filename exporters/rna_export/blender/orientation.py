@@ -1,5 +1,7 @@
 """Turns a loaded source such that its front and its up are those of Blender: -Y and +Z."""
 
+from __future__ import annotations
+
 import bpy
 import mathutils
 
@@ -7,7 +9,7 @@ _UP_IS_Z = mathutils.Matrix.Identity(3)
 _UP_IS_Y = mathutils.Matrix(((1, 0, 0), (0, 0, -1), (0, 1, 0)))  # what importers do
 
 
-def turn(front, up, up_is_z):
+def turn(front: str | None, up: str | None, up_is_z: bool) -> None:
     """Turn all objects; `front`, `up`: axes of the file such as "-Y", None for the usual ones.
 
     up_is_z: whether the file's own up is its z axis; if not, it is y.
@@ -31,7 +33,7 @@ def turn(front, up, up_is_z):
     scene.collection.objects.link(handle)
 
 
-def _axis(name):
+def _axis(name: str) -> mathutils.Vector:
     vector = mathutils.Vector((0.0, 0.0, 0.0))
     vector["XYZ".index(name[-1])] = -1.0 if name[0] == "-" else 1.0
     return vector

@@ -1,6 +1,9 @@
 """Renders rays given one by one with stock Cycles, under one sun or by the asset's own light."""
 
+from __future__ import annotations
+
 from pathlib import Path
+from typing import Any
 
 import bpy
 import bundled
@@ -18,10 +21,12 @@ _FORMATS = {
 _LOBES = ("diffuse", "glossy", "transmission")
 _FAR = 1e6
 
-_lighting = {}  # emission: of the materials; clamps: of radiance under the sun
+_lighting: dict[str, Any] = {}  # emission: of the materials; clamps: of radiance under the sun
 
 
-def configure(threads, clamp_direct, clamp_indirect, separate_direct):
+def configure(
+    threads: int, clamp_direct: float, clamp_indirect: float, separate_direct: bool
+) -> list[str]:
     """Cycles as a teacher: point samples, no filter, no denoiser, no clamping but the named one.
 
     `separate_direct` adds the passes that tell direct light from scattered light. Returns the names
@@ -50,11 +55,12 @@ def configure(threads, clamp_direct, clamp_indirect, separate_direct):
         setattr(layer, f"use_pass_{lobe}_direct", separate_direct)
         setattr(layer, f"use_pass_{lobe}_color", separate_direct)
     _set_up_lamp(scene)
-    _lighting.update(emission=Emission(), clamps=(clamp_direct, clamp_indirect))
-    return _lighting["emission"].materials
+    emission = Emission()
+    _lighting.update(emission=emission, clamps=(clamp_direct, clamp_indirect))
+    return list(emission.materials)
 
 
-def render_rays(request):
+def render_rays(request: dict[str, Any]) -> None:
     """Trace the rays of two images; writes a multilayer EXR with `Combined` and `Position`.
 
     A ray ends `reach` from its origin, if that is given.
@@ -72,14 +78,14 @@ def render_rays(request):
     _render(request)
 
 
-def render_view(request):
+def render_view(request: dict[str, Any]) -> None:
     """Render an ordinary pinhole image, lit from `wi`, and by the asset itself if it `emits`."""
     _light(request["wi"])
     emit(request["emits"])
     render_pinhole(request)
 
 
-def render_pinhole(request):
+def render_pinhole(request: dict[str, Any]) -> None:
     """Render an image of the scene as it is: `matrix` is camera to world, Blender's axes."""
     camera = _camera("view", "PERSP")
     camera.sensor_fit = "VERTICAL"
@@ -90,12 +96,12 @@ def render_pinhole(request):
     _render(request)
 
 
-def emit(on):
+def emit(on: bool) -> None:
     """Let the materials emit light, or not."""
     _lighting["emission"].switch(on)
 
 
-def _light(wi):
+def _light(wi: list[float] | None) -> None:
     """The sun in direction `wi`, or, for None, the asset's own light alone and unclamped."""
     cycles, sun = bpy.context.scene.cycles, bpy.data.objects["rna sun"]
     emit(wi is None)
@@ -106,7 +112,7 @@ def _light(wi):
         sun.rotation_quaternion = mathutils.Vector(wi).to_track_quat("Z", "Y")
 
 
-def _render(request):
+def _render(request: dict[str, Any]) -> None:
     scene = bpy.context.scene
     scene.cycles.samples = request["samples"]
     scene.cycles.seed = request["seed"] & 0x7FFFFFFF
@@ -115,7 +121,7 @@ def _render(request):
     bpy.ops.render.render(write_still=True)
 
 
-def _set_up_lamp(scene):
+def _set_up_lamp(scene: bpy.types.Scene) -> None:
     sun = bpy.data.lights.new("rna sun", "SUN")
     sun.energy, sun.angle = 1.0, 0.0
     lamp = bpy.data.objects.new("rna sun", sun)
@@ -123,7 +129,7 @@ def _set_up_lamp(scene):
     scene.collection.objects.link(lamp)
 
 
-def _camera(name, kind):
+def _camera(name: str, kind: str) -> bpy.types.Camera:
     scene = bpy.context.scene
     name = f"rna {name}"
     if name not in bpy.data.objects:
@@ -135,7 +141,7 @@ def _camera(name, kind):
     return scene.camera.data
 
 
-def _compile_ray_camera(camera):
+def _compile_ray_camera(camera: bpy.types.Camera) -> None:
     bundled.add_to_path()
     from cycles import osl
 

@@ -1,5 +1,8 @@
 """Loads Alembic and USD files, and gives their strands what the files or the importers left out."""
 
+from __future__ import annotations
+
+import argparse
 import tempfile
 from itertools import pairwise
 from pathlib import Path
@@ -16,7 +19,7 @@ from rna_hair.objects import add_curves, show_strands
 _STEPS = 4  # straight segments between two points of a spline
 
 
-def load(source, arguments):
+def load(source: str, arguments: list[str]) -> None:
     """Add what the file holds to the scene: see `groom_options` for the arguments."""
     path = Path(source)
     args = groom_source.options(path, arguments)
@@ -30,7 +33,7 @@ def load(source, arguments):
     _finish_strands(args)
 
 
-def _import_usd(path, args):
+def _import_usd(path: Path, args: argparse.Namespace) -> None:
     with tempfile.TemporaryDirectory(prefix="rna-usd-") as folder:
         bpy.ops.wm.usd_import(
             filepath=str(usd_curves.prepared(path, Path(folder), args.frame)),
@@ -39,7 +42,7 @@ def _import_usd(path, args):
         )
 
 
-def _finish_strands(args):
+def _finish_strands(args: argparse.Namespace) -> None:
     """Splines become polylines; strands get radii and a material where they have none."""
     items = [item for item in bpy.data.objects if item.type == "CURVES"]
     if not items:
@@ -58,7 +61,7 @@ def _finish_strands(args):
             item.data.materials.append(material)
 
 
-def _evaluate_splines(item):
+def _evaluate_splines(item: bpy.types.Object) -> None:
     """Straight segments along the spline of each strand, by geometry nodes: they keep attributes.
 
     Cycles connects the points of a spline as they are.
@@ -67,7 +70,7 @@ def _evaluate_splines(item):
     item.modifiers.new("rna polylines", "NODES").node_group = tree
 
 
-def _polylines():
+def _polylines() -> bpy.types.NodeTree:
     tree = bpy.data.node_groups.new("rna polylines", "GeometryNodeTree")
     tree.interface.new_socket("Geometry", in_out="INPUT", socket_type="NodeSocketGeometry")
     tree.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
@@ -81,7 +84,9 @@ def _polylines():
     return tree
 
 
-def _rebuild(items, args, material):
+def _rebuild(
+    items: list[bpy.types.Object], args: argparse.Namespace, material: bpy.types.Material
+) -> None:
     """Put shaped strands, in world space, in the place of all curves objects."""
     shown = []
     for instance in curves_export.shown_curves():

@@ -1,6 +1,9 @@
 """Divides what renders show into the parts that a package will have."""
 
+from __future__ import annotations
+
 import re
+from typing import TypedDict
 
 import curves_export
 import mesh_export
@@ -10,8 +13,16 @@ _HAIR = "hair"
 _ONLY = "asset"
 
 
-def find_parts(how):
-    """What to export: `name`, `kind` ("surface" or "fiber") and `owner`, None for any object.
+class Part(TypedDict):
+    """A part that a package will have; owner: the top object it is of, None for any."""
+
+    name: str
+    kind: str
+    owner: str | None
+
+
+def find_parts(how: str) -> list[Part]:
+    """What to export; kinds are "surface" and "fiber".
 
     how: "kinds": all surfaces are a part, and so is all hair; "objects": each top object is one.
     """
@@ -20,9 +31,9 @@ def find_parts(how):
     else:
         hair, surface = curves_export.owners(), mesh_export.owners()
         names = (_HAIR, "surface") if hair and surface else (_ONLY, _ONLY)
-        parts = [("surface", names[1])] if surface or not hair else []
-        parts = [*parts, *([("fiber", names[0])] if hair else [])]
-        parts = [{"name": name, "kind": kind, "owner": None} for kind, name in parts]
+        found = [("surface", names[1])] if surface or not hair else []
+        found = [*found, *([("fiber", names[0])] if hair else [])]
+        parts = [Part(name=name, kind=kind, owner=None) for kind, name in found]
     if len(parts) > _MOST:
         raise ValueError(
             f"found {len(parts)} parts, expected at most {_MOST}: join objects (Ctrl-J) or parent "
@@ -31,12 +42,13 @@ def find_parts(how):
     return parts
 
 
-def _of_objects():
+def _of_objects() -> list[Part]:
     surfaces, hair = mesh_export.owners(), curves_export.owners()
-    taken, parts = set(), []
+    taken: set[str] = set()
+    parts: list[Part] = []
     for owner in dict.fromkeys([*surfaces, *hair]):
-        kinds = [("surface", owner in surfaces), ("fiber", owner in hair)]
-        kinds = [kind for kind, there in kinds if there]
+        both = [("surface", owner in surfaces), ("fiber", owner in hair)]
+        kinds = [kind for kind, there in both if there]
         for kind in kinds:
             mark = f"_{_HAIR}" if kind == "fiber" and len(kinds) > 1 else ""
             name = _free_name(owner, mark, taken)
@@ -44,7 +56,7 @@ def _of_objects():
     return parts or [{"name": _ONLY, "kind": "surface", "owner": None}]
 
 
-def _free_name(name, mark, taken):
+def _free_name(name: str, mark: str, taken: set[str]) -> str:
     """What a package can call it: letters, digits, dots, dashes; case does not tell names apart."""
     plain = re.sub(r"[^A-Za-z0-9._-]+", "_", name).strip("._-")[:40] or "part"
     count, result = 1, plain + mark

@@ -4,7 +4,11 @@ The scene comes as JSON in Blender's axes, metres and linear colours; lights as 
 describes them. Units of Blender's lamps stand here and nowhere else.
 """
 
+from __future__ import annotations
+
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import bpy
 import mathutils
@@ -16,7 +20,7 @@ _BOUNCES = ("max_bounces", "diffuse_bounces", "glossy_bounces", "transmission_bo
 class _State:
     """What of the Blender file is ours, and which scene it shows."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         scene = bpy.context.scene
         bpy.data.objects.remove(bpy.data.objects["rna sun"], do_unlink=True)
         bpy.context.view_layer.update()
@@ -37,13 +41,13 @@ class _State:
         self.collection = bpy.data.collections.new("rna scene")
         scene.collection.children.link(self.collection)
         self.bounces = {name: getattr(scene.cycles, name) for name in _BOUNCES}
-        self.shown = None
+        self.shown: dict[str, Any] | None = None
 
 
-_state = None
+_state: _State | None = None
 
 
-def render_scene(request):
+def render_scene(request: dict[str, Any]) -> None:
     """Write a multilayer EXR of `scene`, seen as by `ray_render.render_view`, denoised or not."""
     global _state
     if _state is None:
@@ -56,7 +60,7 @@ def render_scene(request):
     ray_render.render_pinhole(request)
 
 
-def _build(state, described):
+def _build(state: _State, described: dict[str, Any]) -> None:
     state.shown = None
     _clear(state.collection)
     _show_assets(state, described["assets"])
@@ -73,7 +77,7 @@ def _build(state, described):
     state.shown = described
 
 
-def _clear(collection):
+def _clear(collection: bpy.types.Collection) -> None:
     for item in list(collection.objects):
         data = item.data
         bpy.data.objects.remove(item, do_unlink=True)
@@ -82,7 +86,7 @@ def _clear(collection):
         (bpy.data.meshes if isinstance(data, bpy.types.Mesh) else bpy.data.lights).remove(data)
 
 
-def _show_assets(state, matrices):
+def _show_assets(state: _State, matrices: list[list[list[float]]]) -> None:
     """Place instances of the asset by 4 x 4 matrices; hide it if there are none."""
     for item, hidden in zip(state.asset, state.hidden, strict=True):
         item.hide_render = hidden or not matrices
@@ -99,7 +103,7 @@ def _show_assets(state, matrices):
         state.collection.objects.link(instance)
 
 
-def _add_mesh(collection, described):
+def _add_mesh(collection: bpy.types.Collection, described: dict[str, Any]) -> None:
     mesh = bpy.data.meshes.new("rna mesh")
     mesh.from_pydata(described["positions"], [], described["triangles"])
     material = bpy.data.materials.new("rna diffuse")
@@ -115,7 +119,7 @@ def _add_mesh(collection, described):
     collection.objects.link(bpy.data.objects.new("rna mesh", mesh))
 
 
-def _add_lamp(collection, described):
+def _add_lamp(collection: bpy.types.Collection, described: dict[str, Any]) -> None:
     lamp = bpy.data.lights.new("rna lamp", _LAMPS[described["type"]])
     item = bpy.data.objects.new("rna lamp", lamp)
     _SETTERS[described["type"]](lamp, item, described)
@@ -123,26 +127,26 @@ def _add_lamp(collection, described):
     collection.objects.link(item)
 
 
-def _set_strength(lamp, rgb, watts):
+def _set_strength(lamp: bpy.types.Light, rgb: list[float], watts: float) -> None:
     """`watts` of energy for each unit of what `rgb` measures."""
     greatest = max(rgb)
     lamp.color = [value / greatest for value in rgb] if greatest else (0.0, 0.0, 0.0)
     lamp.energy = greatest * watts
 
 
-def _set_sun(lamp, item, described):
+def _set_sun(lamp: bpy.types.Light, item: bpy.types.Object, described: dict[str, Any]) -> None:
     _set_strength(lamp, described["irradiance"], 1.0)
     lamp.angle = math.radians(described["angular_diameter_deg"])
     item.matrix_world = _facing(-mathutils.Vector(described["direction"]))
 
 
-def _set_point(lamp, item, described):
+def _set_point(lamp: bpy.types.Light, item: bpy.types.Object, described: dict[str, Any]) -> None:
     _set_strength(lamp, described["intensity"], 4.0 * math.pi)
     lamp.shadow_soft_size = 0.0
     item.matrix_world = mathutils.Matrix.Translation(described["position"])
 
 
-def _set_spot(lamp, item, described):
+def _set_spot(lamp: bpy.types.Light, item: bpy.types.Object, described: dict[str, Any]) -> None:
     _set_point(lamp, item, described)
     inner, outer = (math.cos(math.radians(described[f"{s}_angle_deg"])) for s in ("inner", "outer"))
     lamp.spot_size = 2.0 * math.radians(described["outer_angle_deg"])
@@ -150,14 +154,16 @@ def _set_spot(lamp, item, described):
     _aim(item, described, (0.0, 0.0, 1.0))
 
 
-def _set_rectangle(lamp, item, described):
+def _set_rectangle(
+    lamp: bpy.types.Light, item: bpy.types.Object, described: dict[str, Any]
+) -> None:
     lamp.shape = "RECTANGLE"
     lamp.size, lamp.size_y = described["size"]
     _set_strength(lamp, described["radiance"], math.pi * lamp.size * lamp.size_y)
     _aim(item, described, described["up"])
 
 
-def _set_disk(lamp, item, described):
+def _set_disk(lamp: bpy.types.Light, item: bpy.types.Object, described: dict[str, Any]) -> None:
     lamp.shape = "DISK"
     lamp.size = 2.0 * described["radius"]
     _set_strength(lamp, described["radiance"], math.pi**2 * described["radius"] ** 2)
@@ -180,13 +186,13 @@ _LAMPS = {
 }
 
 
-def _aim(item, described, up):
+def _aim(item: bpy.types.Object, described: dict[str, Any], up: Sequence[float]) -> None:
     position = mathutils.Vector(described["position"])
     turn = _facing(mathutils.Vector(described["look_at"]) - position, up)
     item.matrix_world = mathutils.Matrix.Translation(position) @ turn
 
 
-def _facing(forward, up=(0.0, 0.0, 1.0)):
+def _facing(forward: mathutils.Vector, up: Sequence[float] = (0.0, 0.0, 1.0)) -> mathutils.Matrix:
     """A lamp shines along its -z; its y goes towards `up`."""
     backward = -forward.normalized()
     right = mathutils.Vector(up).cross(backward)
@@ -196,7 +202,7 @@ def _facing(forward, up=(0.0, 0.0, 1.0)):
     return mathutils.Matrix([right, backward.cross(right), backward]).transposed().to_4x4()
 
 
-def _set_world(environments):
+def _set_world(environments: list[dict[str, Any]]) -> None:
     """One environment at most; black without."""
     if len(environments) > 1:
         raise ValueError("Blender has one world: found several environments, expected one")
@@ -220,7 +226,7 @@ def _set_world(environments):
     tree.links.new(background.outputs[0], output.inputs["Surface"])
 
 
-def _scaled_image(tree, described):
+def _scaled_image(tree: bpy.types.NodeTree, described: dict[str, Any]) -> bpy.types.NodeSocket:
     """The image's radiance times the described one, as a socket.
 
     Blender has the middle of an image towards +x, and goes clockwise, seen from above, to its

@@ -1,9 +1,13 @@
 """What renders show: the objects themselves and all their instances."""
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+
 import bpy
 
 
-def instances():
+def instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
     """Depsgraph instances that renders show; each is good until the next one is asked for."""
     for instance in bpy.context.evaluated_depsgraph_get().object_instances:
         item = instance.object.original
@@ -12,6 +16,6 @@ def instances():
                 yield instance
 
 
-def _is_pattern(item):
+def _is_pattern(item: bpy.types.Object) -> bool:
     """Whether an object is shown only where its parent instances it."""
     return item.parent is not None and item.parent.instance_type in ("VERTS", "FACES")

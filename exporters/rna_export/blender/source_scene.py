@@ -1,5 +1,7 @@
 """Loads what the user gave (a scene, a model, a groom or a script) and leaves only the asset."""
 
+from __future__ import annotations
+
 import contextlib
 import io
 import runpy
@@ -20,7 +22,7 @@ from groom_options import ALEMBIC_AND_USD, GROOMS, USD
 _UP_IS_Z = (".blend", ".ply", ".hair", ".py")  # or no up that they say; Blender's then
 
 
-def load(source, arguments, front, up):
+def load(source: str, arguments: list[str], front: str | None, up: str | None) -> None:
     """Replace the current scene by `source`.
 
     `arguments` become a script's `sys.argv[1:]`, or set what a groom does not say of its hair.
@@ -32,7 +34,7 @@ def load(source, arguments, front, up):
     orientation.turn(front, up, up_is_z)
 
 
-def _open(source, suffix, arguments):
+def _open(source: str, suffix: str, arguments: list[str]) -> None:
     if suffix == ".blend":
         bpy.ops.wm.open_mainfile(filepath=source)
         _check_libraries()
@@ -56,7 +58,7 @@ def _open(source, suffix, arguments):
         raise ValueError(f"cannot load {source}: expected {kinds}")
 
 
-def _check_libraries():
+def _check_libraries() -> None:
     """Refuse a file whose linked parts are not there; Blender shows nothing in their place."""
     kinds = "objects collections meshes hair_curves curves materials node_groups images".split()
     missing = [item for kind in kinds for item in getattr(bpy.data, kind) if item.is_missing]
@@ -71,7 +73,7 @@ def _check_libraries():
     raise ValueError(f"the linked library {path} {lacks if Path(path).is_file() else 'is missing'}")
 
 
-def _make_local():
+def _make_local() -> None:
     """Linked objects and their collections cannot change; converted hair has to."""
     for kind in (bpy.data.collections, bpy.data.objects):
         for item in list(kind):
@@ -79,7 +81,7 @@ def _make_local():
                 item.make_local()
 
 
-def _run_script(source, arguments):
+def _run_script(source: str, arguments: list[str]) -> None:
     sys.argv = [source, *arguments]
     sys.path.append(str(Path(source).parent))  # modules that lie beside it
     said = io.StringIO()
@@ -94,13 +96,13 @@ def _run_script(source, arguments):
         sys.stderr.write(said.getvalue())
 
 
-def keep_only_the_asset():
+def keep_only_the_asset() -> list[str]:
     """Remove lights and cameras, blacken the world.
 
     Returns what a user should know about, one sentence each.
     """
     _show_what_is_rendered()
-    notes = []
+    notes: list[str] = []
     for item in list(bpy.data.objects):
         if item.type in ("LIGHT", "CAMERA", "LIGHT_PROBE"):
             bpy.data.objects.remove(item, do_unlink=True)
@@ -111,10 +113,10 @@ def keep_only_the_asset():
     notes += hair_scene.prepare_hair(
         [(m, list(nodes_of(m.node_tree))) for m in bpy.data.materials if m.use_nodes]
     )
-    return notes + _hide_what_no_package_holds() + material_check.problems()
+    return [*notes, *_hide_what_no_package_holds(), *material_check.problems()]
 
 
-def _hide_what_no_package_holds():
+def _hide_what_no_package_holds() -> list[str]:
     """Points and volumes, which would shade the rest; a note for each."""
     found = {}
     for instance in shown_objects.instances():
@@ -129,7 +131,7 @@ def _hide_what_no_package_holds():
     return notes
 
 
-def _show_what_is_rendered():
+def _show_what_is_rendered() -> None:
     """Give the viewport, whose geometry is what Python can read, the settings of renders."""
     scene, layer = bpy.context.scene, bpy.context.view_layer
     scene.render.simplify_subdivision = scene.render.simplify_subdivision_render
@@ -157,5 +159,5 @@ def _show_what_is_rendered():
         ball.resolution = ball.render_resolution
 
 
-def blender_version():
-    return bpy.app.version_string
+def blender_version() -> str:
+    return str(bpy.app.version_string)

@@ -5,8 +5,11 @@ Alpha of a Principled BSDF. The same nodes, wired to an emission shader, are ren
 square, one sample at each texel centre.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import bpy
 import numpy as np
@@ -36,7 +39,7 @@ class _Reading:
     problems: list[str] = field(default_factory=list)
 
 
-def export_transparency(path):
+def export_transparency(path: str) -> dict[str, Any]:
     """Write an .npz with the textures of all materials that let light through, `0`, `1`, ...
 
     Returns what they are, and notes for the user of those that could not be told.
@@ -47,12 +50,15 @@ def export_transparency(path):
         notes += problems
         if transparency is not None:
             found.append((material.name, transparency))
-    np.savez(path, **{str(k): each.texture for k, (_, each) in enumerate(found)})
+    textures: dict[str, Any] = {str(k): each.texture for k, (_, each) in enumerate(found)}
+    np.savez(path, **textures)
     records = [{"material": n, "cutoff": each.cutoff, "ior": each.ior} for n, each in found]
     return {"materials": records, "notes": notes}
 
 
-def transparency_of(material, folder):
+def transparency_of(
+    material: bpy.types.Material, folder: Path
+) -> tuple[Transparency | None, list[str]]:
     """The transparency of a material, or None if it is opaque, and notes for the user.
 
     folder: for a temporary file.
@@ -66,7 +72,9 @@ def transparency_of(material, folder):
         bpy.data.materials.remove(copy)
 
 
-def _read(name, material, folder):
+def _read(
+    name: str, material: bpy.types.Material, folder: Path
+) -> tuple[Transparency | None, list[str]]:
     tree = material.node_tree
     output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
     if output is None or not output.inputs["Surface"].is_linked:
@@ -95,15 +103,17 @@ def _read(name, material, folder):
     return Transparency(np.ascontiguousarray(texture), cutoff, reading.ior), []
 
 
-def _rounded(colour):
-    return np.round(255.0 * np.clip(colour, 0.0, 1.0)).astype(np.uint8)
+def _rounded(colour: np.ndarray) -> np.ndarray:
+    return np.asarray(np.round(255.0 * np.clip(colour, 0.0, 1.0)), np.uint8)
 
 
-def _is_binary(texture):
-    return texture.size > 3 and np.isin(texture, (0, 255)).all()
+def _is_binary(texture: np.ndarray) -> bool:
+    return texture.size > 3 and bool(np.isin(texture, (0, 255)).all())
 
 
-def _transmittance(tree, shader, reading):
+def _transmittance(
+    tree: bpy.types.NodeTree, shader: bpy.types.NodeSocket, reading: _Reading
+) -> bpy.types.NodeSocket | None:
     """A colour socket of `tree` with the transmittance of a shader socket; None for an opaque one.
 
     Adds nodes to the tree.
@@ -126,11 +136,15 @@ def _transmittance(tree, shader, reading):
     return None
 
 
-def _of_input(tree, socket, reading):
+def _of_input(
+    tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, reading: _Reading
+) -> bpy.types.NodeSocket | None:
     return _transmittance(tree, socket.links[0].from_socket, reading) if socket.is_linked else None
 
 
-def _of_mix(tree, node, reading):
+def _of_mix(
+    tree: bpy.types.NodeTree, node: bpy.types.Node, reading: _Reading
+) -> bpy.types.NodeSocket | None:
     """(1 - factor) of the first shader's and factor of the second's."""
     factor = node.inputs[0]
     source = factor.links[0].from_node if factor.is_linked else None
@@ -153,22 +167,25 @@ def _of_mix(tree, node, reading):
     return _math(tree, "MULTIPLY", second, share)
 
 
-def _of_threshold(tree, socket, reading, negate):
+def _of_threshold(
+    tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, reading: _Reading, negate: bool
+) -> bpy.types.NodeSocket:
     """A factor's value; behind a threshold, what it is compared with the threshold for.
 
     negate: whether the transmittance is 1 - factor. The cutoff is that of the transmittance.
     """
-    value, above, threshold = _comparison(socket)
-    if value is None:
+    compared = _comparison(socket)
+    if compared is None:
         return _value_of(tree, socket)
+    value, above, threshold = compared
     cutoff = threshold if above != negate else 1.0 - threshold
     reading.cutoff = float(np.clip(cutoff, 1.0 / 510.0, 1.0 - 1.0 / 510.0))
     colour = _value_of(tree, value)
     return colour if above else _one_minus(tree, colour)
 
 
-def _comparison(socket):
-    """(socket, whether 1 is above, threshold) if a socket's value is a comparison, or Nones."""
+def _comparison(socket: bpy.types.NodeSocket) -> tuple[bpy.types.NodeSocket, bool, float] | None:
+    """(socket, whether 1 is above, threshold) if a socket's value is a comparison, or None."""
     above = True
     while socket.is_linked:
         node = socket.links[0].from_node
@@ -188,10 +205,12 @@ def _comparison(socket):
             return b, above == (node.operation == "LESS_THAN"), a.default_value
         else:
             break
-    return None, None, None
+    return None
 
 
-def _of_group(tree, node, shader, reading):
+def _of_group(
+    tree: bpy.types.NodeTree, node: bpy.types.Node, shader: bpy.types.NodeSocket, reading: _Reading
+) -> bpy.types.NodeSocket | None:
     """The group's transmittance as one more output of a copy of the group."""
     group = node.node_tree.copy()
     name = shader.name
@@ -208,7 +227,7 @@ def _of_group(tree, node, shader, reading):
     return node.outputs[made.identifier]
 
 
-def _value_of(tree, socket):
+def _value_of(tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
     """A socket with the value of an input."""
     if socket.is_linked:
         return socket.links[0].from_socket
@@ -219,13 +238,15 @@ def _value_of(tree, socket):
     return constant.outputs[0]
 
 
-def _one_minus(tree, colour):
+def _one_minus(tree: bpy.types.NodeTree, colour: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
     white = tree.nodes.new("ShaderNodeRGB")
     white.outputs[0].default_value = (1.0, 1.0, 1.0, 1.0)
     return _math(tree, "SUBTRACT", white.outputs[0], colour)
 
 
-def _math(tree, operation, a, b):
+def _math(
+    tree: bpy.types.NodeTree, operation: str, a: bpy.types.NodeSocket, b: bpy.types.NodeSocket
+) -> bpy.types.NodeSocket:
     node = tree.nodes.new("ShaderNodeVectorMath")
     node.operation = operation
     tree.links.new(a, node.inputs[0])

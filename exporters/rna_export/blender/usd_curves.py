@@ -5,12 +5,21 @@ It knows no curves that are pinned or whose widths are by strand (`uniform`) or 
 a layer over the file.
 """
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
 import bundled
 import numpy as np
 from usd_splines import Spline
 
+if TYPE_CHECKING:
+    from pxr import Sdf, Usd, UsdGeom, Vt
 
-def prepared(path, folder, frame):
+
+def prepared(path: Path, folder: Path, frame: int | None) -> Path:
     """The file to import: `path`, or one in `folder` with polylines for some of its curves.
 
     frame: whose points and widths these are; None: the first.
@@ -36,14 +45,14 @@ def prepared(path, folder, frame):
     return folder / "curves.usda"
 
 
-def up_is_z(source):
+def up_is_z(source: str) -> bool:
     """Whether a USD file's up is its z axis."""
     from pxr import Usd, UsdGeom
 
-    return UsdGeom.GetStageUpAxis(Usd.Stage.Open(source)) == "Z"
+    return bool(UsdGeom.GetStageUpAxis(Usd.Stage.Open(source)) == "Z")
 
 
-def _make_uninstanced(stage, usd, geom):
+def _make_uninstanced(stage: Usd.Stage, usd: Any, geom: Any) -> None:
     """What is below an instance cannot be changed."""
     for prim in list(stage.TraverseAll()):
         below = usd.PrimRange(prim, usd.TraverseInstanceProxies()) if prim.IsInstance() else ()
@@ -51,7 +60,7 @@ def _make_uninstanced(stage, usd, geom):
             prim.SetInstanceable(False)
 
 
-def _layer_over(stage, path):
+def _layer_over(stage: Usd.Stage, path: Path) -> Sdf.Layer:
     """A layer file that shows the stage as it is."""
     from pxr import Sdf, Usd, UsdGeom
 
@@ -68,17 +77,17 @@ def _layer_over(stage, path):
     return layer
 
 
-def _is_lost(prim, geom):
+def _is_lost(prim: Usd.Prim, geom: Any) -> bool:
     curves = geom.Curves(prim)
     if curves.GetWidthsInterpolation() == "uniform":
         return True
     basis = geom.BasisCurves(prim)
-    return prim.IsA(geom.BasisCurves) and (
-        basis.GetTypeAttr().Get() == "cubic" or basis.GetWrapAttr().Get() == "periodic"
-    )
+    is_spline = basis.GetTypeAttr().Get() == "cubic"
+    is_closed = basis.GetWrapAttr().Get() == "periodic"
+    return bool(prim.IsA(geom.BasisCurves) and (is_spline or is_closed))
 
 
-def _flatten(prim, geom, time, name):
+def _flatten(prim: Usd.Prim, geom: Any, time: Usd.TimeCode, name: str) -> None:
     """Author polylines with a width a point."""
     curves = geom.Curves(prim)
     counts = np.array(curves.GetCurveVertexCountsAttr().Get(time), np.int64)
@@ -104,7 +113,9 @@ def _flatten(prim, geom, time, name):
     basis.GetWrapAttr().Set("nonperiodic")
 
 
-def _widths_by_strand(interpolation, widths, splines, where):
+def _widths_by_strand(
+    interpolation: str, widths: np.ndarray, splines: list[Spline], where: str
+) -> list[np.ndarray]:
     if interpolation == "constant":
         width = _sized(widths, 1, where)[0]
         return [np.full(spline.samples, width) for spline in splines]
@@ -120,24 +131,24 @@ def _widths_by_strand(interpolation, widths, splines, where):
     return [s.along(part[:, None])[:, 0] for s, part in zip(splines, parts, strict=True)]
 
 
-def _set_widths(curves, widths):
+def _set_widths(curves: UsdGeom.Curves, widths: np.ndarray) -> None:
     from pxr import Vt
 
     curves.GetWidthsAttr().Set(Vt.FloatArray.FromNumpy(widths.astype(np.float32)))
     curves.SetWidthsInterpolation("vertex")
 
 
-def _vectors(points):
+def _vectors(points: np.ndarray) -> Vt.Vec3fArray:
     from pxr import Vt
 
     return Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(points, np.float32))
 
 
-def _sized(widths, size, where):
+def _sized(widths: np.ndarray, size: int, where: str) -> np.ndarray:
     if len(widths) != size:
         raise ValueError(f"{where}: found {len(widths)} widths, expected {size}")
     return widths
 
 
-def _split(rows, counts):
+def _split(rows: np.ndarray, counts: Sequence[int] | np.ndarray) -> list[np.ndarray]:
     return np.split(rows, np.cumsum(counts)[:-1])

@@ -1,5 +1,7 @@
 """Curves of USD as polylines, by the rules of UsdGeomBasisCurves (OpenUSD, "Basis Curves")."""
 
+from __future__ import annotations
+
 import numpy as np
 
 _STEPS = 4  # straight segments a piece of a spline
@@ -18,7 +20,7 @@ class Spline:
     varying: how many values of the interpolation `varying` the curve has.
     """
 
-    def __init__(self, n, kind, basis, wrap):
+    def __init__(self, n: int, kind: str, basis: str, wrap: str) -> None:
         self.is_linear = kind == "linear"
         basis = "bezier" if self.is_linear else basis
         self.n = n
@@ -35,7 +37,7 @@ class Spline:
         self.samples = self.pieces * (1 if self.is_linear else _STEPS) + 1 if self.pieces else 0
         self.varying = self.pieces if self.is_closed else self.pieces + 1
 
-    def along(self, values):
+    def along(self, values: np.ndarray) -> np.ndarray:
         """Values (points, k) at the samples, (samples, k)."""
         if not self.pieces:
             return values[:0]
@@ -47,16 +49,16 @@ class Spline:
         piece, t = self._places()
         four = values[(self.stride * piece[:, None] + np.arange(4)) % len(values)]
         powers = t[:, None] ** np.arange(4)
-        return np.einsum("sj,sjk->sk", powers @ self.weights, four)
+        return np.asarray(np.einsum("sj,sjk->sk", powers @ self.weights, four))
 
-    def between(self, values):
+    def between(self, values: np.ndarray) -> np.ndarray:
         """Values (varying,) at the ends of pieces, linear between them: (samples,)."""
         if not self.pieces or self.is_linear:
             return self.along(values[:, None])[:, 0] if self.pieces else values[:0]
         piece, t = self._places()
-        return (1 - t) * values[piece] + t * values[(piece + 1) % len(values)]
+        return np.asarray((1 - t) * values[piece] + t * values[(piece + 1) % len(values)])
 
-    def _places(self):
+    def _places(self) -> tuple[np.ndarray, np.ndarray]:
         """The piece of each sample, and where in it, 0 to 1."""
         sample = np.arange(self.samples)
         piece = np.minimum(sample // _STEPS, self.pieces - 1)

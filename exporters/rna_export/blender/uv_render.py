@@ -4,6 +4,9 @@ The nodes, wired to an emission shader, are rendered on a unit square, one sampl
 centre.
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
@@ -32,7 +35,7 @@ _OUTSIDE_UV = {  # nodes whose values are no function of the UV coordinates, by 
 }
 
 
-def upstream(socket):
+def upstream(socket: bpy.types.NodeSocket) -> Iterator[tuple[bpy.types.Node, bpy.types.NodeSocket]]:
     """Every (node, output socket) that a socket's value comes from, within its tree."""
     seen, todo = set(), [socket]
     while todo:
@@ -45,7 +48,9 @@ def upstream(socket):
         todo += [link.from_socket for s in node.inputs for link in s.links]
 
 
-def _nodes_of(socket):
+def _nodes_of(
+    socket: bpy.types.NodeSocket,
+) -> Iterator[tuple[bpy.types.Node, bpy.types.NodeSocket]]:
     """As `_upstream`, the insides of groups too."""
     for node, output in upstream(socket):
         yield node, output
@@ -53,17 +58,16 @@ def _nodes_of(socket):
             yield from ((n, o) for n in node.node_tree.nodes for o in n.outputs if o.is_linked)
 
 
-def not_of_uv(colour):
+def not_of_uv(colour: bpy.types.NodeSocket) -> list[str]:
     """What makes the colour depend on more than the UV coordinates, by name."""
     return [
         f"the node {node.bl_label!r}"
         for node, output in _nodes_of(colour)
-        if node.type in _OUTSIDE_UV
-        and (_OUTSIDE_UV[node.type] is None or output.name in _OUTSIDE_UV[node.type])
+        if node.type in _OUTSIDE_UV and output.name in (_OUTSIDE_UV[node.type] or (output.name,))
     ]
 
 
-def _texture_size(colour):
+def _texture_size(colour: bpy.types.NodeSocket) -> tuple[int, int]:
     """(width, height) of the largest image that the colour depends on."""
     nodes = {node.name: node for node, _ in _nodes_of(colour)}.values()
     images = [n.image for n in nodes if n.type == "TEX_IMAGE" and n.image is not None]
@@ -74,13 +78,19 @@ def _texture_size(colour):
     return (_PROCEDURAL if patterns else _SMALLEST,) * 2
 
 
-def _uv_names(colour):
+def _uv_names(colour: bpy.types.NodeSocket) -> set[str]:
     nodes = [node for node, _ in _nodes_of(colour)]
     names = {n.uv_map for n in nodes if n.type in ("UVMAP", "NORMAL_MAP") and n.uv_map}
     return names or {"UVMap"}
 
 
-def rendered(material, tree, output, colour, folder):
+def rendered(
+    material: bpy.types.Material,
+    tree: bpy.types.NodeTree,
+    output: bpy.types.Node,
+    colour: bpy.types.NodeSocket,
+    folder: Path,
+) -> np.ndarray:
     """(h, w, 3) float32: a colour socket of the tree at texel centres, row 0 at the top.
 
     folder: for a temporary file.
@@ -108,7 +118,9 @@ def rendered(material, tree, output, colour, folder):
     return pixels.reshape(size[1], size[0], 4)[::-1, :, :3]
 
 
-def _square(scene, material, names, size):
+def _square(
+    scene: bpy.types.Scene, material: bpy.types.Material, names: set[str], size: tuple[int, int]
+) -> bpy.types.Object:
     """A rectangle of the texture's shape in the plane z = 0, its UV coordinates from 0 to 1."""
     width = size[0] / size[1]
     corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
@@ -124,7 +136,7 @@ def _square(scene, material, names, size):
     return square
 
 
-def _set_up(scene, size, path):
+def _set_up(scene: bpy.types.Scene, size: tuple[int, int], path: Path) -> None:
     camera = bpy.data.cameras.new("rna texture")
     camera.type, camera.ortho_scale = "ORTHO", max(1.0, size[0] / size[1])
     placed = bpy.data.objects.new("rna texture", camera)

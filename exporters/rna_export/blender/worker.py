@@ -4,6 +4,8 @@ Requests come as one JSON object a line on standard input; each is answered by o
 standard output that begins with `RNA `. Whatever else Blender prints there is not for us.
 """
 
+from __future__ import annotations
+
 import ctypes
 import json
 import os
@@ -11,6 +13,7 @@ import signal
 import sys
 import traceback
 from pathlib import Path
+from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -27,7 +30,7 @@ import transparency
 _PR_SET_PDEATHSIG = 1  # prctl(2)
 
 
-def open_scene(request):
+def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     read_files.watch()
     source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
     notes = source_scene.keep_only_the_asset()
@@ -56,18 +59,18 @@ HANDLERS = {
 }
 
 
-def reply(message):
+def reply(message: dict[str, Any]) -> None:
     sys.stdout.write("\nRNA " + json.dumps(message) + "\n")
     sys.stdout.flush()
 
 
-def end_with_parent():
+def end_with_parent() -> None:
     """Linux: a Blender that hangs reads no end of input; it is to end with the one that asked."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
 
 
-def main():
+def main() -> None:
     end_with_parent()
     for line in sys.stdin:
         request = json.loads(line)

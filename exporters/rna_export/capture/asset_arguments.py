@@ -44,10 +44,18 @@ class FiberEmissionArguments(NamedTuple):
     wo: np.ndarray
 
 
-def evaluate_arguments(fields: Mapping[str, np.ndarray]) -> SurfaceArguments | FiberArguments:
+Arguments = SurfaceArguments | FiberArguments
+
+
+def evaluate_arguments(fields: Mapping[str, np.ndarray]) -> Arguments:
     """Those of a part's samples by name, whatever their order; other fields are left out."""
     form = FiberArguments if "tangent" in fields else SurfaceArguments
     return form(**{name: fields[name] for name in form._fields})
+
+
+def rows_of(arguments: Arguments, rows: np.ndarray) -> Arguments:
+    """These rows of each."""
+    return evaluate_arguments({name: v[rows] for name, v in arguments._asdict().items()})
 
 
 def emission_arguments(

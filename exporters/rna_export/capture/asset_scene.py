@@ -80,7 +80,7 @@ class AssetScene:
             )
         ]
         maps = [
-            NormalMaps(geometry, of_part) if of_part else None
+            NormalMaps(geometry, of_part) if of_part and isinstance(geometry, Mesh) else None
             for geometry, of_part in zip(
                 geometries, normal_maps or [()] * len(geometries), strict=True
             )

@@ -235,7 +235,9 @@ def check_source(source: Path) -> None:
         )
 
 
-def _continue(out: Path, source: Path, arguments: tuple[str, ...], asked: dict) -> Dataset:
+def _continue(
+    out: Path, source: Path, arguments: tuple[str, ...], asked: dict[str, object]
+) -> Dataset:
     """The dataset begun in `out`, if it was begun with the same source and settings."""
     from rna_export.capture.dataset import Dataset
 

@@ -53,6 +53,7 @@ class CutDataset(Dataset):
                 "(rna-capture --normal-texels 0 maps no normals)"
             )
         mesh = part.geometry()
+        assert isinstance(mesh, Mesh)  # as its kind says
         if len(mesh.triangles) < self.cut:
             raise CaptureError(
                 f"{self.folder}: part {part.name} has {len(mesh.triangles)} triangles, expected at "
@@ -87,7 +88,7 @@ class Piece(DatasetPart):
         return self._near(self._whole.emission_samples())
 
     def _near(self, samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        low, high = np.float32(self.bounds)
+        low, high = np.array(self.bounds, np.float32)
         position = samples["position"]
         near = np.all((position >= low) & (position <= high), axis=1)
         if not near.any():
@@ -120,14 +121,16 @@ class _Seams:
     def piece_at(self, position: np.ndarray, wo: np.ndarray) -> np.ndarray:
         """(n,) int32, the piece that rays along -wo meet at positions (n, 3); 0 if none does."""
         hits = self._scene.intersect(position + self._step * wo, -wo)
-        return np.maximum(hits.part, 0)
+        return np.asarray(np.maximum(hits.part, 0))
 
 
-def _with_margin(seams: _Seams, number: int, whole: DatasetPart) -> tuple[tuple, tuple]:
+def _with_margin(
+    seams: _Seams, number: int, whole: DatasetPart
+) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """The box of a piece and a margin around it, within that of the whole surface."""
     low, high = seams.meshes[number].box()
     margin = _MARGIN * (high - low).max()
-    least, most = np.float32(whole.bounds)
+    least, most = np.array(whole.bounds, np.float32)
     low, high = np.maximum(low - margin, least), np.minimum(high + margin, most)
     return tuple(low.tolist()), tuple(high.tolist())
 

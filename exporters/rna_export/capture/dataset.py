@@ -23,9 +23,10 @@ from pydantic import ValidationError
 
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
-from rna_export.capture.sample_files import write_arrays, write_atomically
+from rna_export.capture.sample_files import write_arrays
 from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.normal_maps import NORMALS

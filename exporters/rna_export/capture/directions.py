@@ -15,7 +15,8 @@ def light_direction(index: int, seed: int, region: Region) -> np.ndarray:
     """The `index`-th light direction, (3,) float32: evenly spread over the region at any count."""
     shift = np.random.default_rng([seed, 7]).random(2)
     u = (shift + (index + 1) * _R2) % 1.0
-    return directions_in(region, u[None])[0]
+    (direction,) = directions_in(region, u[None])
+    return np.asarray(direction)
 
 
 def directions_in(region: Region, u: np.ndarray) -> np.ndarray:
@@ -62,11 +63,12 @@ def around(n: np.ndarray, cosine: np.ndarray, phi: np.ndarray) -> np.ndarray:
     """Directions at polar cosine (k,) and azimuth (k,) about n (k, 3)."""
     s, t = frame(n)
     r = np.sqrt(np.maximum(0.0, 1.0 - cosine**2))
-    return (
-        (r * np.cos(phi))[:, None] * s + (r * np.sin(phi))[:, None] * t + cosine[:, None] * n
-    ).astype(np.float32)
+    x, y = r * np.cos(phi), r * np.sin(phi)
+    directions: np.ndarray = x[:, None] * s + y[:, None] * t + cosine[:, None] * n
+    return directions.astype(np.float32)
 
 
 def reflect(wi: np.ndarray, h: np.ndarray) -> np.ndarray:
     """wi mirrored about h; both (k, 3)."""
-    return (2.0 * np.sum(wi * h, axis=1, keepdims=True) * h - wi).astype(np.float32)
+    mirrored: np.ndarray = 2.0 * np.sum(wi * h, axis=1, keepdims=True) * h - wi
+    return mirrored.astype(np.float32)

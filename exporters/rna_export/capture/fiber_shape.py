@@ -6,6 +6,7 @@ import numpy as np
 
 from rna_export.capture.directions import around
 from rna_render.fiber import FiberPoints, tangents
+from rna_render.parts_scene import PartPoints
 from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
 
@@ -32,11 +33,12 @@ class FiberShape:
         apart = np.linalg.norm(self.points - centre, axis=1) + self._curves.radii
         return float(apart.max())
 
-    def sample_fields(self, points: FiberPoints, directions: np.ndarray) -> dict[str, np.ndarray]:
+    def sample_fields(self, points: PartPoints, directions: np.ndarray) -> dict[str, np.ndarray]:
         """What a sample records of points, but for its directions.
 
         h: (k,) float32, offset of the ray, which came along `directions`, from the axis, in radii.
         """
+        assert isinstance(points, FiberPoints)
         h = offset_across(points.n, points.tangent, -directions)
         return {"position": points.x, "tangent": points.tangent, "h": h}
 
@@ -55,12 +57,13 @@ class FiberShape:
         return axis + radius * normals, normals
 
     def highlight_views(
-        self, points: FiberPoints, wi: np.ndarray, rng: np.random.Generator
+        self, points: PartPoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
         """About the cone of wi's mirror images (Marschner et al. 2003): all azimuths.
 
         Inclinations spread by 0.02 to 0.5 in their sine.
         """
+        assert isinstance(points, FiberPoints)
         rows = np.arange(len(points))
         spread = 0.02 * 25.0 ** rng.random(len(rows)) * rng.standard_normal(len(rows))
         sine = np.clip(-(points.tangent @ wi) + spread, -0.999, 0.999)

@@ -119,7 +119,7 @@ def relative_errors(part: CapturedPart, at: Samples, squared: np.ndarray) -> np.
         expected = expected * own / np.maximum(of_visibility, 1e-30)
     error = np.sqrt(_mean(cells, (0, 1, 2, 3), weight, squared, expected))
     usual = np.average(error[cells], weights=weight)
-    return (error / max(usual, 1e-12)).astype(np.float32)
+    return np.asarray(error / max(usual, 1e-12), np.float32)
 
 
 def _mean(
@@ -139,7 +139,7 @@ def _mean(
         np.bincount(place, values, int(np.prod(size))).reshape(size)
         for values in (weight * squared, weight)
     )
-    return (total + _PRIOR * expected) / (count + _PRIOR)
+    return np.asarray((total + _PRIOR * expected) / (count + _PRIOR))
 
 
 def _cells(part: CapturedPart, at: Samples) -> Cells:
@@ -147,7 +147,7 @@ def _cells(part: CapturedPart, at: Samples) -> Cells:
     visible = at["visible"] if at["visible"].ndim == 1 else at["visible"].mean(axis=1)
     spread, across = _surface_angles(at) if part.kind == "surface" else _fiber_angles(at)
     angles = _place(spread, _ANGLES[0]) * _ANGLES[1] + _place(across, _ANGLES[1])
-    low, high = np.float32(part.bounds)
+    low, high = np.array(part.bounds, np.float32)
     voxel = _place((at["position"] - low) / np.maximum(high - low, 1e-9), _VOXELS)
     octant = (at["wi"] > 0.0) @ np.array([4, 2, 1])
     lit = (visible > 0.5).astype(np.int64)

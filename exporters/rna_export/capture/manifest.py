@@ -8,10 +8,11 @@ from typing import Any, Literal
 
 from pydantic import Field, ValidationError, model_validator
 
-from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.settings import CaptureSettings, DatasetModel
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.package import Domain
-from rna_sdk.package.manifest import Name, NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.manifest import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.manifest_fields import Name
 
 SAMPLE_FIELDS: dict[str, dict[str, int]] = {
     "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},

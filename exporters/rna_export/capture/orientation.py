@@ -34,4 +34,5 @@ def rotation(front: str, up: str) -> np.ndarray:
 
 
 def _axis(name: str) -> np.ndarray:
-    return np.eye(3)["XYZ".index(name[-1])] * (-1.0 if name[0] == "-" else 1.0)
+    axis: np.ndarray = np.eye(3)["XYZ".index(name[-1])]
+    return -axis if name[0] == "-" else axis

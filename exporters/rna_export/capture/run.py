@@ -161,16 +161,12 @@ def finish(
     job = CaptureJob(gathered.carried(), gathered.store, source, crew.carried(source), scratch)
     cost = partial(_cost, dataset)
     total = sum(map(cost, missing))
-    with (
-        Progress(total, "path", "capture", bars=bars) as progress,
-        Pool(
-            crew.backend(),
-            partial(CaptureWorker, job),
-            _ATTEMPTS,
-            patience=Patience(cost),
-            tell=progress.tell,
-        ) as pool,
-    ):
+    make = partial(CaptureWorker, job)
+    progress = Progress(total, "path", "capture", bars=bars)
+    pool: Pool[Task, str] = Pool(
+        crew.backend(), make, _ATTEMPTS, patience=Patience(cost), tell=progress.tell
+    )
+    with progress, pool:
         clock = _TaskClock(dataset, limit)
         for outcome in progress.of(pool, pool.run(clock.in_time(missing)), cost):
             dataset.record_processors([outcome.value()])

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from uuid import uuid4
 
 import numpy as np
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 
 DAMAGED = "{}: damaged ({})"
@@ -60,14 +60,3 @@ def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
 def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
     """Save as safetensors; the file appears whole or not at all."""
     write_atomically(path, save({k: np.ascontiguousarray(v) for k, v in arrays.items()}))
-
-
-def write_atomically(path: Path, data: bytes) -> None:
-    """Write under a temporary name, which no process of another machine has either, then rename."""
-    temporary = path.with_name(f"{path.name}.{uuid4().hex[:12]}.part")
-    try:
-        temporary.write_bytes(data)
-        temporary.replace(path)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise

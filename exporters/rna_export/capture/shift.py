@@ -56,29 +56,32 @@ class CaptureWorker:
         with _opening:  # workers that are threads share what is opened
             manifest = job.dataset.here()
             self._dataset, self._scene = opened(manifest.parent, manifest.read_text())
-        if job.scratch is None:
-            self._temporary = Path(tempfile.mkdtemp(prefix="rna-capture-"))
+        scratch = job.scratch
+        if scratch is None:
+            scratch = self._temporary = Path(tempfile.mkdtemp(prefix="rna-capture-"))
         source = replace(job.source, path=job.files.here())
-        python, scratch = blender_env.find_or_set_up(), job.scratch or self._temporary
+        python = blender_env.find_or_set_up()
         # One thread each, since a small render scales badly.
         self._blender = BlenderWorker(python, source, scratch, threads=1, name=self._name)
         self._blender.__enter__()
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._blender.close()
+        if self._blender is not None:
+            self._blender.close()
         if self._temporary is not None:
             shutil.rmtree(self._temporary, ignore_errors=True)
 
     def run(self, task: Task) -> str:
         """Render a task, unless a worker that was lost had finished it; the processor's key."""
-        path = task.path(self._dataset)
+        path, blender = task.path(self._dataset), self._blender
+        assert blender is not None  # since __enter__
         if path.is_file():
             return processor_key()
         if self._done and self._done % _TASKS_A_PROCESS == 0:
-            self._blender.restart()
+            blender.restart()
         path.parent.mkdir(exist_ok=True)
-        task.run(self._dataset, self._scene, self._blender)
+        task.run(self._dataset, self._scene, blender)
         self._done += 1
         if self._job.store is not None:
             self._job.store.put(path, stored_name(task, self._dataset))

@@ -7,6 +7,7 @@ import trimesh
 
 from rna_export.capture.directions import around, reflect
 from rna_export.capture.settings import SHARPEST
+from rna_render.parts_scene import PartPoints
 from rna_render.surface import SurfacePoints, geometric_normals
 from rna_sdk.package import Mesh
 
@@ -36,8 +37,9 @@ class SurfaceShape:
         """Radius of the sphere around `centre` that holds the mesh."""
         return float(np.linalg.norm(self.points - centre, axis=1).max())
 
-    def sample_fields(self, points: SurfacePoints, _: np.ndarray) -> dict[str, np.ndarray]:
+    def sample_fields(self, points: PartPoints, _: np.ndarray) -> dict[str, np.ndarray]:
         """What a sample records of points, but for its directions."""
+        assert isinstance(points, SurfacePoints)
         return {"position": points.x, "normal": points.mapped}
 
     def sample_points(self, n: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
@@ -51,9 +53,10 @@ class SurfaceShape:
         return np.einsum("nc,nck->nk", weights, corners), self._geometric[triangle]
 
     def highlight_views(
-        self, points: SurfacePoints, wi: np.ndarray, rng: np.random.Generator
+        self, points: PartPoints, wi: np.ndarray, rng: np.random.Generator
     ) -> tuple[np.ndarray, np.ndarray]:
         """Mirrors of wi about half vectors of GGX, alpha from that of the sharpest lobe to 0.8."""
+        assert isinstance(points, SurfacePoints)
         lit = np.flatnonzero(points.mapped @ wi > 0.02)
         width = self._narrowest * (_WIDEST / self._narrowest) ** rng.random(len(lit))
         u = rng.random(len(lit))

@@ -8,8 +8,8 @@ from typing import Protocol
 
 import numpy as np
 
-from rna_export.capture.asset_arguments import emission_arguments, evaluate_arguments
-from rna_sdk.runtime import Asset
+from rna_export.capture.asset_arguments import Arguments, emission_arguments, evaluate_arguments
+from rna_sdk.runtime import FiberAsset, SurfaceAsset
 
 _NO_QUERY = ("radiance", "direct", "visible", "pixel", "weight")
 
@@ -66,7 +66,7 @@ class ValidationView:
         """Of a model's two outputs, (n, 3) each, what each row's visibility calls for."""
         return picked(self.samples["visible"], visible, shadowed)
 
-    def shaded_by(self, asset: Asset) -> np.ndarray:
+    def shaded_by(self, asset: SurfaceAsset | FiberAsset) -> np.ndarray:
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
         return self.pick(*asset.evaluate(*evaluate_arguments(self.samples)))
 
@@ -79,9 +79,10 @@ class ValidationView:
 class EmissionView(ValidationView):
     """One part in a captured image of what the asset emits; `samples` know of no light."""
 
-    def shaded_by(self, asset: Asset) -> np.ndarray:
+    def shaded_by(self, asset: SurfaceAsset | FiberAsset) -> np.ndarray:
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
-        return asset.emission(*emission_arguments(self.samples))
+        emitted: np.ndarray = asset.emission(*emission_arguments(self.samples))
+        return emitted
 
 
 @dataclass(frozen=True)
@@ -130,7 +131,8 @@ def picked(v: np.ndarray, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarr
     """Of two outputs (n, 3) that which visibility calls for: (n,) bool or integer, or (n, 3)."""
     if v.ndim == 1:
         return np.where(v.astype(bool)[:, None], visible, shadowed)
-    return v * visible + (1.0 - v) * shadowed
+    mixed: np.ndarray = v * visible + (1.0 - v) * shadowed
+    return mixed
 
 
 def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -138,7 +140,7 @@ def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
     return {name: rows for name, rows in samples.items() if name not in _NO_QUERY}
 
 
-def all_queries(views: list[ValidationView]) -> list[np.ndarray]:
+def all_queries(views: list[ValidationView]) -> Arguments:
     """The arguments of `evaluate` for every pixel of the images."""
-    parts = zip(*(evaluate_arguments(view.samples) for view in views), strict=True)
-    return [np.concatenate(part) for part in parts]
+    names = evaluate_arguments(views[0].samples)._fields
+    return evaluate_arguments({n: np.concatenate([v.samples[n] for v in views]) for n in names})

@@ -34,7 +34,7 @@ class ViewRays:
     origins: np.ndarray  # (n, 3) float32, object space
     directions: np.ndarray  # (n, 3) float32, unit
 
-    def __getitem__(self, index: object) -> ViewRays:
+    def __getitem__(self, index: np.ndarray) -> ViewRays:
         return ViewRays(self.origins[index], self.directions[index])
 
     def __len__(self) -> int:
@@ -60,8 +60,10 @@ def sample_view_rays(
     shares = _part_shares(scene, wo, rng)
     draw = _Draw(scene, wo, rng)
 
+    light = np.zeros(3, np.float32) if wi is None else wi  # without one no highlight is drawn
+
     def highlight(k: int, among: np.ndarray | None) -> ViewRays:
-        return _highlight(scene, wi, draw.seen(2 * k, among), k, rng)
+        return _highlight(scene, light, draw.seen(2 * k, among), k, rng)
 
     lit = 0 if wi is None else round(n * HIGHLIGHT)
     highlights = draw.both_ways(highlight, part_counts(lit, shares), tries=8)
@@ -88,7 +90,7 @@ def _part_shares(scene: AssetScene, wo: Region, rng: np.random.Generator) -> np.
     chords = _outside(scene, _CHORDS, wo, rng)
     part = scene.part_hit(chords.origins, chords.directions)
     seen = np.bincount(part[part >= 0], minlength=parts) + 1e-6
-    return ALIKE / parts + (1.0 - ALIKE) * seen / seen.sum()
+    return np.asarray(ALIKE / parts + (1.0 - ALIKE) * seen / seen.sum())
 
 
 @dataclass(frozen=True)

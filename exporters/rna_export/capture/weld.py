@@ -46,4 +46,5 @@ def _whole_normals(positions: np.ndarray, normals: np.ndarray) -> np.ndarray:
     corners = positions.reshape(-1, 3, 3).astype(np.float64)
     flat = np.repeat(trimesh.triangles.cross(corners), 3, axis=0)
     chosen = np.where(np.linalg.norm(normals, axis=1, keepdims=True) > 0.5, normals, flat)
-    return chosen / np.maximum(np.linalg.norm(chosen, axis=1, keepdims=True), 1e-30)
+    lengths = np.linalg.norm(chosen, axis=1, keepdims=True)
+    return np.asarray(chosen / np.maximum(lengths, 1e-30))

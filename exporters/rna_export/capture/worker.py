@@ -131,10 +131,16 @@ class BlenderWorker:
     def close(self) -> None:
         """End the process; safe to call twice."""
         self.kill()
-        self._process.wait()
-        for stream in (self._process.stdin, self._process.stdout, self._log):
-            with contextlib.suppress(BrokenPipeError):  # a request that never reached it
-                stream.close()
+        process = self._running()
+        process.wait()
+        for stream in (process.stdin, process.stdout, self._log):
+            if stream is not None:
+                with contextlib.suppress(BrokenPipeError):  # a request that never reached it
+                    stream.close()
+
+    def _running(self) -> subprocess.Popen[str]:
+        assert self._process is not None  # since __enter__
+        return self._process
 
     def restart(self) -> None:
         """A fresh process with the same source: Blender's memory grows over many renders."""
@@ -143,12 +149,14 @@ class BlenderWorker:
         self._start()
 
     def _ask(self, **request: Any) -> dict[str, Any]:
+        process = self._running()
+        assert process.stdin is not None and process.stdout is not None  # pipes
         try:
-            self._process.stdin.write(json.dumps(request) + "\n")
-            self._process.stdin.flush()
-            for line in self._process.stdout:
+            process.stdin.write(json.dumps(request) + "\n")
+            process.stdin.flush()
+            for line in process.stdout:
                 if line.startswith("RNA "):
-                    answer = json.loads(line[4:])
+                    answer: dict[str, Any] = json.loads(line[4:])
                     if not answer["ok"]:
                         raise CaptureError(f"{self._source.path}: Blender says: {answer['error']}")
                     return answer
@@ -354,7 +362,8 @@ def _matrix_to_blender(matrix: list[list[float]]) -> list[list[float]]:
     turned = np.asarray(matrix, np.float64)
     turned[:3, :3] = to_blender(to_blender(turned[:3, :3].T).T)
     turned[:3, 3] = to_blender(turned[:3, 3])
-    return turned.tolist()
+    rows: list[list[float]] = turned.tolist()
+    return rows
 
 
 def _write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> None:
@@ -383,7 +392,9 @@ def _channels(passes: dict[str, np.ndarray], name: str, channels: str) -> np.nda
 
 def _direct(passes: dict[str, np.ndarray]) -> np.ndarray:
     """Light of no bounce; Cycles divides each lobe's by its colour."""
-    return sum(
+    lobes = [
         _channels(passes, f"{lobe} Direct", "RGB") * _channels(passes, f"{lobe} Color", "RGB")
         for lobe in ("Diffuse", "Glossy", "Transmission")
-    )
+    ]
+    diffuse, glossy, transmission = lobes
+    return np.asarray(diffuse + glossy + transmission)

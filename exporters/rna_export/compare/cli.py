@@ -97,7 +97,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         raise CaptureError(f"{args.source}: no such file")
     asset = load(args.package, tier=args.tier, threads=1)
     python = blender_env.find_python()
-    source = Source(args.source, arguments, **_axes_of_capture(args.package))
+    front, up = _axes_of_capture(args.package)
+    source = Source(args.source, arguments, front=front, up=up)
     with (
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
         BlenderWorker(python, source, Path(scratch), default_workers()) as worker,
@@ -129,13 +130,14 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
 
 
-def _axes_of_capture(package: Path) -> dict[str, str]:
+def _axes_of_capture(package: Path) -> tuple[str | None, str | None]:
     """`front` and `up` that rna-capture was given: Cycles gets the source turned alike."""
     from rna_sdk.package import Package
 
     with Package.open(package) as opened:
         settings = opened.manifest.provenance.capture
-    return {name: axis for name in ("front", "up") if (axis := settings.get(name)) in AXES}
+    front, up = (axis if axis in AXES else None for axis in map(settings.get, ("front", "up")))
+    return front, up
 
 
 if __name__ == "__main__":

@@ -68,7 +68,7 @@ def compare(
 def render_ours(shot: Shot, world: World, package: Path, samples: int) -> Timed:
     """The shot from the package: (h, w, 4) float32 RGBA."""
     start = time.perf_counter()
-    scene = shot.scene(str(package), samples)
+    scene = shot.scene(package, samples)
     channels = render(scene, make_integrator(scene, world)).channels()
     image = np.stack([channels[c] for c in "RGBA"], axis=-1)
     return Timed(image, time.perf_counter() - start)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -56,7 +57,7 @@ class Shot:
         """(4, 4) camera (looking along -z) to world."""
         return Camera(self.camera, (self.resolution, self.resolution)).to_world
 
-    def scene(self, package: str, samples: int) -> Scene:
+    def scene(self, package: Path, samples: int) -> Scene:
         """The same picture as a scene of the renderer."""
         light = DirectionalModel(
             type="directional", direction=tuple(self.wi), irradiance=(1.0, 1.0, 1.0)
@@ -96,7 +97,7 @@ def shots(
         thickest = max(part.radii.max() for part in strands)
         cameras["strands"] = (*cameras["close-up"][:2], _STRANDS * thickest / radius)
     turned = rotation(*frame)
-    result = []
+    result: list[Shot] = []
     for camera, (azimuth, elevation, zoom) in cameras.items():
         wo = turned @ _direction(azimuth + turn_deg, elevation)
         target = centre

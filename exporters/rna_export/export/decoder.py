@@ -25,10 +25,9 @@ class EmissionModel:
     output, colour_sums = "emission", ((1,),)
 
     def __init__(self, model: NeuralAsset):
-        assert model.emission is not None
-        self._emission, self.triplane = model.emission, model.triplane
-        self.decoder, self.ceiling = model.emission.decoder, model.emission.ceiling
-        self.unit = model.emission.unit
+        emission, self.triplane = model.emitting
+        self._emission, self.decoder = emission, emission.decoder
+        self.ceiling, self.unit = emission.ceiling, emission.unit
 
     def queries(self, at: Points) -> Tensor:
         """What the decoder is asked, (k, K)."""
@@ -58,7 +57,9 @@ def export_decoder(model: Exported, int8: Int8Decoder | None = None) -> bytes:
     else:
         matrix = np.float32(unit * np.kron(sums.T, np.eye(3)))
         graph.add("MatMul", [x, graph.constant(matrix)], model.output)
-    return graph.serialize(model.decoder[0].in_features, model.output, 3 * len(sums))
+    first = model.decoder[0]
+    assert isinstance(first, torch.nn.Linear)
+    return graph.serialize(first.in_features, model.output, 3 * len(sums))
 
 
 def _layers(graph: Graph, value: str, model: Exported) -> str:
@@ -135,7 +136,7 @@ def compare_int8_decoder(
 def _run(decoder: bytes, queries: Tensor) -> np.ndarray:
     session = onnxruntime.InferenceSession(decoder, providers=["CPUExecutionProvider"])
     (found,) = session.run(None, {"queries": queries.numpy()})
-    return found.astype(np.float64)
+    return np.asarray(found, np.float64)
 
 
 def _transport(model: Exported, y: Tensor) -> np.ndarray:

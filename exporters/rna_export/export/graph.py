@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import onnx
 from onnx import TensorProto, helper, numpy_helper
@@ -24,7 +26,7 @@ class Graph:
         return name
 
     def add(
-        self, operator: str, inputs: list[str], output: str | None = None, **attributes: int
+        self, operator: str, inputs: list[str], output: str | None = None, **attributes: Any
     ) -> str:
         """A node; the name of its result."""
         output = output or f"v{len(self._nodes)}"
@@ -48,4 +50,5 @@ class Graph:
             graph, opset_imports=opsets, ir_version=8, producer_name="rna-export"
         )
         onnx.checker.check_model(model)
-        return model.SerializeToString(deterministic=True)
+        data: bytes = model.SerializeToString(deterministic=True)
+        return data

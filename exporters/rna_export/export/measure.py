@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from rna_export.brightness import brightness
+from rna_export.capture.asset_arguments import Arguments, rows_of
 from rna_export.capture.validation_view import WholeView, all_queries
 from rna_export.export.small_images import flip_at_heights
 from rna_export.export.trained_tiers import TrainedTier
@@ -17,7 +18,7 @@ from rna_export.training.validation import score, shade
 from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Cost, Tier, Validation
-from rna_sdk.runtime import Asset
+from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset
 
 _COST_ROWS = 200_000
 
@@ -110,9 +111,8 @@ def _cost(asset: Asset, trained: TrainedTier, views: list[WholeView]) -> Cost:
     )
 
 
-def _ns_per_query(part: Asset, queries: list[np.ndarray]) -> float:
+def _ns_per_query(part: SurfaceAsset | FiberAsset, queries: Arguments) -> float:
     """Median over five runs on real queries."""
-    wanted = np.arange(_COST_ROWS) % len(queries[0])
-    rows = [values[wanted] for values in queries]
+    rows = rows_of(queries, np.arange(_COST_ROWS) % len(queries[0]))
     seconds = [seconds_of(lambda: part.evaluate(*rows)) for _ in range(6)]
     return 1e9 * float(np.median(seconds[1:])) / _COST_ROWS

@@ -13,7 +13,7 @@ from rna_render.render import make_integrator, place_asset, render
 from rna_render.scene_model import AssetModel, CameraModel, Scene
 from rna_render.srgb import encode_srgb
 from rna_render.world import World
-from rna_sdk.runtime import load
+from rna_sdk.runtime import FiberAsset, load
 
 _SIDE = 256  # pixels
 _SAMPLES = 32
@@ -29,7 +29,9 @@ def render_poster(package: Path) -> bytes:
     The light is a sun from the side and an even, invisible sky.
     """
     asset = load(package)
-    geometries = [part.curves if part.kind == "fiber" else part.mesh for part in asset.parts]
+    geometries = [
+        part.curves if isinstance(part, FiberAsset) else part.mesh for part in asset.parts
+    ]
     low, high = (np.array(corners) for corners in zip(*(g.box() for g in geometries), strict=True))
     scene = _scene(package, low.min(axis=0), high.max(axis=0))
     world = World([place_asset(asset, np.eye(4))])

@@ -30,7 +30,11 @@ def proxy_of(mesh: Mesh, pixels: int) -> Mesh | None:
     faces = index.reshape(-1)[mesh.triangles].astype(np.int32)
     points, faces = fast_simplification.simplify(points, faces, target_count=wanted)
     faces = faces[trimesh.triangles.area(points[faces]) > 0]
-    return quantise(_shaded(points, faces)) if len(faces) else None
+    if not len(faces):
+        return None
+    proxy = quantise(_shaded(points, faces))
+    assert isinstance(proxy, Mesh)  # as what it is made of
+    return proxy
 
 
 def _shaded(points: np.ndarray, faces: np.ndarray) -> Mesh:

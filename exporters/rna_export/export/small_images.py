@@ -39,4 +39,5 @@ def _reduced(image: np.ndarray, factor: int) -> np.ndarray:
     """Means of blocks of `factor` x `factor` pixels."""
     height, width = (side // factor for side in image.shape[:2])
     whole = image[: height * factor, : width * factor]
-    return whole.reshape(height, factor, width, factor, 3).mean(axis=(1, 3))
+    blocks = whole.reshape(height, factor, width, factor, 3)
+    return np.asarray(blocks.mean(axis=(1, 3)))

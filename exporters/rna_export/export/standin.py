@@ -69,8 +69,10 @@ def _fit(left: np.ndarray, lobe: np.ndarray) -> tuple[float, np.ndarray]:
 
 def _scale(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """(3,) by which x (n,) is nearest to each column of y (n, 3)."""
-    return x @ y / np.maximum(x @ x, 1e-12)
+    scale: np.ndarray = x @ y / np.maximum(x @ x, 1e-12)
+    return scale
 
 
 def _dots(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return np.einsum("ij,ij->i", a, b)
+    dots: np.ndarray = np.einsum("ij,ij->i", a, b)
+    return dots

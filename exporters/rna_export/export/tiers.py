@@ -20,6 +20,7 @@ from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.training.checkpoint import Trained
+from rna_export.training.triplane import Triplane
 from rna_sdk.package import Agreement, Tier, TierData, TierPart
 from rna_sdk.package.manifest_fields import DecoderPrecision
 from rna_sdk.package.manifest_tiers import TierEmission
@@ -73,7 +74,9 @@ class _PartExport:
             agreement=agreement,
             emission=self._emission(stem),
         )
-        planes = stored_planes(one.model.triplane.planes.detach().numpy(), precision.planes)
+        triplane = one.model.triplane
+        assert isinstance(triplane, Triplane)
+        planes = stored_planes(triplane.planes.detach().numpy(), precision.planes)
         return record, TierData(planes, decoder, self._emission_decoder())
 
     def _emission(self, stem: str) -> TierEmission | None:

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import log10
-from typing import Literal
+from typing import Literal, Protocol
 
-from rna_export.trials.scores import ModelScores
+
+class Scored(Protocol):
+    """What a goal looks at: PSNR in dB and mean FLIP of the validation images."""
+
+    @property
+    def psnr(self) -> float: ...
+
+    @property
+    def flip(self) -> float: ...
 
 
 @dataclass(frozen=True)
@@ -25,7 +33,7 @@ class Goal:
         """Whether the most accurate model within a cost is wanted, not the cheapest one."""
         return self.metric == "budget"
 
-    def error_db(self, scores: ModelScores) -> float:
+    def error_db(self, scores: Scored) -> float:
         """The error in decibels: a factor of the error is a difference here; less is better."""
         if self.metric == "max_error":
             return 10.0 * log10(max(scores.flip, 1e-9))
@@ -38,7 +46,7 @@ class Goal:
             return 10.0 * log10(self.value)
         return -self.value if self.metric == "min_psnr" else float("inf")
 
-    def met_by(self, scores: ModelScores) -> bool:
+    def met_by(self, scores: Scored) -> bool:
         """Whether the error is within the limit."""
         return self.error_db(scores) <= self.limit_db
 

@@ -10,7 +10,6 @@ from pathlib import Path
 import torch
 
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.validation_view import all_queries
 from rna_export.fit.candidate import Candidate
 from rna_export.fit.goal import Goal
@@ -23,6 +22,7 @@ from rna_export.trials.packages import TRIAL_PRECISIONS, write_packages
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
 

@@ -222,10 +222,11 @@ def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
     lines, lead = [], None
     for tier in manifest.tiers:
         found = tier.validation
+        assert found is not None  # the export measures it
         lines.append(f"{tier.name}: PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}")
         lead = found if tier.name == made.lead else lead
-    end = "the error stopped falling" if made.why == "stopped falling" else made.why
-    if goal is not None and goal.met_by(lead):
+    end: str = "the error stopped falling" if made.why == "stopped falling" else made.why
+    if goal is not None and lead is not None and goal.met_by(lead):
         end = f"goal met: {goal}"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"

@@ -67,7 +67,7 @@ class Rays:
         held_out = self._held_out() if number == 0 else []
         return [path for path in self.dataset.finished_shards() if path not in held_out]
 
-    def _finish(self, tasks: list[Task], limit: TimeLimit | None, stage: Stage) -> None:
+    def _finish(self, tasks: Sequence[Task], limit: TimeLimit | None, stage: Stage) -> None:
         bars = stage.part(0.0, 1.0)
         order = self._order
         finish(self.dataset, order.source, order.crew, limit, _quiet, tasks, bars)

@@ -38,7 +38,8 @@ def squared_errors(model: NeuralAsset, samples: dict[str, np.ndarray]) -> np.nda
     """(n,) mean over the channels, of displayed radiance."""
     shaded = picked(samples["visible"], *answer(model, queries_of(samples)))
     error = display(shaded) - display(samples["radiance"])
-    return np.mean(error.astype(np.float64) ** 2, axis=1)
+    squared: np.ndarray = np.mean(error.astype(np.float64) ** 2, axis=1)
+    return squared
 
 
 def _some(

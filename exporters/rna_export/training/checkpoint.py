@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import Preset
+from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import ExportError, TrainingError
 
 
@@ -67,10 +68,9 @@ def save_checkpoint(
 
     progress: what a stopped run goes on from.
     """
-    unfinished = path.with_name(path.name + ".part")
     weights = {"model": model.state_dict(), "record": record}
-    torch.save(weights if progress is None else {**weights, "progress": progress}, unfinished)
-    unfinished.replace(path)
+    with atomic_file(path) as temporary:
+        torch.save(weights if progress is None else {**weights, "progress": progress}, temporary)
 
 
 def _trained(saved: dict[str, Any]) -> Trained:

@@ -6,7 +6,7 @@ import csv
 import io
 from pathlib import Path
 
-from rna_export.capture.sample_files import write_atomically
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
 _COLUMNS = ("step", "loss", "psnr", "flip", "emission_psnr")

@@ -41,8 +41,9 @@ class Fitting:
         self.model.ceiling.fill_(ceiling)
         self.model.unit.fill_(unit)
         if emission is not None:
-            self.model.emission.ceiling.fill_(1.5 * emission.table.largest_radiance)
-            self.model.emission.unit.fill_(emission.table.usual_radiance)
+            emitting, _ = self.model.emitting
+            emitting.ceiling.fill_(1.5 * emission.table.largest_radiance)
+            emitting.unit.fill_(emission.table.usual_radiance)
         self.model.to(device)
         self._optimizers = _optimizers(self.model, preset.training)
         self._first_rates = [o.param_groups[0]["lr"] for o in self._optimizers]
@@ -87,7 +88,7 @@ class Fitting:
         loss = sample_loss(self.model, at, blur, "unbiased" if is_ending else self._config.loss)
         if self._emission is None:
             return loss
-        return loss + self._emission.loss(self.model.emission, self.model.triplane, blur)
+        return loss + self._emission.loss(*self.model.emitting, blur)
 
     def state(self) -> dict[str, Any]:
         """For a checkpoint: of model and optimizers."""

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import torch
 from numba import prange
+from numpy.typing import NDArray
 from torch import Tensor
 
 from rna_sdk.compiled import compiled
@@ -21,7 +22,7 @@ from rna_sdk.runtime.lane_memory import load_column, load_lanes, load_vectors, s
 from rna_sdk.runtime.lane_vectors import clamped, narrowed, unit
 from rna_sdk.runtime.lanes import LANES, where
 from rna_sdk.runtime.surface_blocks import BEND, SHORTEST, bent, halfway
-from rna_sdk.runtime.vectors import dot
+from rna_sdk.runtime.vectors import Rows, dot
 
 _OF_LOG = 1.0 / (6.0 * math.log(2.0))
 
@@ -48,7 +49,8 @@ class Inputs(torch.autograd.Function):
         sources = features.detach(), p, axis, axis.new_empty(0) if h is None else h, wo
         arrays = [_whole(x) for x in (*sources, wo if wi is None else wi)]
         queries = torch.empty(len(arrays[0]), query_width(blocks, features.shape[1]))
-        _fill(*arrays, columns, h is not None, queries.numpy())
+        into = columns, h is not None, queries.numpy()
+        _fill(arrays[0], arrays[1], arrays[2], arrays[3], arrays[4], arrays[5], *into)
         ctx.arrays, ctx.columns = arrays, columns
         # The whole tensor, or a copy: autograd lets nobody write into a function's view.
         rows = len(features)
@@ -71,13 +73,34 @@ def _whole(rows: Tensor) -> np.ndarray:
 
 
 @compiled(parallel=True)
-def _fill(features, p, axes, h, wo, wi, columns, is_fiber, queries):
+def _fill(
+    features: Rows,
+    p: Rows,
+    axes: Rows,
+    h: Rows,
+    wo: Rows,
+    wi: Rows,
+    columns: NDArray[np.int64],
+    is_fiber: bool,
+    queries: Rows,
+) -> None:
     for block in prange(len(features) // LANES):
         _fill_block(block * LANES, features, p, axes, h, wo, wi, columns, is_fiber, queries)
 
 
 @compiled()
-def _fill_block(row, features, p, axes, h, wo, wi, columns, is_fiber, queries):
+def _fill_block(
+    row: int,
+    features: Rows,
+    p: Rows,
+    axes: Rows,
+    h: Rows,
+    wo: Rows,
+    wi: Rows,
+    columns: NDArray[np.int64],
+    is_fiber: bool,
+    queries: Rows,
+) -> None:
     start, channels = np.uintp(row), features.shape[1]
     axis = unit(load_vectors(axes, start))
     o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
@@ -99,7 +122,15 @@ def _fill_block(row, features, p, axes, h, wo, wi, columns, is_fiber, queries):
 
 
 @compiled(parallel=True)
-def _gradient(gradient, features, axes, wo, wi, columns, of_features):
+def _gradient(
+    gradient: Rows,
+    features: Rows,
+    axes: Rows,
+    wo: Rows,
+    wi: Rows,
+    columns: NDArray[np.int64],
+    of_features: Rows,
+) -> None:
     for block in prange(len(features) // LANES):
         row, first = block * LANES, columns[runtime.FEATURES]
         for i in range(row, row + LANES):
@@ -110,7 +141,16 @@ def _gradient(gradient, features, axes, wo, wi, columns, of_features):
 
 
 @compiled()
-def _add_bending(row, gradient, features, axes, wo, wi, columns, of_features):
+def _add_bending(
+    row: int,
+    gradient: Rows,
+    features: Rows,
+    axes: Rows,
+    wo: Rows,
+    wi: Rows,
+    columns: NDArray[np.int64],
+    of_features: Rows,
+) -> None:
     """of_features += gradient of `learned_normal`, in LANES rows from `row` on."""
     start, width = np.uintp(row), np.uintp(gradient.shape[1])
     channels = np.uintp(features.shape[1])

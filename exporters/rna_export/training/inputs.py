@@ -26,7 +26,9 @@ def assemble(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -
         axis, h = at["normal"], None
     else:
         axis, h = at["tangent"], at["h"]
-    return Inputs.apply(blocks, features, p, axis, h, at["wo"], at.get("wi"))
+    columns = blocks, features, p, axis, h, at["wo"], at.get("wi")
+    queries: Tensor = Inputs.apply(*columns)  # type: ignore[no-untyped-call]
+    return queries
 
 
 def assembled(blocks: tuple[str, ...], features: Tensor, p: Tensor, at: Points) -> Tensor:

@@ -11,7 +11,9 @@ from torch import Tensor, nn
 def through(layers: nn.Sequential, x: Tensor) -> Tensor:
     """layers(x), of linear layers with a ReLU between each two."""
     linear = [layer for layer in layers if isinstance(layer, nn.Linear)]
-    return _Layers.apply(x, *(tensor for layer in linear for tensor in (layer.weight, layer.bias)))
+    parameters = (tensor for layer in linear for tensor in (layer.weight, layer.bias))
+    y: Tensor = _Layers.apply(x, *parameters)  # type: ignore[no-untyped-call]
+    return y
 
 
 class _Layers(torch.autograd.Function):

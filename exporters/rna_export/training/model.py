@@ -29,15 +29,17 @@ class NeuralAsset(nn.Module):
 
     ceiling: Tensor
     unit: Tensor
+    triplane: Triplane | UvTexture | FeatureNetwork
 
     def __init__(self, config: ModelConfig, bounds: Tensor):
         super().__init__()
         self.config = config
         if config.texture == "network":
             self.triplane = FeatureNetwork(config.width, config.channels, *bounds)
+        elif config.texture == "uv":
+            self.triplane = UvTexture(config.resolution, config.channels, *bounds)
         else:
-            texture = {"triplane": Triplane, "uv": UvTexture}[config.texture]
-            self.triplane = texture(config.resolution, config.channels, *bounds)
+            self.triplane = Triplane(config.resolution, config.channels, *bounds)
         width = config.width
         layers: list[nn.Module] = []
         columns = query_width(config.inputs, config.channels)
@@ -65,6 +67,12 @@ class NeuralAsset(nn.Module):
         """Of all matrix products, a query; not of the decoder of emission."""
         layers = [*self.decoder, *self.triplane.modules()]
         return sum(m.weight.numel() for m in layers if isinstance(m, nn.Linear))
+
+    @property
+    def emitting(self) -> tuple[EmissionDecoder, Triplane]:
+        """The decoder of what the asset emits, and its planes; of a model that has one."""
+        assert self.emission is not None and isinstance(self.triplane, Triplane)
+        return self.emission, self.triplane
 
     def forward(self, at: Points, blur: float = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""

@@ -33,8 +33,8 @@ class PlaneAdam(torch.optim.Optimizer):
         """`step` has done it; the gradient stays where backward passes add to it."""
 
     @torch.no_grad()
-    def step(self, closure: None = None) -> None:
-        """One step."""
+    def step(self, closure: None = None) -> None:  # type: ignore[override]
+        """One step; no closure evaluates the loss again."""
         (group,) = self.param_groups
         (planes,) = group["params"]
         state = self.state[planes]
@@ -43,9 +43,7 @@ class PlaneAdam(torch.optim.Optimizer):
         square_corrected = math.sqrt(1.0 - _BETAS[1] ** t)
         rate = group["lr"] * square_corrected / (1.0 - _BETAS[0] ** t)
         tensors: tuple[Any, ...] = (planes, planes.grad, state["exp_avg"], state["exp_avg_sq"])
-        adam(
-            *(x.detach().numpy().reshape(-1) for x in tensors),
-            np.float32(rate),
-            tuple(np.float32(b) for b in _BETAS),
-            np.float32(_EPSILON * square_corrected),
-        )
+        values, gradient, mean, square = (x.detach().numpy().reshape(-1) for x in tensors)
+        betas = np.float32(_BETAS[0]), np.float32(_BETAS[1])
+        epsilon = np.float32(_EPSILON * square_corrected)
+        adam(values, gradient, mean, square, np.float32(rate), betas, epsilon)

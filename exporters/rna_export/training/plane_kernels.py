@@ -10,8 +10,11 @@ import math
 
 import numpy as np
 from numba import prange
+from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
+
+Floats = NDArray[np.float32]
 
 _FASTMATH = ("contract", "reassoc")
 _BANDS = 4  # of a plane's rows, each a task: no two tasks write the same texel
@@ -20,7 +23,7 @@ _COLUMNS = 32  # of a task of `diffuse`
 
 
 @compiled(fastmath=_FASTMATH)
-def _first_texel(coordinate, resolution):
+def _first_texel(coordinate: np.float32, resolution: int) -> tuple[int, np.float32]:
     """First texel of two and the weight of the second, for a coordinate in [0, 1]."""
     texel = min(
         max(coordinate * resolution - np.float32(0.5), np.float32(0.0)), np.float32(resolution - 1)
@@ -30,7 +33,9 @@ def _first_texel(coordinate, resolution):
 
 
 @compiled(parallel=True, fastmath=_FASTMATH)
-def footprints(p, kernel, normalisation, first, weights):
+def footprints(
+    p: Floats, kernel: Floats, normalisation: Floats, first: NDArray[np.int32], weights: Floats
+) -> None:
     """What a bilinear lookup in blurred planes weighs the texels with, along each axis.
 
     p: (n, 3) in [0, 1]. kernel: (2 r + 1,) float32 of the blur; [1] is none. normalisation: (R,)
@@ -54,7 +59,7 @@ def footprints(p, kernel, normalisation, first, weights):
 
 
 @compiled(parallel=True, fastmath=_FASTMATH)
-def gather(planes, first, weights, features):
+def gather(planes: Floats, first: NDArray[np.int32], weights: Floats, features: Floats) -> None:
     """features (n, C) = sum over planes (3, R, R, C) of the texels of each footprint, weighed."""
     m, channels = weights.shape[2], planes.shape[3]
     for i in prange(len(first)):
@@ -71,7 +76,7 @@ def gather(planes, first, weights, features):
 
 
 @compiled(parallel=True, fastmath=_FASTMATH)
-def scatter(gradient, first, weights, planes):
+def scatter(gradient: Floats, first: NDArray[np.int32], weights: Floats, planes: Floats) -> None:
     """The transpose of `gather`: adds gradient (n, C) into planes (3, R, R, C)."""
     m, resolution, channels = weights.shape[2], planes.shape[1], planes.shape[3]
     band = (resolution + _BANDS - 1) // _BANDS
@@ -89,7 +94,15 @@ def scatter(gradient, first, weights, planes):
 
 
 @compiled(parallel=True, fastmath=_FASTMATH)
-def adam(values, gradient, mean, square, rate, betas, epsilon):
+def adam(
+    values: Floats,
+    gradient: Floats,
+    mean: Floats,
+    square: Floats,
+    rate: np.float32,
+    betas: tuple[np.float32, np.float32],
+    epsilon: np.float32,
+) -> None:
     """A step of Adam; all arrays (n,) float32. The gradient is cleared for the next step.
 
     mean, square: moving averages of the gradient and its square, by `betas`. rate, epsilon: with
@@ -108,7 +121,7 @@ def adam(values, gradient, mean, square, rate, betas, epsilon):
 
 
 @compiled(fastmath=_FASTMATH)
-def _exchange(texels, share, taken):
+def _exchange(texels: Floats, share: np.float32, taken: Floats) -> None:
     """Along the first axis of texels (R, n, C), in place. taken: (n, C) to work in."""
     last, n, channels = texels.shape[0] - 1, texels.shape[1], texels.shape[2]
     taken[:] = 0.0  # from these texels, by those before
@@ -124,7 +137,7 @@ def _exchange(texels, share, taken):
 
 
 @compiled(parallel=True, fastmath=_FASTMATH)
-def diffuse(planes, share):
+def diffuse(planes: Floats, share: np.float32) -> None:
     """Exchange a share of the difference between neighbours, along rows, then along columns.
 
     planes: (3, R, R, C) float32, changed in place; their sums stay as they are.

@@ -16,7 +16,7 @@ _DIM = 0.02  # of the mean of what an asset emits
 _GATHERED = 32  # batches at once: random rows of a large table come from memory one by one
 
 
-class SampleTable(IterableDataset):
+class SampleTable(IterableDataset[Tensor]):
     """Endless random batches, each sample once an epoch; repeats for the same seed.
 
     `done` batches are left out at the start: a stopped run saw them.

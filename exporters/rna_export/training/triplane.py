@@ -40,7 +40,8 @@ class Triplane(nn.Module):
         """
         p = (position - self.low) / (self.high - self.low)
         if self.planes.device.type == "cpu":
-            return _Gather.apply(self.planes, p, blur)
+            features: Tensor = _Gather.apply(self.planes, p, blur)  # type: ignore[no-untyped-call]
+            return features
         return gathered(blurred(self.planes, blur) if blur > 1.0 else self.planes, p)
 
     @torch.no_grad()

@@ -44,9 +44,9 @@ def shade(model: NeuralAsset, view: ValidationView) -> np.ndarray:
 @torch.no_grad()
 def shade_emission(model: NeuralAsset, view: EmissionView) -> np.ndarray:
     """Emitted radiance (n, 3) of a view's rows."""
-    emission, device = model.emission, model.ceiling.device
+    (emission, planes), device = model.emitting, model.ceiling.device
     at = {k: torch.from_numpy(np.ascontiguousarray(v)).to(device) for k, v in view.queries.items()}
-    return emission.radiance(emission(model.triplane, at)).cpu().numpy()
+    return emission.radiance(emission(planes, at)).cpu().numpy()
 
 
 @torch.no_grad()

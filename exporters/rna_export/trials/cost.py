@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
+from rna_export.capture.asset_arguments import Arguments, rows_of
 from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
 from rna_sdk.cpu import processor
-from rna_sdk.runtime import Asset, load
+from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
 from rna_sdk.runtime.arguments import thread_count
 
 _SECONDS = 0.05  # of one evaluation
@@ -38,14 +39,14 @@ class Costs(BaseModel):
     of: dict[str, QueryCost]
 
 
-def measure_costs(packages: dict[str, Path], queries: list[np.ndarray], repeats: int = 7) -> Costs:
+def measure_costs(packages: dict[str, Path], queries: Arguments, repeats: int = 7) -> Costs:
     """Costs of packages by name, each the median of `repeats` evaluations.
 
     Every repeat goes through all packages and a matrix product, so that whatever else slows the
     machine down for a while slows all of them alike. queries: of `all_queries`.
     """
     timed = {
-        (name, threads): _evaluation(load(path, threads=threads), queries)
+        (name, threads): _evaluation(load(path, threads=threads).parts, queries)
         for name, path in packages.items()
         for threads in (None, 1)
     }
@@ -68,12 +69,16 @@ def measure_costs(packages: dict[str, Path], queries: list[np.ndarray], repeats:
     )
 
 
-def _evaluation(asset: Asset, queries: list[np.ndarray]) -> tuple[Callable[[], object], int]:
-    """An evaluation that takes about `_SECONDS`, warm, and its number of queries."""
-    few = [values[np.arange(_FEWEST) % len(values)] for values in queries]
-    asset.evaluate(*few)
-    rate = _FEWEST / seconds_of(lambda: asset.evaluate(*few))
+def _evaluation(
+    parts: tuple[SurfaceAsset | FiberAsset, ...], queries: Arguments
+) -> tuple[Callable[[], object], int]:
+    """An evaluation of the one part that takes about `_SECONDS`, warm; its number of queries."""
+    (part,) = parts
+    evaluate: Callable[..., object] = part.evaluate  # what follows fits either kind
+    few = rows_of(queries, np.arange(_FEWEST) % len(queries[0]))
+    evaluate(*few)
+    rate = _FEWEST / seconds_of(lambda: evaluate(*few))
     n = int(np.clip(rate * _SECONDS, _FEWEST, _MOST))
-    rows = [values[np.arange(n) % len(values)] for values in queries]
+    rows = rows_of(queries, np.arange(n) % len(queries[0]))
     out = np.zeros((n, 3), np.float32), np.zeros((n, 3), np.float32)
-    return lambda: asset.evaluate(*rows, out=out), n
+    return lambda: evaluate(*rows, out=out), n

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rna_export.capture.sample_files import write_atomically
 from rna_export.trials.scores import ModelScores
 from rna_export.trials.trial import Trial
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.sample_files import write_atomically
 from rna_export.capture.validation_view import ValidationView
 from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
 from rna_export.training.curves import read_curves
@@ -21,6 +20,7 @@ from rna_export.trials.record import Point, Record, read_record
 from rna_export.trials.scores import judge, write_strips
 from rna_export.trials.trial import Trial
 from rna_export.trials.unwrap import UnwrappedPart
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.runtime import load
 
 _VALIDATED_EVERY = 5_000  # steps; a stopped trial goes on from there
@@ -134,7 +134,7 @@ def _measure_packages(
     """Error of a package of each precision, through the runtime."""
     views, points = dataset.validation_views(), {}
     for precision, path in write_packages(trained, dataset, folder, precisions).items():
-        asset = load(path, threads=1)
+        (asset,) = load(path, threads=1).parts
         radiance = [view.shaded_by(asset) for view in views]
         size = path.stat().st_size
         points[precision] = _point(trained, radiance, views, folder / precision, size)

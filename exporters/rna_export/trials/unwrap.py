@@ -30,7 +30,8 @@ def _xatlas() -> ModuleType:
         raise TrainingError(
             "models with a uv texture need xatlas to unwrap the mesh: pip install xatlas"
         ) from None
-    return xatlas
+    module: ModuleType = xatlas
+    return module
 
 
 class Unwrapped:
@@ -60,7 +61,9 @@ class UnwrappedPart(DatasetPart):
         super().__init__(part.dataset, part.captured)
         if self.kind != "surface":
             raise TrainingError(f"{self.folder}: holds fibers, expected a surface to unwrap")
-        self._unwrapped = Unwrapped(self.geometry())
+        mesh = self.geometry()
+        assert isinstance(mesh, Mesh)  # as its kind says
+        self._unwrapped = Unwrapped(mesh)
 
     def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
         return self._with_uv(super().training_samples(shards))

@@ -18,6 +18,7 @@ from rna_bench.stability.case import Case, Row, Verdict
 from rna_bench.stability.chosen import Samples, rows_of
 from rna_bench.stability.view_errors import joined_views
 from rna_bench.stability.workshop import Workshop
+from rna_export.capture.asset_arguments import evaluate_arguments
 from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Package
@@ -54,7 +55,8 @@ def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, 
     with Package.open(path) as package:
         planes, decoder = package.planes(tier.name), package.decoder(tier.name)
         reference = fiber_queries_reference if "tangent" in queries else queries_reference
-        at = reference(planes, asset.bounds, tier.parts[0].inputs, *queries.values())
+        rows = evaluate_arguments(queries)
+        at = reference(planes, asset.bounds, tier.parts[0].inputs, *rows)
         transport = ReferenceEvaluator(_doubled(decoder)).run(None, {"queries": np.float64(at)})[0]
     return transport[:, :3], transport[:, 3:]
 

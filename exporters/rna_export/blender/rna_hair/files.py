@@ -130,8 +130,8 @@ def read_tfx(path: Path | str, radius: float) -> Strands:
     _check(len(data) >= size, path, "size", f"{len(data)} bytes", f"{size} for {counts}")
     xyz = np.frombuffer(data, "<f4", numbers * strands * points, start).reshape(-1, numbers)[:, :3]
     _check_finite(path, "positions", xyz)
-    mirrored = xyz.reshape(strands, points, 3) * np.float32([1.0, 1.0, -1.0])
-    return of_equal_length(mirrored, np.float32(radius))
+    mirrored = xyz.reshape(strands, points, 3) * np.array([1.0, 1.0, -1.0], np.float32)
+    return of_equal_length(mirrored, np.array(radius, np.float32))
 
 
 def _check_finite(path: Path, where: str, values: np.ndarray) -> None:

@@ -102,4 +102,4 @@ def _waves(grown: np.ndarray, along: np.ndarray, rng: np.random.Generator) -> np
         towards = rng.normal(size=(len(grown), 1, 3)).astype(np.float32) / low
         wave = np.sin(2.0 * np.pi * frequency * along + phase).astype(np.float32)
         waves += 0.4 * wave[..., None] * towards
-    return waves * (length[:, None] * along)[..., None].astype(np.float32)
+    return np.asarray(waves * (length[:, None] * along)[..., None].astype(np.float32))

@@ -1,0 +1,67 @@
+"""Files that appear whole or not at all, by every part of the tree that writes one."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rna_render.images import write_png
+from rna_sdk.atomic_file import atomic_file, write_atomically
+from rna_sdk.errors import SceneError
+from rna_sdk.runtime import costs
+
+
+def test_the_file_is_replaced_at_the_end(tmp_path: Path) -> None:
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    with atomic_file(path) as temporary:
+        temporary.write_bytes(b"new")
+        assert path.read_bytes() == b"old"
+        assert temporary.parent == tmp_path and temporary.suffix == ".part"
+    assert path.read_bytes() == b"new"
+    assert os.listdir(tmp_path) == ["a.bin"]
+
+
+def test_a_failure_leaves_the_old_file_alone(tmp_path: Path) -> None:
+    path = tmp_path / "a.bin"
+    path.write_bytes(b"old")
+    with pytest.raises(ValueError), atomic_file(path) as temporary:
+        temporary.write_bytes(b"half")
+        raise ValueError
+    with pytest.raises(FileNotFoundError), atomic_file(path):
+        pass  # nothing was written
+    assert path.read_bytes() == b"old"
+    assert os.listdir(tmp_path) == ["a.bin"]
+
+
+def test_a_folder_in_the_way_stays_and_nothing_else(tmp_path: Path) -> None:
+    path = tmp_path / "a.bin"
+    path.mkdir()
+    with pytest.raises(IsADirectoryError):
+        write_atomically(path, b"new")
+    assert os.listdir(tmp_path) == ["a.bin"]
+
+
+@pytest.fixture
+def no_rename(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(source: object, target: object) -> None:
+        raise OSError("no space left")
+
+    monkeypatch.setattr(os, "replace", refuse)
+
+
+def test_the_cost_cache_leaves_no_temporary_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, no_rename: None
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert costs.kept_cost(lambda: 5.0, "package") == 5.0
+    assert os.listdir(tmp_path / "rna-sdk") == []
+
+
+def test_an_image_that_cannot_be_renamed_leaves_none(tmp_path: Path, no_rename: None) -> None:
+    with pytest.raises(SceneError, match="cannot write the image"):
+        write_png(tmp_path / "a.png", np.zeros((2, 2, 3), np.float32))
+    assert os.listdir(tmp_path) == []
