@@ -23,7 +23,7 @@ def per_ray(
 
     Raises QueryError for another shape.
     """
-    array = np.asarray(values, dtype)
+    array: np.ndarray = np.asarray(values, dtype)
     if array.shape not in ((), (count,)):
         raise QueryError(f"{name}: expected one number or shape ({count},), found {array.shape}")
     return np.ascontiguousarray(array.reshape(-1))
