@@ -12,40 +12,27 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package.onnx_fields import (
-    AttributeProto,
-    DataType,
-    DimensionProto,
-    GraphProto,
-    ModelProto,
-    NodeProto,
-    OperatorSetIdProto,
-    TensorProto,
-    TensorShapeProto,
-    TensorTypeProto,
-    TypeProto,
-    ValueInfoProto,
-)
+from rna_sdk.package import onnx_fields as fields
 from rna_sdk.package.protobuf import Message
 
-FLOAT = DataType.FLOAT
+FLOAT = fields.DataType.FLOAT
 
 DTYPES: dict[int, np.dtype[Any]] = {
-    DataType.FLOAT: np.dtype("<f4"),
-    DataType.UINT8: np.dtype("u1"),
-    DataType.INT8: np.dtype("i1"),
-    DataType.INT32: np.dtype("<i4"),
+    fields.DataType.FLOAT: np.dtype("<f4"),
+    fields.DataType.UINT8: np.dtype("u1"),
+    fields.DataType.INT8: np.dtype("i1"),
+    fields.DataType.INT32: np.dtype("<i4"),
 }
 """TensorProto.DataType -> that of arrays, for the types that layers are made of."""
 
 _GRAPHS_AND_SPARSE = (
-    AttributeProto.G,
-    AttributeProto.GRAPHS,
-    AttributeProto.TP,
-    AttributeProto.TYPE_PROTOS,
-    AttributeProto.REF_ATTR_NAME,
-    AttributeProto.SPARSE_TENSOR,
-    AttributeProto.SPARSE_TENSORS,
+    fields.AttributeProto.G,
+    fields.AttributeProto.GRAPHS,
+    fields.AttributeProto.TP,
+    fields.AttributeProto.TYPE_PROTOS,
+    fields.AttributeProto.REF_ATTR_NAME,
+    fields.AttributeProto.SPARSE_TENSOR,
+    fields.AttributeProto.SPARSE_TENSORS,
 )
 
 
@@ -91,7 +78,7 @@ class Tensor:
             return None
         if self.raw is not None:
             return self.array()
-        packed = Message(self.data).one(TensorProto.FLOAT_DATA)
+        packed = Message(self.data).one(fields.TensorProto.FLOAT_DATA)
         if not isinstance(packed, memoryview):
             return None
         return np.frombuffer(packed, "<f4").reshape(self.dims).astype(np.float32)
@@ -179,51 +166,58 @@ def read_model(data: memoryview) -> Model:
         WireError: the bytes are no such message, or say one thing twice.
     """
     model = Message(data)
-    graph = model.message(ModelProto.GRAPH)
-    outside = model.has(ModelProto.TRAINING_INFO) or model.has(ModelProto.FUNCTIONS)
-    opsets = model.messages(ModelProto.OPSET_IMPORT)
+    graph = model.message(fields.ModelProto.GRAPH)
+    outside = model.has(fields.ModelProto.TRAINING_INFO) or model.has(fields.ModelProto.FUNCTIONS)
+    opsets = model.messages(fields.ModelProto.OPSET_IMPORT)
     return Model(
-        ir_version=model.integer(ModelProto.IR_VERSION),
+        ir_version=model.integer(fields.ModelProto.IR_VERSION),
         opsets=tuple(
-            (opset.text(OperatorSetIdProto.DOMAIN), opset.integer(OperatorSetIdProto.VERSION))
+            (
+                opset.text(fields.OperatorSetIdProto.DOMAIN),
+                opset.integer(fields.OperatorSetIdProto.VERSION),
+            )
             for opset in opsets
         ),
-        nodes=tuple(_node(node) for node in graph.messages(GraphProto.NODE)),
-        initializers=tuple(_tensor(tensor) for tensor in graph.messages(GraphProto.INITIALIZER)),
-        inputs=tuple(_value(value) for value in graph.messages(GraphProto.INPUT)),
-        outputs=tuple(_value(value) for value in graph.messages(GraphProto.OUTPUT)),
-        nested=outside or graph.has(GraphProto.SPARSE_INITIALIZER),
+        nodes=tuple(_node(node) for node in graph.messages(fields.GraphProto.NODE)),
+        initializers=tuple(
+            _tensor(tensor) for tensor in graph.messages(fields.GraphProto.INITIALIZER)
+        ),
+        inputs=tuple(_value(value) for value in graph.messages(fields.GraphProto.INPUT)),
+        outputs=tuple(_value(value) for value in graph.messages(fields.GraphProto.OUTPUT)),
+        nested=outside or graph.has(fields.GraphProto.SPARSE_INITIALIZER),
     )
 
 
 def _tensor(tensor: Message) -> Tensor:
-    external = tensor.has(TensorProto.EXTERNAL_DATA)
-    raw = tensor.one(TensorProto.RAW_DATA)
+    external = tensor.has(fields.TensorProto.EXTERNAL_DATA)
+    raw = tensor.one(fields.TensorProto.RAW_DATA)
     return Tensor(
-        name=tensor.text(TensorProto.NAME),
-        dtype=tensor.integer(TensorProto.DATA_TYPE),
-        dims=tuple(tensor.integers(TensorProto.DIMS)),
-        external=external or any(tensor.integers(TensorProto.DATA_LOCATION)),
+        name=tensor.text(fields.TensorProto.NAME),
+        dtype=tensor.integer(fields.TensorProto.DATA_TYPE),
+        dims=tuple(tensor.integers(fields.TensorProto.DIMS)),
+        external=external or any(tensor.integers(fields.TensorProto.DATA_LOCATION)),
         raw=raw if isinstance(raw, memoryview) else None,
         data=tensor.data,
     )
 
 
 def _node(node: Message) -> Node:
-    attributes = node.messages(NodeProto.ATTRIBUTE)
-    named = [(attribute.text(AttributeProto.NAME), attribute) for attribute in attributes]
-    tensor_fields = AttributeProto.T, AttributeProto.TENSORS
+    attributes = node.messages(fields.NodeProto.ATTRIBUTE)
+    named = [(attribute.text(fields.AttributeProto.NAME), attribute) for attribute in attributes]
+    tensor_fields = fields.AttributeProto.T, fields.AttributeProto.TENSORS
     return Node(
-        operator=node.text(NodeProto.OP_TYPE),
-        domain=node.text(NodeProto.DOMAIN),
-        inputs=tuple(node.texts(NodeProto.INPUT)),
-        outputs=tuple(node.texts(NodeProto.OUTPUT)),
+        operator=node.text(fields.NodeProto.OP_TYPE),
+        domain=node.text(fields.NodeProto.DOMAIN),
+        inputs=tuple(node.texts(fields.NodeProto.INPUT)),
+        outputs=tuple(node.texts(fields.NodeProto.OUTPUT)),
         tensors=tuple(_tensor(t) for a in attributes for n in tensor_fields for t in a.messages(n)),
         attributes=tuple(name for name, _ in named),
         integers={
-            name: a.integer(AttributeProto.I) for name, a in named if a.has(AttributeProto.I)
+            name: a.integer(fields.AttributeProto.I)
+            for name, a in named
+            if a.has(fields.AttributeProto.I)
         },
-        floats={name: _float(a) for name, a in named if a.has(AttributeProto.F)},
+        floats={name: _float(a) for name, a in named if a.has(fields.AttributeProto.F)},
         longest_list=max((_longest_list(attribute) for attribute in attributes), default=0),
         nested=any(attribute.has(n) for attribute in attributes for n in _GRAPHS_AND_SPARSE),
         data=node.data,
@@ -232,7 +226,7 @@ def _node(node: Message) -> Node:
 
 def _float(attribute: Message) -> float:
     """NaN where the field is no float."""
-    packed = attribute.fields[AttributeProto.F][-1]
+    packed = attribute.fields[fields.AttributeProto.F][-1]
     if isinstance(packed, int) or len(packed) != struct.calcsize("<f"):
         return float("nan")
     return float(struct.unpack("<f", packed)[0])
@@ -240,18 +234,18 @@ def _float(attribute: Message) -> float:
 
 def _longest_list(attribute: Message) -> int:
     """Upper bound of the number of elements of a list attribute (floats, ints, strings)."""
-    packed = attribute.fields.get(AttributeProto.FLOATS, [])
+    packed = attribute.fields.get(fields.AttributeProto.FLOATS, [])
     floats = sum(len(v) // 4 for v in packed if isinstance(v, memoryview))
-    integers = len(attribute.integers(AttributeProto.INTS))
-    return max(floats, integers, len(attribute.fields.get(AttributeProto.STRINGS, [])))
+    integers = len(attribute.integers(fields.AttributeProto.INTS))
+    return max(floats, integers, len(attribute.fields.get(fields.AttributeProto.STRINGS, [])))
 
 
 def _value(value: Message) -> Value:
-    tensor = value.message(ValueInfoProto.TYPE).message(TypeProto.TENSOR_TYPE)
-    dims = tensor.message(TensorTypeProto.SHAPE).messages(TensorShapeProto.DIM)
+    tensor = value.message(fields.ValueInfoProto.TYPE).message(fields.TypeProto.TENSOR_TYPE)
+    dims = tensor.message(fields.TensorTypeProto.SHAPE).messages(fields.TensorShapeProto.DIM)
     return Value(
-        name=value.text(ValueInfoProto.NAME),
-        dtype=tensor.integer(TensorTypeProto.ELEM_TYPE),
+        name=value.text(fields.ValueInfoProto.NAME),
+        dtype=tensor.integer(fields.TensorTypeProto.ELEM_TYPE),
         dims=tuple(map(_size, dims)),
         data=value.data,
     )
@@ -259,5 +253,9 @@ def _value(value: Message) -> Value:
 
 def _size(dim: Message) -> int | None:
     """None for one that is free; its name, which engines read, is UTF-8 or refused."""
-    dim.text(DimensionProto.DIM_PARAM)
-    return dim.integer(DimensionProto.DIM_VALUE) if dim.has(DimensionProto.DIM_VALUE) else None
+    dim.text(fields.DimensionProto.DIM_PARAM)
+    return (
+        dim.integer(fields.DimensionProto.DIM_VALUE)
+        if dim.has(fields.DimensionProto.DIM_VALUE)
+        else None
+    )

@@ -10,21 +10,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from rna_sdk.package.onnx_fields import (
-    AttributeProto,
-    AttributeType,
-    DataType,
-    DimensionProto,
-    GraphProto,
-    ModelProto,
-    NodeProto,
-    OperatorSetIdProto,
-    TensorProto,
-    TensorShapeProto,
-    TensorTypeProto,
-    TypeProto,
-    ValueInfoProto,
-)
+from rna_sdk.package import onnx_fields as fields
 
 Attributes = Mapping[str, int | Sequence[int]]
 
@@ -40,16 +26,16 @@ def model(
     producer: str = "",
 ) -> bytes:
     """A ModelProto of one graph. nodes, tensors, inputs, outputs: what functions below give."""
-    graph = [_chunk(GraphProto.NODE, node) for node in nodes]
-    graph += [_chunk(GraphProto.NAME, name.encode())]
-    graph += [_chunk(GraphProto.INITIALIZER, tensor) for tensor in tensors]
-    graph += [_chunk(GraphProto.INPUT, value) for value in inputs]
-    graph += [_chunk(GraphProto.OUTPUT, value) for value in outputs]
-    fields = [_integer(ModelProto.IR_VERSION, ir_version)]
-    fields += [_chunk(ModelProto.PRODUCER_NAME, producer.encode())] if producer else []
-    fields += [_chunk(ModelProto.GRAPH, b"".join(graph))]
-    fields += [_chunk(ModelProto.OPSET_IMPORT, _opset(*opset)) for opset in opsets]
-    return b"".join(fields)
+    graph = [_chunk(fields.GraphProto.NODE, node) for node in nodes]
+    graph += [_chunk(fields.GraphProto.NAME, name.encode())]
+    graph += [_chunk(fields.GraphProto.INITIALIZER, tensor) for tensor in tensors]
+    graph += [_chunk(fields.GraphProto.INPUT, value) for value in inputs]
+    graph += [_chunk(fields.GraphProto.OUTPUT, value) for value in outputs]
+    parts = [_integer(fields.ModelProto.IR_VERSION, ir_version)]
+    parts += [_chunk(fields.ModelProto.PRODUCER_NAME, producer.encode())] if producer else []
+    parts += [_chunk(fields.ModelProto.GRAPH, b"".join(graph))]
+    parts += [_chunk(fields.ModelProto.OPSET_IMPORT, _opset(*opset)) for opset in opsets]
+    return b"".join(parts)
 
 
 def node(
@@ -60,60 +46,62 @@ def node(
     domain: str = "",
 ) -> bytes:
     """A NodeProto with one output; attributes are integers or lists of them."""
-    fields = [_chunk(NodeProto.INPUT, name.encode()) for name in inputs]
-    fields += [_chunk(NodeProto.OUTPUT, output.encode())]
-    fields += [_chunk(NodeProto.OP_TYPE, operator.encode())]
+    parts = [_chunk(fields.NodeProto.INPUT, name.encode()) for name in inputs]
+    parts += [_chunk(fields.NodeProto.OUTPUT, output.encode())]
+    parts += [_chunk(fields.NodeProto.OP_TYPE, operator.encode())]
     for name, values in (attributes or {}).items():
-        fields.append(_chunk(NodeProto.ATTRIBUTE, _attribute(name, values)))
-    fields += [_chunk(NodeProto.DOMAIN, domain.encode())] if domain else []
-    return b"".join(fields)
+        parts.append(_chunk(fields.NodeProto.ATTRIBUTE, _attribute(name, values)))
+    parts += [_chunk(fields.NodeProto.DOMAIN, domain.encode())] if domain else []
+    return b"".join(parts)
 
 
 def _attribute(name: str, values: int | Sequence[int]) -> bytes:
-    named = _chunk(AttributeProto.NAME, name.encode())
+    named = _chunk(fields.AttributeProto.NAME, name.encode())
     if isinstance(values, int):
-        kind = _integer(AttributeProto.TYPE, AttributeType.INT)
-        return named + _integer(AttributeProto.I, values) + kind
-    kind = _integer(AttributeProto.TYPE, AttributeType.INTS)
-    return named + b"".join(_integer(AttributeProto.INTS, value) for value in values) + kind
+        kind = _integer(fields.AttributeProto.TYPE, fields.AttributeType.INT)
+        return named + _integer(fields.AttributeProto.I, values) + kind
+    kind = _integer(fields.AttributeProto.TYPE, fields.AttributeType.INTS)
+    return named + b"".join(_integer(fields.AttributeProto.INTS, value) for value in values) + kind
 
 
 def tensor(name: str, values: NDArray[Any]) -> bytes:
     """A TensorProto that holds `values`, of a dtype in _TYPES."""
-    dims = b"".join(_integer(TensorProto.DIMS, size) for size in values.shape)
+    dims = b"".join(_integer(fields.TensorProto.DIMS, size) for size in values.shape)
     little_endian = values.astype(values.dtype.newbyteorder("<")).tobytes()
-    data_type = _integer(TensorProto.DATA_TYPE, _TYPES[values.dtype.name])
-    named = _chunk(TensorProto.NAME, name.encode())
-    return dims + data_type + named + _chunk(TensorProto.RAW_DATA, little_endian)
+    data_type = _integer(fields.TensorProto.DATA_TYPE, _TYPES[values.dtype.name])
+    named = _chunk(fields.TensorProto.NAME, name.encode())
+    return dims + data_type + named + _chunk(fields.TensorProto.RAW_DATA, little_endian)
 
 
 def value(name: str, dims: Sequence[int | str], dtype: str = "float32") -> bytes:
     """A ValueInfoProto of a tensor; a dimension is a size or a symbol."""
-    shape = b"".join(_chunk(TensorShapeProto.DIM, _dimension(dim)) for dim in dims)
-    element = _integer(TensorTypeProto.ELEM_TYPE, _TYPES[dtype])
-    tensor_type = element + _chunk(TensorTypeProto.SHAPE, shape)
-    named = _chunk(ValueInfoProto.NAME, name.encode())
-    return named + _chunk(ValueInfoProto.TYPE, _chunk(TypeProto.TENSOR_TYPE, tensor_type))
+    shape = b"".join(_chunk(fields.TensorShapeProto.DIM, _dimension(dim)) for dim in dims)
+    element = _integer(fields.TensorTypeProto.ELEM_TYPE, _TYPES[dtype])
+    tensor_type = element + _chunk(fields.TensorTypeProto.SHAPE, shape)
+    named = _chunk(fields.ValueInfoProto.NAME, name.encode())
+    return named + _chunk(
+        fields.ValueInfoProto.TYPE, _chunk(fields.TypeProto.TENSOR_TYPE, tensor_type)
+    )
 
 
 _TYPES = {
-    "float32": DataType.FLOAT,
-    "uint8": DataType.UINT8,
-    "int8": DataType.INT8,
-    "int32": DataType.INT32,
-    "int64": DataType.INT64,
+    "float32": fields.DataType.FLOAT,
+    "uint8": fields.DataType.UINT8,
+    "int8": fields.DataType.INT8,
+    "int32": fields.DataType.INT32,
+    "int64": fields.DataType.INT64,
 }
 
 
 def _dimension(dim: int | str) -> bytes:
     if isinstance(dim, int):
-        return _integer(DimensionProto.DIM_VALUE, dim)
-    return _chunk(DimensionProto.DIM_PARAM, dim.encode())
+        return _integer(fields.DimensionProto.DIM_VALUE, dim)
+    return _chunk(fields.DimensionProto.DIM_PARAM, dim.encode())
 
 
 def _opset(domain: str, version: int) -> bytes:
-    named = _chunk(OperatorSetIdProto.DOMAIN, domain.encode())
-    return named + _integer(OperatorSetIdProto.VERSION, version)
+    named = _chunk(fields.OperatorSetIdProto.DOMAIN, domain.encode())
+    return named + _integer(fields.OperatorSetIdProto.VERSION, version)
 
 
 def _chunk(number: int, data: bytes | memoryview) -> bytes:
