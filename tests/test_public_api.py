@@ -18,8 +18,11 @@ PUBLIC = {
     "rna_sdk.conformance.reader_program",
 }
 """Modules for everybody; of those with `__all__`, the names in it."""
-OUR_TOOLS = {"rna_sdk.compiled", "rna_sdk.console", "rna_sdk.cpu", "rna_sdk.kernel_threads"}
-"""How our own commands are compiled, threaded and talk: nothing about assets."""
+OUR_TOOLS = {
+    f"rna_sdk.{name}"
+    for name in ("arrays", "atomic_file", "compiled", "console", "cpu", "kernel_threads")
+}
+"""How our own commands check arrays, write, are compiled, threaded and talk: nothing of assets."""
 RENDERERS = {"rna_render": OUR_TOOLS, "rna_mitsuba": set()}
 
 

@@ -8,25 +8,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from PIL import Image
 
-from rna_sdk.atomic_file import write_atomically
+from rna_export import html_pages
 
-_TEMPLATES = Environment(
-    loader=PackageLoader("rna_bench", "templates"),
-    autoescape=True,
-    undefined=StrictUndefined,
-    trim_blocks=True,
-    lstrip_blocks=True,
-)
-_TEMPLATES.policies["json.dumps_kwargs"] = {"sort_keys": False}  # pages show things in order
+_TEMPLATES = html_pages.templates("rna_bench")
 
 
 def write_html(path: Path, template: str, **values: Any) -> None:
     """Write a page; `template`: a file of the folder `templates`."""
-    text = _TEMPLATES.get_template(template).render(**values)
-    write_atomically(path, f"{text}\n".encode())
+    html_pages.write_html(path, template, _TEMPLATES, **values)
 
 
 def webp_address(pixels: np.ndarray, quality: int = 80) -> str:

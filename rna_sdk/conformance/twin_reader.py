@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Int8Planes, Package
+from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime.decoder import Graph
-from rna_sdk.runtime.queries_reference import fiber_queries_reference, queries_reference
 
 
 def evaluate(

@@ -18,6 +18,7 @@ from rna_sdk.package.limits import (
     MAX_DECODER_WIDTH,
     OPSET_VERSIONS,
 )
+from rna_sdk.package.onnx_fields import DataType
 from rna_sdk.package.onnx_model import FLOAT, Model, Node, Tensor, Value, read_model
 from rna_sdk.package.protobuf import WireError
 from rna_sdk.package.saturation import PAIR_LIMIT
@@ -36,8 +37,7 @@ OPERATORS = QUANTIZERS | frozenset(
     "Where Xor".split()
 )
 
-# TensorProto.DataType: float32, uint8, int8, int32, int64, bool, float16
-TENSOR_TYPES = frozenset({1, 2, 3, 6, 7, 9, 10})
+TENSOR_TYPES = frozenset(value for name, value in vars(DataType).items() if name.isupper())
 DEFAULT_DOMAINS = frozenset({"", "ai.onnx"})
 
 _PROBES = (0.0, 1.0, -1.0, 1e4, -1e4, float(np.finfo(np.float32).max), -3.4e38)

@@ -7,19 +7,16 @@ int8:    Clip, Mul, Add, then QuantizeLinear, DequantizeLinear and Gemm for each
 
 from __future__ import annotations
 
-import math
-from collections import Counter
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rna_sdk.package.onnx_fields import DataType
 from rna_sdk.package.onnx_model import Model, Node, Tensor
 from rna_sdk.package.saturation import can_saturate
 
-_FLOAT32, _UINT8, _INT8, _INT32 = 1, 2, 3, 6  # TensorProto.DataType
-_DTYPES = {_FLOAT32: "<f4", _UINT8: "u1", _INT8: "i1", _INT32: "<i4"}
+_FLOAT32, _UINT8 = DataType.FLOAT, DataType.UINT8
+_INT8, _INT32 = DataType.INT8, DataType.INT32
 
 
 class _Outside(Exception):
@@ -40,16 +37,9 @@ def saturating_weights(model: Model) -> list[str]:
     return [
         tensor.name
         for tensor in model.initializers
-        if tensor.dtype == _INT8 and len(tensor.dims) == 2 and _is_whole(tensor)
-        if can_saturate(_numbers(tensor))
+        if tensor.dtype == _INT8 and len(tensor.dims) == 2 and tensor.is_whole
+        if can_saturate(tensor.values())
     ]
-
-
-def _is_whole(tensor: Tensor) -> bool:
-    """Whether the data is raw, and as long as type and shape want it."""
-    if tensor.raw is None or tensor.dtype not in _DTYPES:
-        return False
-    return len(tensor.raw) == math.prod(tensor.dims) * np.dtype(_DTYPES[tensor.dtype]).itemsize
 
 
 @dataclass(frozen=True)
@@ -66,26 +56,20 @@ class _Operand:
 
     def fits(self, tensor: Tensor) -> bool:
         """Whether the tensor is such a constant, its data raw."""
-        if not _is_whole(tensor) or (tensor.dtype, tensor.dims) != (self.dtype, self.shape):
+        if not tensor.is_whole or (tensor.dtype, tensor.dims) != (self.dtype, self.shape):
             return False
-        return self.number is None or bool(_numbers(tensor) == self.number)
+        return self.number is None or bool(tensor.values() == self.number)
 
 
 _SCALAR, _ZERO, _ONE = _Operand(_FLOAT32), _Operand(_FLOAT32, (), 0), _Operand(_FLOAT32, (), 1)
 _ZERO_POINT = _Operand(_UINT8, (), 0)
 
 
-def _numbers(tensor: Tensor) -> NDArray[Any]:
-    """The tensor's data, which is whole."""
-    return np.frombuffer(tensor.raw or b"", _DTYPES[tensor.dtype]).reshape(tensor.dims)
-
-
 class _Walk:
     """Follows the one chain of nodes from queries to the output."""
 
     def __init__(self, model: Model) -> None:
-        self._constants = {tensor.name: tensor for tensor in model.initializers}
-        self._readers = Counter(name for node in model.nodes for name in node.inputs)
+        self._constants, self._readers = model.constants, model.readers
         self._dequantizers: dict[str, Node] = {}
         self._chain: list[Node] = []
         for node in model.nodes:
@@ -177,7 +161,7 @@ class _Walk:
         self._check_constants(node, bias, (_Operand(bias_type, (outputs,)), *scales))
         for scale in step:
             of_weight, of_bias = (self._constants[names[1]] for names in (weight, bias))
-            if not np.array_equal(_numbers(of_bias), _numbers(scale) * _numbers(of_weight)):
+            if not np.array_equal(of_bias.values(), scale.values() * of_weight.values()):
                 raise _Outside(f"{of_bias.name}, expected the product of the other two scales")
         self._width = outputs
 

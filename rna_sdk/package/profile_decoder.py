@@ -10,9 +10,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.errors import QueryError
 from rna_sdk.package.decoder_profile import outside_profile
-from rna_sdk.package.onnx_model import Node, Tensor, read_model
-
-_DTYPES = {1: np.float32, 2: np.uint8, 3: np.int8, 6: np.int32}  # TensorProto.DataType
+from rna_sdk.package.onnx_model import Node, read_model
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +78,7 @@ def read_profile_decoder(model: bytes | memoryview, name: str) -> ProfileDecoder
     if outside is not None:
         raise QueryError(f"{name}: decoder outside the decoder profile: {outside}")
     read = {name for node in graph.nodes for name in node.inputs}  # others may be of any type
-    constants = {t.name: _numbers(t) for t in graph.initializers if t.name in read}
+    constants = {t.name: t.values() for t in graph.initializers if t.name in read}
     return _Reader(list(graph.nodes), constants).read()
 
 
@@ -130,7 +128,3 @@ class _Reader:
         )
         step = float(self._operands(place - 1)[0])
         return ProfileLayer(weight, bias, step, unit, False)
-
-
-def _numbers(tensor: Tensor) -> NDArray[Any]:
-    return np.frombuffer(tensor.raw or b"", _DTYPES[tensor.dtype]).reshape(tensor.dims)

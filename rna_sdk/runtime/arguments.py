@@ -7,36 +7,8 @@ import os
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.arrays import vectors
 from rna_sdk.errors import QueryError
-
-
-def vectors(name: str, value: object, count: int | None = None) -> NDArray[np.float32]:
-    """`value` as a C-contiguous (n, 3) float32 array, copied only where it is not contiguous.
-
-    Raises:
-        QueryError: it is no such array, or has other than `count` rows.
-    """
-    return _rows(name, value, count, (3,))
-
-
-def scalars(name: str, value: object, count: int | None = None) -> NDArray[np.float32]:
-    """`value` as a C-contiguous (n,) float32 array, copied only where it is not contiguous.
-
-    Raises:
-        QueryError: it is no such array, or has other than `count` elements.
-    """
-    return _rows(name, value, count, ())
-
-
-def _rows(name: str, value: object, count: int | None, row: tuple[int, ...]) -> NDArray[np.float32]:
-    shape = ", ".join(map(str, ("n" if count is None else count, *row)))
-    expected = f"({shape}{'' if row else ','}) float32 array"
-    if not isinstance(value, np.ndarray):
-        raise QueryError(f"{name}: expected a {expected}, found {type(value).__name__}")
-    wrong_shape = value.ndim != 1 + len(row) or value.shape[1:] != row
-    if wrong_shape or value.dtype != np.float32 or count not in (None, len(value)):
-        raise QueryError(f"{name}: expected a {expected}, found {value.shape} {value.dtype}")
-    return np.require(value, requirements=["C", "ALIGNED"])
 
 
 def results(value: object, count: int) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.arrays import vectors
 from rna_sdk.package import Domain, NormalMap, Package, Tier, Transmittance
 from rna_sdk.package.manifest_fields import Kind
-from rna_sdk.runtime.arguments import results, vectors
+from rna_sdk.runtime.arguments import results
 from rna_sdk.runtime.batch import Batch, Rows
 from rna_sdk.runtime.costs import kept_cost, median_seconds
 

@@ -16,11 +16,12 @@ import platform
 
 import numpy as np
 
-from rna_sdk.package.protobuf import Message, WireError
-from rna_sdk.runtime import onnx_bytes as pb
+from rna_sdk.package.onnx_model import Model, read_model
+from rna_sdk.package.protobuf import WireError
+from rna_sdk.runtime.graph_rewriting import GraphRewriting
 from rna_sdk.runtime.int8_entry import Entry
 from rna_sdk.runtime.int8_graph import fuse_int8_layers
-from rna_sdk.runtime.layer_chain import Layer, find_chain, floats
+from rna_sdk.runtime.layer_chain import Layer, find_chain
 
 _QUERIES = "queries"
 _PIXELS, _RESULT = "rna_sdk/pixels", "rna_sdk/result"  # values that the rewriting adds
@@ -44,85 +45,62 @@ def prepare_decoder(model: bytes, largest_query: float) -> tuple[bytes, Entry | 
     return fuse_int8_layers(convolve_layers(model, largest_query))
 
 
-def convolve_layers(model: bytes, largest_query: float = np.inf) -> bytes:
-    """`model` with its chain of fully connected layers as 1 x 1 convolutions.
+def convolve_layers(data: bytes, largest_query: float = np.inf) -> bytes:
+    """The model with its chain of fully connected layers as 1 x 1 convolutions.
 
     The result reads `queries` as float32 [1, 1, n, k], where k has been padded; what it gives
     for the added columns makes no difference. A Clip of the queries that changes none of them up
     to `largest_query` is left out. The bytes come back as they are where the graph
     has no such chain, or a hidden layer does not fill whole blocks of channels.
     """
-    message = Message(memoryview(model))
-    graph = message.message(7)
     try:
-        layers = find_chain(graph, _QUERIES)
+        model = read_model(memoryview(data))
+        layers = find_chain(model, _QUERIES)
     except (WireError, ValueError):
-        return model
+        return data
     if len(layers) < 2 or any(len(layer.weight) % _BLOCK for layer in layers[1:]):
-        return model
-    return _assemble(message, graph, layers, _idle_clip(graph, layers[0], largest_query))
+        return data
+    return _convolved(model, layers, _idle_clip(model, layers[0], largest_query))
 
 
-def _idle_clip(graph: Message, first: Layer, largest_query: float) -> int | None:
+def _idle_clip(model: Model, first: Layer, largest_query: float) -> int | None:
     """Place of the node that clips the queries for the first layer, if it changes none."""
-    constants = {tensor.text(8): tensor for tensor in graph.messages(5)}
-    for place, node in enumerate(graph.messages(1)):
-        inputs = node.texts(1)
-        if node.text(4) != "Clip" or inputs[0] != _QUERIES or node.texts(2) != [first.input]:
+    for place, node in enumerate(model.nodes):
+        if node.operator != "Clip" or node.inputs[0] != _QUERIES or node.outputs != (first.input,):
             continue
-        low, high = (floats(constants.get(name)) for name in (*inputs[1:], "", "")[:2])
+        low, high = (model.floats(name) for name in (*node.inputs[1:], "", "")[:2])
         if low is not None and high is not None and largest_query <= min(-low.min(), high.max()):
             return place
     return None
 
 
-def _assemble(model: Message, graph: Message, layers: list[Layer], idle: int | None) -> bytes:
-    """The model with `layers` as convolutions, and without the node `idle` before them.
-
-    Types of values in between are left out: they may name shapes that have changed.
-    """
+def _convolved(model: Model, layers: list[Layer], idle: int | None) -> bytes:
+    """The model with `layers` as convolutions, and without the node `idle` before them."""
     width = len(layers[0].weight)
     columns = max(-(-width // _INPUT_STEP) * _INPUT_STEP, _BLOCK)
-    nodes = [[node] for node in pb.chunks(graph, 1)]
-    tensors = pb.chunks(graph, 5)
+    graph = GraphRewriting(model)
+    graph.remove(layer.place for layer in layers)
+    graph.remove([] if idle is None else [idle])
+    first, last = layers[0], layers[-1]
+    source = first.input if idle is None else _QUERIES
+    # onnxruntime folds a transpose of these orders into its blocking of channels.
+    graph.add(first.place, "Transpose", [source], _PIXELS, {"perm": [0, 3, 1, 2]})
     for layer in layers:
-        source = _PIXELS if layer is layers[0] else layer.input
-        result = _RESULT if layer is layers[-1] else layer.output
-        nodes[layer.place] = [_convolution(layer, source, result)]
-        tensors += _constants(layer, columns - width if layer is layers[0] else 0)
-    source = layers[0].input
-    if idle is not None:
-        nodes[idle], source = [], _QUERIES
-    nodes[layers[0].place].insert(0, _transpose(source, _PIXELS, [0, 3, 1, 2]))
-    rows = _RESULT + "/rows"
-    nodes[layers[-1].place] += [
-        _transpose(_RESULT, rows, [0, 2, 3, 1]),
-        pb.node("Reshape", [rows, _RESULT + "/shape"], layers[-1].output),
-    ]
-    tensors.append(pb.tensor(_RESULT + "/shape", np.array([-1, len(layers[-1].bias)])))
-    fields = [pb.chunk(1, node) for group in nodes for node in group]
-    fields += [pb.chunk(2, b"decoder"), *(pb.chunk(5, tensor) for tensor in tensors)]
-    fields += [pb.chunk(11, pb.value(_QUERIES, [1, 1, "n", columns]))]
-    fields += [pb.chunk(12, output) for output in pb.chunks(graph, 12)]
-    opsets = b"".join(pb.chunk(8, opset) for opset in pb.chunks(model, 8))
-    return pb.integer(1, model.integer(1)) + opsets + pb.chunk(7, b"".join(fields))
+        source = _PIXELS if layer is first else layer.input
+        result = _RESULT if layer is last else layer.output
+        _add_convolution(graph, layer, source, result, columns - width if layer is first else 0)
+    rows, shape = _RESULT + "/rows", _RESULT + "/shape"
+    graph.add(last.place, "Transpose", [_RESULT], rows, {"perm": [0, 2, 3, 1]})
+    graph.constant(shape, np.array([-1, len(last.bias)]))
+    graph.add(last.place, "Reshape", [rows, shape], last.output)
+    return graph.to_bytes((_QUERIES, [1, 1, "n", columns], "float32"))
 
 
-def _convolution(layer: Layer, source: str, result: str) -> bytes:
-    """The layer on [1, channels, 1, n]."""
-    operands = [source, layer.output + "/kernel", layer.output + "/bias"]
-    return pb.node("Conv", operands, result, {"kernel_shape": [1, 1]})
-
-
-def _constants(layer: Layer, added_inputs: int) -> list[bytes]:
-    """Kernel and bias of the layer's convolution; added inputs weigh nothing."""
-    kernel = np.pad(layer.weight.T, ((0, 0), (0, added_inputs)))[:, :, None, None]
-    return [
-        pb.tensor(layer.output + "/kernel", kernel),
-        pb.tensor(layer.output + "/bias", layer.bias),
-    ]
-
-
-def _transpose(source: str, result: str, order: list[int]) -> bytes:
-    """onnxruntime folds a transpose of these orders into its blocking of channels."""
-    return pb.node("Transpose", [source], result, {"perm": order})
+def _add_convolution(
+    graph: GraphRewriting, layer: Layer, source: str, result: str, added_inputs: int
+) -> None:
+    """The layer on [1, channels, 1, n]; added inputs weigh nothing."""
+    weight = np.pad(layer.weight.T, ((0, 0), (0, added_inputs)))[:, :, None, None]
+    kernel = graph.constant(layer.output + "/kernel", weight)
+    bias = graph.constant(layer.output + "/bias", layer.bias)
+    graph.add(layer.place, "Conv", [source, kernel, bias], result, {"kernel_shape": [1, 1]})

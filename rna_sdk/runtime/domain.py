@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_sdk.arrays import vectors
 from rna_sdk.package.manifest_fields import Region
-from rna_sdk.runtime.arguments import vectors
 
 
 def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.bool_]:

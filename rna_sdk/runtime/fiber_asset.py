@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Literal
 
+from rna_sdk.arrays import scalars, vectors
 from rna_sdk.package import Package, Tier
-from rna_sdk.runtime.arguments import scalars, vectors
 from rna_sdk.runtime.asset import AssetPart
 from rna_sdk.runtime.batch import Rows
 

@@ -5,7 +5,6 @@ onnxruntime takes four passes over the queries for it, 38 ns a query; the kernel
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -15,8 +14,7 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.package.protobuf import Message
-from rna_sdk.runtime.int8_layers import numbers
+from rna_sdk.package.onnx_model import Model
 
 _VECTOR = types.Array(types.float32, 1, "C", readonly=True)
 _COLUMN_STEP = 4
@@ -48,19 +46,16 @@ class Entry:
         return result
 
 
-def find_entry(graph: Message, start: str, end: str) -> Entry | None:
+def find_entry(model: Model, start: str, end: str) -> Entry | None:
     """Clip, Mul, Add, QuantizeLinear from the value `start` to `end`; None if it is otherwise."""
-    nodes = graph.messages(1)
-    constants = {tensor.text(8): tensor for tensor in graph.messages(5)}
-    readers = Counter(name for node in nodes for name in node.texts(1))
     value, places, operands = start, [], []
     for operator in ("Clip", "Mul", "Add", "QuantizeLinear"):
-        place = next((k for k, node in enumerate(nodes) if value in node.texts(1)[:1]), None)
-        if place is None or readers[value] != 1 or nodes[place].text(4) != operator:
+        place = next((k for k, node in enumerate(model.nodes) if value in node.inputs[:1]), None)
+        if place is None or model.readers[value] != 1 or model.nodes[place].operator != operator:
             return None
         places.append(place)
-        operands.append([numbers(constants.get(name)) for name in nodes[place].texts(1)[1:]])
-        value = nodes[place].texts(2)[0]
+        operands.append(model.arrays(model.nodes[place].inputs[1:]))
+        value = model.nodes[place].outputs[0]
     found = [number for group in operands for number in group if number is not None]
     if value != end or len(found) != 6:
         return None

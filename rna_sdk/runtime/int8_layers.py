@@ -6,16 +6,14 @@ behind it.
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.package.protobuf import Message
+from rna_sdk.package.onnx_model import Model
 
-_DTYPES = {1: "<f4", 2: "u1", 3: "i1", 6: "<i4"}  # TensorProto.DataType
 _Array = NDArray[Any]
 
 
@@ -41,10 +39,10 @@ class Int8Layer:
     bias: NDArray[np.int32]
 
 
-def find_int8_layers(graph: Message) -> list[Int8Layer]:
-    """The layers of an ONNX GraphProto that read uint8, in its order."""
-    view = _Graph(graph)
-    layers = (view.layer(place) for place in range(len(view.nodes)))
+def find_int8_layers(model: Model) -> list[Int8Layer]:
+    """The layers of the model that read uint8, in its order."""
+    finder = _Finder(model)
+    layers = (finder.layer(place) for place in range(len(model.nodes)))
     return [layer for layer in layers if layer is not None]
 
 
@@ -53,62 +51,58 @@ class _Quantized:
     """What a DequantizeLinear reads: names, and values where they are constants."""
 
     place: int
-    names: list[str]
+    names: tuple[str, ...]
     values: list[_Array | None]
     axis: int
 
 
-class _Graph:
-    def __init__(self, graph: Message) -> None:
-        self.nodes = graph.messages(1)
-        self._constants = {tensor.text(8): tensor for tensor in graph.messages(5)}
-        self._makers = {name: k for k, n in enumerate(self.nodes) for name in n.texts(2)}
-        self._readers = Counter(name for node in self.nodes for name in node.texts(1))
-        self._readers.update(value.text(1) for value in graph.messages(12))
+class _Finder:
+    def __init__(self, model: Model) -> None:
+        self._model = model
+        self._makers = {name: k for k, node in enumerate(model.nodes) for name in node.outputs}
 
     def layer(self, place: int) -> Int8Layer | None:
         """The layer whose Gemm is the node at `place`; None for anything else."""
-        gemm = self.nodes[place]
-        if gemm.text(4) != "Gemm" or gemm.has(5):
+        gemm = self._model.nodes[place]
+        if gemm.operator != "Gemm" or gemm.attributes or len(gemm.inputs) != 3:
             return None
-        operands = [self._dequantized(name) for name in gemm.texts(1)]
-        behind = self._quantizer(gemm.texts(2)[0])
-        if len(operands) != 3:
-            return None
-        source, weights, biases = operands
+        source, weights, biases = map(self._dequantized, gemm.inputs)
         if source is None or weights is None or biases is None or len(source.names) != 3:
             return None
         constants = _constants(source, weights, biases)
         if constants is None:
             return None
-        places, output = [place], gemm.texts(2)
+        places, output = [place], gemm.outputs
+        behind = self._quantizer(gemm.outputs[0])
         if behind is not None:
+            quantizer = self._model.nodes[behind]
             places.insert(0, behind)
-            output = [*self.nodes[behind].texts(2), *self.nodes[behind].texts(1)[1:]]
-        for name, operand in zip(gemm.texts(1), (source, weights, biases), strict=True):
-            if self._readers[name] == 1:
+            output = *quantizer.outputs, *quantizer.inputs[1:]
+        for name, operand in zip(gemm.inputs, (source, weights, biases), strict=True):
+            if self._model.readers[name] == 1:
                 places.append(operand.place)
-        return Int8Layer(tuple(places), tuple(source.names), tuple(output), *constants)
+        return Int8Layer(tuple(places), source.names, output, *constants)
 
     def _dequantized(self, name: str) -> _Quantized | None:
         place = self._makers.get(name)
-        if place is None or self.nodes[place].text(4) != "DequantizeLinear":
+        if place is None or self._model.nodes[place].operator != "DequantizeLinear":
             return None
-        names = self.nodes[place].texts(1)
-        axes = {a.text(1): a.integer(3) for a in self.nodes[place].messages(5)}
-        if not axes.keys() <= {"axis"}:
+        node = self._model.nodes[place]
+        if not set(node.attributes) <= {"axis"}:
             return None
-        values = [numbers(self._constants.get(n)) for n in names]
-        return _Quantized(place, names, values, axes.get("axis", 1))
+        values = self._model.arrays(node.inputs)
+        return _Quantized(place, node.inputs, values, node.integers.get("axis", 1))
 
     def _quantizer(self, name: str) -> int | None:
         """Place of the one node that reads the value, if it makes uint8 of it, on one scale."""
-        if self._readers[name] != 1:
+        if self._model.readers[name] != 1:
             return None
-        place = next(k for k, node in enumerate(self.nodes) if name in node.texts(1))
-        node = self.nodes[place]
-        parts = [numbers(self._constants.get(n)) for n in node.texts(1)[1:]]
-        if node.text(4) != "QuantizeLinear" or node.has(5) or len(parts) != 2:
+        place = next((k for k, n in enumerate(self._model.nodes) if name in n.inputs), None)
+        if place is None:  # the graph gives it out
+            return None
+        node = self._model.nodes[place]
+        parts = self._model.arrays(node.inputs[1:])
+        if node.operator != "QuantizeLinear" or node.attributes or len(parts) != 2:
             return None
         scale, zero = parts
         if scale is None or zero is None or scale.ndim or zero.dtype != np.uint8:
@@ -137,13 +131,3 @@ def _constants(
     if not np.array_equal(bias_scale, input_scale * weight_scale):
         return None
     return weight, weight_scale, bias
-
-
-def numbers(tensor: Message | None) -> _Array | None:
-    """A TensorProto as an array; None where it is not there, or packed in another way."""
-    if tensor is None or tensor.integer(2) not in _DTYPES:
-        return None
-    packed = tensor.one(9)
-    if not isinstance(packed, memoryview):
-        return None
-    return np.frombuffer(packed, _DTYPES[tensor.integer(2)]).reshape(tensor.integers(1))

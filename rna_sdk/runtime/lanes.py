@@ -112,7 +112,7 @@ def _register(function: Callable[..., Any], make: Callable[..., Any], result: An
             kind: Any = result or lanes
             return None if lanes is None else kind(*arguments)
 
-    infer_global(function)(_Template)  # type: ignore[no-untyped-call]
+    infer_global(function)(_Template)
 
     def lower(context: Any, builder: ir.IRBuilder, signed: Any, values: Any) -> Any:
         lanes = _lanes_of(signed.args)
@@ -121,7 +121,7 @@ def _register(function: Callable[..., Any], make: Callable[..., Any], result: An
         return make(builder, *(_operand(context, builder, v, kind, lanes) for v, kind in pairs))
 
     for kinds in ((LanesType, LanesType), (LanesType, types.Number), (types.Number, LanesType)):
-        lower_builtin(function, *kinds)(lower)  # type: ignore[no-untyped-call]
+        lower_builtin(function, *kinds)(lower)
 
 
 def _arithmetic(name: str) -> Callable[..., Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.runtime.arguments import vectors
+from rna_sdk.arrays import vectors
 
 
 def offset_across(

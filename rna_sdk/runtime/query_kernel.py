@@ -1,6 +1,6 @@
 """The compiled kernel that makes decoder inputs: rows of `queries` from points of an asset.
 
-`queries_reference.py` says the same in numpy and is what tests compare with. LANES rows go
+`rna_sdk/reference/queries.py` says the same in numpy and is what tests compare with. LANES rows go
 through together; only texels are weighed row by row. Positions and lengths are computed in
 float64, the rest in float32.
 """

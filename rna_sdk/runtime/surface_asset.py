@@ -7,8 +7,8 @@ from typing import Literal
 
 import numpy as np
 
+from rna_sdk.arrays import vectors
 from rna_sdk.package import Package, Tier
-from rna_sdk.runtime.arguments import vectors
 from rna_sdk.runtime.asset import AssetPart
 from rna_sdk.runtime.batch import Rows
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rna_sdk.arrays import vectors
 from rna_sdk.errors import QueryError
-from rna_sdk.runtime.arguments import vectors
 
 _TOLERANCE = 1e-5
 """Largest departure from a rotation, of its entries; matrices often come from float32."""

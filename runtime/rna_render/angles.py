@@ -25,7 +25,7 @@ _EIGHTH = np.sqrt(2.0) - 1.0  # tan(pi/8)
 
 
 @compiled(fastmath=())
-def sine_and_cosine(turns):
+def sine_and_cosine(turns: float) -> tuple[float, float]:
     """Of an angle in turns, from -1 to 2: float64, to 1e-12."""
     quarter = np.floor(4.0 * turns + 0.5)
     x = (turns - 0.25 * quarter) * (2.0 * np.pi)
@@ -41,7 +41,7 @@ def sine_and_cosine(turns):
 
 
 @compiled(fastmath=())
-def turns_of(y, x):
+def turns_of(y: float, x: float) -> float:
     """atan2(y, x) / (2 pi), in [-1/2, 1/2]: to 1e-13; 0 for (0, 0)."""
     high, low = max(abs(x), abs(y)), min(abs(x), abs(y))
     ratio = low / high if high > 0.0 else 0.0

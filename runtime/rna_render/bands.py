@@ -8,7 +8,7 @@ and for Python.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -48,7 +48,7 @@ class BandRenderer(Protocol):
 
 def rendered_bands(
     renderer: BandRenderer, count: int, samplers: Iterable[Sampler]
-) -> Iterator[tuple[Layers, bool]]:
+) -> Generator[tuple[Layers, bool], None, None]:
     """The bands of each sample in turn, and whether each is the last one of its sample.
 
     count: pixels of the image. As many bands are under way as numba has threads for the caller, and

@@ -10,10 +10,11 @@ REPEAT, CLAMP, MIRROR = 0, 1, 2
 
 
 @compiled(fastmath=())
-def _wrapped(x, wrap):
+def _wrapped(x: float, wrap: int) -> float:
     """A coordinate within [0, 1]."""
     if wrap == REPEAT:
-        return x - np.floor(x)
+        inside: float = x - np.floor(x)
+        return inside
     if wrap == MIRROR:
         x -= 2.0 * np.floor(0.5 * x)
         return 2.0 - x if x > 1.0 else x
@@ -21,7 +22,7 @@ def _wrapped(x, wrap):
 
 
 @compiled(fastmath=())
-def texels_around(x, size, wrap):
+def texels_around(x: float, size: int, wrap: int) -> tuple[int, int, float]:
     """The two texels whose centres x is between, and its place between them."""
     place = _wrapped(x, wrap) * size - 0.5
     first = int(np.floor(place))

@@ -62,11 +62,19 @@ class Camera:
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:
-    return vector / np.linalg.norm(vector)
+    return np.asarray(vector / np.linalg.norm(vector))
 
 
 @compiled(parallel=True, fastmath=())
-def _directions(pixels, u, width, corner, step_x, step_y, result):
+def _directions(
+    pixels: np.ndarray,
+    u: np.ndarray,
+    width: int,
+    corner: np.ndarray,
+    step_x: np.ndarray,
+    step_y: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(pixels)):
         x = pixels[i] % width + u[i, 0]
         y = pixels[i] // width + u[i, 1]

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from threading import Lock
+from typing import cast
 
 import numpy as np
 
-from rna_sdk.runtime import Asset, in_region
+from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset, in_region
 
 
 class DomainWarning(UserWarning):
@@ -66,7 +67,7 @@ class WatchedAsset:
 class _WatchedPart:
     """A part of a watched asset; else as the part's own."""
 
-    def __init__(self, part: Asset, asset: WatchedAsset) -> None:
+    def __init__(self, part: SurfaceAsset | FiberAsset, asset: WatchedAsset) -> None:
         self._part, self._watched = part, asset
 
     def __getattr__(self, name: str) -> object:
@@ -75,13 +76,16 @@ class _WatchedPart:
     def evaluate(self, *arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """As the part's own; wo and wi are the last two arguments."""
         self._watched.count(*arguments[-2:])
-        return self._part.evaluate(*arguments)
+        evaluate: Callable[..., tuple[np.ndarray, np.ndarray]] = self._part.evaluate
+        return evaluate(*arguments)
 
 
-def watched(asset: Asset, name: str) -> Asset | WatchedAsset:
+def watched(asset: Asset, name: str) -> Asset:
     """The asset; one that was not trained for all directions is watched."""
     domain = asset.domain
-    return asset if domain.wo == domain.wi == "sphere" else WatchedAsset(asset, name)
+    if domain.wo == domain.wi == "sphere":
+        return asset
+    return cast(Asset, WatchedAsset(asset, name))  # it has whatever an asset has
 
 
 def warn_of_extrapolation(things: Iterable[object]) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 from numba import prange
 
 from rna_render.rays import check_numbers
-from rna_render.vectors import unit, vector_at
+from rna_render.vectors import Vector, unit, vector_at
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves
@@ -89,7 +89,7 @@ class FiberPoints:
 
 
 @compiled(fastmath=())
-def point_on_cone(points, radii, a, u, n):
+def point_on_cone(points: np.ndarray, radii: np.ndarray, a: int, u: float, n: Vector) -> Vector:
     """The point of a hit at u of the segment that begins at point a: three float64."""
     b = a + 1
     radius = (1.0 - u) * radii[a] + u * radii[b]
@@ -101,20 +101,30 @@ def point_on_cone(points, radii, a, u, n):
 
 
 @compiled(fastmath=())
-def tangent_at(points, a):
+def tangent_at(points: np.ndarray, a: int) -> Vector:
     """The unit direction of the segment that begins at point a."""
     p, q = vector_at(points, a), vector_at(points, a + 1)
     return unit((q[0] - p[0], q[1] - p[1], q[2] - p[2]))
 
 
 @compiled(parallel=True, fastmath=())
-def _hit_points(points, radii, first, segment, u, normals, result):
+def _hit_points(
+    points: np.ndarray,
+    radii: np.ndarray,
+    first: np.ndarray,
+    segment: np.ndarray,
+    u: np.ndarray,
+    normals: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(segment)):
         at = first[segment[i]], np.float64(u[i]), vector_at(normals, i)
         result[i, 0], result[i, 1], result[i, 2] = point_on_cone(points, radii, at[0], at[1], at[2])
 
 
 @compiled(parallel=True, fastmath=())
-def _tangents(points, first, segment, result):
+def _tangents(
+    points: np.ndarray, first: np.ndarray, segment: np.ndarray, result: np.ndarray
+) -> None:
     for i in prange(len(segment)):
         result[i, 0], result[i, 1], result[i, 2] = tangent_at(points, first[segment[i]])

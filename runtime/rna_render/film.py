@@ -56,7 +56,9 @@ class Layers:
             "groups_behind": (groups, 3),
             "catcher": (),
         }
-        floats = {name: np.zeros((count, *shape), dtype) for name, shape in shapes.items()}
+        floats: dict[str, np.ndarray] = {
+            name: np.zeros((count, *shape), dtype) for name, shape in shapes.items()
+        }
         return cls(**floats, asset=np.zeros(count, np.uint32))
 
     @classmethod
@@ -153,11 +155,13 @@ class Film:
     def _lit(self) -> np.ndarray:
         """Part of the light that arrives at shadow catchers: (n,)."""
         received, unblocked = self._sum.caught.T
-        return np.divide(received, unblocked, out=np.ones_like(received), where=unblocked > 0.0)
+        lit: np.ndarray = np.ones_like(received)
+        np.divide(received, unblocked, out=lit, where=unblocked > 0.0)
+        return lit
 
     def _shadows(self, lit: np.ndarray) -> np.ndarray:
         """What shadow catchers add to the sum of beauty: background, darkened, with alpha."""
-        result = self._sum.behind_catcher * lit[:, None]
+        result: np.ndarray = self._sum.behind_catcher * lit[:, None]
         result[:, 3] += (1.0 - lit) * self._sum.catcher
         return result
 
@@ -168,4 +172,4 @@ class Film:
 def _float32(values: np.ndarray) -> np.ndarray:
     """Variances are squares: those of light near the largest number stay finite, too."""
     largest = np.finfo(np.float32).max
-    return np.clip(values, -largest, largest).astype(np.float32)
+    return np.asarray(np.clip(values, -largest, largest), np.float32)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 from zipfile import BadZipFile
 
 import numpy as np
@@ -44,7 +45,7 @@ def write_linear(
         write_exr(path, channels, attributes)
 
 
-def _save_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
+def _save_arrays(path: Path, arrays: Mapping[str, Any]) -> None:
     with path.open("wb") as file:
         np.savez(file, **arrays)
 
@@ -105,7 +106,7 @@ def _png_text(path: Path) -> Mapping[str, object]:
     from PIL import Image
 
     with Image.open(path) as image:
-        return dict(image.info)
+        return {str(name): value for name, value in image.info.items()}
 
 
 def _npz_text(path: Path) -> Mapping[str, object]:

@@ -11,8 +11,8 @@ from numba.extending import intrinsic
 
 def _load(word: Any, result: Any) -> Any:
     @intrinsic
-    def load(typing_context, address):
-        def codegen(_context, builder, _signature, values):
+    def load(typing_context: Any, address: Any) -> Any:
+        def codegen(_context: Any, builder: Any, _signature: Any, values: Any) -> Any:
             return builder.load(builder.inttoptr(values[0], word.as_pointer()))
 
         return result(types.uintp), codegen
@@ -22,8 +22,8 @@ def _load(word: Any, result: Any) -> Any:
 
 def _store(word: Any, value_type: Any) -> Any:
     @intrinsic
-    def store(typing_context, address, value):
-        def codegen(context, builder, _signature, values):
+    def store(typing_context: Any, address: Any, value: Any) -> Any:
+        def codegen(context: Any, builder: Any, _signature: Any, values: Any) -> Any:
             builder.store(values[1], builder.inttoptr(values[0], word.as_pointer()))
             return context.get_dummy_value()
 
@@ -44,8 +44,8 @@ store_f64 = _store(ir.DoubleType(), types.float64)
 
 def _pointer(element: Any) -> Any:
     @intrinsic
-    def pointer(typing_context, address):
-        def codegen(context, builder, _signature, values):
+    def pointer(typing_context: Any, address: Any) -> Any:
+        def codegen(context: Any, builder: Any, _signature: Any, values: Any) -> Any:
             kind = context.get_value_type(types.CPointer(element))
             return builder.inttoptr(values[0], kind)
 

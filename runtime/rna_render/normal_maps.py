@@ -43,6 +43,7 @@ class NormalMaps:
     """The normal maps of a mesh with texture coordinates, ready to be looked up; one at least."""
 
     def __init__(self, mesh: Mesh, maps: Sequence[TextureRecord]) -> None:
+        assert mesh.uvs is not None  # the format asks for them
         self._mesh = mesh.positions, mesh.uvs, mesh.triangles
         self._number = texture_numbers(mesh, maps)
         self._texels = np.concatenate([record.texture.reshape(-1, 2) for record in maps])
@@ -62,12 +63,14 @@ class NormalMaps:
 
 
 @compiled(fastmath=())
-def _decoded(value):
+def _decoded(value: float) -> float:
     return (value - 127.0) / 127.0
 
 
 @compiled(fastmath=())
-def _looked_up(texels, start, height, width, s, t):
+def _looked_up(
+    texels: np.ndarray, start: int, height: int, width: int, s: float, t: float
+) -> tuple[float, float]:
     """x and y of the map at texture coordinates (s, t); bilinear, repeated."""
     left, right, a = texels_around(s, width, REPEAT)
     upper, lower, b = texels_around(t, height, REPEAT)
@@ -82,7 +85,19 @@ def _looked_up(texels, start, height, width, s, t):
 
 
 @compiled(parallel=True, fastmath=())
-def _mapped(n, triangle, u, v, positions, uvs, triangles, number, texels, sizes, result):
+def _mapped(
+    n: np.ndarray,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    positions: np.ndarray,
+    uvs: np.ndarray,
+    triangles: np.ndarray,
+    number: np.ndarray,
+    texels: np.ndarray,
+    sizes: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(n)):
         k, m = number[triangle[i]], vector_at(n, i)
         bent = m

@@ -60,11 +60,9 @@ def render_pieces(
     done = sum(piece.pixels for piece in there)
     rays = float(count * scene.samples)
     make = partial(PieceWorker, scene_file, files, threads, device)
-    with (
-        Progress(rays, "ray", "rendering", float(done * scene.samples)) as progress,
-        Pool(backend, make, tell=progress.tell) as pool,
-        closing(pool.run(pieces)) as outcomes,
-    ):
+    progress = Progress(rays, "ray", "rendering", float(done * scene.samples))
+    pool: Pool[Piece, Film] = Pool(backend, make, tell=progress.tell)
+    with progress, pool, closing(pool.run(pieces)) as outcomes:
         for outcome in progress.of(pool, outcomes, lambda piece: piece.pixels * scene.samples):
             kept.keep(outcome.item, outcome.value())
             image.put(outcome.item, outcome.value())

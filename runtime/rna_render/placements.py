@@ -38,8 +38,9 @@ def place_asset(
     place it several times. factor: on what it emits.
     """
     emission = emission or emission_of(asset)
-    shines = emission is not None and factor > 0.0
-    light = AssetLight(emission, world_from_object, factor) if shines else None
+    light = None
+    if emission is not None and factor > 0.0:
+        light = AssetLight(emission, world_from_object, factor)
     return Placement(asset, world_from_object, light)
 
 

@@ -4,21 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from rna_sdk.arrays import vectors
 from rna_sdk.errors import QueryError
 
-
-def vectors(name: str, values: np.ndarray, count: int | None = None) -> np.ndarray:
-    """`values` as a contiguous (n, 3) float32 array.
-
-    Raises QueryError for another type, dtype or shape, or if n is not `count`.
-    """
-    if not isinstance(values, np.ndarray) or values.dtype != np.float32:
-        found = getattr(values, "dtype", type(values).__name__)
-        raise QueryError(f"{name}: expected a float32 array, found {found}")
-    expected = ("n" if count is None else count, 3)
-    if values.ndim != 2 or values.shape[1] != 3 or (count is not None and len(values) != count):
-        raise QueryError(f"{name}: expected shape {expected}, found {values.shape}")
-    return np.ascontiguousarray(values)
+__all__ = ["check_numbers", "per_ray", "vectors"]
 
 
 def check_numbers(what: str, numbers: np.ndarray, count: int) -> None:
@@ -34,7 +23,7 @@ def per_ray(
 
     Raises QueryError for another shape.
     """
-    array = np.asarray(values, dtype)
+    array: np.ndarray = np.asarray(values, dtype)
     if array.shape not in ((), (count,)):
         raise QueryError(f"{name}: expected one number or shape ({count},), found {array.shape}")
     return np.ascontiguousarray(array.reshape(-1))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing
 from functools import partial
 
@@ -63,7 +63,9 @@ def render_sequence(
     absolute = output.absolute() if where.far else output
     job = FrameJob(scene_file, files, numbers, absolute, threads, started, device)
     try:
-        with Pool(backend, partial(FrameWorker, job), tell=partial(print, flush=True)) as pool:
+        tell = partial(print, flush=True)
+        pool: Pool[Frame, FrameFiles] = Pool(backend, partial(FrameWorker, job), tell=tell)
+        with pool:
             _take(pool, missing, where)
     except KeyboardInterrupt:
         print(
@@ -77,7 +79,8 @@ def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], where: Place) -> 
     """Say of each frame that it is finished; on a cluster below a bar of the whole."""
     seconds: list[float] = []
     with ExitStack() as stack:
-        outcomes = stack.enter_context(closing(pool.run(missing)))
+        found = stack.enter_context(closing(pool.run(missing)))
+        outcomes: Iterator[Outcome[Frame, FrameFiles]] = found
         tell: Callable[[str], None] = partial(print, flush=True)
         if where.far:  # this machine's own worker has a bar for each frame
             progress = stack.enter_context(Progress(len(missing), "frame", "frames"))

@@ -14,7 +14,7 @@ from rna_render.domain_watch import warn_of_extrapolation
 from rna_render.film import Film
 from rna_render.render import render
 from rna_render.scene_file import SceneFile
-from rna_render.tier_costs import cost_lines
+from rna_render.tier_costs import cost_lines, loaded_assets
 from rna_render.world import World
 
 
@@ -43,11 +43,11 @@ class Interrupt:
 
 def tell_tiers(scene_file: SceneFile, world: World) -> None:
     """Print which tiers the scene's `quality` led to, if it has one."""
-    count = len(scene_file.scene.assets)
-    if scene_file.scene.quality is not None and count:
-        names = Counter(asset.tier.name for asset in world.things[:count])
+    assets = loaded_assets(scene_file, world)
+    if scene_file.scene.quality is not None and assets:
+        names = Counter(asset.tier.name for asset in assets)
         told = ", ".join(f"{number} {name}" for name, number in names.most_common())
-        print(f"tiers of {count} assets: {told}", file=sys.stderr)
+        print(f"tiers of {len(assets)} assets: {told}", file=sys.stderr)
 
 
 def tell_costs(scene_file: SceneFile, world: World) -> None:

@@ -127,4 +127,4 @@ def _heights(scene: Scene, views: Sequence[Scene], boxes: Sequence[np.ndarray]) 
     middle = corners.mean(axis=1)
     centre = np.einsum("nij,nj->ni", matrices[:, :3, :3], middle) + matrices[:, :3, 3]
     cameras = (Camera(view.camera, view.resolution) for view in views)
-    return np.max([camera.heights(centre, radius) for camera in cameras], axis=0)
+    return np.asarray(np.max([camera.heights(centre, radius) for camera in cameras], axis=0))

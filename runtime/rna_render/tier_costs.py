@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import cast
 
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
 from rna_sdk.package import Package
-from rna_sdk.runtime import is_no_worse, load
+from rna_sdk.runtime import Asset, is_no_worse, load
 
 _FASTER = 0.9
 """Of the cost; a tier above that is not worth a note."""
@@ -17,8 +18,8 @@ _FASTER = 0.9
 def cost_lines(scene_file: SceneFile, world: World) -> Iterator[str]:
     """A line for each package and tier of the scene. Measures what was not measured before."""
     told = set()
-    for index in range(len(scene_file.scene.assets)):
-        path, asset = scene_file.asset_path(index), world.things[index]
+    for index, asset in enumerate(loaded_assets(scene_file, world)):
+        path = scene_file.asset_path(index)
         if (path, asset.tier.name) not in told:
             told.add((path, asset.tier.name))
             ns = asset.measured_ns_per_query()
@@ -27,6 +28,11 @@ def cost_lines(scene_file: SceneFile, world: World) -> Iterator[str]:
                 for name, other in _others(path, asset.tier.name).items()
                 if other < _FASTER * ns
             )
+
+
+def loaded_assets(scene_file: SceneFile, world: World) -> list[Asset]:
+    """Of the scene's packages, in its order: they are the first of the world's things."""
+    return cast(list[Asset], world.things[: len(scene_file.scene.assets)])
 
 
 def _others(path: Path, chosen: str) -> dict[str, float]:

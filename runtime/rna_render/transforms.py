@@ -17,7 +17,7 @@ def world_from_object(model: TransformModel) -> np.ndarray:
 
 def _rotation(model: TransformModel) -> np.ndarray:
     if model.quaternion is not None:
-        return _from_quaternion(model.quaternion)
+        return quaternion_rotation(model.quaternion)
     return _from_euler(model.rotation_deg or (0.0, 0.0, 0.0))
 
 
@@ -27,12 +27,15 @@ def _from_euler(degrees: Vector) -> np.ndarray:
     about_x = np.array([[1, 0, 0], [0, cx, -sx], [0, sx, cx]])
     about_y = np.array([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]])
     about_z = np.array([[cz, -sz, 0], [sz, cz, 0], [0, 0, 1]])
-    return about_z @ about_y @ about_x
+    return np.asarray(about_z @ about_y @ about_x)
 
 
-def _from_quaternion(quaternion: Quaternion) -> np.ndarray:
-    """Shoemake, Animating Rotation with Quaternion Curves (1985)."""
-    x, y, z, w = np.asarray(quaternion) / np.linalg.norm(quaternion)
+def quaternion_rotation(quaternion: Quaternion) -> np.ndarray:
+    """(3, 3) float64 of (x, y, z, w) of any length but 0.
+
+    Shoemake, Animating Rotation with Quaternion Curves (1985).
+    """
+    x, y, z, w = np.asarray(quaternion, np.float64) / np.linalg.norm(quaternion)
     return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],

@@ -6,35 +6,37 @@ import numpy as np
 
 from rna_sdk.compiled import compiled
 
+Vector = tuple[float, float, float]
+
 # A shading normal that faces away from the viewer, as interpolated ones do at silhouettes, is
 # tilted until its cosine with wo is this.
 MIN_COSINE = 1e-4
 
 
 @compiled(fastmath=())
-def vector_at(vectors, i):
+def vector_at(vectors: np.ndarray, i: int) -> Vector:
     return np.float64(vectors[i, 0]), np.float64(vectors[i, 1]), np.float64(vectors[i, 2])
 
 
 @compiled(fastmath=())
-def dot(a, b):
+def dot(a: Vector, b: Vector) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @compiled(fastmath=())
-def cross(a, b):
+def cross(a: Vector, b: Vector) -> Vector:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 @compiled(fastmath=())
-def unit(a):
+def unit(a: Vector) -> Vector:
     length = np.sqrt(dot(a, a))
     scale = 1.0 / length if length > 0.0 else 0.0
     return a[0] * scale, a[1] * scale, a[2] * scale
 
 
 @compiled(fastmath=())
-def turned_normal(n, ng, o):
+def turned_normal(n: Vector, ng: Vector, o: Vector) -> Vector:
     """The unit shading normal on wo's side of the surface, with at least MIN_COSINE to wo."""
     side = dot(ng, o)
     m = n if dot(n, n) > 0.0 else ng
@@ -49,7 +51,7 @@ def turned_normal(n, ng, o):
 
 
 @compiled(fastmath=())
-def half_cosines(m, o, i):
+def half_cosines(m: Vector, o: Vector, i: Vector) -> tuple[float, float]:
     """Cosines of the half vector with the normal and with wo; (0, 0) where there is none."""
     h = (o[0] + i[0], o[1] + i[1], o[2] + i[2])
     length = np.sqrt(dot(h, h))
@@ -59,7 +61,7 @@ def half_cosines(m, o, i):
 
 
 @compiled(fastmath=())
-def tangents_of(n):
+def tangents_of(n: Vector) -> tuple[Vector, Vector]:
     """Two unit vectors across n: Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1),
     2017)."""
     x, y, z = n

@@ -36,7 +36,7 @@ def _filmic(linear: np.ndarray) -> np.ndarray:
     """Linear radiance as linear light of the screen, both (..., 3)."""
     radiance = np.clip(linear, 0.0, _MAX_RADIANCE)
     curved = _aces_curve(_FILMIC_EXPOSURE * radiance @ _RRT_FROM_LINEAR.T)
-    return curved @ _LINEAR_FROM_ODT.T
+    return np.asarray(curved @ _LINEAR_FROM_ODT.T)
 
 
 def _aces_curve(x: np.ndarray) -> np.ndarray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, deque
-from collections.abc import Callable, Iterable, Iterator, Sized
+from collections.abc import Callable, Generator, Iterable, Iterator, Sized
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from itertools import count
@@ -85,7 +85,9 @@ class Pool(Generic[Item, Result]):
         """How many workers each node has."""
         return Counter(member.node for member in self._ready)
 
-    def run(self, items: Iterable[Item], ordered: bool = False) -> Iterator[Outcome[Item, Result]]:
+    def run(
+        self, items: Iterable[Item], ordered: bool = False
+    ) -> Generator[Outcome[Item, Result], None, None]:
         """The outcome of every item, as they are finished or in the order of the items.
 
         Items are taken when a worker is free for them. Raises what kept workers from starting.

@@ -22,6 +22,7 @@ from rna_export.capture.dataset import Dataset
 from rna_export.fit.goal import Goal
 from rna_export.fit.page import write_page
 from rna_export.fit.run import Fit, fit
+from rna_export.training.options import add_device
 from rna_export.trials.pool import Crew
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
@@ -77,7 +78,5 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--max-error", type=float, nargs="*", default=[], help="limits, mean FLIP")
     parser.add_argument("--work", type=Path, required=True, help="folder for shorter trainings")
     parser.add_argument("--workers", type=int, help="trainings side by side")
-    parser.add_argument(
-        "--device", choices=("auto", "cpu", "cuda"), default="auto", help="for trainings"
-    )
+    add_device(parser, "trainings")
     add_out(parser)

@@ -10,8 +10,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from rna_work.places import Place, add_cluster_option, place
-from rna_work.store import add_store_option
+from rna_export.training.options import add_trainings
+from rna_work.places import Place, place
 
 _PARTS = ("train", "cost", "cycles", "chart")
 
@@ -48,19 +48,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
         help="train these of the grid alone: models, or groups of them (ours, paper, opponent, "
         "ablation, and the tables: architecture, channels, ...; default: all)",
     )
-    p.add_argument(
-        "--device",
-        choices=("auto", "cpu", "cuda"),
-        default="auto",
-        help="for trainings (default: %(default)s, the GPU if there is one)",
-    )
-    p.add_argument(
-        "--workers",
-        type=int,
-        help="trainings side by side (int, default: one a core, one for a GPU)",
-    )
-    add_cluster_option(p)
-    add_store_option(p, "checkpoints")
+    add_trainings(p)
 
 
 def run(args: argparse.Namespace) -> None:

@@ -13,14 +13,10 @@ def sums_in_16_bits() -> bool:
     constants = {"one": np.float32(1), "zero": np.uint8(0), "zero8": np.int8(0)}
     constants["weight"] = np.array([[127], [127], [-127], [-127]], np.int8)
     operands = ["q", "one", "zero", "weight", "one", "zero8", "one", "zero"]
-    fields = [pb.chunk(1, pb.node("QLinearMatMul", operands, "y"))]
-    fields += [pb.chunk(2, b"pairs")]
-    for name, value in constants.items():
-        fields.append(pb.chunk(5, pb.tensor(name, np.asarray(value))))
-    fields += [pb.chunk(11, pb.value("q", ["N", 4], "uint8"))]
-    fields += [pb.chunk(12, pb.value("y", ["N", 1], "uint8"))]
-    head = pb.integer(1, 8) + pb.chunk(8, pb.opset("", 17))
-    model = head + pb.chunk(7, b"".join(fields))
+    nodes = [pb.node("QLinearMatMul", operands, "y")]
+    tensors = [pb.tensor(name, np.asarray(value)) for name, value in constants.items()]
+    ends = [pb.value("q", ["N", 4], "uint8")], [pb.value("y", ["N", 1], "uint8")]
+    model = pb.model(nodes, tensors, *ends, [("", 17)], ir_version=8, name="pairs")
     session = onnxruntime.InferenceSession(model, providers=["CPUExecutionProvider"])
     q = np.array([[255, 255, 254, 255]] * 8, np.uint8)
     return not bool((session.run(None, {"q": q})[0] == 127).all())

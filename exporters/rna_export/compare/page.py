@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 from dataclasses import asdict
 from pathlib import Path
@@ -11,6 +10,7 @@ import numpy as np
 from PIL import Image
 
 from rna_export.compare.run import Pair
+from rna_export.html_pages import write_html
 from rna_export.metrics import (
     FLIP_DEFINITION,
     PSNR_DEFINITION,
@@ -19,12 +19,8 @@ from rna_export.metrics import (
     display,
     to_png,
 )
+from rna_sdk.atomic_file import write_atomically
 
-_STYLE = (
-    "body{font:15px/1.4 sans-serif;margin:2em;background:#181818;color:#ddd}"
-    "img{width:100%;display:block}td{padding:4px;vertical-align:top;width:25%}"
-    "table{border-collapse:collapse;width:100%}th{text-align:left}"
-)
 _NUMBERS = ("psnr", "flip", "coverage", "seconds_ours", "seconds_cycles")
 
 
@@ -33,26 +29,29 @@ def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, 
     folder.mkdir(parents=True, exist_ok=True)
     rows, strips = [], []
     for number, pair in enumerate(pairs):
-        cells, images = [], _images(pair)
+        images = _images(pair)
         strips.append(np.concatenate(list(images.values()), axis=1))
-        for kind, image in images.items():
-            name = f"{number}-{kind}.png"
-            Image.fromarray(image).save(folder / name)
-            cells.append(f'<td><img src="{name}" alt="{kind}">{_caption(kind, pair)}</td>')
-        rows.append(f'<tr><th colspan="4">{html.escape(pair.shot.name)}</th></tr>')
-        rows.append(f"<tr>{''.join(cells)}</tr>")
+        pictures = [
+            {"kind": kind, "file": f"{number}-{kind}.png", "caption": _caption(kind, pair)}
+            for kind in images
+        ]
+        for picture, image in zip(pictures, images.values(), strict=True):
+            Image.fromarray(image).save(folder / picture["file"])
+        rows.append((pair.shot.name, pictures))
     summary = _summary(pairs)
-    page = (
-        f"<!doctype html><meta charset=utf-8><title>{html.escape(title)}</title>"
-        f"<style>{_STYLE}</style><h1>{html.escape(title)}</h1>"
-        f"<p>{html.escape(json.dumps(settings))}</p><p>mean PSNR {summary['psnr']:.2f} dB, "
-        f"mean FLIP {summary['flip']:.4f}</p><p>{html.escape(PSNR_DEFINITION)}; FLIP: "
-        f"{html.escape(FLIP_DEFINITION)}; without the noise of Cycles: "
-        f"{html.escape(WITHOUT_NOISE_DEFINITION)}</p><table>{''.join(rows)}</table>"
+    write_html(
+        folder / "index.html",
+        "compare.html",
+        title=title,
+        settings=settings,
+        summary=summary,
+        rows=rows,
+        psnr_definition=PSNR_DEFINITION,
+        flip_definition=FLIP_DEFINITION,
+        without_noise_definition=WITHOUT_NOISE_DEFINITION,
     )
-    (folder / "index.html").write_text(page)
     results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
-    (folder / "results.json").write_text(json.dumps(results, indent=1) + "\n")
+    write_atomically(folder / "results.json", (json.dumps(results, indent=1) + "\n").encode())
     Image.fromarray(np.concatenate(strips, axis=0)).save(folder / "sheet.png")
 
 

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rna_export.export.credit import add_credit
+from rna_export.training.options import add_trainings
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
-from rna_work.places import Place, add_cluster_option, place
-from rna_work.store import add_store_option
+from rna_work.places import Place, place
 
 if TYPE_CHECKING:
     from rna_export.fit.goal import Goal
@@ -58,19 +58,7 @@ def parser() -> argparse.ArgumentParser:
         choices=("short", "full"),
         help="what to choose from, as rna-bench frontier (default: full on a GPU, else short)",
     )
-    p.add_argument(
-        "--device",
-        choices=("auto", "cpu", "cuda"),
-        default="auto",
-        help="for trainings (default: %(default)s, the GPU if there is one)",
-    )
-    p.add_argument(
-        "--workers",
-        type=int,
-        help="trainings side by side (int, default: one a core, one for a GPU)",
-    )
-    add_cluster_option(p)
-    add_store_option(p, "checkpoints")
+    add_trainings(p)
     add_credit(p)
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"

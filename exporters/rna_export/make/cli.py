@@ -21,6 +21,7 @@ from rna_export.capture.cli import (
 )
 from rna_export.capture.orientation import joined_axes
 from rna_export.export.credit import add_credit
+from rna_export.training.options import add_device
 from rna_export.training.presets import PRESETS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_work.places import place
@@ -99,12 +100,7 @@ def parser() -> argparse.ArgumentParser:
     )
     add_settings(p, _SETTINGS)
     p.add_argument("--seed", type=int, default=0, help="of the random numbers (int, default: 0)")
-    p.add_argument(
-        "--device",
-        choices=("auto", "cpu", "cuda"),
-        default="auto",
-        help="for trainings (default: %(default)s, the GPU if there is one)",
-    )
+    add_device(p, "trainings")
     add_workers(p)
     p.add_argument(
         "--work",

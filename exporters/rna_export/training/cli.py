@@ -9,6 +9,7 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
+from rna_export.training.options import add_device
 from rna_export.training.presets import LOSSES, PRESETS, Preset
 from rna_sdk.console import command_parser, run_command
 from rna_sdk.errors import TrainingError
@@ -87,12 +88,7 @@ def parser() -> argparse.ArgumentParser:
         help="of the random numbers; the same one repeats a run of --steps on the CPU (int, "
         "default: %(default)s)",
     )
-    p.add_argument(
-        "--device",
-        choices=("auto", "cpu", "cuda"),
-        default="auto",
-        help="for the training (default: %(default)s, the GPU if there is one)",
-    )
+    add_device(p, "the training")
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
     )

@@ -12,6 +12,7 @@ from rna_render.materials.gltf_container import GltfContainer, open_gltf
 from rna_render.materials.gltf_materials import GltfMaterials
 from rna_render.materials.material import Material
 from rna_render.materials.mesh_parts import MeshFile, Part
+from rna_render.transforms import quaternion_rotation
 
 # Section 3.7.2.1: modes of primitives.
 TRIANGLES, STRIP, FAN = 4, 5, 6
@@ -96,14 +97,7 @@ def _local_matrix(node: dict[str, Any]) -> np.ndarray:
     """Section 3.5.3: a column-major matrix, or translation * rotation * scale."""
     if "matrix" in node:
         return np.array(node["matrix"], np.float64).reshape(4, 4).T
-    x, y, z, w = np.array(node.get("rotation", (0, 0, 0, 1)), np.float64)
-    rotation = np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    rotation = quaternion_rotation(node.get("rotation", (0.0, 0.0, 0.0, 1.0)))
     matrix = np.eye(4)
     matrix[:3, :3] = rotation * np.array(node.get("scale", (1, 1, 1)), np.float64)
     matrix[:3, 3] = node.get("translation", (0, 0, 0))

@@ -248,9 +248,7 @@ def _file(graph: _Graph, value: str, ends: np.ndarray, columns: int, output: str
     value = graph.node("Exp", graph.node("Clip", value, 0.0, TOP))
     value = graph.node("Sub", value, 1.0)
     graph.node("MatMul" if np.ndim(ends) else "Mul", value, ends, output=output)
-    fields = [pb.chunk(1, node) for node in graph.nodes]
-    fields += [pb.chunk(2, b"decoder"), *(pb.chunk(5, constant) for constant in graph.constants)]
-    fields += [pb.chunk(11, pb.value("queries", ["N", columns]))]
-    fields += [pb.chunk(12, pb.value(output, ["N", OUTPUTS[output]]))]
-    model = pb.integer(1, 8) + pb.chunk(2, b"rna-conformance") + pb.chunk(7, b"".join(fields))
-    return model + pb.chunk(8, pb.opset("", 17))
+    inputs = [pb.value("queries", ["N", columns])]
+    outputs = [pb.value(output, ["N", OUTPUTS[output]])]
+    parts = graph.nodes, graph.constants, inputs, outputs
+    return pb.model(*parts, [("", 17)], ir_version=8, producer="rna-conformance")

@@ -22,8 +22,8 @@ from rna_export.capture.asset_arguments import evaluate_arguments
 from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Package
+from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime import Asset, load
-from rna_sdk.runtime.queries_reference import fiber_queries_reference, queries_reference
 
 RELATIVE, LOST_DB = 1e-3, 0.2  # the mark
 

@@ -1,4 +1,4 @@
-"""Decoder inputs in plain numpy: the twin of `query_kernel.py`, for tests and for readers.
+"""Decoder inputs in plain numpy: the twin of `runtime/query_kernel.py`, for tests and for readers.
 
 The formulas of `spec/RNA.md`, "Input blocks", written as they are; in float64, rounded to
 float32 at the end.

@@ -1,0 +1,30 @@
+"""Options of commands that train."""
+
+from __future__ import annotations
+
+import argparse
+
+from rna_work.places import add_cluster_option
+from rna_work.store import add_store_option
+
+
+def add_device(parser: argparse.ArgumentParser, what: str) -> None:
+    """`--device` for what is trained."""
+    parser.add_argument(
+        "--device",
+        choices=("auto", "cpu", "cuda"),
+        default="auto",
+        help=f"for {what} (default: %(default)s, the GPU if there is one)",
+    )
+
+
+def add_trainings(parser: argparse.ArgumentParser) -> None:
+    """`--device`, `--workers`, `--cluster` and `--store` of a command that runs many trainings."""
+    add_device(parser, "trainings")
+    parser.add_argument(
+        "--workers",
+        type=int,
+        help="trainings side by side (int, default: one a core, one for a GPU)",
+    )
+    add_cluster_option(parser)
+    add_store_option(parser, "checkpoints")
