@@ -1,4 +1,5 @@
-"""The extension needs Blender's Python alone, and of the SDK its public names."""
+"""The extension needs Blender's Python alone, and of the SDK its public names
+and the function that writes files whole."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from tests.conftest import REPOSITORY
 
 EXTENSION = REPOSITORY / "exporters" / "blender_extension"
 IN_BLENDER = {"bpy", "bpy_extras", "mathutils", "numpy", *sys.stdlib_module_names}
-PUBLIC = {"rna_sdk.package", "rna_sdk.runtime"}
+PUBLIC = {"rna_sdk.atomic_file", "rna_sdk.package", "rna_sdk.runtime"}
 FILES = sorted(EXTENSION.rglob("*.py"))
 
 

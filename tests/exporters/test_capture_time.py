@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -109,7 +110,8 @@ class WithoutBlender(CaptureWorker):
 
     def __enter__(self) -> WithoutBlender:
         self._dataset = Dataset(self._job.dataset.here().parent)
-        self._scene = None
+        self._scene: Any = None
+        self._blender: Any = object()
         return self
 
     def __exit__(self, *_: object) -> None:
