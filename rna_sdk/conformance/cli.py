@@ -54,34 +54,36 @@ def _run(options: argparse.Namespace, words: tuple[str, ...]) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = command_parser(
         "rna-conform",
-        "Run a reader of .rna packages on the conformance kit, and print a table of what passes.",
+        "Run an .rna reader on the conformance kit and print a table of results.",
         "rna-conform -- ./my-reader",
         usage="rna-conform [options] -- COMMAND...",
-        epilog="How COMMAND is called: spec/conformance/README.md. Exit status: 0 when every level "
-        "that the reader has passes, 1 when one does not, 2 wrong usage.",
+        epilog="Protocol of COMMAND: spec/conformance/README.md. Exit status: 0 all claimed levels "
+        "pass,\n1 any fails, 2 bad usage.",
     )
     parser.add_argument(
-        "--kit", metavar="PATH", help="folder of the kit (default: spec/conformance of the clone)"
+        "--kit",
+        metavar="PATH",
+        help="conformance kit (path, default: spec/conformance of the checkout)",
     )
     parser.add_argument(
         "--level",
         action="append",
         choices=LEVELS,
-        help="run this level alone; may be given several times (default: all the reader has)",
+        help="run only this level; may be repeated (default: every level the reader claims)",
     )
     parser.add_argument(
         "--jobs",
         type=int,
         default=os.cpu_count() or 1,
         metavar="N",
-        help="runs of COMMAND at a time (int, default: one a core)",
+        help="concurrent runs of COMMAND (int, default: one per core)",
     )
     parser.add_argument(
         "--timeout",
         type=float,
         default=300.0,
         metavar="S",
-        help="seconds that one run of COMMAND may take (float, default: 300)",
+        help="time limit per run of COMMAND, seconds (float, default: 300)",
     )
     parser.add_argument("--json", action="store_true", help="print JSON (default: a table)")
     parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")

@@ -45,17 +45,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = command_parser(
         "rna-validate",
-        "Check .rna packages against the format.",
+        "Validate .rna packages against the specification.",
         "rna-validate asset.rna",
         usage=argparse.SUPPRESS,
-        epilog="Prints one line for each issue, for each part of a package of several or with\n"
-        "transmittance or emission, then `FILE: valid` or `FILE: invalid`; a package with\n"
-        "warnings alone is valid. Exit status: 0 all valid, 1 one invalid or unreadable, 2 "
-        "wrong usage.\nCodes of issues: spec/ISSUES.md.",
+        epilog="Prints one line per issue, one line per part (if there are several, or "
+        "transmittance\n"
+        "or emission), then `FILE: valid` or `FILE: invalid`. Warnings do not make a package\n"
+        "invalid. Exit status: 0 all valid, 1 any invalid or unreadable, 2 bad usage.\n"
+        "Issue codes: spec/ISSUES.md.",
     )
-    parser.add_argument(
-        "files", nargs="+", metavar="FILE", help="package to check (path), one or more"
-    )
+    parser.add_argument("files", nargs="+", metavar="FILE", help="packages to validate (paths)")
     parser.add_argument("--json", action="store_true", help="print JSON (default: text)")
     parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
     return parser

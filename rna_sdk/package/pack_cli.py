@@ -15,20 +15,24 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-pack`."""
     p = command_parser(
         "rna-pack",
-        "Write a package again with the same content: smaller, plain, or with a poster.",
+        "Repack a package losslessly: compressed, uncompressed, or with a new poster image.",
         "rna-pack toy.rna --out toy-small.rna --deflate",
-        epilog="Without --deflate all entries are stored plain, as every reader takes them.",
+        epilog="Without --deflate all entries are stored uncompressed, which every reader "
+        "supports.",
     )
-    p.add_argument("package", type=Path, help="the package to read (path)")
-    p.add_argument("--out", type=Path, required=True, help="the package to write (path)")
+    p.add_argument("package", type=Path, help="input package (path)")
+    p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
     p.add_argument(
         "--deflate",
         action="store_true",
-        help="store entries coded, without loss, by the extension RNA_deflate; readers that do not "
-        "know it refuse the package (default: off)",
+        help="compress entries losslessly with the extension RNA_deflate; readers without it "
+        "reject the package (default: off)",
     )
     p.add_argument(
-        "--poster", type=Path, metavar="PNG", help="picture of the asset (path, default: as it is)"
+        "--poster",
+        type=Path,
+        metavar="PNG",
+        help="poster image of the asset (path, default: unchanged)",
     )
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"

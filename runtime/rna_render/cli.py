@@ -47,8 +47,8 @@ def _parser() -> argparse.ArgumentParser:
         "Render a scene of relightable neural assets to an image.",
         "rna-run scene.yaml --out out.exr --png out.png",
         usage="rna-run SCENE --out IMAGE.exr [options]\n       rna-run SCENE --preview [options]",
-        epilog="docs/scene.md says what a scene file may contain, docs/preview.md what the preview "
-        "can do.\nCtrl-C ends the render early and writes what is there, or ends the preview.",
+        epilog="Scene file reference: docs/scene.md. Preview: docs/preview.md.\nCtrl-C stops the "
+        "render and writes the image so far, or closes the preview.",
     )
     add = parser.add_argument
     add("scene", metavar="SCENE", type=Path, help="the scene file (YAML)")
@@ -56,79 +56,78 @@ def _parser() -> argparse.ArgumentParser:
         "--out",
         metavar="FILE",
         type=Path,
-        help="linear image with AOVs to write, .exr or, for numpy, .npz (default: none, with "
-        "--preview)",
+        help="linear HDR image with AOVs, .exr or .npz (path, required without --preview)",
     )
-    add("--png", metavar="FILE", type=Path, help="sRGB PNG to write beside it (default: none)")
+    add("--png", metavar="FILE", type=Path, help="sRGB PNG of the same image (path, default: none)")
     add(
         "--preview",
         action="store_true",
-        help="show the scene in a browser page, which this computer alone can open, while it is "
-        "rendered, until Ctrl-C; nothing is written (default: off)",
+        help="render progressively in a browser page served on localhost until Ctrl-C; writes no "
+        "files (default: off)",
     )
     add(
         "--port",
         metavar="N",
         type=_whole(1, 65535),
-        help="of the page of --preview (default: any that is free)",
+        help="port of the preview page (int, default: a free port)",
     )
     add(
         "--environments",
         metavar="FOLDER",
         type=Path,
-        help="more .hdr and .exr images for the page of --preview (default: those beside SCENE)",
+        help="folder of .hdr and .exr environments offered by the preview (path, default: the "
+        "folder of SCENE)",
     )
     add(
         "--frames",
         metavar="RANGE",
         type=_frames,
-        help="frames of the scene's animation: all, 3, or 0-10; the files' names then have %%04d, "
-        "such as frame.%%04d.exr, and frames that are there already are left as they are "
-        "(default: one still image)",
+        help="render an animation: all, 3, or 0-10; --out and --png need a frame number, such as "
+        "frame.%%04d.exr; existing frames are skipped (default: one still image)",
     )
-    add("--view", choices=VIEWS, help="how the PNG shows radiance (default: the scene's)")
+    add("--view", choices=VIEWS, help="view transform of the PNG (default: the scene's)")
     add(
         "--every",
         metavar="SECONDS",
         type=_seconds,
-        help="write the image so far, too, after its first sample and then so often; denoised at "
-        "the end only (default: the finished image alone)",
+        help="also write intermediate images: after the first sample, then at this interval; only "
+        "the final image is denoised (float, seconds, default: off)",
     )
     add(
         "--denoise",
         action="store_true",
-        help="take the noise out with Intel Open Image Denoise (default: off)",
+        help="denoise with Intel Open Image Denoise (default: off)",
     )
     add(
         "--samples",
         metavar="N",
         type=_whole(1, MAX_SAMPLES),
-        help="samples a pixel (default: the scene's)",
+        help="samples per pixel (int, default: the scene's)",
     )
     add(
         "--resolution",
         metavar="WxH",
         type=_resolution,
-        help="pixels, such as 640x480 (default: the scene's)",
+        help="image size in pixels, such as 640x480 (default: the scene's)",
     )
-    add("--tier", metavar="NAME", help="tier of every asset (default: the scene's)")
+    add("--tier", metavar="NAME", help="tier used for every asset (default: the scene's)")
     add(
         "--seed",
         metavar="N",
         type=_whole(0, MAX_SEED),
-        help="of the random numbers (default: the scene's)",
+        help="random seed (int, default: the scene's)",
     )
     add(
         "--threads",
         metavar="N",
         type=_whole(1, 4096),
-        help="threads to use, at most one a core (default: one a core)",
+        help="render threads, at most one per core (int, default: one per core)",
     )
     add(
         "--device",
         metavar="NAME",
         default="cpu",
-        help="what renders: cpu, or gpu with the extra `gpu` (docs/gpu.md) (default: cpu)",
+        help="render device: cpu, or gpu with the extra `gpu`, see docs/gpu.md (default: cpu)",
     )
     add_cluster_option(parser)
     add("--debug", action="store_true", help="show the traceback of an error (default: off)")

@@ -48,20 +48,26 @@ def _serve(site: Site, options: argparse.Namespace) -> None:
 
 def _parser() -> argparse.ArgumentParser:
     parser = command_parser(
-        "rna-view", "Show a .rna package, or a scene file, in a browser page.", "rna-view asset.rna"
+        "rna-view", "View an .rna package or a scene file in the browser.", "rna-view asset.rna"
     )
     parser.add_argument("source", type=Path, metavar="FILE", help="package or scene file (path)")
-    parser.add_argument("--tier", help="tier to show first (name; default: the first)")
-    parser.add_argument("--env", type=Path, help="environment image, .hdr or .exr (path)")
+    parser.add_argument("--tier", help="initial tier (name, default: the package's first)")
+    parser.add_argument(
+        "--env", type=Path, help="environment map, .hdr or .exr (path, default: built in)"
+    )
     parser.add_argument(
         "--export",
         type=Path,
         metavar="FOLDER",
-        help="write a folder for any web server, and serve nothing (path)",
+        help="write a static site to this folder instead of serving it (path, default: serve)",
     )
-    parser.add_argument("--host", default="127.0.0.1", help="address to listen on (127.0.0.1)")
-    parser.add_argument("--port", type=int, default=0, help="port (int; default: any free one)")
-    parser.add_argument("--no-browser", action="store_true", help="open no browser (default: open)")
+    parser.add_argument(
+        "--host", default="127.0.0.1", help="address to listen on (text, default: 127.0.0.1)"
+    )
+    parser.add_argument("--port", type=int, default=0, help="port (int, default: a free port)")
+    parser.add_argument(
+        "--no-browser", action="store_true", help="do not open a browser (default: off)"
+    )
     parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
     return parser
 

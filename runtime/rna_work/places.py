@@ -17,10 +17,7 @@ from rna_work.threads import HERE, Caller, Threads
 
 Answer = TypeVar("Answer")
 
-HELP = (
-    "run on a Ray cluster: auto (the one that this machine belongs to), ray://HOST:PORT, or local "
-    "(one that is started here) (address, default: on this machine, without Ray)"
-)
+HELP = "run on a Ray cluster: auto (the cluster this machine has joined), ray://HOST:PORT, or local (start one here) (address, default: this machine, without Ray)"
 
 
 @dataclass(frozen=True)

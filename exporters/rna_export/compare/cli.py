@@ -16,55 +16,61 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-compare`."""
     p = command_parser(
         "rna-compare",
-        "Render a package and its original with Cycles, and write a page with both.",
+        "Render a package, and its original with Cycles, and write an HTML comparison.",
         "rna-compare helmet.rna helmet.gltf --out compare/helmet",
-        epilog="Three cameras (one a close-up; for hair alone a fourth, at single strands) x three "
-        "lights.\nArguments after -- go to a source that is a Python script.",
+        epilog="Three cameras (one a close-up; for pure hair a fourth, strand close-up) x three "
+        "lights.\nArguments after -- are passed to a source that is a Python script.",
     )
-    p.add_argument("package", type=Path, help="the .rna file (path)")
-    p.add_argument("source", type=Path, help="what it was captured from (path)")
-    p.add_argument("--out", type=Path, required=True, help="folder for the page (path)")
-    p.add_argument("--tier", help="tier of the package (text, default: its first)")
+    p.add_argument("package", type=Path, help="the package (path)")
+    p.add_argument("source", type=Path, help="the model it was captured from (path)")
+    p.add_argument("--out", type=Path, required=True, help="folder for the report (path, required)")
+    p.add_argument("--tier", help="tier to render (text, default: the package's first)")
     p.add_argument(
-        "--samples", type=int, default=16, help="ours a pixel (int, default: %(default)s)"
+        "--samples",
+        type=int,
+        default=16,
+        help="rna-run samples per pixel (int, default: %(default)s)",
     )
     p.add_argument(
         "--cycles-samples",
         type=int,
         default=256,
-        help="Cycles' a pixel, at least 2: half of them in each of two renders (int, default: "
+        help="Cycles samples per pixel, at least 2, split over two renders (int, default: "
         "%(default)s)",
     )
     p.add_argument(
-        "--resolution", type=int, default=384, help="pixels a side (int, default: %(default)s)"
+        "--resolution",
+        type=int,
+        default=384,
+        help="width and height, pixels (int, default: %(default)s)",
     )
     p.add_argument(
         "--front",
         choices=AXES,
         metavar="AXIS",
-        help="axis of the package that is the asset's front (X, Y, Z, -X, -Y or -Z, default: Z, "
-        "which is glTF's front, and Blender's -Y; Blender's Y is -Z)",
+        help="front axis of the package (X, Y, Z, -X, -Y or -Z, default: Z, the front in glTF and "
+        "Blender's -Y)",
     )
     p.add_argument(
         "--up",
         choices=AXES,
         default="Y",
         metavar="AXIS",
-        help="axis of the package that is up (the same, default: Y, which is Blender's Z)",
+        help="up axis of the package (as --front, default: Y, Blender's Z)",
     )
     p.add_argument(
         "--turn",
         type=float,
         default=0.0,
         metavar="DEG",
-        help="turn the cameras about up, if the front lies between two axes (float, default: 0)",
+        help="rotate the cameras about the up axis, degrees (float, default: 0)",
     )
     p.add_argument(
         "--cameras",
         nargs="+",
         choices=CAMERAS,
         default=CAMERAS,
-        help="of the standard ones (default: all; strands is there for hair alone)",
+        help="cameras to use (default: all; strands only for pure hair)",
     )
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"

@@ -15,45 +15,44 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-export`."""
     p = command_parser(
         "rna-export",
-        "Write trained checkpoints as one .rna package, a tier each.",
+        "Export trained checkpoints to one .rna package, one tier per checkpoint.",
         "rna-export runs/helmet --out helmet.rna",
     )
     p.add_argument(
         "checkpoints",
         nargs="+",
         type=Path,
-        help="of rna-train, one a tier, or its folders; the first is the package's default tier. "
-        "An asset of several parts needs one of each part, which a folder gives (paths)",
+        help="checkpoints or output folders of rna-train, one per tier, the default tier first; an "
+        "asset of several parts needs its folder (paths)",
     )
-    p.add_argument("--out", type=Path, required=True, help="the package to write")
+    p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
     p.add_argument(
         "--dataset",
         type=Path,
-        help="folder of rna-capture (default: where the first checkpoint was trained)",
+        help="dataset of rna-capture (path, default: the one the first checkpoint was trained on)",
     )
     p.add_argument(
         "--precision",
         nargs="+",
         choices=list(PRECISIONS),
         default=["float32"],
-        help="a tier of each checkpoint for each: float32 decoder; int8 decoder, whose tier has "
-        "-int8 in its name; both with int8 planes; or float32-float16, with planes of twice the "
-        "bytes (default: float32)",
+        help="number formats, one tier per checkpoint and format: float32 decoder and int8 planes; "
+        "int8 decoder and planes (tier suffix -int8); float32 decoder and float16 planes, of twice "
+        "the size (default: float32)",
     )
     p.add_argument(
         "--max-loss",
         type=float,
         default=MAX_LOSS,
         metavar="DB",
-        help="PSNR that a tier may lose against the trained model, dB; the export is refused "
-        "beyond it (float, default: %(default)s)",
+        help="largest PSNR loss of a tier against the trained model, dB; the export fails beyond "
+        "it (float, default: %(default)s)",
     )
     p.add_argument(
         "--poster",
         type=Path,
         metavar="PNG",
-        help="picture of the asset that the package keeps for file browsers and the like (path, "
-        "default: one rendered from the front)",
+        help="thumbnail stored in the package (path, default: rendered from the front)",
     )
     p.add_argument(
         "--proxies",
@@ -61,15 +60,15 @@ def parser() -> argparse.ArgumentParser:
         type=int,
         default=[],
         metavar="PIXELS",
-        help="add coarser meshes for an asset that is at most so high in the image, which rna-run "
-        "takes in scenes with a quality (int, one or more, default: none)",
+        help="add simplified proxy meshes for these heights of the asset in the image; rna-run "
+        "uses them in scenes with `quality` (ints, default: none)",
     )
     p.add_argument(
         "--coding",
         choices=["raw", "deflate"],
         default="raw",
-        help="deflate: entries are stored coded, without loss; readers that do not know "
-        "RNA_deflate refuse the package (default: %(default)s)",
+        help="deflate: lossless compression by RNA_deflate; readers without this extension reject "
+        "the package (default: %(default)s)",
     )
     add_credit(p)
     p.add_argument(

@@ -9,11 +9,11 @@ def add_credit(p: argparse.ArgumentParser) -> None:
     """Add --source and --license."""
     p.add_argument(
         "--source",
-        help="name, author and address of the original model (text, default: the captured file "
-        "and its SHA-256)",
+        help="credit of the original model: name, author, URL (text, default: file name and "
+        "SHA-256)",
     )
     p.add_argument(
         "--license",
         default="NOASSERTION",
-        help="SPDX expression of the asset's terms (default: %(default)s)",
+        help="SPDX license expression of the asset (text, default: %(default)s)",
     )

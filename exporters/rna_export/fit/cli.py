@@ -24,39 +24,44 @@ def parser() -> argparse.ArgumentParser:
         "rna-fit",
         "Find, train and export the cheapest model that meets a limit on its error.",
         "rna-fit helmet.rays/ --max-error 0.02 --out helmet.rna",
-        epilog="Trainings are kept beside the package: the same command goes on after a stop,\nand "
-        "another limit takes less time.",
+        epilog="Trainings are kept in the work folder: the same command resumes after an "
+        "interruption,\nand a run with another limit reuses them.",
     )
-    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote (path)")
+    p.add_argument("dataset", type=Path, help="dataset written by rna-capture (path)")
     limit = p.add_mutually_exclusive_group(required=True)
     limit.add_argument(
         "--max-error",
         type=_positive,
         metavar="FLIP",
-        help="mean FLIP of the validation images, as packages record it (float, no default: one "
-        "of the three limits is needed)",
+        help="limit on the mean FLIP of the validation images (float; one of the three limits is "
+        "required)",
     )
     limit.add_argument(
-        "--min-psnr", type=_positive, metavar="DB", help="of those images (float, no default)"
+        "--min-psnr", type=_positive, metavar="DB", help="limit on their mean PSNR, dB (float)"
     )
     limit.add_argument(
         "--budget-us",
         type=_positive,
         metavar="US",
-        help="microseconds a query on all cores of this machine: the best model within it "
-        "(float, no default)",
+        help="most accurate model within this cost, microseconds per query on all cores of this "
+        "machine (float)",
     )
-    p.add_argument("--out", type=Path, required=True, help="the package to write (path)")
+    p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
     p.add_argument(
-        "--work", type=Path, help="folder for trainings and the page (path, default: OUT with .fit)"
+        "--work",
+        type=Path,
+        help="folder for trainings and the report (path, default: OUT with suffix .fit)",
     )
     p.add_argument(
-        "--steps", type=int, default=40_000, help="of the final training (int, default %(default)s)"
+        "--steps",
+        type=int,
+        default=40_000,
+        help="steps of the final training (int, default: %(default)s)",
     )
     p.add_argument(
         "--grid",
         choices=("short", "full"),
-        help="what to choose from, as rna-bench frontier (default: full on a GPU, else short)",
+        help="candidate models, as in rna-bench frontier (default: full on a GPU, else short)",
     )
     add_trainings(p)
     add_credit(p)

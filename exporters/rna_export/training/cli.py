@@ -23,49 +23,52 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-train`."""
     p = command_parser(
         "rna-train",
-        "Fit a neural asset to a captured dataset.",
+        "Train a neural asset on a captured dataset.",
         "rna-train helmet.rays/ --preset small --out runs/helmet --minutes 10",
-        epilog="The same command continues a training that was stopped.",
+        epilog="The same command resumes an interrupted training.",
     )
-    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote (path)")
+    p.add_argument("dataset", type=Path, help="dataset written by rna-capture (path)")
     p.add_argument(
         "--out",
         type=Path,
         required=True,
         metavar="FOLDER",
-        help="for checkpoints, curves and images, or a run to go on with; each of several parts "
-        "has a folder in it (path, required)",
+        help="folder for checkpoints, loss curves and images, or a run to resume; one subfolder "
+        "per part if there are several (path, required)",
     )
     p.add_argument(
         "--part",
         metavar="NAME",
-        help="train this part alone (str, default: all parts of the dataset, one after the other)",
+        help="train only this part (str, default: all parts in turn)",
     )
     p.add_argument(
         "--cut",
         type=int,
         default=1,
         metavar="N",
-        help="cut surfaces into N pieces with planes and a decoder each, for an asset that is "
-        "blurred when seen near; the package grows by as much (int, default: %(default)s)",
+        help="split surfaces into N pieces with their own planes and decoder, for more detail in "
+        "close-ups; package size grows in proportion (int, default: %(default)s)",
     )
     p.add_argument(
-        "--preset", choices=PRESETS["surface"], default="small", help="model (default: %(default)s)"
+        "--preset",
+        choices=PRESETS["surface"],
+        default="small",
+        help="model preset (default: %(default)s)",
     )
     p.add_argument(
         "--inputs",
         nargs="+",
         choices=INPUT_BLOCKS,
         metavar="BLOCK",
-        help="decoder inputs, to try what one is worth: "
+        help="decoder inputs, for ablations: "
         + ", ".join(INPUT_BLOCKS)
         + " (default: the preset's)",
     )
     p.add_argument(
         "--loss",
         choices=LOSSES,
-        help="log; unbiased: noise in the capture does not darken what is learnt, but sharp "
-        "highlights come out worse; auto: by the noise (default: the preset's; of ours auto)",
+        help="log; unbiased: capture noise does not darken the result, but sharp highlights lose "
+        "accuracy; auto: chosen by the noise level (default: the preset's, auto for ours)",
     )
     lengths = sorted({preset.training.steps for preset in PRESETS["surface"].values()})
     usual = " or ".join(f"{steps:,}" for steps in lengths)
@@ -73,20 +76,19 @@ def parser() -> argparse.ArgumentParser:
     length.add_argument(
         "--minutes",
         type=float,
-        help="length of the run by the clock, with loading and validations; several parts share it "
-        "by how much is seen of them (float, default: the preset's steps)",
+        help="wall-clock budget, including loading and validation; parts share it in proportion to "
+        "their visible area (float, default: the preset's steps)",
     )
     length.add_argument(
         "--steps",
         type=int,
-        help=f"length, of each part (int, default: the preset's, {usual})",
+        help=f"training steps per part (int, default: the preset's, {usual})",
     )
     p.add_argument(
         "--seed",
         type=int,
         default=0,
-        help="of the random numbers; the same one repeats a run of --steps on the CPU (int, "
-        "default: %(default)s)",
+        help="random seed; with --steps, CPU runs are reproducible (int, default: %(default)s)",
     )
     add_device(p, "the training")
     p.add_argument(

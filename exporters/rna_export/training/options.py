@@ -14,7 +14,7 @@ def add_device(parser: argparse.ArgumentParser, what: str) -> None:
         "--device",
         choices=("auto", "cpu", "cuda"),
         default="auto",
-        help=f"for {what} (default: %(default)s, the GPU if there is one)",
+        help=f"device for {what} (default: %(default)s, the GPU if available)",
     )
 
 
@@ -24,7 +24,7 @@ def add_trainings(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--workers",
         type=int,
-        help="trainings side by side (int, default: one a core, one for a GPU)",
+        help="concurrent trainings (int, default: one per core, or one per GPU)",
     )
     add_cluster_option(parser)
     add_store_option(parser, "checkpoints")
