@@ -1,4 +1,4 @@
-"""What the command-line tools share: how their help begins, how they fail, how they end."""
+"""Shared by the command-line tools: help layout, error output, exit status."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ INTERRUPTED = 130
 def command_parser(
     prog: str, sentence: str, example: str, **options: Any
 ) -> argparse.ArgumentParser:
-    """A parser whose help begins with one sentence and a command to copy.
+    """A parser whose help starts with one sentence and an example command.
 
     options: further arguments of ArgumentParser, such as usage or epilog.
     """
@@ -31,7 +31,7 @@ def command_parser(
 
 
 def split_script_arguments(arguments: Sequence[str] | None) -> tuple[list[str], tuple[str, ...]]:
-    """A command's own arguments, and those after `--`, which are for a source that is a script.
+    """Splits a command's own arguments from those after `--`, which go to a source script.
 
     arguments: None for those of this process.
     """
@@ -48,8 +48,7 @@ def run_command(
     1 after an RnaError, which is printed as one line, or with its traceback if `debug`;
     INTERRUPTED after Ctrl-C, where `when_stopped` is printed. A warning is one line, too.
 
-    extra: of the distribution, which installs what `command` imports beyond the base; where a
-    module is missing, the line says how to get it.
+    extra: the distribution extra that `command` needs; the error for a missing module names it.
     """
     try:
         with warnings.catch_warnings():

@@ -1,4 +1,4 @@
-"""What all parts of a scene file are made of."""
+"""Base model and value types of the scene file's schema."""
 
 from __future__ import annotations
 
@@ -21,33 +21,33 @@ Albedo = tuple[Share, Share, Share]
 
 
 def is_short(vector: tuple[float, ...]) -> bool:
-    """Whether it is zero, or too short to have a direction."""
+    """Whether the vector is zero or too short to have a direction."""
     return math.hypot(*vector) < MIN_LENGTH
 
 
 class Model(BaseModel):
-    """A mapping of the scene file: finite numbers, and no key that is not known."""
+    """A mapping of the scene file: finite numbers, no unknown keys."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 class TransformModel(Model):
-    """Places something in the world: scale, then rotation, then translation."""
+    """Object-to-world transform: scale, then rotation, then translation."""
 
-    translation: Vector = Field(default=(0.0, 0.0, 0.0), description="Where its origin goes.")
+    translation: Vector = Field(
+        default=(0.0, 0.0, 0.0), description="World position of the object's origin, metres."
+    )
     rotation_deg: Vector | None = Field(
         default=None,
-        description="Degrees about the world's x, then y, then z axis; each turn is "
+        description="Euler angles in degrees about world x, then y, then z; positive is "
         "counter-clockwise seen from the axis's positive end.",
     )
     quaternion: Quaternion | None = Field(
         default=None,
-        description="The rotation as x, y, z, w (the order of glTF), of any length but zero; "
-        "instead of rotation_deg.",
+        description="Rotation as x, y, z, w (glTF's order), of any non-zero length; replaces "
+        "rotation_deg.",
     )
-    scale: Length = Field(
-        default=1.0, description="Uniform scale; it changes no radiance, only the size."
-    )
+    scale: Length = Field(default=1.0, description="Uniform scale; radiance is unchanged.")
 
     @field_validator("scale", mode="before")
     @classmethod

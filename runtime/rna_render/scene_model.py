@@ -1,4 +1,4 @@
-"""What a scene file says: one model an object, one described field a key.
+"""The scene file's schema: one model per mapping, one field with a description per key.
 
 World space is right-handed with +Y up, in metres. Colours are linear RGB.
 """
@@ -33,24 +33,22 @@ class AssetModel(Model):
 
     path: Path = Field(description="The .rna file, relative to the scene file.")
     tier: str | None = Field(
-        default=None, description="Tier of the package to use; its first tier if left out."
+        default=None, description="Tier of the package; its first tier if omitted."
     )
     transform: TransformModel = Field(
-        default=TransformModel(), description="Where it stands; at the origin if left out."
+        default=TransformModel(), description="Placement in the world; identity if omitted."
     )
-    emission: Nonnegative = Field(
-        default=1.0, description="Factor on the light that it sends out itself, if it does."
-    )
+    emission: Nonnegative = Field(default=1.0, description="Scale factor on the asset's emission.")
 
 
 class CameraModel(Model):
     """A pinhole camera."""
 
-    position: Vector = Field(description="Where the pinhole is.")
-    look_at: Vector = Field(description="The point in the middle of the image.")
-    up: Vector = Field(default=(0.0, 1.0, 0.0), description="What is up in the image.")
+    position: Vector = Field(description="Position of the pinhole.")
+    look_at: Vector = Field(description="Point at the image centre.")
+    up: Vector = Field(default=(0.0, 1.0, 0.0), description="Up vector of the image.")
     vertical_fov_deg: float = Field(
-        default=40.0, gt=0, lt=180, description="Angle from the top edge to the bottom edge."
+        default=40.0, gt=0, lt=180, description="Vertical field of view, degrees."
     )
 
     @model_validator(mode="after")
@@ -65,66 +63,66 @@ class CameraModel(Model):
 
 
 class ObjectModel(Model):
-    """A mesh that is not neural: a glTF, OBJ or PLY file."""
+    """A conventional mesh: a glTF, OBJ or PLY file."""
 
     path: Path = Field(description="A .glb, .gltf, .obj or .ply file, relative to the scene file.")
     transform: TransformModel = Field(
-        default=TransformModel(), description="Where it stands; at the origin if left out."
+        default=TransformModel(), description="Placement in the world; identity if omitted."
     )
     material: MaterialModel | None = Field(
-        default=None, description="For the whole mesh; the file's own materials if left out."
+        default=None, description="Material of the whole mesh; the file's own materials if omitted."
     )
 
 
 class GroundModel(Model):
-    """A square, level plane."""
+    """A square, horizontal plane."""
 
-    height: Number = Field(default=0.0, description="Its y.")
-    size: Length = Field(default=100.0, description="Length of its sides, metres.")
+    height: Number = Field(default=0.0, description="Its y coordinate, metres.")
+    size: Length = Field(default=100.0, description="Side length, metres.")
     material: MaterialModel = Field(
-        default=DiffuseModel(type="diffuse"), description="What it is made of; grey if left out."
+        default=DiffuseModel(type="diffuse"), description="Its material; diffuse grey if omitted."
     )
 
 
 class TurnModel(Model):
-    """A turn about +y, spread over the frames."""
+    """A rotation about +y, spread over the frames."""
 
     degrees: Number = Field(
         default=360.0,
-        description="How far in all; positive is counter-clockwise seen from above.",
+        description="Total angle; positive is counter-clockwise seen from above.",
     )
 
 
 class QualityModel(Model):
-    """What the image has to be, for which the renderer picks each asset's tier."""
+    """Error or time target, from which the renderer picks each asset's tier."""
 
     max_error: Positive | None = Field(
         default=None,
-        description="Largest error of an asset, as mean FLIP at its size in the image; each asset "
-        "gets the cheapest tier that meets it.",
+        description="Largest mean FLIP of an asset at its size in the image; each asset gets the "
+        "cheapest tier that meets it.",
     )
     seconds: Positive | None = Field(
         default=None,
-        description="Longest time to render an image, once its assets are loaded. `samples` is "
-        "then the most; cheaper tiers are taken where fewer than 16 would fit.",
+        description="Time limit per image, excluding asset loading. `samples` becomes the maximum; "
+        "cheaper tiers are used if fewer than 16 samples would fit.",
     )
 
     @model_validator(mode="after")
     def _has_limit(self) -> QualityModel:
         if self.max_error is None and self.seconds is None:
-            raise ValueError("nothing is asked for: give max_error or seconds, or both")
+            raise ValueError("quality is empty: give max_error, seconds or both")
         return self
 
 
 class AnimationModel(Model):
-    """A sequence of images of the same things."""
+    """An image sequence of the same scene."""
 
-    frames: int = Field(ge=1, le=MAX_FRAMES, description="How many images, numbered from 0.")
+    frames: int = Field(ge=1, le=MAX_FRAMES, description="Number of frames, numbered from 0.")
     turntable: TurnModel | None = Field(
-        default=None, description="The camera goes around the point that it looks at."
+        default=None, description="Orbits the camera about its look_at point."
     )
     light_sweep: TurnModel | None = Field(
-        default=None, description="Directional lights and environments turn."
+        default=None, description="Rotates directional lights and environments."
     )
 
     @model_validator(mode="after")
@@ -137,53 +135,56 @@ class AnimationModel(Model):
 class Scene(Model):
     """A scene file."""
 
-    assets: tuple[AssetModel, ...] = Field(default=(), description="The neural assets.")
-    objects: tuple[ObjectModel, ...] = Field(default=(), description="Meshes beside them.")
-    ground: GroundModel | None = Field(default=None, description="What they stand on.")
-    camera: CameraModel = Field(description="Where it is seen from.")
-    lights: tuple[LightModel, ...] = Field(default=(), description="What lights it.")
+    assets: tuple[AssetModel, ...] = Field(default=(), description="Neural assets.")
+    objects: tuple[ObjectModel, ...] = Field(default=(), description="Conventional meshes.")
+    ground: GroundModel | None = Field(default=None, description="Ground plane.")
+    camera: CameraModel = Field(description="The camera.")
+    lights: tuple[LightModel, ...] = Field(default=(), description="Light sources.")
     resolution: tuple[PixelCount, PixelCount] = Field(
         default=(640, 480), description="Width and height of the image, pixels."
     )
-    samples: int = Field(default=64, ge=1, le=MAX_SAMPLES, description="Samples a pixel.")
+    samples: int = Field(default=64, ge=1, le=MAX_SAMPLES, description="Samples per pixel.")
     quality: QualityModel | None = Field(
-        default=None, description="An error or a time to keep; see below."
+        default=None, description="Error or time target; see below."
     )
     max_depth: int = Field(
         default=8,
         ge=1,
         le=MAX_DEPTH,
-        description="Things that light may meet on its way to the camera, the first one seen "
-        "included; 1 is direct light alone.",
+        description="Maximum path length in surface interactions, including the first visible one; "
+        "1 is direct lighting only.",
     )
     clamp_indirect: Positive | Literal["auto"] | None = Field(
         default="auto",
-        description="Clamp on per-path indirect radiance. It removes specks, and the light that "
-        "was in them. `auto` is 10 times what a white ball in "
-        "the scene's light would send on average; null for no clamp, and no bias.",
+        description="Clamp on per-path indirect radiance. Removes fireflies and their energy. "
+        "`auto` is 10 times the mean radiance of a white sphere under the scene's lights; null "
+        "disables the clamp and its bias.",
     )
     seed: int = Field(
         default=0,
         ge=0,
         le=MAX_SEED,
-        description="Start of the random numbers; same seed, same image.",
+        description="Random seed; the same seed gives the same image.",
     )
     view: Literal["srgb", "filmic"] = Field(
         default="srgb",
-        description="How the PNG shows radiance: clamped, or with a filmic shoulder and toe.",
+        description="View transform of the PNG: clamped, or filmic with shoulder and toe.",
     )
     exposure: float = Field(
-        default=0.0, ge=-64, le=64, description="Stops: the PNG shows radiance times 2^exposure."
+        default=0.0,
+        ge=-64,
+        le=64,
+        description="Exposure of the PNG in stops; radiance is scaled by 2^exposure.",
     )
 
     animation: AnimationModel | None = Field(
-        default=None, description="What moves from frame to frame, for `rna-run --frames`."
+        default=None, description="Animation, for `rna-run --frames`."
     )
 
     @model_validator(mode="after")
     def _has_something(self) -> Scene:
         if not (self.assets or self.objects or self.ground):
-            raise ValueError("there is nothing in the scene: it has no assets, objects or ground")
+            raise ValueError("the scene is empty: it has no assets, objects or ground")
         return self
 
     @model_validator(mode="after")
@@ -191,6 +192,7 @@ class Scene(Model):
         swept = self.animation is not None and self.animation.light_sweep is not None
         if swept and not any(light.type in ("directional", "environment") for light in self.lights):
             raise ValueError(
-                "animation.light_sweep turns directional lights and environments: there are none"
+                "animation.light_sweep rotates directional lights and environments, and the scene "
+                "has none"
             )
         return self

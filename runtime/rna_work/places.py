@@ -17,7 +17,10 @@ from rna_work.threads import HERE, Caller, Threads
 
 Answer = TypeVar("Answer")
 
-HELP = "run on a Ray cluster: auto (the cluster this machine has joined), ray://HOST:PORT, or local (start one here) (address, default: this machine, without Ray)"
+HELP = (
+    "run on a Ray cluster: auto (the cluster this machine has joined), ray://HOST:PORT, or local "
+    "(start one here) (address, default: this machine, without Ray)"
+)
 
 
 @dataclass(frozen=True)

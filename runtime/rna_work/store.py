@@ -1,4 +1,4 @@
-"""Object storage that all machines of a cluster can write, where they share no folder."""
+"""Object storage for clusters without a shared file system."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ _INSTALL = {"s3": "s3fs", "gs": "gcsfs", "gcs": "gcsfs", "abfs": "adlfs", "az": 
 
 
 def add_store_option(parser: argparse.ArgumentParser, what: str) -> None:
-    """The option `--store`, for what workers put there."""
+    """The option `--store`; what: the files that workers put there."""
     parser.add_argument(
         "--store",
         type=Store,
         metavar="URL",
-        help=f"where the nodes of a cluster put {what}, if they share no folder with this machine, "
-        "such as s3://bucket/folder (address, default: they share it)",
+        help=f"object storage for {what} if cluster nodes share no file system with this machine, "
+        "such as s3://bucket/folder (URL, default: shared file system)",
     )
 
 
@@ -28,7 +28,7 @@ def add_store_option(parser: argparse.ArgumentParser, what: str) -> None:
 class Store:
     """Files below an address that fsspec knows: s3://, gs://, abfs://, file://, ...
 
-    An object appears whole or not at all.
+    Objects are written atomically.
     """
 
     url: str

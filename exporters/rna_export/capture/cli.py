@@ -1,4 +1,4 @@
-"""`rna-capture`: renders an asset in all views and lights into a dataset."""
+"""`rna-capture`: renders an asset under all view and light directions into a dataset."""
 
 from __future__ import annotations
 
@@ -28,13 +28,11 @@ if TYPE_CHECKING:
     from rna_export.capture.dataset import Dataset
     from rna_render.scene_file import SceneFile
 
-_GO_ON = "run the same command again to continue"
+_GO_ON = "run the same command again to resume"
 SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", *ALEMBIC_AND_USD, *GROOMS, ".py")
 _BECOMES = {
-    "front": "+Z (X, Y, Z, -X, -Y or -Z, default: -Y where up is Z, as in Blender; Z elsewhere, as "
-    "in glTF)",
-    "up": "+Y (the same, default: Z for .blend, .ply, .hair and .py; what the file says for USD; Y "
-    "for the others)",
+    "front": "+Z (X, Y, Z, -X, -Y or -Z, default: -Y for Z up, as in Blender; else Z, as in glTF)",
+    "up": "+Y (as --front, default: Z for .blend, .ply, .hair, .py; upAxis for USD; else Y)",
 }
 _OPTIONS = (  # fields of CaptureSettings
     "samples",
@@ -58,11 +56,11 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-capture`."""
     p = command_parser(
         "rna-capture",
-        "Render an asset in all views and lights with Blender Cycles.",
+        "Render an asset under all view and light directions with Blender Cycles.",
         "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
-        epilog="The same command continues a capture that was stopped.\nArguments after -- go to a "
-        "source that is a Python script, or say what a groom, an\nAlembic or a USD file does "
-        "not; they are listed by: rna-capture groom.tfx -- --help",
+        epilog="The same command resumes an interrupted capture.\nArguments after -- are passed to "
+        "a Python source, or set what a groom, Alembic or\nUSD file lacks; to list them: "
+        "rna-capture groom.tfx -- --help",
     )
     p.add_argument(
         "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(SUFFIXES)}"
@@ -71,27 +69,26 @@ def parser() -> argparse.ArgumentParser:
         "--out",
         type=Path,
         metavar="FOLDER",
-        help="dataset to write, or to go on with (path, needed with a source: no default)",
+        help="dataset to write or resume (path, required with a source)",
     )
     p.add_argument(
         "--setup-blender",
         action="store_true",
-        help="install Blender's module in an environment of its own, then end (default: off)",
+        help="install Blender's Python module in its own environment, then exit (default: off)",
     )
     p.add_argument(
         "--for",
         dest="for_scene",
         type=Path,
         metavar="SCENE",
-        help="scene file; only the directions from which it shows and lights the asset are "
-        "captured (path, default: --domain)",
+        help="capture only the view and light directions that this scene file uses (path, default: "
+        "all of --domain)",
     )
     p.add_argument(
         "--minutes",
         type=float,
-        help="time budget of the whole command; sets the number of lights, and makes the "
-        "validation images smaller where they would take more than a quarter (float, default: no "
-        "limit)",
+        help="wall-clock budget of the whole command; sets --lights, and shrinks the validation "
+        "images if they would take more than a quarter of it (float, default: no limit)",
     )
     add_settings(p, _OPTIONS)
     add_workers(p)
@@ -109,15 +106,14 @@ def add_settings(p: argparse.ArgumentParser, names: Sequence[str]) -> None:
             "--" + name.replace("_", "-"),
             type=type(info.default),
             choices=_CHOICES.get(name),
-            help=f"{info.description or 'of the random numbers'} ({_usual(name)})",
+            help=f"{info.description or 'random seed'} ({_usual(name)})",
         )
     for name in ("front", "up"):
         p.add_argument(
             f"--{name}",
             choices=AXES,
             metavar="AXIS",
-            help=f"{CaptureSettings.model_fields[name].description}; the asset is turned such that "
-            f"it becomes {_BECOMES[name]}",
+            help=f"{CaptureSettings.model_fields[name].description}, mapped to {_BECOMES[name]}",
         )
     p.add_argument(
         "--exact-geometry",
@@ -128,11 +124,11 @@ def add_settings(p: argparse.ArgumentParser, names: Sequence[str]) -> None:
 
 
 def add_workers(p: argparse.ArgumentParser) -> None:
-    """The options for who captures."""
+    """The options `--workers`, `--cluster` and `--store`."""
     p.add_argument(
         "--workers",
         type=int,
-        help="Blender processes, one thread each (int, default: one a core, here "
+        help="single-threaded Blender processes (int, default: one per core, here "
         f"{default_workers()})",
     )
     add_cluster_option(p)
@@ -144,7 +140,7 @@ def _usual(name: str) -> str:
     hair, both = (getattr(CaptureSettings.usual(kind), name) for kind in ("fiber", "both"))
     text = f"{type(default).__name__}, default {default}"
     text += f", for hair {hair}" if hair != default else ""
-    return text + (f", beside a surface {both}" if both != hair else "")
+    return text + (f", with a surface {both}" if both != hair else "")
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -155,9 +151,9 @@ def main(argv: list[str] | None = None) -> int:
     if args.source is not None and source_help.is_asked(arguments):
         return run_command(lambda: source_help.show(args.source), args.debug, _GO_ON, "capture")
     if not args.setup_blender and (args.source is None or args.out is None):
-        options.error("a source and --out are needed (or --setup-blender)")
+        options.error("a source and --out are required (or --setup-blender)")
     if args.minutes is not None and args.lights is not None:
-        options.error("--minutes sets the number of lights: give one of the two")
+        options.error("--minutes sets --lights: give only one of them")
     for name in ("minutes", "workers"):
         value = getattr(args, name)
         if value is not None and not 0 < value < math.inf:
@@ -176,9 +172,9 @@ def asked_settings(args: argparse.Namespace) -> dict[str, Any]:
 
 
 def check_settings(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:
-    """End with a line on the first setting that cannot be."""
+    """Exit with an error line for the first invalid setting."""
     if args.for_scene is not None and args.domain is not None:
-        options.error("--for finds the domain: give it or --domain")
+        options.error("--for sets the domain: give only one of --for and --domain")
     try:
         CaptureSettings(**asked_settings(args))
     except ValidationError as error:
@@ -202,7 +198,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     limit = None if args.minutes is None else TimeLimit(args.minutes)
     python = blender_env.find_python()
-    scratch = args.out / "scratch"  # ray images; those of a killed capture go here
+    scratch = args.out / "scratch"  # ray images; leftovers of a killed capture are removed
     shutil.rmtree(scratch, ignore_errors=True)
     begun = (args.out / "manifest.json").is_file()
     try:
@@ -226,7 +222,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
 
 
 def check_source(source: Path) -> None:
-    """Raises `CaptureError` for a file that is not there or is of no kind that is taken."""
+    """Raises `CaptureError` for a missing file or an unsupported format."""
     if not source.is_file():
         raise CaptureError(f"{source}: no such file")
     if source.suffix.lower() not in SUFFIXES:
@@ -238,24 +234,26 @@ def check_source(source: Path) -> None:
 def _continue(
     out: Path, source: Path, arguments: tuple[str, ...], asked: dict[str, object]
 ) -> Dataset:
-    """The dataset begun in `out`, if it was begun with the same source and settings."""
+    """The unfinished dataset in `out`; raises CaptureError if source or settings differ."""
     from rna_export.capture.dataset import Dataset
 
     dataset = Dataset(out)
     manifest = dataset.manifest
     sha = hashlib.sha256(source.read_bytes()).hexdigest()
     if (sha, arguments) != (manifest.source_sha256, manifest.arguments):
-        raise CaptureError(f"{out} was begun from another {manifest.source} or other arguments")
+        raise CaptureError(
+            f"{out} was started from another {manifest.source} or with other arguments"
+        )
     for field, value in asked.items():
         begun = getattr(manifest.settings, field)
         if value != begun:
-            raise CaptureError(f"{out} was begun with {field} {begun}, found {value}")
-    print(f"continuing {out}")
+            raise CaptureError(f"{out} was started with {field} {begun}, found {value}")
+    print(f"resuming {out}")
     return dataset
 
 
 def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
-    """Refuse to go on for a scene that asks for other directions."""
+    """Raises CaptureError if the scene uses other directions than the dataset."""
     from rna_export.capture.scene_domain import scene_domain
     from rna_export.capture.shift import scene_of
 
@@ -265,7 +263,7 @@ def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
     domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset))
     if domain != manifest.scene_domain:
         raise CaptureError(
-            f"{dataset.folder} was begun for other views or lights than {for_scene.path}'s"
+            f"{dataset.folder} was started for other view or light directions than {for_scene.path}"
         )
 
 

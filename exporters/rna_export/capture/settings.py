@@ -1,4 +1,4 @@
-"""What can be asked of a capture, with the usual values; loads nothing that captures."""
+"""Capture settings and their defaults; imports no capture code."""
 
 from __future__ import annotations
 
@@ -18,54 +18,61 @@ class DatasetModel(BaseModel):
 
 
 class CaptureSettings(DatasetModel):
-    """What was asked for; with the source, enough to repeat the capture."""
+    """Settings of a capture; with the source, enough to repeat it."""
 
-    samples: int = Field(16, gt=0, description="paths a view ray")
-    rays: int = Field(4096, gt=0, description="view rays a light direction")
+    samples: int = Field(16, gt=0, description="paths per view ray")
+    rays: int = Field(4096, gt=0, description="view rays per light direction")
     lights: int = Field(2000, gt=0, description="light directions, one small render each")
-    domain: str = Field("sphere", pattern="^(sphere|hemisphere)$", description="of wo and of wi")
+    domain: str = Field(
+        "sphere", pattern="^(sphere|hemisphere)$", description="domain of wo and wi"
+    )
     parts: str = Field(
         "kinds",
         pattern="^(kinds|objects)$",
-        description="what has planes and a decoder of its own: all surfaces and all hair, or each "
-        "object that is parented to no other",
+        description="what gets its own planes and decoder: kinds (all surfaces, all hair) or "
+        "objects (each without a parent)",
     )
     exact_geometry: bool = Field(
-        False, description="keep geometry in float32, not in steps that halve a package's size"
+        False, description="keep float32 geometry; quantised geometry halves the package size"
     )
     normal_texels: int = Field(
-        512, ge=0, description="along a side of a normal map, at most; 0: normal maps are learnt"
+        512, ge=0, description="maximum width and height of normal maps; 0: normal maps are learnt"
     )
     sharpest: float = Field(
-        SHARPEST, gt=0, le=0.8, description="roughness of the smoothest material of a surface"
+        SHARPEST,
+        gt=0,
+        le=0.8,
+        description="roughness of the sharpest highlight that view rays importance-sample",
     )
     clamp_direct: float = Field(
-        CLAMP_DIRECT, description="Cycles' clamp of direct light (the paper's)"
+        CLAMP_DIRECT, description="Cycles' direct clamp (the paper's value)"
     )
-    clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' clamp of indirect light")
-    front: str | None = Field(
-        None, pattern="^-?[XYZ]$", description="axis of the file that is the asset's front"
-    )
-    up: str | None = Field(None, pattern="^-?[XYZ]$", description="axis of the file that is up")
-    validation_views: int = Field(8, ge=1, description="whole images kept from training")
+    clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' indirect clamp")
+    front: str | None = Field(None, pattern="^-?[XYZ]$", description="front axis of the file")
+    up: str | None = Field(None, pattern="^-?[XYZ]$", description="up axis of the file")
+    validation_views: int = Field(8, ge=1, description="validation images, held out from training")
     validation_resolution: int = Field(160, gt=0, description="their width and height, pixels")
-    validation_samples: int = Field(512, ge=2, description="paths a pixel, in two halves")
-    lights_per_shard: int = Field(32, gt=0, description="what a stop can lose at most")
+    validation_samples: int = Field(
+        512, ge=2, description="their paths per pixel, in two independent halves"
+    )
+    lights_per_shard: int = Field(
+        32, gt=0, description="lights per shard, the most that an interruption can lose"
+    )
     seed: int = 0
 
     @property
     def validation_paths(self) -> int:
-        """To trace for one validation image, about: the part that the asset covers is a guess."""
+        """Paths of one validation image, estimated for 40% coverage."""
         return int(0.4 * self.validation_resolution**2 * self.validation_samples)
 
     @classmethod
     def usual(cls, kind: str, **asked: object) -> CaptureSettings:
-        """The defaults for "surface", "fiber" or "both", but for what was asked for."""
+        """The defaults for "surface", "fiber" or "both", overridden by `asked`."""
         return cls(**{**_DEFAULTS.get(kind, {}), **asked})
 
 
-# Hair's paths are dear and noisy: more points, of fewer paths, teach more (docs/decisions.md).
-# Beside a surface, whose paths are cheap, as many paths a light serve both.
+# Hair paths are expensive and noisy: more points with fewer paths train better
+# (docs/decisions.md). With a surface, whose paths are cheap, both use the same number.
 _FIBERS = {
     "samples": 2,
     "rays": 16384,

@@ -37,7 +37,7 @@ def parser() -> argparse.ArgumentParser:
         "required)",
     )
     limit.add_argument(
-        "--min-psnr", type=_positive, metavar="DB", help="limit on their mean PSNR, dB (float)"
+        "--min-psnr", type=_positive, metavar="DB", help="limit on their PSNR, dB (float)"
     )
     limit.add_argument(
         "--budget-us",
@@ -74,7 +74,7 @@ def parser() -> argparse.ArgumentParser:
 def main(argv: list[str] | None = None) -> int:
     """Entry point; returns the exit status."""
     args = parser().parse_args(argv)
-    go_on = "run the same command again to continue"
+    go_on = "run the same command again to resume"
     return run_command(lambda: _in_place(args), args.debug, go_on, "train")
 
 
@@ -121,12 +121,12 @@ def _run(args: argparse.Namespace, where: Place) -> None:
         args.license,
         print,
         [TRIAL_PRECISIONS[found.chosen.precision]],
-        max_loss=math.inf,  # what was found meets the goal as it is
+        max_loss=math.inf,  # the chosen model already meets the goal
     )
     write_page(found, dataset.manifest.name, work / "index.html")
     print(
-        f"chosen: {found.chosen.name}, {found.chosen.ns:.0f} ns a query; "
-        f"{found.seconds:.0f} s of training in all\n"
+        f"chosen: {found.chosen.name}, {found.chosen.ns:.0f} ns/query; "
+        f"{found.seconds:.0f} s of training in total\n"
         f"wrote {args.out}, {work / 'index.html'}\nnext: rna-validate {args.out}"
     )
 

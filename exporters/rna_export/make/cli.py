@@ -1,4 +1,4 @@
-"""`rna-make`: a package from a model, as good as asked for."""
+"""`rna-make`: captures, trains and exports a model until it meets an error target."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from rna_export.make.run import Made
     from rna_sdk.package import Manifest
 
-_GO_ON = "run the same command again to continue"
+_GO_ON = "run the same command again to resume"
 _SETTINGS = (
     "samples",
     "rays",
@@ -50,67 +50,67 @@ def parser() -> argparse.ArgumentParser:
     """The options of `rna-make`."""
     p = command_parser(
         "rna-make",
-        "Capture, train and export a model in one command, until it is as good as asked.",
+        "Capture, train and export a model in one command, up to an error target.",
         "rna-make helmet.gltf --out helmet.rna --min-psnr 36",
-        epilog="Without a limit it goes on until the error stops falling. The same command "
-        "continues\none that was stopped. Arguments after -- go to the source, as with "
-        "rna-capture.",
+        epilog="Without a target or --minutes it runs until the error stops falling. The same "
+        "command\nresumes an interrupted run. Arguments after -- are passed to the source, as "
+        "in\nrna-capture.",
     )
-    p.add_argument("model", type=Path, help="what rna-capture takes (path)")
-    p.add_argument(
-        "--out", type=Path, metavar="RNA", help="the package to write (path, needed: no default)"
-    )
+    p.add_argument("model", type=Path, help="any model that rna-capture reads (path)")
+    p.add_argument("--out", type=Path, metavar="RNA", help="output package (path, required)")
     goal = p.add_mutually_exclusive_group()
     goal.add_argument(
         "--max-error",
         type=float,
         metavar="FLIP",
-        help="mean FLIP of the validation images that is good enough (float, default: none)",
+        help="target mean FLIP of the validation images (float, default: none)",
     )
     goal.add_argument(
         "--min-psnr",
         type=float,
         metavar="DB",
-        help="PSNR of those images that is good enough (float, default: none)",
+        help="target PSNR of the validation images (float, default: none)",
     )
     p.add_argument(
         "--minutes",
         type=float,
-        help="time of the whole command, unless the goal is met before (float, default: no limit)",
+        help="wall-clock limit of the whole command; it ends earlier once the target is met "
+        "(float, default: no limit)",
     )
     p.add_argument(
         "--presets",
         nargs="+",
         choices=PRESETS["surface"],
         default=["small"],
-        help="a tier of the package for each, the first is its usual one; the goal is that of the "
-        "dearest (default: small)",
+        help="one tier per preset, the default tier first; the target applies to the most "
+        "expensive (default: small)",
     )
     p.add_argument(
         "--for",
         dest="for_scene",
         type=Path,
         metavar="SCENE",
-        help="scene file; only its views and lights are captured (path, default: --domain)",
+        help="capture only the view and light directions that this scene file uses (path, default: "
+        "all of --domain)",
     )
     p.add_argument(
         "--steps",
         type=int,
-        help="of the last phase; those before it are shorter (int, default: the preset's)",
+        help="training steps of the last phase; earlier phases are shorter (int, default: the "
+        "preset's)",
     )
     add_settings(p, _SETTINGS)
-    p.add_argument("--seed", type=int, default=0, help="of the random numbers (int, default: 0)")
+    p.add_argument("--seed", type=int, default=0, help="random seed (int, default: 0)")
     add_device(p, "trainings")
     add_workers(p)
     p.add_argument(
         "--work",
         type=Path,
         metavar="FOLDER",
-        help="for rays and trainings, removed at the end (path, default: OUT with .make)",
+        help="folder for rays and trainings, deleted at the end (path, default: OUT with suffix "
+        ".make)",
     )
-    p.add_argument(
-        "--keep", action="store_true", help="leave the work folder as it is (default: off)"
-    )
+    p.add_argument("--keep", action="store_true", help="keep the work folder (default: off)")
     add_credit(p)
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
@@ -129,7 +129,7 @@ def main(argv: list[str] | None = None) -> int:
     if args.out is None:
         options.error("the following arguments are required: --out")
     if args.minutes is not None and (args.lights is not None or args.steps is not None):
-        options.error("--minutes sets --lights and --steps: give it or them")
+        options.error("--minutes sets --lights and --steps: give either it or them")
     for name in ("minutes", "workers", "max_error", "min_psnr", "steps"):
         value = getattr(args, name)
         if value is not None and not 0 < value < math.inf:
@@ -159,7 +159,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
 
     keep_freed_memory()
     work = args.work or args.out.with_suffix(".make")
-    scratch = work / "scratch"  # ray images; those of a killed make go here
+    scratch = work / "scratch"  # ray images; leftovers of a killed run are removed
     shutil.rmtree(scratch, ignore_errors=True)
     settings = {**asked_settings(args), "seed": args.seed}
     goal = _goal(args)
@@ -214,7 +214,7 @@ def _goal(args: argparse.Namespace) -> Goal | None:
 
 
 def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
-    """The error of each tier, and whether the goal is met, in the package itself."""
+    """The recorded error of each tier, and whether the goal is met."""
     lines, lead = [], None
     for tier in manifest.tiers:
         found = tier.validation
@@ -226,7 +226,7 @@ def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
         end = f"goal met: {goal}"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"
-    return "\n".join([*lines, f"{end}; {made.rounds} rounds of rays"])
+    return "\n".join([*lines, f"{end}; {made.rounds} capture rounds"])
 
 
 if __name__ == "__main__":

@@ -107,7 +107,7 @@ def main(argv: list[str] | None = None) -> int:
             options.error(f"argument --{name}: expected a number above 0, found {value:g}")
     if not 0 <= args.seed < 2**32:
         options.error(f"argument --seed: expected 0 to 2^32 - 1, found {args.seed}")
-    go_on = "run the same command again to continue"
+    go_on = "run the same command again to resume"
     return run_command(lambda: _run(args), args.debug, go_on, "train")
 
 

@@ -1,4 +1,4 @@
-"""What a scene file says of lights."""
+"""The scene file's schema of lights."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ class _LightModel(Model):
     group: str = Field(
         default="",
         pattern=r"^[A-Za-z0-9_]*$",
-        description="Its light alone goes to the channels `light.<group>.R`, `.G` and `.B` too; "
-        "several lights may share a group.",
+        description="Light group: its contribution is also written to `light.<group>.R`, `.G` and "
+        "`.B`. Several lights may share a group.",
     )
 
 
 class _DirectedModel(_LightModel):
-    direction: Vector = Field(description="Towards the light; any length but zero.")
+    direction: Vector = Field(description="Direction towards the light; any non-zero length.")
 
     @field_validator("direction")
     @classmethod
@@ -41,41 +41,41 @@ class _DirectedModel(_LightModel):
 
 
 class DirectionalModel(_DirectedModel):
-    """Light from one direction, as from a distant sun; no camera sees it."""
+    """Light from one direction, as from a distant sun; invisible to the camera."""
 
     type: Literal["directional"] = Field(description="`directional`")
-    irradiance: Rgb = Field(description="W/m^2 on a plane that faces the light.")
+    irradiance: Rgb = Field(description="Irradiance on a plane facing the light, W/m^2.")
     angular_diameter_deg: Angle = Field(
         default=0.0,
-        description="How large it looks; the sun 0.53. It softens shadows, and the irradiance "
-        "stays as it is.",
+        description="Angular diameter; 0.53 for the sun. It softens shadows and leaves the "
+        "irradiance unchanged.",
     )
 
 
 class PointModel(_LightModel):
-    """Light from a point, the same to all sides."""
+    """An isotropic point light."""
 
     type: Literal["point"] = Field(description="`point`")
-    position: Vector = Field(description="Where it is.")
-    intensity: Rgb = Field(description="W/sr; at distance r it brings irradiance intensity / r^2.")
+    position: Vector = Field(description="Position, metres.")
+    intensity: Rgb = Field(
+        description="Radiant intensity, W/sr; irradiance at distance r is intensity / r^2."
+    )
 
 
 class SpotModel(_LightModel):
-    """Light from a point, within a cone."""
+    """A point light restricted to a cone."""
 
     type: Literal["spot"] = Field(description="`spot`")
-    position: Vector = Field(description="Where it is.")
-    look_at: Vector = Field(description="A point on the axis of its cone.")
-    intensity: Rgb = Field(description="W/sr within the inner cone.")
-    outer_angle_deg: float = Field(
-        default=45.0, gt=0, le=90, description="From the axis to where its light ends."
-    )
+    position: Vector = Field(description="Position, metres.")
+    look_at: Vector = Field(description="Point on the cone axis.")
+    intensity: Rgb = Field(description="Radiant intensity within the inner cone, W/sr.")
+    outer_angle_deg: float = Field(default=45.0, gt=0, le=90, description="Half angle of the cone.")
     inner_angle_deg: float = Field(
         default=30.0,
         ge=0,
         le=90,
-        description="From the axis to where it begins to fall, by a smoothstep of the cosine, as "
-        "Blender's spot lamp; at most the outer angle.",
+        description="Half angle of full intensity, at most the outer angle. The falloff is a "
+        "smoothstep of the cosine, as in Blender.",
     )
 
     @model_validator(mode="after")
@@ -90,19 +90,21 @@ class SpotModel(_LightModel):
 
 
 class AreaModel(_LightModel):
-    radiance: Rgb = Field(description="W/(m^2 sr), from every point to every direction.")
+    radiance: Rgb = Field(
+        description="Emitted radiance, W/(m^2 sr), uniform over position and direction."
+    )
     visible_to_camera: bool = Field(
-        default=True, description="Whether the camera sees the light itself."
+        default=True, description="Whether the camera sees the emitter."
     )
 
 
 class RectangleModel(AreaModel):
-    """A rectangle that sends light from its front."""
+    """A rectangular area light that emits from its front."""
 
     type: Literal["rectangle"] = Field(description="`rectangle`")
     position: Vector = Field(description="Its middle.")
     look_at: Vector = Field(description="A point straight before it.")
-    up: Vector = Field(default=(0.0, 1.0, 0.0), description="Where its height points to.")
+    up: Vector = Field(default=(0.0, 1.0, 0.0), description="Direction of its height.")
     size: tuple[Length, Length] = Field(description="Width and height, metres.")
 
     @model_validator(mode="after")
@@ -116,7 +118,7 @@ class RectangleModel(AreaModel):
 
 
 class DiskModel(AreaModel):
-    """A disk that sends light from its front."""
+    """A disk-shaped area light that emits from its front."""
 
     type: Literal["disk"] = Field(description="`disk`")
     position: Vector = Field(description="Its middle.")
@@ -130,7 +132,7 @@ class DiskModel(AreaModel):
 
 
 class SphereModel(AreaModel):
-    """A sphere that sends light outwards."""
+    """A spherical area light."""
 
     type: Literal["sphere"] = Field(description="`sphere`")
     position: Vector = Field(description="Its middle.")
@@ -138,23 +140,25 @@ class SphereModel(AreaModel):
 
 
 class EnvironmentModel(_LightModel):
-    """Light from all around: one colour, or an image."""
+    """An environment light: constant, or an image."""
 
     type: Literal["environment"] = Field(description="`environment`")
     radiance: Rgb = Field(
-        default=(1.0, 1.0, 1.0), description="W/(m^2 sr); with an image, what multiplies it."
+        default=(1.0, 1.0, 1.0), description="Radiance, W/(m^2 sr); scales the image, if any."
     )
     path: Path | None = Field(
         default=None,
-        description="An equirectangular image, EXR or HDR, relative to the scene file. Its middle "
-        "is seen in direction -z, its upper edge is +y, its right half lies towards +x. Negative "
-        "values count as 0; values that are not finite, or above 1e18, are refused.",
+        description="Equirectangular image, EXR or HDR, relative to the scene file. Its centre is "
+        "direction -z, its top edge +y, its right half +x. Negative values are clamped to 0; "
+        "non-finite values and values above 1e18 are rejected.",
     )
     rotation_deg: Number = Field(
-        default=0.0, description="Turns the image about +y, counter-clockwise seen from above."
+        default=0.0,
+        description="Rotation of the image about +y, counter-clockwise seen from above.",
     )
     visible_to_camera: bool = Field(
-        default=True, description="Whether it is the background too; if not, alpha is 0 there."
+        default=True,
+        description="Whether the camera sees it as background; if not, alpha is 0 there.",
     )
 
 

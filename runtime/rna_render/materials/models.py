@@ -1,4 +1,4 @@
-"""What a scene file says of materials: those of glTF 2.0, and the shadow catcher."""
+"""The scene file's schema of materials: those of glTF 2.0, and the shadow catcher."""
 
 from __future__ import annotations
 
@@ -11,31 +11,31 @@ from rna_render.model_base import Albedo, Model, Rgb, Share
 
 
 class _ColouredModel(Model):
-    color: Albedo = Field(default=(0.8, 0.8, 0.8), description="Linear; multiplies the texture.")
+    color: Albedo = Field(
+        default=(0.8, 0.8, 0.8), description="Base colour, linear; multiplies the texture."
+    )
     texture: Path | None = Field(
         default=None,
-        description="Image of the colour, sRGB, relative to the scene file; needs UVs.",
+        description="Base colour texture, sRGB, relative to the scene file; needs UVs.",
     )
-    emission: Rgb = Field(
-        default=(0.0, 0.0, 0.0), description="Radiance that it sends out by itself, W/(m^2 sr)."
-    )
+    emission: Rgb = Field(default=(0.0, 0.0, 0.0), description="Emitted radiance, W/(m^2 sr).")
 
 
 class DiffuseModel(_ColouredModel):
-    """Lambert's material."""
+    """A Lambertian material."""
 
     type: Literal["diffuse"] = Field(description="`diffuse`")
 
 
 class ConductorModel(_ColouredModel):
-    """A rough metal; `color` is its reflectance seen straight on."""
+    """A rough metal; `color` is its reflectance at normal incidence."""
 
     type: Literal["conductor"] = Field(description="`conductor`")
     roughness: Share = Field(default=0.3, description="As in glTF: the square root of GGX's alpha.")
 
 
 class CoatedModel(_ColouredModel):
-    """A diffuse material below a rough dielectric surface, as painted or plastic things have."""
+    """A diffuse base under a rough dielectric coat, such as paint or plastic."""
 
     type: Literal["coated"] = Field(description="`coated`")
     roughness: Share = Field(default=0.3, description="As in glTF: the square root of GGX's alpha.")
@@ -43,7 +43,7 @@ class CoatedModel(_ColouredModel):
 
 
 class ShadowCatcherModel(Model):
-    """Seen by the camera alone; it shows nothing but the shadows that fall on it, as alpha."""
+    """Visible to camera rays only; shows received shadows as alpha, and nothing else."""
 
     type: Literal["shadow_catcher"] = Field(description="`shadow_catcher`")
 
