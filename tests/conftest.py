@@ -72,4 +72,4 @@ def _no_data() -> str | None:
 def _no_gpu() -> str | None:
     import torch
 
-    return None if torch.cuda.is_available() else "torch finds no CUDA device"
+    return None if torch.cuda.is_available() else "PyTorch finds no CUDA device"

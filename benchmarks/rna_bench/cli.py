@@ -1,4 +1,4 @@
-"""`rna-bench NAME`: every measurement of the project as one command."""
+"""`rna-bench NAME`: all benchmarks of the project as one command."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ def parser() -> argparse.ArgumentParser:
     )
     p = command_parser(
         "rna-bench",
-        "Measure assets, and the SDK itself; each NAME is one measurement.",
+        "Benchmark assets and the SDK; each NAME is one benchmark.",
         _EXAMPLE,
         epilog=f"{listed}\nrna-bench NAME --help shows the options of a command.",
     )
-    p.add_argument("name", metavar="NAME", choices=COMMANDS, help="what to measure: see below")
+    p.add_argument("name", metavar="NAME", choices=COMMANDS, help="benchmark, see below")
     return p
 
 
@@ -59,7 +59,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         args.script_arguments, args.stamp = script_arguments, stamp(given)
         return args.run(args)
 
-    kept = "finished parts are kept: run the same command to go on"
+    kept = "finished steps are kept: run the same command again to resume"
     stopped = kept if command.resumes else "nothing was written"
     return run_command(measure, "--debug" in own, stopped, command.extra)
 

@@ -1,4 +1,4 @@
-"""Options that commands share, and how their help shows type and default."""
+"""Shared options, and a help formatter that shows type and default."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _TYPES = {None: "text", Path: "path"}
 
 
 class OptionHelp(argparse.RawDescriptionHelpFormatter):
-    """Adds type and default to the help of options that do not tell them themselves."""
+    """Adds type and default to the help of options that do not state them."""
 
     def _get_help_string(self, action: argparse.Action) -> str:
         told = action.help or ""
@@ -24,13 +24,11 @@ class OptionHelp(argparse.RawDescriptionHelpFormatter):
 
 def add_out(parser: argparse.ArgumentParser) -> None:
     """`--out` of a command whose result is one JSON file."""
-    parser.add_argument(
-        "--out", type=Path, help="JSON to write (path, default: it is printed alone)"
-    )
+    parser.add_argument("--out", type=Path, help="JSON to write (path, default: print only)")
 
 
 def add_repeats(parser: argparse.ArgumentParser, default: int = 9) -> None:
     """`--repeats` of alternating measurements."""
     parser.add_argument(
-        "--repeats", type=int, default=default, help="runs that a median is taken of"
+        "--repeats", type=int, default=default, help="runs, of which the median counts"
     )

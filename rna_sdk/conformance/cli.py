@@ -39,9 +39,7 @@ def _run(options: argparse.Namespace, words: tuple[str, ...]) -> int:
     levels = claimed_levels(program)
     missing = [level for level in options.level or () if level not in levels]
     if missing:
-        raise ConformanceError(
-            f"--level {missing[0]}: the reader says that it has {', '.join(levels)}"
-        )
+        raise ConformanceError(f"--level {missing[0]}: the reader only claims {', '.join(levels)}")
     running = run_levels(program, kit, options.level or levels, options.jobs)
     if options.json:
         scores = list(running)

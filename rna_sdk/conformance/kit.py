@@ -114,8 +114,8 @@ def find_kit() -> Path:
     folder = Path(__file__).parents[2] / "spec" / "conformance"
     if not (folder / INDEX).is_file():
         raise ConformanceError(
-            "the installed SDK carries no conformance kit; pass --kit PATH, the folder "
-            "spec/conformance of a clone of the project"
+            "the installed SDK does not contain the conformance kit; pass --kit PATH, the folder "
+            "spec/conformance of a checkout"
         )
     return folder
 
@@ -130,10 +130,10 @@ def load_kit(folder: Path) -> Kit:
         index = json.loads((folder / INDEX).read_bytes())
     except (OSError, ValueError) as error:
         raise ConformanceError(
-            f"{folder / INDEX}: no index of a conformance kit: {error}"
+            f"{folder / INDEX}: not the index of a conformance kit: {error}"
         ) from None
     if not isinstance(index, dict) or index.get("version") != VERSION:
-        raise ConformanceError(f"{folder / INDEX}: found no kit of version {VERSION}")
+        raise ConformanceError(f"{folder / INDEX}: expected a kit of version {VERSION}")
     for name, record in index["files"].items():
         _check_file(folder / name, record)
     return Kit(
@@ -159,11 +159,11 @@ def _check_file(path: Path, record: dict[str, Any]) -> None:
     try:
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as error:
-        raise ConformanceError(f"{path}: a file of the kit cannot be read: {error}") from None
+        raise ConformanceError(f"{path}: cannot read a file of the kit: {error}") from None
     if digest != record["sha256"]:
         raise ConformanceError(
-            f"{path}: found SHA-256 {digest[:16]}..., expected {record['sha256'][:16]}...; "
-            "the kit was changed, or made in part"
+            f"{path}: found SHA-256 {digest[:16]}..., expected {record['sha256'][:16]}...; the kit "
+            "was modified or is incomplete"
         )
 
 

@@ -61,7 +61,7 @@ def run_reader(
             print("\n".join(codes))
             return 0 if valid else 1
         else:
-            raise ConformanceError(f"no such call of a reader: {' '.join([level, *rest])}")
+            raise ConformanceError(f"unknown call of a reader: {' '.join([level, *rest])}")
     except (RnaError, OSError, ValueError) as error:
         print("error: " + "; ".join(str(error).splitlines()), file=sys.stderr)
         return 2

@@ -33,11 +33,11 @@ class Transform:
         linear = self.matrix[:3, :3]
         self.scale = float(np.cbrt(np.linalg.det(linear)))
         if not self.scale > 0:
-            raise QueryError("transform: the matrix mirrors or flattens space")
+            raise QueryError("transform: the matrix is singular or mirrors space")
         rotation = linear / self.scale
         error = np.abs(rotation.T @ rotation - np.eye(3)).max()
         if not error <= _TOLERANCE:
-            raise QueryError("transform: the matrix shears, or scales axes differently")
+            raise QueryError("transform: the matrix has shear or non-uniform scale")
         # Contiguous copies: the kernel is compiled for these alone.
         self._to_world = np.ascontiguousarray(linear)
         self._to_object = np.ascontiguousarray(np.linalg.inv(linear), np.float64)

@@ -37,7 +37,7 @@ def _serve(site: Site, options: argparse.Namespace) -> None:
     with PageServer(site, options.host, options.port) as server:
         print(f"{options.source} at {server.url}\nCtrl-C ends it", flush=True)
         if not server.is_local:
-            print("from other machines plain HTTP has no WebGPU: they get WebGL2", flush=True)
+            print("other machines use WebGL2: browsers disable WebGPU over plain HTTP", flush=True)
         if not options.no_browser:
             webbrowser.open(server.url)
         try:

@@ -31,8 +31,8 @@ def prepare(address: str) -> None:
     if "RAY_AUTH_MODE" not in os.environ and scheme in _ASKED and _asks(rest, _ASKED[scheme]):
         if not _has_token():
             raise WorkError(
-                f"--cluster {address}: asks for a token: copy ~/.ray/auth_token of its head to "
-                "this machine"
+                f"--cluster {address}: requires a token: copy ~/.ray/auth_token from its head node "
+                "to this machine"
             )
         os.environ["RAY_AUTH_MODE"] = "token"
 

@@ -99,7 +99,7 @@ class RayCluster:
         nodes = [node for node in alive_nodes() if node["Resources"].get("GPU", 0) >= gpus]
         if needs_gpu and not nodes:
             hint = "`ray start --num-gpus 1` tells it of one that it does not see"
-            raise WorkError(f"Ray knows of no machine of the cluster with a GPU; {hint}")
+            raise WorkError(f"no node of the cluster has a GPU resource; {hint}")
         least = min((int(node["Resources"]["CPU"]) for node in nodes), default=1)
         count = max(min(threads or least, least), 1)
         return RayWorkers(Needs("threads", count, gpus), None), count

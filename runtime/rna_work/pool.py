@@ -188,7 +188,7 @@ class Pool(Generic[Item, Result]):
                 self._unready = None
         elif monotonic() - self._without > _NO_ROOM:
             raise WorkError(
-                f"no node has had room for a worker ({self._backend}) for {_NO_ROOM:.0f} s"
+                f"no node had resources for a worker ({self._backend}) for {_NO_ROOM:.0f} s"
             )
 
     def _started(self, member: _Member, future: Future[Any]) -> None:

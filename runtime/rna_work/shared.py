@@ -27,8 +27,8 @@ def check_shared(where: Place, folder: Path) -> None:
 def _find(token: Path) -> None:
     if not token.is_file():
         raise WorkError(
-            f"{token.parent}: not the folder that it is where the command runs; expected one that "
-            "all nodes share"
+            f"{token.parent}: differs from the folder on the command's machine; expected a folder "
+            "shared by all nodes"
         )
     probe = token.with_name(f"{token.name}.{uuid4().hex[:8]}")
     try:

@@ -156,13 +156,13 @@ def test_a_kit_that_is_not_whole(folder_of_kit: Path, capsys: pytest.CaptureFixt
     (folder_of_kit / first).parent.mkdir()
     (folder_of_kit / first).write_bytes(b"other")
     assert cli.main(call) == 1
-    assert "the kit was changed" in capsys.readouterr().err
+    assert "the kit was modified" in capsys.readouterr().err
     for text in ("[]", "nonsense", "{}"):
         (folder_of_kit / "kit.json").write_text(text)
         assert cli.main(call) == 1
         assert "kit.json: " in capsys.readouterr().err
     assert cli.main(["--kit", "/nowhere", *MINIMAL_COMMAND]) == 1
-    assert "no index of a conformance kit" in capsys.readouterr().err
+    assert "not the index of a conformance kit" in capsys.readouterr().err
 
 
 def test_an_installed_sdk_asks_for_the_kit(

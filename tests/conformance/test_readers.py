@@ -289,7 +289,7 @@ def test_a_reader_that_asks_the_first_part_alone_fails(kit: Kit) -> None:
 def test_a_reader_without_emission_fails(kit: Kit) -> None:
     failed = failures(InProcess(reader.evaluate), kit, "evaluate")
     assert {score.tier.split()[-1] for score in failed} == {"emission"} and len(failed) == 3
-    assert "no such call of a reader" in failed[0].note
+    assert "unknown call of a reader" in failed[0].note
 
 
 def with_maps(change: Callable[[NormalMap], NormalMap | None]):  # type: ignore[no-untyped-def]

@@ -164,7 +164,7 @@ def test_another_scene_is_refused_on_resume(
     scene = source.parent / "scene.yaml"
     scene.write_text(SCENE)
     error = refusal(capsys, source, "--out", begun, "--for", scene)
-    assert f"begun for other views or lights than {scene}'s" in error
+    assert f"started for other view or light directions than {scene}" in error
 
 
 def test_a_scene_that_is_not_one_is_refused(

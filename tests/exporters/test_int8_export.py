@@ -109,7 +109,7 @@ def test_another_decoder_is_refused(change) -> None:
     layers = int8_decoder(model, queries)
     decoder = export_decoder(model, layers)
     others = replace(layers, layers=(*layers.layers[:-1], change(layers.layers[-1])))
-    with pytest.raises(ExportError, match="differs from its twin"):
+    with pytest.raises(ExportError, match="differs from its PyTorch reference"):
         compare_int8_decoder(decoder, model, others, queries)
 
 

@@ -236,7 +236,7 @@ def stopping(*_: Any, **__: Any) -> None:
 
 def test_another_order_in_the_same_folder_is_refused(make: Any) -> None:
     make(goal=Goal("min_psnr", 5.0))
-    with pytest.raises(TrainingError, match="was begun with goal"):
+    with pytest.raises(TrainingError, match="was started with goal"):
         make(goal=Goal("min_psnr", 6.0))
 
 

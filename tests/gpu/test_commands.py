@@ -90,7 +90,7 @@ def test_machines_of_a_cluster_that_have_a_gpu(monkeypatch: pytest.MonkeyPatch) 
     assert (threads, workers.needs.gpus) == (16, 1.0)
     assert cluster.RayCluster().whole_machines(None)[1] == 8
     del nodes[1]
-    with pytest.raises(WorkError, match="Ray knows of no machine of the cluster with a GPU"):
+    with pytest.raises(WorkError, match="no node of the cluster has a GPU resource"):
         cluster.RayCluster().whole_machines(None, needs_gpu=True)
 
 

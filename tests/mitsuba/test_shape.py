@@ -51,7 +51,7 @@ def test_instances_share_a_package() -> None:
     [
         ({"filename": "nowhere.rna"}, "FILE_UNREADABLE"),
         ({"tier": "huge"}, "no tier 'huge'"),
-        ({"to_world": np.diag([1.0, 2.0, 1.0, 1.0])}, "scales axes differently"),
+        ({"to_world": np.diag([1.0, 2.0, 1.0, 1.0])}, "non-uniform scale"),
         ({"to_world": np.diag([-1.0, 1.0, 1.0, 1.0])}, "mirrors"),
     ],
 )

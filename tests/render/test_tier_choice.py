@@ -114,7 +114,7 @@ def test_a_missing_package_is_reported_with_its_line(package: Path) -> None:
 
 
 def test_a_quality_that_asks_for_nothing_is_refused(package: Path) -> None:
-    with pytest.raises(SceneError, match=r"quality: .* give max_error or seconds"):
+    with pytest.raises(SceneError, match=r"quality: .* give max_error, seconds or both"):
         scene(package, "quality: {}")
 
 

@@ -171,7 +171,7 @@ class NoRoom(Threads):
 
 def test_no_room_for_workers_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("rna_work.pool._NO_ROOM", 0.1)
-    with Pool(NoRoom(1), Doubling) as pool, pytest.raises(WorkError, match="no node has had room"):
+    with Pool(NoRoom(1), Doubling) as pool, pytest.raises(WorkError, match="no node had resources"):
         list(pool.run([1]))
 
 

@@ -117,7 +117,7 @@ def test_without_its_token_a_line_says_so(
     without = {name: value for name, value in environment.items() if name != "RAY_AUTH_TOKEN"}
     done = run(without, scene, "--out", tmp_path / "a.exr", "--cluster", address)
     assert done.returncode == 1
-    assert done.stderr.startswith(f"error: --cluster {address}: asks for a token: ")
+    assert done.stderr.startswith(f"error: --cluster {address}: requires a token: ")
 
 
 def test_a_head_itself_asks_for_its_token(
@@ -127,4 +127,4 @@ def test_a_head_itself_asks_for_its_token(
     without = {name: value for name, value in environment.items() if name != "RAY_AUTH_TOKEN"}
     done = run(without, scene, "--out", tmp_path / "a.exr", "--cluster", head)
     assert done.returncode == 1
-    assert done.stderr.startswith(f"error: --cluster {head}: asks for a token: ")
+    assert done.stderr.startswith(f"error: --cluster {head}: requires a token: ")

@@ -1,11 +1,11 @@
-"""How to spend a fixed number of paths on a capture: paths a ray, rays a light, lights, planes.
+"""Accuracy at a fixed number of paths, by paths per ray, rays per light, lights and planes.
 
     rna-bench capture-budget curly_ball.rays examples/fibers/curly_ball.py \
         --work budget/ --out benchmarks/results/capture-budget.json --chart docs/images/budget.png
 
 Captures the source several times with the same number of paths, trains `small` on each with planes
-of several resolutions, and scores all of them on the validation images of the first dataset, which
-no training sees. Captures and trainings that are there already are kept.
+of several resolutions, and scores all of them on the held-out validation images of the first
+dataset. Existing captures and trainings are reused.
 """
 
 from __future__ import annotations
@@ -119,10 +119,10 @@ def _draw(rows: list[dict[str, Any]], path: Path) -> None:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("dataset", type=Path, help="whose validation images decide")
-    parser.add_argument("source", type=Path, help="what it was captured from")
-    parser.add_argument("--paths", type=float, default=6e6, help="of each capture")
-    parser.add_argument("--steps", type=int, default=5000, help="of each training")
-    parser.add_argument("--work", type=Path, required=True, help="folder for the rest")
+    parser.add_argument("dataset", type=Path, help="dataset whose validation images are used")
+    parser.add_argument("source", type=Path, help="model it was captured from")
+    parser.add_argument("--paths", type=float, default=6e6, help="paths per capture")
+    parser.add_argument("--steps", type=int, default=5000, help="steps per training")
+    parser.add_argument("--work", type=Path, required=True, help="work folder")
     parser.add_argument("--chart", type=Path, required=True, help="PNG to write")
     add_out(parser)

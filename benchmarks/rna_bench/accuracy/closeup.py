@@ -1,9 +1,9 @@
-"""Packages of one asset side by side with Cycles, so near that shading varies across a strand.
+"""Close-ups of packages of one asset beside Cycles, where shading varies across a strand.
 
     rna-bench closeup examples/fibers/curly_ball.py with.rna without.rna \
         --out benchmarks/results/closeup.json --picture docs/images/closeup.png
 
-One row a light, one column a package, Cycles last. PSNR is without the noise of Cycles.
+One row per light, one column per package, Cycles last. PSNR excludes the noise of Cycles.
 """
 
 from __future__ import annotations
@@ -55,11 +55,13 @@ def run(args: argparse.Namespace) -> None:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", type=Path, help="what the packages were captured from")
+    parser.add_argument("source", type=Path, help="model the packages were captured from")
     parser.add_argument("packages", nargs="+", type=Path, help=".rna files")
-    parser.add_argument("--samples", type=int, default=64, help="ours a pixel")
-    parser.add_argument("--cycles-samples", type=int, default=256, help="a pixel")
-    parser.add_argument("--resolution", type=int, default=256, help="pixels a side")
-    parser.add_argument("--turn", type=float, default=0.0, help="as for rna-compare")
+    parser.add_argument("--samples", type=int, default=64, help="rna-run samples per pixel")
+    parser.add_argument("--cycles-samples", type=int, default=256, help="Cycles samples per pixel")
+    parser.add_argument("--resolution", type=int, default=256, help="width and height, pixels")
+    parser.add_argument(
+        "--turn", type=float, default=0.0, help="camera rotation, as in rna-compare"
+    )
     parser.add_argument("--picture", type=Path, required=True, help="PNG to write")
     add_out(parser)

@@ -1,14 +1,13 @@
-"""What an asset that emits light throws on the things around it, beside Cycles with the original.
+"""Illumination of the surroundings by an emissive asset, against Cycles with the original.
 
     rna-bench emission lamp.rna examples/recipes/lamp.py --bounces 12 \
         --out benchmarks/results/emission-lamp.json --picture docs/images/emission-lamp.png
 
-Two scenes, with a grey ground: a dark room, where a red wall stands beside the asset; and the same
-things under a dim sky. Brightness is the mean radiance over Cycles', in each channel: of what the
-asset does not cover, and of the asset.
+Two scenes on a grey ground, with a red wall beside the asset: a dark room, and a dim sky.
+Brightness is the mean radiance over Cycles', per channel: of the surroundings, and of the asset.
 
-Limits on bounces count from the camera: of light that comes to it by way of the ground Cycles drops
-one bounce more inside the asset than it did for the capture. --bounces lifts them.
+Bounce limits count from the camera: for light reflected by the ground, Cycles traces one bounce
+less inside the asset than in the capture. --bounces raises the limits.
 """
 
 from __future__ import annotations
@@ -92,12 +91,21 @@ def _brightness(ours: np.ndarray, cycles: np.ndarray) -> list[float]:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("package", type=Path, help="the .rna file")
-    parser.add_argument("source", type=Path, help="what it was captured from")
-    parser.add_argument("--tier", help="of the package")
+    parser.add_argument("source", type=Path, help="model it was captured from")
+    parser.add_argument("--tier", help="tier of the package")
     parser.add_argument("--sky", type=float, default=0.1, help="radiance of the dim sky")
-    parser.add_argument("--samples", type=int, default=128, help="ours a pixel")
-    parser.add_argument("--cycles-samples", type=int, default=256, help="of each of two renders")
-    parser.add_argument("--resolution", type=int, nargs=2, default=[192, 144], help="width, height")
-    parser.add_argument("--bounces", type=int, help="of light in Cycles (default: the source's)")
+    parser.add_argument("--samples", type=int, default=128, help="rna-run samples per pixel")
+    parser.add_argument(
+        "--cycles-samples",
+        type=int,
+        default=256,
+        help="Cycles samples per pixel, in each of two renders",
+    )
+    parser.add_argument(
+        "--resolution", type=int, nargs=2, default=[192, 144], help="width, height, pixels"
+    )
+    parser.add_argument(
+        "--bounces", type=int, help="Cycles' bounce limit (int, default: the source's)"
+    )
     parser.add_argument("--picture", type=Path, help="PNG: ours, Cycles, FLIP")
     add_out(parser)

@@ -1,4 +1,4 @@
-"""What `rna-capture --for` is worth: two captures of one size, one of them for a scene.
+"""Gain of `rna-capture --for`: two captures of equal size, one of them for a scene.
 
     rna-capture examples/quickstart/toy.py --out with/toy.rays --for benchmarks/product_shot.yaml \\
         --lights 400 --samples 8

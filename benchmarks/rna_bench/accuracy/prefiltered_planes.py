@@ -1,4 +1,4 @@
-"""Whether prefiltered planes help an asset that is small in the image: error and flicker.
+"""Effect of prefiltered planes on assets that are small in the image: error and flicker.
 
     rna-bench prefiltered-planes examples/quickstart/toy.rna helmet.rna --out levels.json
 

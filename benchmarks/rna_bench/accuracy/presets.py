@@ -1,9 +1,9 @@
-"""Trains presets on one dataset for the same time and compares them on its validation images.
+"""Train presets on one dataset for equal time and compare them on its validation images.
 
     rna-bench presets toy.rays --minutes 4 --presets small paper-small \
         --runs runs/toy --out benchmarks/results/quality-toy.json
 
-Every training is a process of its own, one after the other; run it on an otherwise idle machine.
+Trainings run sequentially in separate processes; use an otherwise idle machine.
 """
 
 from __future__ import annotations
@@ -64,8 +64,10 @@ def _scores(checkpoint: Path, dataset: DatasetPart) -> dict[str, object]:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("dataset", type=Path, help="folder of rna-capture")
-    parser.add_argument("--presets", nargs="+", default=["small", "paper-small"], help="to train")
-    parser.add_argument("--minutes", type=float, default=4.0, help="of each training")
+    parser.add_argument("dataset", type=Path, help="dataset of rna-capture")
+    parser.add_argument(
+        "--presets", nargs="+", default=["small", "paper-small"], help="presets to train"
+    )
+    parser.add_argument("--minutes", type=float, default=4.0, help="minutes per training")
     parser.add_argument("--runs", type=Path, required=True, help="folder for the trainings")
     parser.add_argument("--out", type=Path, required=True, help="JSON to write")

@@ -1,4 +1,4 @@
-"""What a sun without width loses behind smooth glass: the same asset under suns of several widths.
+"""Energy lost behind smooth glass with a zero-width sun: one asset under suns of several widths.
 
     rna-bench sun-width examples/recipes/bottle.py examples/recipes/lantern.py \
         --out benchmarks/results/sun-width.json
@@ -71,6 +71,6 @@ def _mean(worker: BlenderWorker, shot: Shot, width_deg: float, samples: int) -> 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("sources", nargs="+", type=Path, help="scripts or models of surfaces")
-    parser.add_argument("--resolution", type=int, default=160, help="pixels a side")
-    parser.add_argument("--samples", type=int, default=512, help="paths a pixel")
+    parser.add_argument("--resolution", type=int, default=160, help="width and height, pixels")
+    parser.add_argument("--samples", type=int, default=512, help="paths per pixel")
     add_out(parser)

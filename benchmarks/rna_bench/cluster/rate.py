@@ -1,10 +1,10 @@
-"""Rate of a capture and of frames on a Ray cluster of this machine, over that of its own pools.
+"""Rate of captures and frames on a local Ray cluster, over that of local process pools.
 
     rna-bench cluster-rate examples/quickstart/toy.py examples/quickstart/scene.yaml \
         --out benchmarks/results/cluster-rate.json
 
-Both in one run, in turns, as often as there is time for, from when every worker has finished
-something: no start of Ray, Blender or a compiler counts.
+Both alternate in one run, as often as time permits, timed from when every worker has finished one
+item: start-up of Ray, Blender and compilation is excluded.
 """
 
 from __future__ import annotations
@@ -105,10 +105,12 @@ def report(rounds: list[dict[str, float]]) -> dict[str, Any]:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", type=Path, help="to capture")
-    parser.add_argument("scene", type=Path, help="to render")
-    parser.add_argument("--rounds", type=int, default=5, help="at most")
-    parser.add_argument("--minutes", type=float, default=5.5, help="at most, but for one round")
+    parser.add_argument("source", type=Path, help="model to capture")
+    parser.add_argument("scene", type=Path, help="scene file to render")
+    parser.add_argument("--rounds", type=int, default=5, help="maximum number of rounds")
+    parser.add_argument(
+        "--minutes", type=float, default=5.5, help="time limit, after at least one round"
+    )
     add_out(parser)
 
 

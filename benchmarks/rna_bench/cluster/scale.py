@@ -1,9 +1,9 @@
-"""What one driver of a cluster costs: stand-in tasks that do nothing, and results to gather.
+"""Overhead of one cluster driver: no-op tasks, and gathering of results.
 
     rna-bench cluster-scale --tasks 100000 --workers 2
 
-Prints the driver's time and CPU a task, its memory on the way, and how fast results come back; and
-from these how many workers keep one driver busy.
+Prints the driver's time and CPU per task, its memory, the rate at which results arrive, and the
+resulting number of workers that saturate one driver.
 """
 
 from __future__ import annotations
@@ -79,9 +79,9 @@ def measure(where: Any, tasks: int, workers: int, size: int, ahead: int) -> dict
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--cluster", default="local", help="address; none for processes of here")
-    parser.add_argument("--tasks", type=int, default=100_000, help="that do nothing")
-    parser.add_argument("--workers", type=int, default=2, help="that answer")
+    parser.add_argument("--cluster", default="local", help="cluster address; none: local processes")
+    parser.add_argument("--tasks", type=int, default=100_000, help="number of no-op tasks")
+    parser.add_argument("--workers", type=int, default=2, help="number of workers")
     add_out(parser)
 
 

@@ -1,4 +1,4 @@
-"""Does rna-fit find what the whole grid holds, and for which part of its training time?
+"""rna-fit against the full grid: cost of the model found, and training time.
 
     rna-bench fit toy.rays bench/toy --min-psnr 30 33 --max-error 0.05 \
         --work fits/toy --out benchmarks/results/fit-toy.json
@@ -72,11 +72,11 @@ def _fit(goal: Goal, trials: list[Trial], steps: int, args: argparse.Namespace) 
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("dataset", type=Path, help="folder that rna-capture wrote")
+    parser.add_argument("dataset", type=Path, help="dataset written by rna-capture")
     parser.add_argument("grid", type=Path, help="folder of rna-bench frontier")
     parser.add_argument("--min-psnr", type=float, nargs="*", default=[], help="limits, dB")
     parser.add_argument("--max-error", type=float, nargs="*", default=[], help="limits, mean FLIP")
     parser.add_argument("--work", type=Path, required=True, help="folder for shorter trainings")
-    parser.add_argument("--workers", type=int, help="trainings side by side")
+    parser.add_argument("--workers", type=int, help="concurrent trainings")
     add_device(parser, "trainings")
     add_out(parser)

@@ -18,34 +18,36 @@ _PARTS = ("train", "cost", "cycles", "chart")
 
 def add_options(p: argparse.ArgumentParser) -> None:
     """The options of the command."""
-    p.add_argument("dataset", type=Path, help="folder that rna-capture wrote (path)")
+    p.add_argument("dataset", type=Path, help="dataset written by rna-capture (path)")
     p.add_argument(
-        "--out", type=Path, required=True, help="folder for models, records and page (path)"
+        "--out",
+        type=Path,
+        required=True,
+        help="folder for models, records and report (path, required)",
     )
     p.add_argument(
         "--short",
         action="store_true",
-        help="about 20 models, briefly trained: within 40 minutes on 2 cores (default: off)",
+        help="about 20 models with short trainings: 40 minutes on 2 cores (default: off)",
     )
     p.add_argument(
-        "--steps", type=int, help="of each training (int, default: 40,000; short: 5,000)"
+        "--steps", type=int, help="steps per training (int, default: 40,000; with --short 5,000)"
     )
     p.add_argument(
         "--source",
         type=Path,
-        help="what was captured, for Cycles on the same chart (path, default: without Cycles)",
+        help="captured model, to add Cycles to the chart (path, default: without Cycles)",
     )
     p.add_argument(
         "--only",
         choices=_PARTS,
-        help="one part of the work: timings, for one, mean something on an idle machine alone "
-        "(default: all)",
+        help="run only this step; `cost` needs an idle machine (default: all)",
     )
     p.add_argument(
         "--trials",
         nargs="+",
         metavar="NAME",
-        help="train these of the grid alone: models, or groups of them (ours, paper, opponent, "
+        help="train only these models or groups of the grid (ours, paper, opponent, "
         "ablation, and the tables: architecture, channels, ...; default: all)",
     )
     add_trainings(p)

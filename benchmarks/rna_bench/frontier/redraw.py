@@ -1,4 +1,4 @@
-"""Draws frontiers from their committed JSON: a row an asset, its shorter trainings hollow.
+"""Draw frontiers from their committed JSON: one row per asset, shorter trainings as hollow markers.
 
     rna-bench frontier-chart benchmarks/results/frontier-toy.json \
         --out docs/images/frontier-toy.png

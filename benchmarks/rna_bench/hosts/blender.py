@@ -1,4 +1,4 @@
-"""One scene three ways: rna-run, the engine in Blender, and Cycles with the original.
+"""One scene in three renderers: rna-run, the engine in Blender, and Cycles with the original.
 
     rna-bench blender --picture docs/images/blender.png
 
@@ -51,9 +51,11 @@ ASSETS: dict[str, dict[str, Any]] = {
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--picture", type=Path, required=True, help="PNG to write")
-    parser.add_argument("--samples", type=int, default=64, help="of rna-run, a pixel")
-    parser.add_argument("--cycles-samples", type=int, default=128, help="a pixel")
-    parser.add_argument("--width", type=int, default=320, help="of one image, a multiple of 16")
+    parser.add_argument("--samples", type=int, default=64, help="rna-run samples per pixel")
+    parser.add_argument("--cycles-samples", type=int, default=128, help="Cycles samples per pixel")
+    parser.add_argument(
+        "--width", type=int, default=320, help="width and height of one image, a multiple of 16"
+    )
     add_out(parser)
 
 

@@ -1,9 +1,9 @@
-"""rna-run and Mitsuba with rna_mitsuba side by side: a sheet of pictures, and speeds.
+"""rna-run against Mitsuba with rna_mitsuba: images and speed.
 
     rna-bench mitsuba --picture bench/mitsuba.png --out bench/mitsuba.json
 
-The picture has rna-run, Mitsuba and their difference x 4, one row a scene. Kernels are compiled
-before the clock starts; the renderers take turns.
+The picture has rna-run, Mitsuba and their difference x 4, one row a scene. Kernel compilation is
+not timed; the renderers alternate.
 """
 
 from __future__ import annotations
@@ -27,9 +27,11 @@ _VARIANT = "llvm_ad_rgb"
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--picture", type=Path, required=True, help="PNG to write")
-    parser.add_argument("--size", type=int, nargs=2, default=(300, 200), help="width, height")
-    parser.add_argument("--samples", type=int, default=32, help="a pixel, a run")
-    parser.add_argument("--runs", type=int, default=3, help="timed, of each")
+    parser.add_argument(
+        "--size", type=int, nargs=2, default=(300, 200), help="width, height, pixels"
+    )
+    parser.add_argument("--samples", type=int, default=32, help="samples per pixel and run")
+    parser.add_argument("--runs", type=int, default=3, help="timed runs of each")
     add_out(parser)
 
 

@@ -1,4 +1,4 @@
-"""How long `rna-run --preview` takes to show something, in headless Chromium.
+"""Latency of `rna-run --preview` in headless Chromium.
 
     rna-bench preview --out benchmarks/results/preview.json
 

@@ -1,4 +1,4 @@
-"""The viewer in headless Chromium beside the CPU runtime: queries of its decoder, pictures.
+"""The viewer in headless Chromium against the CPU runtime: decoder queries and images.
 
     rna-bench viewer examples/quickstart/scene.yaml --repeats 3 --out benchmarks/results/viewer.json
 
@@ -38,8 +38,10 @@ PATIENCE_S = 600.0
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("scene", type=Path, help="scene file of one asset")
-    parser.add_argument("--resolution", type=int, nargs=2, default=(480, 270), help="of pictures")
-    parser.add_argument("--rows", type=int, default=32_768, help="queries a call of the runtime")
+    parser.add_argument(
+        "--resolution", type=int, nargs=2, default=(480, 270), help="width, height, pixels"
+    )
+    parser.add_argument("--rows", type=int, default=32_768, help="queries per call of the runtime")
     add_repeats(parser, 3)
     add_out(parser)
 

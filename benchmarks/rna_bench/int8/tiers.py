@@ -1,4 +1,4 @@
-"""What int8 costs in accuracy and saves in bytes: one checkpoint in every precision.
+"""Accuracy and size of int8: one checkpoint in every precision.
 
     rna-bench int8-tiers runs/toy/best.ckpt --out benchmarks/results/quality-int8.json
 
@@ -75,5 +75,5 @@ def _bytes_alone(manifest: Manifest, tier: Tier) -> int:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("checkpoints", nargs="+", type=Path, help="of rna-train")
+    parser.add_argument("checkpoints", nargs="+", type=Path, help="checkpoints of rna-train")
     add_out(parser)

@@ -1,4 +1,4 @@
-"""Ways to keep an int8 decoder exact on every CPU: what each costs in accuracy and in time.
+"""Methods to keep an int8 decoder exact on every CPU: accuracy and time of each.
 
     rna-bench int8-weights runs/toy/best.ckpt --out vnni.json
     python -m tests.avx2 rna-bench int8-weights runs/toy/best.ckpt --out avx2.json
@@ -106,6 +106,6 @@ def _tensors(view: ValidationView) -> dict[str, torch.Tensor]:
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("checkpoints", nargs="+", type=Path, help="of rna-train")
+    parser.add_argument("checkpoints", nargs="+", type=Path, help="checkpoints of rna-train")
     add_repeats(parser)
     add_out(parser)

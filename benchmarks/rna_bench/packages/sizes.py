@@ -1,4 +1,4 @@
-"""What each way to store a package costs in bytes: geometry, planes, coding.
+"""Package size by storage options: geometry, planes, compression.
 
     rna-bench package-bytes examples/quickstart/toy.rna examples/fibers/curly_ball.rna
 

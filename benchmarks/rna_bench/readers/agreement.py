@@ -1,4 +1,4 @@
-"""How far readers are from each other and from what the conformance kit expects.
+"""Differences between readers, and from the conformance kit's expected values.
 
     make -C examples/hosts/c
     rna-bench readers runtime="python -m rna_render.conformance_reader" \\

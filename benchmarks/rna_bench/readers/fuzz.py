@@ -1,4 +1,4 @@
-"""Damaged packages through the C host and through `rna_sdk.package.validate`: neither may fail.
+"""Mutated packages through the C host and `rna_sdk.package.validate`: neither may crash.
 
     rna-bench fuzz --mutations 1000000 --out benchmarks/results/fuzz.json
 
@@ -183,8 +183,15 @@ def _report(
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--mutations", type=int, default=20_000, help="through the C host")
-    parser.add_argument("--validate", type=int, default=20_000, help="of them, through Python")
+    parser.add_argument(
+        "--mutations", type=int, default=20_000, help="mutations run through the C host"
+    )
+    parser.add_argument(
+        "--validate",
+        type=int,
+        default=20_000,
+        help="of these, also run through the Python validator",
+    )
     parser.add_argument("--build", type=Path, help="folder to compile in (default: temporary)")
-    parser.add_argument("--jobs", type=int, default=2, help="processes at a time")
+    parser.add_argument("--jobs", type=int, default=2, help="concurrent processes")
     add_out(parser)

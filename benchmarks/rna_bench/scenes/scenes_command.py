@@ -1,14 +1,14 @@
-"""Render an asset in scenes, beside Cycles with the original: error over time, and where it goes.
+"""Render an asset in scenes against Cycles with the original: error and time by component.
 
     rna-bench scenes toy.rna --source toy.py --out bench/toy
 
-Environments, a lamp, a red wall beside the asset, and instances near and far. Both programs render
-by turns, raw and denoised: Cycles by its own denoiser, ours by Open Image Denoise where the extra
-`denoise` is installed. The error is told apart into the package's own, which more samples do not
-lessen (the floor), and noise. A page, the figures as JSON and one sheet as PNG are written.
+Environments, a lamp, a red wall beside the asset, and instances near and far. Both renderers
+alternate, raw and denoised: Cycles with its own denoiser, ours with Open Image Denoise if the extra
+`denoise` is installed. The error is split into the package's own (the floor, independent of
+sampling) and noise. Writes a report, the figures as JSON and one sheet as PNG.
 
-Cycles' references are slow, and kept in OUT/references. Run it on a machine that does nothing else.
-Arguments after -- go to a source that is a Python script.
+Cycles references are slow, and cached in OUT/references. Run it on an idle machine. Arguments
+after -- are passed to a source that is a Python script.
 """
 
 from __future__ import annotations
@@ -20,49 +20,61 @@ from pathlib import Path
 def add_options(p: argparse.ArgumentParser) -> None:
     """The options of the command."""
     p.add_argument("asset", type=Path, help="the .rna file")
-    p.add_argument("--source", type=Path, required=True, help="what it was captured from (path)")
-    p.add_argument("--out", type=Path, required=True, help="folder for page and results (path)")
-    p.add_argument("--tier", help="of the asset (text, default: its first)")
+    p.add_argument("--source", type=Path, required=True, help="model it was captured from (path)")
+    p.add_argument(
+        "--out", type=Path, required=True, help="folder for report and results (path, required)"
+    )
+    p.add_argument("--tier", help="tier of the asset (text, default: its first)")
     p.add_argument(
         "--max-error",
         type=float,
-        help="let quality choose tiers by this error (float, default: the tier for all)",
+        help="choose tiers by this `quality.max_error` (float, default: one tier for all)",
     )
     p.add_argument(
         "--environment",
         nargs="*",
         default=["forest", "studio"],
         metavar="FILE",
-        help="images of surroundings, EXR or HDR, or names of those that come with Blender (path, "
+        help="environment maps, EXR or HDR, or names of those shipped with Blender (path, "
         "default: forest studio)",
     )
     p.add_argument(
         "--scenes",
         nargs="+",
         metavar="NAME",
-        help="of the scenes: an environment's name, lamp, wall, near-and-far (default: all)",
+        help="scenes to run: an environment's name, lamp, wall, near-and-far (default: all)",
     )
-    p.add_argument("--samples", type=int, nargs="+", default=[4, 16, 64], help="ours a pixel")
     p.add_argument(
-        "--cycles-samples", type=int, nargs="+", default=[4, 8, 16, 32, 64], help="Cycles' a pixel"
+        "--samples", type=int, nargs="+", default=[4, 16, 64], help="rna-run samples per pixel"
+    )
+    p.add_argument(
+        "--cycles-samples",
+        type=int,
+        nargs="+",
+        default=[4, 8, 16, 32, 64],
+        help="Cycles samples per pixel",
     )
     p.add_argument(
         "--reference-samples",
         type=int,
         default=1024,
-        help="Cycles' a pixel for what all is compared with: half of them in each of two renders",
+        help="Cycles samples per pixel of the reference, split over two renders",
     )
-    p.add_argument("--floor-samples", type=int, default=1024, help="ours for the floor, a pixel")
-    p.add_argument("--repeats", type=int, default=1, help="of ours; medians count")
+    p.add_argument(
+        "--floor-samples", type=int, default=1024, help="rna-run samples per pixel of the floor"
+    )
+    p.add_argument(
+        "--repeats", type=int, default=1, help="runs of rna-run, of which the median counts"
+    )
     p.add_argument(
         "--resolution", type=int, nargs=2, default=[192, 144], help="width, height in pixels"
     )
-    p.add_argument("--turn", type=float, default=0.0, help="of the camera, as for rna-compare")
-    p.add_argument("--bounces", type=int, help="of light in Cycles (int, default: the source's)")
+    p.add_argument("--turn", type=float, default=0.0, help="camera rotation, as in rna-compare")
+    p.add_argument("--bounces", type=int, help="Cycles' bounce limit (int, default: the source's)")
     p.add_argument(
         "--again",
         action="store_true",
-        help="measure again; Cycles' references are kept (default: off)",
+        help="measure again, reusing the Cycles references (default: off)",
     )
 
 

@@ -2,10 +2,9 @@
 
     rna-bench c-host --out benchmarks/results/c-host.json
 
-Prints JSON: nanoseconds a query of both, and how many queries the C host answers for one of the
-runtime's. Both run on one thread; runs alternate and medians are compared. The decoders have four
-hidden layers, the planes are 256 x 256 x 8 in float16, the inputs are every block of a surface.
-Needs a C compiler.
+Prints JSON: ns/query of both, and the speedup of the C host over the runtime. Both run on one
+thread; runs alternate and medians are compared. The decoders have four hidden layers, the planes
+are 256 x 256 x 8 in float16, the inputs are every block of a surface. Needs a C compiler.
 """
 
 from __future__ import annotations
@@ -47,7 +46,7 @@ def run(args: argparse.Namespace) -> None:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--widths", type=int, nargs="+", default=[16, 64, 128], help="of layers")
-    parser.add_argument("--rows", type=int, default=100_000, help="queries a run")
+    parser.add_argument("--rows", type=int, default=100_000, help="queries per run")
     parser.add_argument("--arch", default="-march=x86-64-v3", help="option of the C compiler")
     add_repeats(parser)
     add_out(parser)

@@ -4,9 +4,9 @@
     rna-bench evaluate --widths 64 128 256 512 --precisions float32 int8
     rna-bench evaluate --kind fiber --resolution 256 --widths 64
 
-Prints JSON, one record a decoder width. Matrix products and evaluations alternate in one run,
-both on all cores the process may use, and medians are compared; so `share_of_gemm` can be read
-on any machine that does nothing else meanwhile. The packages hold random weights.
+Prints JSON, one record a decoder width. Matrix products and evaluations alternate in one run, both
+on all cores the process may use, and medians are compared; so `share_of_gemm` is comparable between
+idle machines. The packages hold random weights.
 """
 
 from __future__ import annotations
@@ -50,8 +50,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--precisions", nargs="+", choices=list(PRECISIONS), default=["float32"], help="of tiers"
     )
     parser.add_argument("--resolution", type=int, default=512, help="texels along a plane's side")
-    parser.add_argument("--channels", type=int, default=8, help="features a texel")
-    parser.add_argument("--seconds", type=float, default=0.3, help="about, for one evaluation")
+    parser.add_argument("--channels", type=int, default=8, help="features per texel")
+    parser.add_argument(
+        "--seconds", type=float, default=0.3, help="approximate time of one evaluation"
+    )
     add_repeats(parser)
     add_out(parser)
 

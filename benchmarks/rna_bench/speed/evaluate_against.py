@@ -1,4 +1,4 @@
-"""Speed of `evaluate` in this checkout against another one, by turns in one run.
+"""Speed of `evaluate` in this checkout against another one, alternating in one run.
 
     git worktree add ../before v1.1
     rna-bench evaluate-against ../before --widths 16 32 64 128 --out before-after.json
@@ -54,7 +54,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--widths", type=int, nargs="+", default=[16, 32, 64, 128], help="of the decoders"
     )
     parser.add_argument("--resolution", type=int, default=512, help="texels along a plane's side")
-    parser.add_argument("--channels", type=int, default=8, help="features a texel")
+    parser.add_argument("--channels", type=int, default=8, help="features per texel")
     parser.add_argument("--queries", type=int, default=131_072, help="of one evaluation")
     add_repeats(parser)
     add_out(parser)

@@ -1,4 +1,4 @@
-"""Queries a second on a GPU beside the CPU runtime, and what a query costs: for a roofline.
+"""Queries/s on a GPU and on the CPU runtime, with flop and bytes per query for a roofline.
 
     rna-bench gpu examples/quickstart/toy.rna examples/fibers/curly_ball.rna \
         --out benchmarks/results/gpu.json
@@ -31,7 +31,7 @@ ROW, RESULT, GROUP = 64, 32, 64  # bytes, bytes, threads
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("packages", nargs="+", type=Path, help="of one part each")
-    parser.add_argument("--rows", type=int, default=32_768, help="queries a run")
+    parser.add_argument("--rows", type=int, default=32_768, help="queries per run")
     parser.add_argument("--runs", type=int, default=5, help="runs of each")
     parser.add_argument("--threads", type=int, default=None, help="of the CPU (default: all)")
     add_out(parser)

@@ -1,8 +1,8 @@
-"""Measure each way that relightable neural assets are known to fail, with a pass mark.
+"""Measure known failure modes of relightable neural assets, each with a pass threshold.
 
     rna-bench stability toy.rays/ --source toy.py --out bench/stability
 
-One chart a failure: see docs/stability.md.
+One chart per failure mode: see docs/stability.md.
 """
 
 from __future__ import annotations
@@ -36,20 +36,23 @@ CASE_NAMES = (
 def add_options(p: argparse.ArgumentParser) -> None:
     """The options of the command."""
     p.add_argument(
-        "dataset", nargs="?", type=Path, help="of the asset (path, default: the suite's own alone)"
+        "dataset",
+        nargs="?",
+        type=Path,
+        help="dataset of the asset (path, default: only the suite's own assets)",
     )
-    p.add_argument("--package", type=Path, help="of the asset (path, default: one is trained)")
-    p.add_argument("--tier", help="of the package (text, default: its first)")
+    p.add_argument("--package", type=Path, help="package of the asset (path, default: train one)")
+    p.add_argument("--tier", help="tier of the package (text, default: its first)")
     p.add_argument(
         "--source",
         type=Path,
-        help="what the asset was captured from (path, default: without Cycles)",
+        help="model the asset was captured from (path, default: without Cycles)",
     )
     p.add_argument(
-        "--out", type=Path, required=True, help="folder of results, runs and captures (path)"
+        "--out", type=Path, required=True, help="folder for results, runs and captures (path)"
     )
     p.add_argument(
-        "--work", type=Path, help="folder of runs and captures (path, default: OUT/work)"
+        "--work", type=Path, help="folder for runs and captures (path, default: OUT/work)"
     )
     p.add_argument(
         "--cases",
@@ -62,17 +65,19 @@ def add_options(p: argparse.ArgumentParser) -> None:
         "--steps",
         type=int,
         default=3000,
-        help="of each training, sharp's three times as many (int, default: %(default)s)",
+        help="steps per training, three times as many for `sharp` (int, default: %(default)s)",
     )
     p.add_argument(
         "--workers",
         type=int,
         default=default_workers(),
-        help="Blender processes (int, default: one a core, here %(default)s)",
+        help="Blender processes (int, default: one per core, here %(default)s)",
     )
     add_cluster_option(p)
     p.add_argument(
-        "--short", action="store_true", help="an eighth of everything: a try (default: off)"
+        "--short",
+        action="store_true",
+        help="trial run with 1/8 of samples and steps (default: off)",
     )
     p.add_argument(
         "--again", action="store_true", help="measure finished cases again (default: off)"
@@ -81,7 +86,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
         "--redraw",
         type=Path,
         metavar="JSON",
-        help="draw the results of an earlier run alone (path, default: measure)",
+        help="only redraw the results of an earlier run (path, default: measure)",
     )
 
 

@@ -183,6 +183,6 @@ def _rows(path: Path, settings: dict[str, Any]) -> list[Row]:
     if saved["settings"] != settings:
         raise TrainingError(
             f"{path} was measured with {saved['settings']}, found {settings}: choose another "
-            "--out, or --again"
+            "--out, or use --again"
         )
     return saved["rows"]

@@ -133,7 +133,7 @@ def write_scene(depsgraph, folder, resolution):
         if _is_shown(instance):
             things.add(instance)
     if not things.assets and not things.objects:
-        raise SdkError("there is nothing to render: the scene has no assets and no meshes")
+        raise SdkError("nothing to render: the scene has no assets and no meshes")
     described = {
         "assets": things.assets,
         "objects": things.objects,

@@ -32,7 +32,7 @@ def options(path: Path, arguments: list[str]) -> argparse.Namespace:
     for name, least in ranges.items():
         value = getattr(args, name)
         if value is not None and value < least:
-            raise ValueError(f"--{name}: found {value:g}, expected {least:g} and more")
+            raise ValueError(f"--{name}: found {value:g}, expected at least {least:g}")
     for name in ("tip", "melanin", "redness", "roughness", "radial_roughness", "coat"):
         value = getattr(args, name)
         if value is not None and not 0.0 <= value <= 1.0:

@@ -48,8 +48,8 @@ class CutDataset(Dataset):
             return [DatasetPart(self, part.captured)]
         if part.captured.transmittance or part.captured.normal_maps:
             raise CaptureError(
-                f"{self.folder}: part {part.name} has materials that let light through or have "
-                "normal maps; expected neither of a part that is cut into pieces "
+                f"{self.folder}: part {part.name} has materials with transmittance or normal maps; "
+                "expected neither of a part that is cut into pieces "
                 "(rna-capture --normal-texels 0 maps no normals)"
             )
         mesh = part.geometry()

@@ -77,7 +77,8 @@ class CaptureManifest(DatasetModel):
     def _of_this_form(cls, data: Any) -> Any:
         if isinstance(data, dict) and "parts" not in data and "kind" in data:
             raise ValueError(
-                "found a dataset of before datasets had parts, expected `parts`: capture it again"
+                "found a dataset of an older version without parts, expected `parts`: capture it "
+                "again"
             )
         return data
 

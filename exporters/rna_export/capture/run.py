@@ -176,7 +176,7 @@ def finish(
     lights, there = dataset.manifest.settings.lights, dataset.lights_finished()
     if limit is not None and there < lights:
         dataset.plan_lights(there)
-        say(f"the time is up: {there:,} of {lights:,} lights, which make a whole dataset")
+        say(f"time limit reached: {there:,} of {lights:,} lights; the dataset is complete")
 
 
 def _cost(dataset: Dataset, task: Task) -> float:

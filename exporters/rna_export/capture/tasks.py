@@ -257,7 +257,7 @@ def _validation_rays(
         hit = np.flatnonzero(scene.part_hit(rays.origins, rays.directions) >= 0)
         if len(hit) > 0.01 * len(rays):
             return rays, hit
-    raise CaptureError(f"validation view {view}: no camera that sees the asset was found")
+    raise CaptureError(f"validation view {view}: found no camera position that sees the asset")
 
 
 def _validation_camera(

@@ -165,7 +165,7 @@ class BlenderWorker:
             pass
         raise CaptureError(
             f"{self._source.path}: the Blender worker ended without an answer to "
-            f"{request['op']!r}; its last words: {self._last_words()}"
+            f"{request['op']!r}; its last output: {self._last_words()}"
         )
 
     def _last_words(self) -> str:

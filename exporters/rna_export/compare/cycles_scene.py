@@ -48,10 +48,12 @@ def cycles_scene(
 def _assets(scene: Scene) -> list[list[list[float]]]:
     packages = {asset.path for asset in scene.assets}
     if len(packages) > 1:
-        raise SceneError(f"found {len(packages)} packages; Cycles gets one original at most")
+        raise SceneError(f"found {len(packages)} packages; the Cycles comparison supports one")
     for transform in (asset.transform for asset in scene.assets):
         if transform.scale != 1.0:
-            raise SceneError(f"an asset is scaled by {transform.scale:g}; Cycles gets it as it is")
+            raise SceneError(
+                f"found asset scale {transform.scale:g}; the Cycles comparison supports scale 1"
+            )
     return [world_from_object(asset.transform).tolist() for asset in scene.assets]
 
 
@@ -83,13 +85,15 @@ def _mesh(mesh: MeshObject, matrix: np.ndarray, colour: tuple[float, ...]) -> di
 
 def _colour(material: MaterialModel | None) -> tuple[float, ...]:
     if not isinstance(material, DiffuseModel) or material.texture or any(material.emission):
-        raise SceneError("Cycles gets objects of one diffuse colour that do not shine alone")
+        raise SceneError(
+            "the Cycles comparison supports only objects of one diffuse colour without emission"
+        )
     return material.color
 
 
 def _light(light: dict[str, Any], resolve: Callable[[Path], Path]) -> dict[str, Any]:
     if light["type"] == "sphere":
-        raise SceneError("Cycles gets no spheres that shine")
+        raise SceneError("the Cycles comparison does not support sphere lights")
     if light.get("path"):
         light["path"] = str(resolve(Path(light["path"])).resolve())
     return light

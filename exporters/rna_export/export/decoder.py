@@ -125,7 +125,7 @@ def compare_int8_decoder(
     differing = 1.0 - float(close_rows(found, twin).mean())
     if differing > TIES:
         raise ExportError(
-            f"the int8 ONNX decoder differs from its twin in PyTorch in {differing:.1%} of the "
+            f"the int8 ONNX decoder differs from its PyTorch reference in {differing:.1%} of the "
             f"rows; expected at most {TIES:.1%}"
         )
     expected = _transport(model, model.decoder(queries))

@@ -51,7 +51,7 @@ def _proxies(
     if not heights or record.kind != "surface":
         return []
     if record.transmittance or record.normal_maps:
-        say(f"{record.name}: its textures belong to its triangles, no proxy")
+        say(f"{record.name}: no proxy, its textures are mapped to its triangles")
         return []
     mesh = package.mesh(part)
     found: list[tuple[Geometry, int]] = []
@@ -59,7 +59,7 @@ def _proxies(
         proxy = proxy_of(mesh, pixels)
         whole = f"{record.name}: {len(mesh.triangles):,} triangles"
         if proxy is None:
-            say(f"{whole} are few enough at {pixels} pixels, no proxy")
+            say(f"{whole} are sufficient at {pixels} pixels, no proxy")
             continue
         say(f"{whole}, proxy at {pixels} pixels: {len(proxy.triangles):,}")
         found.append((proxy, pixels))

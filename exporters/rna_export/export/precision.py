@@ -55,7 +55,7 @@ def stored_planes(planes: np.ndarray, precision: PlanePrecision) -> Planes:
     if precision == "int8":
         return _int8(planes)
     if np.abs(planes).max() > np.finfo(precision).max:
-        raise ExportError(f"the planes hold values that {precision} cannot")
+        raise ExportError(f"plane values exceed the range of {precision}")
     return planes.astype(precision)
 
 

@@ -50,7 +50,7 @@ class Make:
         self._lead = self._by_cost[0]
         self._state = load_state(order.work, asked) or self._first_state(asked)
         if self._state.rounds:
-            say(f"continuing {order.work}, round {len(self._state.rounds)}")
+            say(f"resuming {order.work}, round {len(self._state.rounds)}")
         self._spent_before = self._state.seconds
         dataset = Dataset(rays_folder(order))
         for note in dataset.manifest.notes:

@@ -89,13 +89,13 @@ def load_state(work: Path, asked: Asked) -> State | None:
         state = State.model_validate_json(path.read_bytes())
     except ValidationError as error:
         raise TrainingError(
-            f"{path}: {what_is_wrong(error)}; delete {work} to begin anew"
+            f"{path}: {what_is_wrong(error)}; delete {work} to start over"
         ) from error
     for name in Asked.model_fields:
         begun, now = getattr(state.asked, name), getattr(asked, name)
         if begun != now:
             raise TrainingError(
-                f"{work} was begun with {name} {begun}, found {now}: delete it to begin anew, or "
+                f"{work} was started with {name} {begun}, found {now}: delete it to start over, or "
                 "choose another --work"
             )
     return state

@@ -55,8 +55,8 @@ def load_progress(path: Path) -> dict[str, Any]:
         saved["progress"]["step"], saved["progress"]["fitting"], saved["progress"]["pace"]
     except Exception as error:  # as above
         raise TrainingError(
-            f"{path}: no checkpoint that rna-train can continue: {_summary(error)}; delete it to "
-            "train anew, or choose another --out"
+            f"{path}: not a checkpoint that rna-train can resume: {_summary(error)}; delete it to "
+            "restart training, or choose another --out"
         ) from error
     return saved
 

@@ -37,7 +37,7 @@ def interpolate(
         shorten: a strand loses up to this part of its length, at random.
     """
     if count < 1:
-        raise ValueError(f"interpolate: found {count} strands, expected 1 and more")
+        raise ValueError(f"interpolate: found {count} strands, expected at least 1")
     rng = np.random.default_rng(seed)
     even = resample(guides, points)
     shapes = even.points.reshape(len(guides), points, 3)

@@ -34,7 +34,7 @@ class Strands:
         if self.counts.min() < 2:
             strand = int(self.counts.argmin())
             found = f"{self.counts[strand]} in strand {strand}"
-            raise ValueError(f"strands: found {found}, expected 2 points and more in each strand")
+            raise ValueError(f"strands: found {found}, expected at least 2 points per strand")
 
     def __len__(self) -> int:
         return len(self.offsets) - 1
@@ -82,7 +82,7 @@ def resample(strands: Strands, points: int, keep: np.ndarray | float = 1.0) -> S
     Radii are interpolated linearly.
     """
     if points < 2:
-        raise ValueError(f"resample: found {points} points, expected 2 and more")
+        raise ValueError(f"resample: found {points} points, expected at least 2")
     keep = np.broadcast_to(np.asarray(keep, np.float32), (len(strands),))
     out = np.empty((len(strands), points, 3), np.float32)
     radii = np.empty((len(strands), points), np.float32)
