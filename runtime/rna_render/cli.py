@@ -56,7 +56,8 @@ def _parser() -> argparse.ArgumentParser:
         "--out",
         metavar="FILE",
         type=Path,
-        help="linear HDR image with AOVs, .exr or .npz (path, required without --preview)",
+        help="linear HDR image with AOVs, .exr or .npz (path, no default: required without "
+        "--preview)",
     )
     add("--png", metavar="FILE", type=Path, help="sRGB PNG of the same image (path, default: none)")
     add(

@@ -171,7 +171,7 @@ refused(bpy.ops.rna.bake)
     )
     for line in (
         "refused: Error: broken.rna: ",
-        "refused: Error: there is nothing to render: the scene has no assets and no meshes",
+        "refused: Error: nothing to render: the scene has no assets and no meshes",
         "refused: Error: object 'toy': tier: no tier 'huge'; this package has: small",
         "Warning: 'toy': an asset has one scale: rendered with the mean of three",
         "Warning: 'camera': depth of field is left out: everything is sharp",

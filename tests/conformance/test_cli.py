@@ -95,7 +95,7 @@ def test_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
         ("print('evaluate\\nfly')", "levels: found fly"),
         ("sys.exit('no such thing')", "levels: exit status 1: no such thing"),
         ("time.sleep(60)", "levels: no answer after 1 s"),
-        ("print('validate')", "--level evaluate: the reader says that it has validate"),
+        ("print('validate')", "--level evaluate: the reader only claims validate"),
     ],
 )
 def test_readers_that_cannot_be_asked(
@@ -151,7 +151,7 @@ def test_wrong_answers_fail_with_a_reason(
 def test_a_kit_that_is_not_whole(folder_of_kit: Path, capsys: pytest.CaptureFixture[str]) -> None:
     call = ["--kit", str(folder_of_kit), *MINIMAL_COMMAND]
     assert cli.main(call) == 1
-    assert "cannot be read" in capsys.readouterr().err
+    assert "cannot read a file" in capsys.readouterr().err
     first = next(iter(json.loads((folder_of_kit / "kit.json").read_text())["files"]))
     (folder_of_kit / first).parent.mkdir()
     (folder_of_kit / first).write_bytes(b"other")

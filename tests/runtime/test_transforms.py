@@ -78,7 +78,7 @@ def changed(row: int, column: int, value: float) -> np.ndarray:
         (np.diag([1, 2, 1, 1]), "non-uniform scale"),
         (changed(0, 1, 0.5), "shear"),
         (np.diag([-1, 1, 1, 1]), "mirrors"),
-        (np.diag([1, 0, 1, 1]), "flattens"),
+        (np.diag([1, 0, 1, 1]), "singular"),
         (np.diag([1, 1, 1, 2]), "last row 0 0 0 1"),
         (changed(3, 0, 0.1), "last row 0 0 0 1"),
         (changed(0, 3, np.nan), "NaN or infinite"),

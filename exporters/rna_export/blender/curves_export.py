@@ -77,8 +77,7 @@ def _scale_of_radii(name: str, matrix: np.ndarray) -> float:
     scales = np.linalg.svd(matrix, compute_uv=False)
     if scales[0] > 1.001 * scales[-1]:
         raise ValueError(
-            f"hair {name!r} has non-uniform scale, from {scales[0]:.3g} one way and "
-            f"{scales[-1]:.3g} another, "
-            "which flattens its strands: apply the scale (Ctrl-A) first"
+            f"hair {name!r} has non-uniform scale, {scales[-1]:.3g} to {scales[0]:.3g}, which "
+            "flattens its strands: apply the scale (Ctrl-A) first"
         )
     return float(np.cbrt(np.prod(scales)))

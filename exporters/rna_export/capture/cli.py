@@ -69,7 +69,7 @@ def parser() -> argparse.ArgumentParser:
         "--out",
         type=Path,
         metavar="FOLDER",
-        help="dataset to write or resume (path, required with a source)",
+        help="dataset to write or resume (path, no default: required with a source)",
     )
     p.add_argument(
         "--setup-blender",

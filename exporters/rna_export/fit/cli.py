@@ -33,18 +33,21 @@ def parser() -> argparse.ArgumentParser:
         "--max-error",
         type=_positive,
         metavar="FLIP",
-        help="limit on the mean FLIP of the validation images (float; one of the three limits is "
-        "required)",
+        help="limit on the mean FLIP of the validation images (float, no default: one of the three "
+        "limits is required)",
     )
     limit.add_argument(
-        "--min-psnr", type=_positive, metavar="DB", help="limit on their PSNR, dB (float)"
+        "--min-psnr",
+        type=_positive,
+        metavar="DB",
+        help="limit on their PSNR, dB (float, no default)",
     )
     limit.add_argument(
         "--budget-us",
         type=_positive,
         metavar="US",
         help="most accurate model within this cost, microseconds per query on all cores of this "
-        "machine (float)",
+        "machine (float, no default)",
     )
     p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
     p.add_argument(

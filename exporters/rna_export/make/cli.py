@@ -57,7 +57,9 @@ def parser() -> argparse.ArgumentParser:
         "in\nrna-capture.",
     )
     p.add_argument("model", type=Path, help="any model that rna-capture reads (path)")
-    p.add_argument("--out", type=Path, metavar="RNA", help="output package (path, required)")
+    p.add_argument(
+        "--out", type=Path, metavar="RNA", help="output package (path, no default: required)"
+    )
     goal = p.add_mutually_exclusive_group()
     goal.add_argument(
         "--max-error",
