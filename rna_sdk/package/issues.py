@@ -55,12 +55,12 @@ class Code(Enum):
     MANIFEST_NOT_JSON = (Severity.ERROR, "manifest.json is not a JSON object in UTF-8.")
     JSON_DUPLICATE_KEY = (Severity.ERROR, "A JSON object has the same key twice.")
     JSON_NOT_FINITE = (Severity.ERROR, "A JSON number is NaN, infinite or out of range.")
-    FORMAT_UNKNOWN = (Severity.ERROR, "The manifest does not say that this is an RNA package.")
+    FORMAT_UNKNOWN = (Severity.ERROR, "The manifest's format is not that of an RNA package.")
     VERSION_TOO_NEW = (Severity.ERROR, "The package needs a newer reader.")
-    VERSION_TOO_OLD = (Severity.ERROR, "The package has what its minReaderVersion does not know.")
+    VERSION_TOO_OLD = (Severity.ERROR, "The package uses features newer than its minReaderVersion.")
     KIND_UNSUPPORTED = (Severity.ERROR, "This version does not know the kind of part.")
-    EXTENSION_REQUIRED = (Severity.ERROR, "The package requires an extension that is not known.")
-    EXTENSION_UNKNOWN = (Severity.WARNING, "The package uses an extension that is not known.")
+    EXTENSION_REQUIRED = (Severity.ERROR, "The package requires an unknown extension.")
+    EXTENSION_UNKNOWN = (Severity.WARNING, "The package uses an unknown extension.")
     EXTENSION_UNDECLARED = (Severity.ERROR, "An extension is present but not in extensionsUsed.")
     FIELD_UNKNOWN = (Severity.ERROR, "The manifest has a field that the format does not define.")
     FIELD_MISSING = (Severity.ERROR, "The manifest lacks a field.")
@@ -68,9 +68,9 @@ class Code(Enum):
     BOUNDS_EMPTY = (Severity.ERROR, "The bounds have no extent along an axis.")
     TIER_DUPLICATE = (Severity.ERROR, "Two tiers have the same name.")
     PART_DUPLICATE = (Severity.ERROR, "Two parts have the same name.")
-    PARTS_DIFFER = (Severity.ERROR, "A tier has other parts, or others that emit, than it must.")
+    PARTS_DIFFER = (Severity.ERROR, "A tier's parts or emissive parts are not the required ones.")
     INPUT_UNKNOWN = (Severity.ERROR, "A decoder input block is not known, or named twice.")
-    INPUT_KIND = (Severity.ERROR, "An input block is for another kind of part, or knows a light.")
+    INPUT_KIND = (Severity.ERROR, "An input block is for another kind of part, or uses the light.")
     REFERENCE_MISSING = (Severity.ERROR, "A path in the manifest names no declared entry.")
 
     # Entries against the manifest
@@ -101,15 +101,21 @@ class Code(Enum):
 
     # transmittance/*.safetensors
     TRANSMITTANCE_RANGE = (Severity.ERROR, "Records of transmittance share or lack triangles.")
-    TRANSMITTANCE_TEXTURE = (Severity.ERROR, "The texture is not the tensor file that it must be.")
+    TRANSMITTANCE_TEXTURE = (
+        Severity.ERROR,
+        "The texture is not a valid tensor file of the required form.",
+    )
     NORMAL_MAP_RANGE = (Severity.ERROR, "Records of normal maps share or lack triangles.")
-    NORMAL_MAP_TEXTURE = (Severity.ERROR, "The map is not the tensor file that it must be.")
+    NORMAL_MAP_TEXTURE = (
+        Severity.ERROR,
+        "The map is not a valid tensor file of the required form.",
+    )
     NORMAL_MAP_UV = (Severity.ERROR, "A mesh with a normal map has no texture coordinates.")
     TRANSMITTANCE_UV = (Severity.ERROR, "A mesh with a texture has no texture coordinates.")
 
     # features/*.safetensors
     PLANES_HEADER = (Severity.ERROR, "The planes are not a well-formed safetensors file.")
-    PLANES_TENSOR = (Severity.ERROR, "The file has other tensors than it must.")
+    PLANES_TENSOR = (Severity.ERROR, "The file's tensors are not the required ones.")
     PLANES_DTYPE = (Severity.ERROR, "A tensor's dtype is not that of the tier's planePrecision.")
     PLANES_SHAPE = (Severity.ERROR, "The tensors' shapes are not those of the tier.")
     PLANES_ALIGNMENT = (Severity.ERROR, "The tensor data does not start on a 64-byte boundary.")
@@ -125,7 +131,7 @@ class Code(Enum):
     DECODER_EXTERNAL = (Severity.ERROR, "The decoder refers to data outside its own file.")
     DECODER_TENSOR = (Severity.ERROR, "A tensor's type, rank or size is not allowed.")
     DECODER_INPUT = (Severity.ERROR, "The inputs are not exactly `queries` float32 [N, K].")
-    DECODER_OUTPUT = (Severity.ERROR, "The outputs are not exactly the one that it must have.")
+    DECODER_OUTPUT = (Severity.ERROR, "The outputs are not exactly the required one.")
     DECODER_GRAPH = (Severity.ERROR, "The graph is not a list of nodes in order of use.")
     DECODER_PRECISION = (Severity.ERROR, "The decoder's arithmetic is not the tier's precision.")
     DECODER_LOAD = (Severity.ERROR, "The inference engine refuses the decoder.")
