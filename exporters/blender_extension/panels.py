@@ -56,11 +56,11 @@ class PackagePanel(_Properties, bpy.types.Panel):
 
 
 def tier_line(tier):
-    """`small: 37.6 dB, FLIP 0.038, 214 ns a query`."""
+    """`small: 37.6 dB, FLIP 0.038, 214 ns/query`."""
     facts = [
         f"{tier['psnr']:.1f} dB" if tier["psnr"] is not None else None,
         f"FLIP {tier['flip']:.3f}" if tier["flip"] is not None else None,
-        f"{tier['nsPerQuery']:.0f} ns a query" if tier["nsPerQuery"] is not None else None,
+        f"{tier['nsPerQuery']:.0f} ns/query" if tier["nsPerQuery"] is not None else None,
     ]
     return f"{tier['name']}: {', '.join(f for f in facts if f) or 'no figures recorded'}"
 

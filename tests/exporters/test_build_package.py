@@ -145,7 +145,7 @@ def test_the_geometry_is_the_captured_one(exported: Exported) -> None:
 def test_the_command_prints_error_path_and_next_command(exported: Exported) -> None:
     assert f"wrote {exported.package}" in exported.said
     assert f"next: rna-validate {exported.package}" in exported.said
-    for word in ("PSNR", "FLIP", "irradiance pi", "relative", "ns a query"):
+    for word in ("PSNR", "FLIP", "irradiance pi", "relative", "ns/query"):
         assert word in exported.said
 
 

@@ -10,8 +10,8 @@ from rna_export.trials.cost import Costs
 from rna_export.trials.record import Point, Record
 
 COSTS = {
-    "ns": "ns a query, all threads",
-    "ns_one_thread": "ns a query, one thread",
+    "ns": "ns/query, all threads",
+    "ns_one_thread": "ns/query, one thread",
     "bytes": "bytes of the package",
     "multiply_adds": "multiply-adds of the decoder, a query",
 }

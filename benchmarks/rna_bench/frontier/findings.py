@@ -26,13 +26,13 @@ def sentences(found: dict[str, Any]) -> list[str]:
     if cheaper:
         said.append(
             f"At the accuracy of paper-hq ({cheaper['paper_psnr']:.1f} dB, "
-            f"{cheaper['paper_ns']:,.0f} ns a query) the cheapest of ours is {cheaper['name']}: "
+            f"{cheaper['paper_ns']:,.0f} ns/query) the cheapest of ours is {cheaper['name']}: "
             f"{cheaper['psnr']:.1f} dB, {cheaper['ns']:,.0f} ns, "
             f"1/{cheaper['times_as_cheap']:.0f} of the cost."
         )
     if better:
         said.append(
-            f"At the cost of paper-small ({better['paper_ns']:,.0f} ns a query, "
+            f"At the cost of paper-small ({better['paper_ns']:,.0f} ns/query, "
             f"{better['paper_psnr']:.1f} dB) the best of ours is {better['name']}: "
             f"{better['psnr']:.1f} dB, {better['db_better']:+.1f} dB, {better['ns']:,.0f} ns."
         )

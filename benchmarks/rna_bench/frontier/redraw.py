@@ -1,7 +1,7 @@
 """Draws frontiers from their committed JSON: a row an asset, its shorter trainings hollow.
 
     rna-bench frontier-chart benchmarks/results/frontier-toy.json \
-        --out docs/images/frontier-toy.png
+        --out docs/images/frontier-toy.svg
 """
 
 from __future__ import annotations

@@ -47,7 +47,7 @@ def measured(
         + f"{tier.name}: {light}\n"
         + "".join(f"warning: {tier.name}: {fault}\n" for fault in light.faults)
         + "".join(_part_lines(tier.name, asset, of_parts, views))
-        + f"{tier.name}: {cost.ns_per_query:.0f} ns a query on {cost.threads} threads"
+        + f"{tier.name}: {cost.ns_per_query:.0f} ns/query on {cost.threads} threads"
     )
     return tier.model_copy(update={"validation": validation, "cost": cost})
 

@@ -120,7 +120,7 @@ def _run(args: argparse.Namespace, where: Place) -> None:
     )
     write_page(found, dataset.manifest.name, work / "index.html")
     print(
-        f"chosen: {found.chosen.name}, {found.chosen.ns:.0f} ns a query; "
+        f"chosen: {found.chosen.name}, {found.chosen.ns:.0f} ns/query; "
         f"{found.seconds:.0f} s of training in all\n"
         f"wrote {args.out}, {work / 'index.html'}\nnext: rna-validate {args.out}"
     )
