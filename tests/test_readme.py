@@ -38,7 +38,11 @@ def test_its_commands_exist() -> None:
 
 @pytest.mark.parametrize(
     "page",
-    ["README.md", "CONTRIBUTING.md", *(f"docs/{path.name}" for path in DOCS.glob("*.md"))],
+    [
+        "README.md",
+        "CONTRIBUTING.md",
+        *(str(path.relative_to(REPOSITORY)) for path in DOCS.rglob("*.md")),
+    ],
 )
 def test_links_lead_somewhere(page: str) -> None:
     path = REPOSITORY / page
