@@ -2,6 +2,8 @@
 
     rna-bench frontier-chart benchmarks/results/frontier-toy.json \
         --out docs/images/frontier-toy.svg
+
+Reports of one asset share a row.
 """
 
 from __future__ import annotations
