@@ -41,8 +41,8 @@ from rna_render.world import Vertices, World
 # Paths are ended at random from this many points on.
 FIRST_ROULETTE = 2
 
-# So many rays go on from the point that the camera sees.
-BRANCHES = 2
+# So many rays go on from the point that the camera sees, if they can meet another thing.
+BRANCHES = 3
 
 Strategy = Literal["both", "lights", "rays"]
 
@@ -96,8 +96,8 @@ class Integrator:
         both = strategy == "both"
         self._lights = [light.beside_rays() for light in lights] if both else lights
         self._max_depth = max_depth
-        self._branches = branches
-        self._clamp = None if clamp is None else np.float32(clamp / branches)
+        self._branches = branches if world.scatters else 1
+        self._clamp = None if clamp is None else np.float32(clamp / self._branches)
         self._on_first_hits: Callable[[], None] | None = on_first_hits
         self._reporting = Lock()
         self._strategy = strategy
