@@ -23,6 +23,8 @@ from rna_sdk.compiled import compiled
 UNIFORM, COSINE, MIRROR, CONE, FORWARD, MIRROR_KAPPA, CONE_SCALE, FORWARD_KAPPA = range(8)
 LOBES = 5
 
+BELOW_ONE = 1.0 - 2.0**-53
+
 
 @dataclass(frozen=True)
 class LobeMixture:
@@ -50,7 +52,8 @@ class LobeMixture:
         """Directions wi: (m, 3) float32, unit.
 
         n, tangents, wo: (m, 3) float32, unit; a zero normal or tangent counts as some direction.
-        u: (m, 3) float64 in [0, 1); the last one chooses the lobe.
+        u: (m, 2) float64 in [0, 1). The first one chooses the lobe, and what is left of it the
+        direction there: points that are spread evenly are so over lobes and directions at once.
         """
         wi = np.empty((len(n), 3), np.float32)
         _sample(self.numbers, n, tangents, wo, u, wi)
@@ -150,13 +153,14 @@ def lobe_frame(n, tangent, o):
 
 
 @compiled(fastmath=())
-def lobe_sample(numbers, frame, u1, u2, u3):
-    """A direction, as often as `lobe_density` says: three float64. u3: chooses the lobe."""
+def lobe_sample(numbers, frame, u1, u2):
+    """A direction, as often as `lobe_density` says: three float64. u1 chooses the lobe, too."""
     o, normal, tangent, mirror = frame
-    lobe, choice = UNIFORM, u3
+    lobe, choice = UNIFORM, u1
     for k in range(LOBES):
         if numbers[k] > 0.0:
             lobe = k
+            u1 = min(choice / numbers[k], BELOW_ONE)
             if choice < numbers[k]:
                 break
         choice -= numbers[k]
@@ -193,7 +197,7 @@ def lobe_density(numbers, frame, w):
 def _sample(numbers, n, tangents, wo, u, wi):
     for i in prange(len(n)):
         frame = lobe_frame(vector_at(n, i), vector_at(tangents, i), vector_at(wo, i))
-        wi[i, 0], wi[i, 1], wi[i, 2] = lobe_sample(numbers, frame, u[i, 0], u[i, 1], u[i, 2])
+        wi[i, 0], wi[i, 1], wi[i, 2] = lobe_sample(numbers, frame, u[i, 0], u[i, 1])
 
 
 @compiled(parallel=True, fastmath=())

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from rna_render.bands import rendered_bands
+from rna_render.bands import SMALL_BAND, rendered_bands
 from rna_render.film import Film, Layers
 from rna_render.integrator import Integrator
 from rna_render.preview.change import Change
@@ -241,9 +241,9 @@ class Session:
     def _sample(
         self, revision: int, integrator: Integrator, count: int, sampler: Sampler
     ) -> Layers | None:
-        """One sample of every pixel; None if the view has changed."""
+        """One sample of every pixel; None if the view has changed, which small bands notice soon."""
         sample = []
-        with closing(rendered_bands(integrator, count, [sampler])) as bands:
+        with closing(rendered_bands(integrator, count, [sampler], SMALL_BAND)) as bands:
             for band, _ in bands:
                 if self._is_old(revision):
                     return None
@@ -256,9 +256,16 @@ class Session:
 
     def _publish(self, label: Label, picture: np.ndarray | None) -> None:
         with self._changed:
+            view, label = self._view, replace(label, serial=self._next_serial())
+            shown = self._picture_of(label, picture)
+        if not label.samples:
+            # Denoised and encoded before the next look takes all threads: this one is waited for.
+            _ = shown.jpeg
+        with self._changed:
             if label.revision == self._revision:
-                label = replace(label, serial=self._next_serial())
-                self._picture = self._picture_of(label, picture)
+                if self._view != view:
+                    shown = self._picture_of(replace(label, serial=self._next_serial()), picture)
+                self._picture = shown
                 self._changed.notify_all()
 
 
