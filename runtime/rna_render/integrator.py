@@ -32,7 +32,6 @@ from rna_render.shadow_catcher import caught_light
 from rna_render.weighing import (
     add_rows,
     power_share,
-    rows_with_light,
     weigh_samples,
     worth_tracing,
 )
@@ -123,9 +122,8 @@ class Integrator:
             numbers = PathNumbers(sampler, pixels[path], depth, rays.number[vertices.ray])
             choices, probability = self._sampling.choose(numbers)
             for choice in choices if self._strategy != "rays" else ():
-                found = self._sample_lights(vertices, choice, probability)
-                radiance = beta.take(found.row, axis=0) * found.radiance
-                radiance = self._clamped(radiance, depth)
+                found = self._sample_lights(vertices, choice, probability, beta)
+                radiance = self._clamped(found.radiance, depth)
                 self._add(band, path[found.row], found.light, radiance)
                 if depth == 1:
                     band.light_samples[path, 0] += np.bincount(found.tried, minlength=len(path))
@@ -230,32 +228,40 @@ class Integrator:
                 add_rows(band.groups[:, group], path[of_light], radiance[of_light])
 
     def _sample_lights(
-        self, vertices: Vertices, choice: LightChoice, probability: np.ndarray
+        self,
+        vertices: Vertices,
+        choice: LightChoice,
+        probability: np.ndarray,
+        beta: np.ndarray,
     ) -> _Found:
-        """Light from samples of lights, and which of them arrive."""
+        """Light from samples of lights, and which of them arrive. beta: of the vertices' paths."""
         world = self._world
         samples = self._sampling.sample(choice, vertices.x_world.take(choice.row, axis=0))
-        tried = worth_tracing(samples, choice, vertices.instance, world.own_light)
-        row = choice.row[tried]
-        wi, distance = samples.wi_world.take(tried, axis=0), samples.distance[tried]
-        kept = self._sampling.kept(vertices, row, wi, distance, vertices.own[row])
-        free = rows_with_light(kept)
-        found, row, kept = tried[free], row[free], kept.take(free, axis=0)
-        instance = vertices.instance[row]
-        wi = world.to_object_directions(instance, wi.take(free, axis=0))
-        local_distance = distance[free] / world.scale[instance]
-        radiance, seen = np.zeros((len(row), 3), np.float32), np.zeros(len(row), np.float32)
+        tried = worth_tracing(samples, choice, vertices, world)
+        kept = self._sampling.kept(vertices, tried.row, tried.wi_world, tried.distance, tried.own)
+        free, kept = tried.where_kept(kept)
+        row, instance = free.row, vertices.instance.take(free.row)
+        wi = world.to_object_directions(instance, free.wi_world)
+        distance = free.distance / world.scale.take(instance)
+        radiance, seen = np.empty((len(row), 3), np.float32), np.empty(len(row), np.float32)
         own_pdf = np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
-            radiance[part], seen[part] = points.transport(place, wi[part], local_distance[part])
+            at = place, wi[part], distance[part]
             if self._rays_meet_lights:
-                own_pdf[part] = points.pdf(place, wi[part])
-        light = choice.light[found]
-        pdf = samples.pdf[found] * probability[light]
+                radiance[part], seen[part], own_pdf[part] = points.transport_and_pdf(*at)
+            else:
+                radiance[part], seen[part] = points.transport(*at)
         weigh_samples(
-            radiance, samples.radiance, found, kept, pdf, own_pdf, self._sampling.delta(light)
+            radiance,
+            seen,
+            (samples.radiance, samples.pdf),
+            (free.sample, row, free.light),
+            kept,
+            own_pdf,
+            (probability, self._sampling.delta),
+            beta,
         )
-        return _Found(choice.row[tried], row, light, radiance, seen * kept.mean(axis=1))
+        return _Found(tried.row, row, free.light, radiance, seen)
 
     def _scatter(
         self,
@@ -284,8 +290,7 @@ class Integrator:
         row = np.repeat(row, branches)
         wi, pdf = np.zeros((len(row), 3), np.float32), np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
-            wi[part] = points.sample(place, u[part])
-            pdf[part] = points.pdf(place, wi[part])
+            wi[part], pdf[part] = points.sample_and_pdf(place, u[part])
         instance = vertices.instance[row]
         direction = world.to_world_directions(instance, wi)
         origin = world.origins(vertices, row, direction)
@@ -330,7 +335,7 @@ class _Found:
 
     tried: vertices for which there was light to be found. row: (k,) vertices that nothing else
     keeps it from; both may name a vertex more than once. light: (k,) which one it was. radiance:
-    (k, 3) float32, towards the viewer. seen: (k,) float32, from 0 to 1, how much of the light all
+    (k, 3) float32, along the path to the camera. seen: (k,) float32, from 0 to 1, how much of the light all
     that is in the way leaves in sight, the body itself included.
     """
 

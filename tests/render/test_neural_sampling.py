@@ -75,3 +75,12 @@ def test_points_spread_evenly_are_so_among_lobes():
 def test_an_empty_batch_is_legal():
     none = np.zeros((0, 3), np.float32)
     assert SURFACE_LOBES.sample(none, none, none, np.zeros((0, 3))).shape == (0, 3)
+
+
+def test_rows_of_points_are_taken_as_they_come():
+    rng = np.random.default_rng(4)
+    at, row = [unit_vectors(rng, 40) for _ in range(3)], rng.integers(0, 40, 100)
+    u, taken = rng.random((100, 3)), [values[row] for values in at]
+    wi = FIBER_LOBES.sample(*at, u, row)
+    np.testing.assert_array_equal(wi, FIBER_LOBES.sample(*taken, u))
+    np.testing.assert_array_equal(FIBER_LOBES.pdf(*at, wi, row), FIBER_LOBES.pdf(*taken, wi))

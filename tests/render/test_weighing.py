@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -10,6 +13,7 @@ from rna_render.light_sampling import LightChoice
 from rna_render.lights import LightSamples
 from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.weighing import power_share, rows_with_light, weigh_samples, worth_tracing
+from tests.render.assets import unit_vectors
 
 RNG = np.random.default_rng(5)
 
@@ -21,13 +25,19 @@ def numbers(*shape: int) -> np.ndarray:
 
 
 def test_samples_worth_tracing() -> None:
-    n = 500
-    row, light = np.sort(RNG.integers(0, 50, n)), RNG.integers(0, 3, n)
-    instance, own_light = RNG.integers(0, 4, 50).astype(np.int32), np.int32([-1, 0, 1, 2])
-    samples = LightSamples(numbers(n, 3), numbers(n), numbers(n, 3), numbers(n))
+    n, m = 500, 50
+    row, light = np.sort(RNG.integers(0, m, n)), RNG.integers(0, 3, n)
+    instance, own_light = RNG.integers(0, 4, m).astype(np.int32), np.int32([-1, 0, 1, 2])
+    one_sided = np.array([True, False, True, False])
+    wi, wo, ng = unit_vectors(RNG, n), unit_vectors(RNG, m), unit_vectors(RNG, m)
+    samples = LightSamples(wi, numbers(n), numbers(n, 3), numbers(n))
+    vertices: Any = SimpleNamespace(instance=instance, wo_world=wo, ng_world=ng)
+    world: Any = SimpleNamespace(own_light=own_light, one_sided=one_sided)
     expected = (samples.pdf > 0.0) & samples.radiance.any(axis=1)
     expected &= own_light[instance[row]] != light
-    found = worth_tracing(samples, LightChoice(row, light, numbers(n, 2)), instance, own_light)
+    same_side = np.sum(ng[row] * wi, axis=1) * np.sum(ng * wo, axis=1)[row] > 0.0
+    expected &= same_side | ~one_sided[instance[row]]
+    found = worth_tracing(samples, LightChoice(row, light, numbers(n, 2)), vertices, world)
     assert 0 < len(found) < n
     assert (found == np.flatnonzero(expected)).all()
 
