@@ -335,8 +335,8 @@ class _Found:
 
     tried: vertices for which there was light to be found. row: (k,) vertices that nothing else
     keeps it from; both may name a vertex more than once. light: (k,) which one it was. radiance:
-    (k, 3) float32, along the path to the camera. seen: (k,) float32, from 0 to 1, how much of the light all
-    that is in the way leaves in sight, the body itself included.
+    (k, 3) float32, along the path to the camera. seen: (k,) float32, from 0 to 1, how much of the
+    light all that is in the way leaves in sight, the body itself included.
     """
 
     tried: np.ndarray

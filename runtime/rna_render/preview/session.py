@@ -241,7 +241,7 @@ class Session:
     def _sample(
         self, revision: int, integrator: Integrator, count: int, sampler: Sampler
     ) -> Layers | None:
-        """One sample of every pixel; None if the view has changed, which small bands notice soon."""
+        """One sample of every pixel; None if the view has changed: small bands notice soon."""
         sample = []
         with closing(rendered_bands(integrator, count, [sampler], SMALL_BAND)) as bands:
             for band, _ in bands:
