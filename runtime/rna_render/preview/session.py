@@ -256,16 +256,9 @@ class Session:
 
     def _publish(self, label: Label, picture: np.ndarray | None) -> None:
         with self._changed:
-            view, label = self._view, replace(label, serial=self._next_serial())
-            shown = self._picture_of(label, picture)
-        if not label.samples:
-            # Denoised and encoded before the next look takes all threads: this one is waited for.
-            _ = shown.jpeg
-        with self._changed:
             if label.revision == self._revision:
-                if self._view != view:
-                    shown = self._picture_of(replace(label, serial=self._next_serial()), picture)
-                self._picture = shown
+                label = replace(label, serial=self._next_serial())
+                self._picture = self._picture_of(label, picture)
                 self._changed.notify_all()
 
 
