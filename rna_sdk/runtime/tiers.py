@@ -99,7 +99,8 @@ def _work(tier: Tier) -> float:
     """Multiply-adds of a query, as many float32 ones as take about as long.
 
     Measured, the whole of a query with an int8 decoder is 1.7 to 4 times as fast as in float32 on
-    CPUs with VNNI, 1.4 to 2.3 times on others, the more the wider (docs/decisions.md).
+    CPUs with VNNI, 1.4 to 2.3 times on others, the more the wider
+    (docs/decisions/decoder-and-int8.md).
     """
     if tier.cost is None:
         return math.inf

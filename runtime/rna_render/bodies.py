@@ -30,7 +30,7 @@ from rna_render.points import Body, Points, Role
 from rna_render.surface import SurfacePoints
 from rna_sdk.runtime import offset_across
 
-# The lobes that rays leave assets in, by kind; see docs/decisions.md.
+# The lobes that rays leave assets in, by kind; see docs/decisions/renderer.md.
 SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45, mirror_kappa=20.0)
 FIBER_LOBES = LobeMixture(uniform=0.3, cone=0.45, cone_scale=0.06, forward=0.25, forward_kappa=5.0)
 

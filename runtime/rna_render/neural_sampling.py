@@ -4,7 +4,8 @@ The decoder cannot be sampled itself, but most of what it sends comes from a few
 around (light that is scattered inside), from the side of the normal (diffuse reflection), from
 the mirror direction (highlights), for fibers from the cone about the tangent that specular
 reflection and transmission both lie on, and from straight behind (light that goes through).
-Weights and widths of the lobes: docs/decisions.md, "Rays leave assets in a mixture of lobes".
+Weights and widths of the lobes: docs/decisions/renderer.md,
+"Rays leave assets in a mixture of lobes".
 """
 
 from __future__ import annotations

@@ -64,7 +64,7 @@ class CaptureSettings(DatasetModel):
         return cls(**{**_DEFAULTS.get(kind, {}), **asked})
 
 
-# Hair's paths are dear and noisy: more points, of fewer paths, teach more (docs/decisions.md).
+# Hair's paths are dear and noisy: more points of fewer paths are better (docs/decisions/fibers.md).
 # Beside a surface, whose paths are cheap, as many paths a light serve both.
 _FIBERS = {
     "samples": 2,
