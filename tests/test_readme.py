@@ -12,7 +12,7 @@ import pytest
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 
-DOCS = REPOSITORY / "docs"
+PAGES = [path.relative_to(REPOSITORY) for path in (REPOSITORY / "docs").rglob("*.md")]
 README = (REPOSITORY / "README.md").read_text()
 
 
@@ -36,10 +36,7 @@ def test_its_commands_exist() -> None:
     assert commands <= set(scripts)
 
 
-@pytest.mark.parametrize(
-    "page",
-    ["README.md", "CONTRIBUTING.md", *(f"docs/{path.name}" for path in DOCS.glob("*.md"))],
-)
+@pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", *map(str, PAGES)])
 def test_links_lead_somewhere(page: str) -> None:
     path = REPOSITORY / page
     links = re.findall(r"\]\((?!https?:)([^)#]+)", path.read_text())

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import matplotlib
 from matplotlib.figure import Figure
 
@@ -9,9 +11,6 @@ matplotlib.use("Agg")
 
 OURS, CYCLES, PAPER, OPPONENT, QUIET = "#2f6fb3", "#b0407a", "#d9822b", "#3d8f5f", "#8a8f98"
 PASS, FAIL = "#2a7d2a", "#b3261e"
-
-ERROR_MAP = "magma"
-"""The colour map of FLIP, as its authors show it."""
 
 matplotlib.rcParams.update(
     {
@@ -35,3 +34,8 @@ matplotlib.rcParams.update(
 def figure(width: float, height: float) -> Figure:
     """An empty one of so many inches."""
     return Figure(figsize=(width, height), layout="constrained")
+
+
+def save_chart(chart: Figure, path: Path) -> None:
+    """As SVG, the same bytes for the same chart, or as PNG, by the name."""
+    chart.savefig(path, dpi=110, metadata={"Date": None} if path.suffix == ".svg" else None)

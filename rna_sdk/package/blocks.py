@@ -45,6 +45,10 @@ def query_width(inputs: Iterable[str], channels: int) -> int:
 
     Raises:
         KeyError: a name that is not in INPUT_BLOCKS.
+
+    Examples:
+        >>> query_width(["features", "wo", "wi"], channels=8)
+        14
     """
     widths = (INPUT_BLOCKS[name] for name in inputs)
     return sum(channels if width is None else width for width in widths)

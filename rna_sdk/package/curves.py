@@ -32,6 +32,12 @@ class Curves:
     Raises:
         PackageError: GEOMETRY_ARRAY, where a shape or dtype is another; GEOMETRY_STRANDS, where
             the offsets are not of that form; GEOMETRY_SEGMENT, where a segment has no length.
+
+    Examples:
+        >>> strand = np.float32([[0, 0, 0], [0, 0.1, 0], [0, 0.2, 0.01]])
+        >>> curves = Curves(strand, np.full(3, 1e-4, np.float32), np.uint32([0, 3]))
+        >>> curves.segments().tolist()
+        [0, 1]
     """
 
     points: NDArray[np.float32]

@@ -53,6 +53,13 @@ def quantise(geometry: Geometry) -> Geometry:
 
     Quantise before anything is captured on the geometry, so that what is learnt is what is
     stored: a mesh in 16 bits an axis, strands in steps below a fiftieth of their smallest radius.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     mesh = package.mesh()
+        >>> off = np.abs(quantise(mesh).positions - mesh.positions)
+        >>> bool(off.max() < 1e-4)  # metres
+        True
     """
     if isinstance(geometry, Mesh):
         return quantise_mesh(geometry)

@@ -30,6 +30,13 @@ class Mesh:
 
     Raises:
         PackageError: GEOMETRY_ARRAY, where a shape or dtype is another.
+
+    Examples:
+        >>> corners = np.float32([[0, 0, 0], [1, 0, 0], [0, 0, -1]])
+        >>> up = np.tile(np.float32([0, 1, 0]), (3, 1))
+        >>> mesh = Mesh(corners, up, None, np.uint32([[0, 1, 2]]))
+        >>> mesh.box()[1].tolist()
+        [1.0, 0.0, 0.0]
     """
 
     positions: NDArray[np.float32]

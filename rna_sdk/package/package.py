@@ -28,6 +28,13 @@ class Package:
 
     Attributes:
         manifest: the manifest, immutable.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     mesh, tier = package.mesh(), package.manifest.tiers[0]
+        ...     planes = package.planes(tier.name)
+        >>> planes.shape[0], mesh.triangles.shape[1]
+        (3, 3)
     """
 
     def __init__(self, container: Container, manifest: Manifest) -> None:

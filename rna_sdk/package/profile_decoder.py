@@ -72,6 +72,12 @@ def read_profile_decoder(model: bytes | memoryview, name: str) -> ProfileDecoder
 
     Raises:
         QueryError: it does not keep to the decoder profile; `name` says whose it is.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     decoder = read_profile_decoder(package.decoder("small"), "small")
+        ...     [layer.weight.shape[1] for layer in decoder.layers]
+        [64, 64, 64, 64, 6]
     """
     graph = read_model(memoryview(model))
     outside = outside_profile(graph)

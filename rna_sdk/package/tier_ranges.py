@@ -17,6 +17,12 @@ def tier_ranges(layout: Mapping[str, range], manifest: Manifest, tier: Tier) -> 
 
     layout: name -> bytes of the entry with its header, of every entry that the tier needs, as
         `Package.layout` has it, or the central directory of a file somewhere else.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     ranges = tier_ranges(package.layout(), package.manifest, package.tier("small"))
+        >>> ranges[0].start
+        0
     """
     needed = {MANIFEST_NAME, *shared_names(manifest.parts), *tier_names(tier)}
     ranges: list[range] = []

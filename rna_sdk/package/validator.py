@@ -65,6 +65,12 @@ def validate(path: str | PathLike[str]) -> list[Issue]:
 
     Nothing in the file is executed, unpickled or extracted, and no size is trusted before it
     was checked. Does not raise for anything the file holds.
+
+    Examples:
+        >>> validate("toy.rna")
+        []
+        >>> validate("no-such-file.rna")[0].code
+        'FILE_UNREADABLE'
     """
     return inspect(path).issues
 

@@ -69,6 +69,14 @@ def write_package(
     Raises:
         PackageError: what was given does not make a valid package.
         OSError: the file cannot be written.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     manifest, mesh, name = package.manifest, package.mesh(), "small"
+        ...     part = TierData(package.planes(name), bytes(package.decoder(name)))
+        ...     written = write_package("copy.rna", manifest, [mesh], {name: [part]})
+        >>> written.tiers[0].name
+        'small'
     """
     quantised = any(geometry.quantised is not None for geometry in geometries)
     manifest = with_versions(manifest, QUANTISED_VERSION if quantised else "1.0")

@@ -72,7 +72,14 @@ class Asset:
 
 
 class CompositeAsset(Asset):
-    """An asset of several parts, each evaluated by itself, which light each other."""
+    """An asset of several parts, each evaluated by itself, which light each other.
+
+    Examples:
+        >>> toy, hair = load("toy.rna"), load("curls.rna")
+        >>> both = CompositeAsset("toy and curls", [toy, hair])
+        >>> [part.kind for part in both.parts]
+        ['surface', 'fiber']
+    """
 
     def __init__(self, name: str, parts: Sequence[SurfaceAsset | FiberAsset]) -> None:
         """parts: of one tier of one package, two or more."""

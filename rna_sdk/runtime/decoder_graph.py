@@ -3,7 +3,7 @@
 onnxruntime runs Gemm + Relu in three passes over the activations: copy the bias, multiply and
 add, clamp. A 1 x 1 convolution over a row of "pixels", one query each, is the same layer, and
 its blocked form on x86 does all three while the result is in registers: at width 64 a layer
-takes 44 to 46 ns a query instead of 55 to 59.
+takes 44 to 46 ns/query instead of 55 to 59.
 
     queries [n, k]    -> Gemm -> Relu -> ... -> Gemm -> [n, m]
     queries [1, 1, n, k padded] -> Transpose -> Conv -> Relu -> ... -> Conv -> Transpose,

@@ -16,6 +16,11 @@ def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.boo
 
     Raises:
         QueryError: `directions` is another array.
+
+    Examples:
+        >>> asset = load("toy.rna")  # trained for the whole sphere
+        >>> in_region(asset.domain.wi, np.float32([[0, -1, 0]])).tolist()
+        [True]
     """
     directions = vectors("directions", directions)
     if region == "sphere":

@@ -64,6 +64,16 @@ class FiberAsset(AssetPart):
         Raises:
             QueryError: an argument is not a float32 array of its shape, or they differ in n;
                 `out` cannot be written as it is.
+
+        Examples:
+            >>> hair = load("curls.rna")
+            >>> root = hair.curves.segments()[:100]
+            >>> x, tip = hair.curves.points[root], hair.curves.points[root + 1]
+            >>> wo = wi = np.tile(np.float32([0, 1, 0]), (100, 1))
+            >>> h = np.zeros(100, np.float32)  # in the middle of the fiber, as seen along wo
+            >>> visible, shadowed = hair.evaluate(x, tip - x, h, wo, wi)
+            >>> visible.shape
+            (100, 3)
         """
         positions = vectors("positions", positions)
         tangents = vectors("tangents", tangents, len(positions))
@@ -78,6 +88,14 @@ class FiberAsset(AssetPart):
 
         Raises:
             QueryError: an argument is not a float32 array of its shape, or they differ in n.
+
+        Examples:
+            >>> hair = load("curls.rna")
+            >>> root = hair.curves.segments()[:100]
+            >>> x, tip = hair.curves.points[root], hair.curves.points[root + 1]
+            >>> wo, h = np.tile(np.float32([0, 1, 0]), (100, 1)), np.zeros(100, np.float32)
+            >>> bool(hair.emission(x, tip - x, h, wo).any())
+            False
         """
         positions = vectors("positions", positions)
         tangents = vectors("tangents", tangents, len(positions))

@@ -1,6 +1,6 @@
 """How the queries of an int8 decoder become uint8: found in its graph, done by a kernel here.
 
-onnxruntime takes four passes over the queries for it, 38 ns a query; the kernel takes one.
+onnxruntime takes four passes over the queries for it, 38 ns/query; the kernel takes one.
 """
 
 from __future__ import annotations

@@ -39,6 +39,13 @@ def load(
     Raises:
         PackageError: the file cannot be read or breaks the format.
         QueryError: there is no such tier, none is good enough, or an argument is no such value.
+
+    Examples:
+        >>> asset = load("toy.rna", min_psnr=30.0)
+        >>> asset.tier.name
+        'small'
+        >>> asset.mesh.positions.dtype
+        dtype('float32')
     """
     count = thread_count(threads)
     with Package.open(path) as package:

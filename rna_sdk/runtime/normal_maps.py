@@ -30,6 +30,12 @@ def mapped_normals(
 
     records: of the part (`asset.parts[k].normal_maps`). triangle: (n,) which of the mesh's. u, v:
     (n,) barycentric coordinates of its second and third corner.
+
+    Examples:
+        >>> asset = load("toy.rna")  # without normal maps: the mesh's own normals
+        >>> first, middle = np.zeros(1, np.int32), np.full(1, 1 / 3, np.float32)
+        >>> mapped_normals(asset.mesh, asset.normal_maps, first, middle, middle).shape
+        (1, 3)
     """
     corners = mesh.triangles[triangle]
     weights = np.stack([1.0 - u.astype(np.float64) - v, u, v], axis=1, dtype=np.float64)

@@ -20,6 +20,12 @@ def offset_across(
 
     Raises:
         QueryError: an argument is not an (n, 3) float32 array, or they differ in n.
+
+    Examples:
+        >>> eye, up = np.float32([[0, 0, 1]]), np.float32([[0, 1, 0]])
+        >>> right = np.float32([[1, 0, 0]])
+        >>> offset_across(right, up, eye).tolist()  # the right edge of an upright fiber
+        [1.0]
     """
     from rna_sdk.runtime.row_kernels import fill_offsets  # numba loads when it is used
 

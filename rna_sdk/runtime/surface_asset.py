@@ -63,6 +63,13 @@ class SurfaceAsset(AssetPart):
         Raises:
             QueryError: an argument is not an (n, 3) float32 array, or they differ in n; `out`
                 cannot be written as it is.
+
+        Examples:
+            >>> asset = load("toy.rna")
+            >>> x, n = asset.mesh.positions[:100], asset.mesh.normals[:100]
+            >>> visible, shadowed = asset.evaluate(x, n, n, n)  # seen, lit from above
+            >>> visible.shape
+            (100, 3)
         """
         positions = vectors("positions", positions)
         normals = vectors("normals", normals, len(positions))
@@ -76,6 +83,12 @@ class SurfaceAsset(AssetPart):
 
         Raises:
             QueryError: an argument is not an (n, 3) float32 array, or they differ in n.
+
+        Examples:
+            >>> asset = load("toy.rna")
+            >>> x, n = asset.mesh.positions[:100], asset.mesh.normals[:100]
+            >>> bool(asset.emission(x, n, n).any())  # the toy does not glow
+            False
         """
         positions = vectors("positions", positions)
         normals = vectors("normals", normals, len(positions))

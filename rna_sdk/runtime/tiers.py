@@ -29,6 +29,11 @@ def choose_tier(
 
     Raises:
         QueryError: more than one choice is given, no tier is as asked, or a limit is no number.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     choose_tier(package, max_error=0.05, pixels=60).name
+        'small'
     """
     if sum(choice is not None for choice in (name, min_psnr, max_error)) > 1:
         raise QueryError("tier, min_psnr and max_error: give one of them, not both")
@@ -61,6 +66,11 @@ def expected_error(tier: Tier, pixels: float | None = None) -> float:
 
     Raises:
         QueryError: `pixels` is no number of at least 0.
+
+    Examples:
+        >>> tier = load("toy.rna").tier
+        >>> expected_error(tier, 40) < expected_error(tier) < 0.1
+        True
     """
     validation = tier.validation
     height = image_height(pixels)
@@ -74,7 +84,13 @@ def expected_error(tier: Tier, pixels: float | None = None) -> float:
 
 
 def is_no_worse(tier: Tier, other: Tier) -> bool:
-    """Whether the tier's recorded PSNR is that of the other, to within 0.1 dB, or more."""
+    """Whether the tier's recorded PSNR is that of the other, to within 0.1 dB, or more.
+
+    Examples:
+        >>> tier = load("toy.rna").tier
+        >>> is_no_worse(tier, tier)
+        True
+    """
     return tier.validation is not None and _psnr(tier) >= _psnr(other) - _SAME_PSNR
 
 
@@ -99,7 +115,8 @@ def _work(tier: Tier) -> float:
     """Multiply-adds of a query, as many float32 ones as take about as long.
 
     Measured, the whole of a query with an int8 decoder is 1.7 to 4 times as fast as in float32 on
-    CPUs with VNNI, 1.4 to 2.3 times on others, the more the wider (docs/decisions.md).
+    CPUs with VNNI, 1.4 to 2.3 times on others, the more the wider
+    (docs/decisions/decoder-and-int8.md).
     """
     if tier.cost is None:
         return math.inf

@@ -21,6 +21,15 @@ class Transform:
     Attributes:
         matrix: (4, 4) float64, read-only; columns are the object's axes and origin in the world.
         scale: world lengths over object lengths.
+
+    Examples:
+        >>> matrix = np.eye(4)
+        >>> matrix[:3, 3] = 0.0, 1.0, 0.0
+        >>> placed = Transform(matrix)
+        >>> placed.scale
+        1.0
+        >>> placed.to_object_points(np.float32([[0, 3, 0]])).tolist()
+        [[0.0, 2.0, 0.0]]
     """
 
     def __init__(self, matrix: ArrayLike) -> None:

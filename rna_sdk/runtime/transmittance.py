@@ -28,6 +28,13 @@ def transmittance(
     records: of the part (`asset.parts[k].transmittance_records`). triangle: (n,) which of the
     mesh's. u, v: (n,) barycentric coordinates of its second and third corner. direction: (n, 3)
     of the rays, object space, of length 1.
+
+    Examples:
+        >>> asset = load("toy.rna")  # opaque
+        >>> first, middle = np.zeros(1, np.int32), np.full(1, 1 / 3, np.float32)
+        >>> down, records = np.float32([[0, -1, 0]]), asset.transmittance_records
+        >>> transmittance(asset.mesh, records, first, middle, middle, down).tolist()
+        [[0.0, 0.0, 0.0]]
     """
     tau = np.zeros((len(triangle), 3))
     for record in records:

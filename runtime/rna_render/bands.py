@@ -47,16 +47,17 @@ class BandRenderer(Protocol):
 
 
 def rendered_bands(
-    renderer: BandRenderer, count: int, samplers: Iterable[Sampler]
+    renderer: BandRenderer, count: int, samplers: Iterable[Sampler], most: int | None = None
 ) -> Generator[tuple[Layers, bool], None, None]:
     """The bands of each sample in turn, and whether each is the last one of its sample.
 
-    count: pixels of the image. As many bands are under way as numba has threads for the caller, and
-    as many wait, so that no thread idles while the caller takes what is finished; a caller that
-    stops early waits for those under way, and the rest is not begun.
+    count: pixels of the image. most: pixels of a band, BAND if None. As many bands are under way
+    as numba has threads for the caller, and as many wait, so that no thread idles while the caller
+    takes what is finished; a caller that stops early waits for those under way, and the rest is
+    not begun.
     """
     threads = min(kernel_threads(), renderer.at_once or kernel_threads())
-    bands = _bands(count, threads)
+    bands = _bands(count, threads, most or BAND)
     work = ((band, sampler, band is bands[-1]) for sampler in samplers for band in bands)
     make = partial(_BandWorker, renderer)
     pool: Pool[_Band, Layers] = Pool(Threads(threads), make, ahead=1)
@@ -87,8 +88,8 @@ class _BandWorker:
         """A band is rendered to its end, which is soon."""
 
 
-def _bands(count: int, threads: int) -> list[np.ndarray]:
+def _bands(count: int, threads: int, most: int) -> list[np.ndarray]:
     """Places of pixels, (n,) uint32 each; bands of one size, as many for each thread."""
-    fewest = max(1, -(-count // BAND))
+    fewest = max(1, -(-count // most))
     shared = min(-(-fewest // threads) * threads, -(-count // SMALL_BAND))
     return np.array_split(np.arange(count, dtype=np.uint32), max(fewest, shared))

@@ -30,7 +30,7 @@ from rna_render.points import Body, Points, Role
 from rna_render.surface import SurfacePoints
 from rna_sdk.runtime import offset_across
 
-# The lobes that rays leave assets in, by kind; see docs/decisions.md.
+# The lobes that rays leave assets in, by kind; see docs/decisions/renderer.md.
 SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45, mirror_kappa=20.0)
 FIBER_LOBES = LobeMixture(uniform=0.3, cone=0.45, cone_scale=0.06, forward=0.25, forward_kappa=5.0)
 
@@ -44,6 +44,7 @@ class AssetBody:
 
     role = Role.SCATTER
     passes_through = True
+    one_sided = False
 
     def __init__(self, asset: Asset) -> None:
         self._parts = asset.parts
@@ -74,24 +75,17 @@ class _NeuralPoints(Points):
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        v = self._scene.visible(self._part, self._at.take(row), wi, distance)
+        v = self._scene.visible(self._part, self._at, wi, distance, row)
         visible, shadowed = self._evaluate(row, wi)
         if v.ndim == 1:
             return np.where(v[:, None], visible, shadowed), v
         return v * visible + (np.float32(1.0) - v) * shadowed, v.mean(axis=1)
 
     def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
-        return self._lobes.sample(
-            self.n.take(row, axis=0), self.tangents.take(row, axis=0), self._wo.take(row, axis=0), u
-        )
+        return self._lobes.sample(self.n, self.tangents, self._wo, u, row)
 
     def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
-        return self._lobes.pdf(
-            self.n.take(row, axis=0),
-            self.tangents.take(row, axis=0),
-            self._wo.take(row, axis=0),
-            wi,
-        )
+        return self._lobes.pdf(self.n, self.tangents, self._wo, wi, row)
 
     @abstractmethod
     def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
@@ -133,6 +127,7 @@ class ObjectBody:
     """A mesh with materials. Rays that start on it can hit it again."""
 
     passes_through = False
+    one_sided = True
     part_count = 1
 
     def __init__(self, mesh: MeshObject) -> None:
@@ -160,10 +155,7 @@ class _ObjectPoints(Points):
     def transport(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        radiance = self._scattering.evaluate(*self._directions, wi, row)
-        if self._share is not None:
-            radiance /= self._share.take(row, axis=0)
-        return radiance, np.ones(len(row), bool)
+        return self._sent(row, self._scattering.evaluate(*self._directions, wi, row))
 
     def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
         return self._scattering.sample(*self._directions, u, row)
@@ -171,12 +163,27 @@ class _ObjectPoints(Points):
     def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
         return self._scattering.pdf(*self._directions, wi, row)
 
+    def transport_and_pdf(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        radiance, pdf = self._scattering.evaluate_and_pdf(*self._directions, wi, row)
+        return *self._sent(row, radiance), pdf
+
+    def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return self._scattering.sample_and_pdf(*self._directions, u, row)
+
+    def _sent(self, row: np.ndarray, radiance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        if self._share is not None:
+            radiance /= self._share.take(row, axis=0)
+        return radiance, np.ones(len(row), bool)
+
 
 class LightBody:
     """A light that rays meet: black."""
 
     role = Role.SHINE
     passes_through = False
+    one_sided = True
     part_count = 1
 
     def __init__(self, light: PlacedLight) -> None:

@@ -32,7 +32,6 @@ from rna_render.shadow_catcher import caught_light
 from rna_render.weighing import (
     add_rows,
     power_share,
-    rows_with_light,
     weigh_samples,
     worth_tracing,
 )
@@ -40,6 +39,9 @@ from rna_render.world import Vertices, World
 
 # Paths are ended at random from this many points on.
 FIRST_ROULETTE = 2
+
+# So many rays go on from the point that the camera sees, if they can meet another thing.
+BRANCHES = 3
 
 Strategy = Literal["both", "lights", "rays"]
 
@@ -51,6 +53,7 @@ class _Rays:
     path: (n,) place of their path in the band. origin, direction: (n, 3) float32, world space.
     beta: (n, 3) float32, throughput of their path so far. pdf: (n,) float32, density of the
     direction; None for camera rays. probability: of each light to be sampled where the rays start.
+    number: (n,) int64, as of PathNumbers, for the points that they meet.
     """
 
     path: np.ndarray
@@ -60,6 +63,7 @@ class _Rays:
     beta: np.ndarray
     pdf: np.ndarray | None
     probability: np.ndarray
+    number: np.ndarray
 
 
 class Integrator:
@@ -67,6 +71,8 @@ class Integrator:
 
     lights: those of the world first, in its order. max_depth: how many points of a path may
     scatter. clamp: the most radiance that one path may bring by way of more than one thing, if any.
+    branches: rays that go on from the point that the camera sees; each then counts for that part
+    of a path, with its clamp.
     on_first_hits: called once, when the first camera rays have been traced. strategy: how light is
     found; anything but "both" is for tests, since each way alone misses some lights or is slow.
     """
@@ -82,13 +88,15 @@ class Integrator:
         clamp: float | None = None,
         on_first_hits: Callable[[], None] = lambda: None,
         strategy: Strategy = "both",
+        branches: int = BRANCHES,
     ) -> None:
         self._world = world
         self._camera = camera
         both = strategy == "both"
         self._lights = [light.beside_rays() for light in lights] if both else lights
         self._max_depth = max_depth
-        self._clamp = None if clamp is None else np.float32(clamp)
+        self._branches = branches if world.scatters else 1
+        self._clamp = None if clamp is None else np.float32(clamp / self._branches)
         self._on_first_hits: Callable[[], None] | None = on_first_hits
         self._reporting = Lock()
         self._strategy = strategy
@@ -111,12 +119,11 @@ class Integrator:
             if not len(vertices):
                 break
             path, beta = rays.path[vertices.ray], rays.beta.take(vertices.ray, axis=0)
-            numbers = PathNumbers(sampler, pixels[path], depth)
+            numbers = PathNumbers(sampler, pixels[path], depth, rays.number[vertices.ray])
             choices, probability = self._sampling.choose(numbers)
             for choice in choices if self._strategy != "rays" else ():
-                found = self._sample_lights(vertices, choice, probability)
-                radiance = beta.take(found.row, axis=0) * found.radiance
-                radiance = self._clamped(radiance, depth)
+                found = self._sample_lights(vertices, choice, probability, beta)
+                radiance = self._clamped(found.radiance, depth)
                 self._add(band, path[found.row], found.light, radiance)
                 if depth == 1:
                     band.light_samples[path, 0] += np.bincount(found.tried, minlength=len(path))
@@ -139,7 +146,8 @@ class Integrator:
         self._report_first_hits()
         beta = np.ones((len(pixels), 3), np.float32) if hits.weight is None else hits.weight
         path, never = np.arange(len(pixels)), np.zeros(len(self._lights))
-        return _Rays(path, origin, direction, hits, beta, None, never)
+        number = np.full(len(pixels), sampler.sample, np.int64)
+        return _Rays(path, origin, direction, hits, beta, None, never, number)
 
     def _report_first_hits(self) -> None:
         with self._reporting:
@@ -220,32 +228,40 @@ class Integrator:
                 add_rows(band.groups[:, group], path[of_light], radiance[of_light])
 
     def _sample_lights(
-        self, vertices: Vertices, choice: LightChoice, probability: np.ndarray
+        self,
+        vertices: Vertices,
+        choice: LightChoice,
+        probability: np.ndarray,
+        beta: np.ndarray,
     ) -> _Found:
-        """Light from samples of lights, and which of them arrive."""
+        """Light from samples of lights, and which of them arrive. beta: of the vertices' paths."""
         world = self._world
         samples = self._sampling.sample(choice, vertices.x_world.take(choice.row, axis=0))
-        tried = worth_tracing(samples, choice, vertices.instance, world.own_light)
-        row = choice.row[tried]
-        wi, distance = samples.wi_world.take(tried, axis=0), samples.distance[tried]
-        kept = self._sampling.kept(vertices, row, wi, distance, vertices.own[row])
-        free = rows_with_light(kept)
-        found, row, kept = tried[free], row[free], kept.take(free, axis=0)
-        instance = vertices.instance[row]
-        wi = world.to_object_directions(instance, wi.take(free, axis=0))
-        local_distance = distance[free] / world.scale[instance]
-        radiance, seen = np.zeros((len(row), 3), np.float32), np.zeros(len(row), np.float32)
+        tried = worth_tracing(samples, choice, vertices, world)
+        kept = self._sampling.kept(vertices, tried.row, tried.wi_world, tried.distance, tried.own)
+        free, kept = tried.where_kept(kept)
+        row, instance = free.row, vertices.instance.take(free.row)
+        wi = world.to_object_directions(instance, free.wi_world)
+        distance = free.distance / world.scale.take(instance)
+        radiance, seen = np.empty((len(row), 3), np.float32), np.empty(len(row), np.float32)
         own_pdf = np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
-            radiance[part], seen[part] = points.transport(place, wi[part], local_distance[part])
+            at = place, wi[part], distance[part]
             if self._rays_meet_lights:
-                own_pdf[part] = points.pdf(place, wi[part])
-        light = choice.light[found]
-        pdf = samples.pdf[found] * probability[light]
+                radiance[part], seen[part], own_pdf[part] = points.transport_and_pdf(*at)
+            else:
+                radiance[part], seen[part] = points.transport(*at)
         weigh_samples(
-            radiance, samples.radiance, found, kept, pdf, own_pdf, self._sampling.delta(light)
+            radiance,
+            seen,
+            (samples.radiance, samples.pdf),
+            (free.sample, row, free.light),
+            kept,
+            own_pdf,
+            (probability, self._sampling.delta),
+            beta,
         )
-        return _Found(choice.row[tried], row, light, radiance, seen * kept.mean(axis=1))
+        return _Found(tried.row, row, free.light, radiance, seen)
 
     def _scatter(
         self,
@@ -255,18 +271,26 @@ class Integrator:
         numbers: PathNumbers,
         probability: np.ndarray,
     ) -> _Rays:
-        """Continue the paths, each with a ray in a direction of its body's choice."""
+        """Continue the paths, with rays in directions of their bodies' choice."""
         world = self._world
-        row = np.arange(len(vertices))
+        row, branches = np.arange(len(vertices)), 1
+        if numbers.depth == 1:
+            branches = self._branches
+            beta = beta / np.float32(branches)
         if numbers.depth >= FIRST_ROULETTE:
-            survival = np.minimum(beta.max(axis=1), 1.0)
+            # As often as if the path had not been split.
+            survival = np.minimum(beta.max(axis=1) * self._branches, 1.0)
             row = np.flatnonzero(numbers.square(ROULETTE)[:, 0] < survival)
             beta = beta / np.maximum(survival, np.float32(1e-30))[:, None]
-        u = np.column_stack([numbers.square(DIRECTION), numbers.square(CHOICES)[:, 1]])
+        numbers = numbers.take(row)
+        u = np.column_stack(
+            [numbers.square(DIRECTION, branches), numbers.square(CHOICES, branches)[:, 1]]
+        )
+        number = (numbers.number[:, None] * branches + np.arange(branches)).reshape(-1)
+        row = np.repeat(row, branches)
         wi, pdf = np.zeros((len(row), 3), np.float32), np.zeros(len(row), np.float32)
         for part, place, points in vertices.local_rows(row):
-            wi[part] = points.sample(place, u.take(row[part], axis=0))
-            pdf[part] = points.pdf(place, wi[part])
+            wi[part], pdf[part] = points.sample_and_pdf(place, u[part])
         instance = vertices.instance[row]
         direction = world.to_world_directions(instance, wi)
         origin = world.origins(vertices, row, direction)
@@ -282,7 +306,7 @@ class Integrator:
         transport *= scale[:, None]
         if hits.weight is not None:
             transport *= hits.weight
-        return _Rays(path[row], origin, direction, hits, transport, pdf, probability)
+        return _Rays(path[row], origin, direction, hits, transport, pdf, probability, number)
 
     def _catch_shadows(
         self, band: Layers, rays: _Rays, pixels: np.ndarray, sampler: Sampler
@@ -311,8 +335,8 @@ class _Found:
 
     tried: vertices for which there was light to be found. row: (k,) vertices that nothing else
     keeps it from; both may name a vertex more than once. light: (k,) which one it was. radiance:
-    (k, 3) float32, towards the viewer. seen: (k,) float32, from 0 to 1, how much of the light all
-    that is in the way leaves in sight, the body itself included.
+    (k, 3) float32, along the path to the camera. seen: (k,) float32, from 0 to 1, how much of the
+    light all that is in the way leaves in sight, the body itself included.
     """
 
     tried: np.ndarray

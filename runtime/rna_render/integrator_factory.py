@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rna_render.camera import Camera
 from rna_render.indirect_clamp import indirect_clamp
-from rna_render.integrator import Integrator
+from rna_render.integrator import BRANCHES, Integrator
 from rna_render.lights import Light, make_light
 from rna_render.lights.models import AreaModel
 from rna_render.scene_model import Scene
@@ -19,16 +19,19 @@ def make_integrator(
     world: World,
     on_first_hits: Callable[[], None] = lambda: None,
     resolve: Callable[[Path], Path] = Path,
+    branches: int = BRANCHES,
 ) -> Integrator:
     """What renders `scene`, once its things are in `world`.
 
-    resolve: finds files that the scene names. Raises SceneError for an environment's image that
-    cannot be used.
+    resolve: finds files that the scene names. branches: as of Integrator. Raises
+    SceneError for an environment's image that cannot be used.
     """
     lights = all_lights(scene, world, resolve)
     camera = Camera(scene.camera, scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
-    return Integrator(world, camera, lights, scene.max_depth, clamp, on_first_hits)
+    return Integrator(
+        world, camera, lights, scene.max_depth, clamp, on_first_hits, branches=branches
+    )
 
 
 def all_lights(scene: Scene, world: World, resolve: Callable[[Path], Path] = Path) -> list[Light]:

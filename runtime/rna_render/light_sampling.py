@@ -88,9 +88,10 @@ class LightSampling:
             result.radiance[row], result.pdf[row] = samples.radiance, samples.pdf
         return result
 
-    def delta(self, light: np.ndarray) -> np.ndarray:
-        """Which of the given lights no ray can meet: (n,) bool."""
-        return self._delta[light]
+    @property
+    def delta(self) -> np.ndarray:
+        """Which lights no ray can meet: (k,) bool."""
+        return self._delta
 
     def kept(
         self,

@@ -4,7 +4,8 @@ The decoder cannot be sampled itself, but most of what it sends comes from a few
 around (light that is scattered inside), from the side of the normal (diffuse reflection), from
 the mirror direction (highlights), for fibers from the cone about the tangent that specular
 reflection and transmission both lie on, and from straight behind (light that goes through).
-Weights and widths of the lobes: docs/decisions.md, "Rays leave assets in a mixture of lobes".
+Weights and widths of the lobes: docs/decisions/renderer.md,
+"Rays leave assets in a mixture of lobes".
 """
 
 from __future__ import annotations
@@ -22,6 +23,8 @@ from rna_sdk.compiled import compiled
 # Places in a mixture's numbers: shares of the lobes, then their widths.
 UNIFORM, COSINE, MIRROR, CONE, FORWARD, MIRROR_KAPPA, CONE_SCALE, FORWARD_KAPPA = range(8)
 LOBES = 5
+
+BELOW_ONE = 1.0 - 2.0**-53
 
 
 @dataclass(frozen=True)
@@ -45,23 +48,35 @@ class LobeMixture:
     forward_kappa: float = 20.0
 
     def sample(
-        self, n: np.ndarray, tangents: np.ndarray, wo: np.ndarray, u: np.ndarray
+        self,
+        n: np.ndarray,
+        tangents: np.ndarray,
+        wo: np.ndarray,
+        u: np.ndarray,
+        row: np.ndarray | None = None,
     ) -> np.ndarray:
-        """Directions wi: (m, 3) float32, unit.
+        """Directions wi: (k, 3) float32, unit.
 
         n, tangents, wo: (m, 3) float32, unit; a zero normal or tangent counts as some direction.
-        u: (m, 3) float64 in [0, 1); the last one chooses the lobe.
+        u: (k, 2) float64 in [0, 1). The first one chooses the lobe, and what is left of it the
+        direction there: points that are spread evenly are so over lobes and directions at once.
+        row: (k,) which points the numbers are for; None for all, in order.
         """
-        wi = np.empty((len(n), 3), np.float32)
-        _sample(self.numbers, n, tangents, wo, u, wi)
+        wi = np.empty((len(u), 3), np.float32)
+        _sample(self.numbers, n, tangents, wo, _rows(row, n), u, wi)
         return wi
 
     def pdf(
-        self, n: np.ndarray, tangents: np.ndarray, wo: np.ndarray, wi: np.ndarray
+        self,
+        n: np.ndarray,
+        tangents: np.ndarray,
+        wo: np.ndarray,
+        wi: np.ndarray,
+        row: np.ndarray | None = None,
     ) -> np.ndarray:
-        """Density of `sample` in wi, per steradian: (m,) float32; all but u as there."""
-        pdf = np.empty(len(n), np.float32)
-        _pdf(self.numbers, n, tangents, wo, wi, pdf)
+        """Density of `sample` in wi, per steradian: (k,) float32; all but u as there."""
+        pdf = np.empty(len(wi), np.float32)
+        _pdf(self.numbers, n, tangents, wo, _rows(row, n), wi, pdf)
         return pdf
 
     @cached_property
@@ -70,6 +85,10 @@ class LobeMixture:
         shares = np.array([self.uniform, self.cosine, self.mirror, self.cone, self.forward])
         widths = self.mirror_kappa, self.cone_scale, self.forward_kappa
         return np.append(shares / shares.sum(), widths)
+
+
+def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
+    return np.arange(len(points)) if row is None else row
 
 
 @compiled(fastmath=())
@@ -150,13 +169,14 @@ def lobe_frame(n, tangent, o):
 
 
 @compiled(fastmath=())
-def lobe_sample(numbers, frame, u1, u2, u3):
-    """A direction, as often as `lobe_density` says: three float64. u3: chooses the lobe."""
+def lobe_sample(numbers, frame, u1, u2):
+    """A direction, as often as `lobe_density` says: three float64. u1 chooses the lobe, too."""
     o, normal, tangent, mirror = frame
-    lobe, choice = UNIFORM, u3
+    lobe, choice = UNIFORM, u1
     for k in range(LOBES):
         if numbers[k] > 0.0:
             lobe = k
+            u1 = min(choice / numbers[k], BELOW_ONE)
             if choice < numbers[k]:
                 break
         choice -= numbers[k]
@@ -190,14 +210,16 @@ def lobe_density(numbers, frame, w):
 
 
 @compiled(parallel=True, fastmath=())
-def _sample(numbers, n, tangents, wo, u, wi):
-    for i in prange(len(n)):
-        frame = lobe_frame(vector_at(n, i), vector_at(tangents, i), vector_at(wo, i))
-        wi[i, 0], wi[i, 1], wi[i, 2] = lobe_sample(numbers, frame, u[i, 0], u[i, 1], u[i, 2])
+def _sample(numbers, n, tangents, wo, row, u, wi):
+    for i in prange(len(row)):
+        at = row[i]
+        frame = lobe_frame(vector_at(n, at), vector_at(tangents, at), vector_at(wo, at))
+        wi[i, 0], wi[i, 1], wi[i, 2] = lobe_sample(numbers, frame, u[i, 0], u[i, 1])
 
 
 @compiled(parallel=True, fastmath=())
-def _pdf(numbers, n, tangents, wo, wi, pdf):
-    for i in prange(len(n)):
-        frame = lobe_frame(vector_at(n, i), vector_at(tangents, i), vector_at(wo, i))
+def _pdf(numbers, n, tangents, wo, row, wi, pdf):
+    for i in prange(len(row)):
+        at = row[i]
+        frame = lobe_frame(vector_at(n, at), vector_at(tangents, at), vector_at(wo, at))
         pdf[i] = lobe_density(numbers, frame, vector_at(wi, i))

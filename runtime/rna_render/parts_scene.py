@@ -136,6 +136,7 @@ class PartsScene(GeometryScene):
         points: PartPoints,
         wi: np.ndarray,
         tfar: np.ndarray | float = np.inf,
+        row: np.ndarray | None = None,
     ) -> np.ndarray:
         """The visibility of the transport contract, from points of a part along `wi`.
 
@@ -159,17 +160,18 @@ class PartsScene(GeometryScene):
         kernel_embree_filter_occluded_func_backface_cull).
 
         wi: (n, 3) float32, in the scene's space; n may be 0. tfar: one number or (n,), the distance
-        to the light in units of wi's length. Raises QueryError for other dtypes or shapes, or a
-        segment that is not there.
+        to the light in units of wi's length. row: (n,) which points; None for all, in order. Raises
+        QueryError for other dtypes or shapes, or a segment that is not there.
         """
-        wi = vectors("wi", wi, len(points))
+        wi = vectors("wi", wi, len(points if row is None else row))
         own = np.full(1, NO_OWN, np.uint32)
         if isinstance(points, FiberPoints):
+            points = points if row is None else points.take(row)
             origins, strands = vectors("positions", points.x), self._strands[part]
             check_numbers("segment", points.segment, len(strands))
             own = per_ray("strand", strands[points.segment], len(points), np.uint32)
         else:
-            origins = leaving_origins(points.checked(), wi, self.extent)
+            origins = leaving_origins(points.checked(), wi, self.extent, row)
         lines = origins, wi, 0.0, tfar
         if self.transmits:
             return transmitted(self._scene, self._weakened, *lines, own)

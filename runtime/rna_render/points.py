@@ -43,6 +43,17 @@ class Points(ABC):
     def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
         """Density of `sample` in wi, per steradian: (k,) float32."""
 
+    def transport_and_pdf(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """What `transport` and `pdf` return, for bodies that have both at the price of one."""
+        return *self.transport(row, wi, distance), self.pdf(row, wi)
+
+    def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """What `sample` returns, and its density."""
+        wi = self.sample(row, u)
+        return wi, self.pdf(row, wi)
+
 
 class Role(Enum):
     """What a body does in the scene."""
@@ -56,11 +67,13 @@ class Body(Protocol):
     """A thing with its geometry in Embree, in its object space.
 
     passes_through: whether rays that start on it pass through it, since its transport holds what
-    happens inside it. part_count: of parts, one a geometry of its scene.
+    happens inside it. one_sided: whether transport is 0 where wi and wo are on different sides of
+    the geometric normal. part_count: of parts, one a geometry of its scene.
     """
 
     role: Role
     passes_through: bool
+    one_sided: bool
     part_count: int
 
     @property

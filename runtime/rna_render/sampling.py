@@ -25,14 +25,23 @@ class Sampler:
     seed: int
     sample: int
 
-    def square(self, pixels: np.ndarray, dimension: int, parts: int = 1) -> np.ndarray:
-        """Points in the unit square, `parts` for each pixel: (n * parts, 2) float64 in [0, 1).
+    def square(
+        self,
+        pixels: np.ndarray,
+        dimension: int,
+        parts: int = 1,
+        number: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """Points in the unit square, `parts` for each row: (n * parts, 2) float64 in [0, 1).
 
         pixels: (n,) uint32. dimension: which decision of the sample they are for. The
-        parts are spread as well as if they were samples of their own.
+        parts are spread as well as if they were samples of their own. number: (n,) int64, of the
+        row among all that a pixel has in this dimension; None for that of the sample.
         """
         points = np.empty((len(pixels), parts, 2), np.float64)
-        _scrambled_sobol(pixels, self.sample * parts, dimension, self.seed, points)
+        if number is None:
+            number = np.full(len(pixels), self.sample, np.int64)
+        _scrambled_sobol(pixels, number, dimension, self.seed, points)
         return points.reshape(-1, 2)
 
 
@@ -102,8 +111,9 @@ def square_point(key, number):
 
 
 @compiled(parallel=True, fastmath=())
-def _scrambled_sobol(pixels, first_sample, dimension, seed, points):
+def _scrambled_sobol(pixels, number, dimension, seed, points):
     for i in prange(len(pixels)):
         key = square_key(seed, dimension, pixels[i])
+        first = number[i] * points.shape[1]
         for part in range(points.shape[1]):
-            points[i, part] = square_point(key, first_sample + part)
+            points[i, part] = square_point(key, first + part)

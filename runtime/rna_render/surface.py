@@ -86,27 +86,6 @@ def geometric_normals(
     return result
 
 
-def lifts(
-    positions: np.ndarray,
-    normals: np.ndarray,
-    triangles: np.ndarray,
-    triangle: np.ndarray,
-    u: np.ndarray,
-    v: np.ndarray,
-) -> np.ndarray:
-    """From points at (u, v) onto the smooth surface that the triangles stand for: (n, 3) float32.
-
-    The mean, by barycentrics, of the ways onto the tangent planes of the corners that the point is
-    below; zero on flat shaded triangles. Hanika, "Hacking the Shadow Terminator" (Ray Tracing
-    Gems II, chapter 4). normals: (v, 3) float32, unit. The other arguments and errors are those of
-    `interpolate_positions`.
-    """
-    _check_hits(triangles, triangle, u, v)
-    result = np.empty((len(triangle), 3), np.float32)
-    _lifts(positions, normals, triangles, triangle, u, v, result)
-    return result
-
-
 @dataclass(frozen=True, slots=True)
 class SurfacePoints:
     """Points of a mesh, (m, 3) float32 each, as the functions above give them.
@@ -132,14 +111,10 @@ class SurfacePoints:
     ) -> SurfacePoints:
         """The points at barycentrics (u, v) of the given triangles."""
         at = mesh.triangles, triangle, u, v
-        n = interpolate_normals(mesh.normals, *at)
-        return cls(
-            interpolate_positions(mesh.positions, *at),
-            n,
-            geometric_normals(mesh.positions, mesh.triangles, triangle),
-            lifts(mesh.positions, mesh.normals, *at),
-            n if maps is None else maps.at(n, triangle, u, v),
-        )
+        _check_hits(*at)
+        x, n, ng, lift = (np.empty((len(triangle), 3), np.float32) for _ in range(4))
+        _points_at_hits(mesh.positions, mesh.normals, *at, x, n, ng, lift)
+        return cls(x, n, ng, lift, n if maps is None else maps.at(n, triangle, u, v))
 
     def __len__(self) -> int:
         return len(self.x)
@@ -158,8 +133,13 @@ class SurfacePoints:
         )
 
 
-def leaving_origins(points: SurfacePoints, directions: np.ndarray, extent: float) -> np.ndarray:
-    """Origins of rays that leave surface points and must not hit the surface there: (m, 3) float32.
+def leaving_origins(
+    points: SurfacePoints,
+    directions: np.ndarray,
+    extent: float,
+    row: np.ndarray | None = None,
+) -> np.ndarray:
+    """Origins of rays that leave surface points and must not hit the surface there: (k, 3) float32.
 
     Each point moves along its geometric normal, to the side its direction is on (the normal's
     own side if it is on neither), by OFFSET * extent. Waechter and Binder, "A Fast and Robust
@@ -170,11 +150,11 @@ def leaving_origins(points: SurfacePoints, directions: np.ndarray, extent: float
     A direction above the smooth surface, but near the triangle's plane or below it, starts from
     the smooth surface: the facets would block light that is seen in Cycles, which does the same.
 
-    directions: (m, 3) float32, unit.
+    directions: (k, 3) float32, unit. row: (k,) which points they leave; None for all, in order.
     """
     result = np.empty_like(directions)
-    at = points.x, points.n, points.ng, points.lift
-    _leave(*at, directions, OFFSET * extent, result)
+    row = np.arange(len(points)) if row is None else row
+    _leave(points.x, points.n, points.ng, points.lift, row, directions, OFFSET * extent, result)
     return result
 
 
@@ -205,7 +185,12 @@ def mixed_at(values, corners, u, v):
 
 @compiled(fastmath=())
 def lift_at(positions, normals, corners, x):
-    """From x, on the triangle with given weights, onto the smooth surface; see `lifts`."""
+    """From a point at (u, v) onto the smooth surface that the triangles stand for: three float64.
+
+    x: u, v, and the point. The mean, by barycentrics, of the ways onto the tangent planes of the
+    corners that the point is below; zero on flat shaded triangles. Hanika, "Hacking the Shadow
+    Terminator" (Ray Tracing Gems II, chapter 4).
+    """
     u, v, point = x
     weights = (1.0 - u - v, u, v)
     dx, dy, dz = 0.0, 0.0, 0.0
@@ -235,29 +220,40 @@ def _interpolate(values, triangles, triangle, u, v, normalise, result):
         result[i, 0], result[i, 1], result[i, 2] = value
 
 
+@compiled(fastmath=())
+def _geometric_normal(positions, corners):
+    p, q = vector_at(positions, corners[0]), vector_at(positions, corners[1])
+    r = vector_at(positions, corners[2])
+    e1, e2 = (q[0] - p[0], q[1] - p[1], q[2] - p[2]), (r[0] - p[0], r[1] - p[1], r[2] - p[2])
+    return unit(cross(e1, e2))
+
+
 @compiled(parallel=True, fastmath=())
 def _geometric_normals(positions, triangles, triangle, result):
     for i in prange(len(triangle)):
-        a, b, c = triangles[triangle[i]]
-        p, q, r = vector_at(positions, a), vector_at(positions, b), vector_at(positions, c)
-        e1, e2 = (q[0] - p[0], q[1] - p[1], q[2] - p[2]), (r[0] - p[0], r[1] - p[1], r[2] - p[2])
-        result[i, 0], result[i, 1], result[i, 2] = unit(cross(e1, e2))
+        normal = _geometric_normal(positions, triangles[triangle[i]])
+        result[i, 0], result[i, 1], result[i, 2] = normal
 
 
 @compiled(parallel=True, fastmath=())
-def _lifts(positions, normals, triangles, triangle, u, v, result):
+def _points_at_hits(positions, normals, triangles, triangle, u, v, x, n, ng, lift):
+    """What the functions above give, in one pass over the hits."""
     for i in prange(len(triangle)):
         corners = triangles[triangle[i]]
         fu, fv = np.float64(u[i]), np.float64(v[i])
-        x = mixed_at(positions, corners, fu, fv)
-        result[i, 0], result[i, 1], result[i, 2] = lift_at(positions, normals, corners, (fu, fv, x))
+        at = mixed_at(positions, corners, fu, fv)
+        x[i, 0], x[i, 1], x[i, 2] = at
+        n[i, 0], n[i, 1], n[i, 2] = unit(mixed_at(normals, corners, fu, fv))
+        ng[i, 0], ng[i, 1], ng[i, 2] = _geometric_normal(positions, corners)
+        lift[i, 0], lift[i, 1], lift[i, 2] = lift_at(positions, normals, corners, (fu, fv, at))
 
 
 @compiled(parallel=True, fastmath=())
-def _leave(x, n, ng, lift, directions, step, result):
-    for i in prange(len(x)):
-        g = vector_at(ng, i)
-        smooth, along = smooth_share(vector_at(n, i), g, vector_at(directions, i))
+def _leave(x, n, ng, lift, row, directions, step, result):
+    for i in prange(len(row)):
+        at = row[i]
+        g = vector_at(ng, at)
+        smooth, along = smooth_share(vector_at(n, at), g, vector_at(directions, i))
         signed = step if along else -step
         for axis in range(3):
-            result[i, axis] = x[i, axis] + smooth * lift[i, axis] + signed * g[axis]
+            result[i, axis] = x[at, axis] + smooth * lift[at, axis] + signed * g[axis]

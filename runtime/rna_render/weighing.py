@@ -2,29 +2,72 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from rna_render.light_sampling import LightChoice
 from rna_render.lights import LightSamples
+from rna_render.vectors import dot, vector_at
+from rna_render.world import Vertices, World
 from rna_sdk.compiled import compiled
 
 
-def worth_tracing(
-    samples: LightSamples, choice: LightChoice, instance: np.ndarray, own_light: np.ndarray
-) -> np.ndarray:
-    """Which samples bring any light that is not part of the transport of what it falls on.
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """Samples of lights for which shadow rays are traced, k of n.
 
-    instance: (m,) int32, of the points. own_light: as of World. Returns (k,) int64, ascending.
+    sample: (k,) int64, which samples, ascending. row: (k,) int64, the points that they are for.
+    light: (k,) int64. wi_world, distance: (k, 3) and (k,) float32, as of LightSamples. own: (k,)
+    int32, as of Vertices.
     """
-    result = np.empty(len(choice.row), np.int64)
-    at = choice.row, choice.light, instance, own_light
-    return result[: _worth_tracing(samples.pdf, samples.radiance, *at, result)]
+
+    sample: np.ndarray
+    row: np.ndarray
+    light: np.ndarray
+    wi_world: np.ndarray
+    distance: np.ndarray
+    own: np.ndarray
+
+    def where_kept(self, kept: np.ndarray) -> tuple[Tried, np.ndarray]:
+        """Those that something is left of, and what is: (j, 1) or (j, 3) float32.
+
+        kept: (k, 1) or (k, 3) float32, as of LightSampling.kept.
+        """
+        left = _like(self), np.empty_like(kept)
+        count = _take_kept(_arrays(self), kept, _arrays(left[0]), left[1])
+        return left[0].first(count), left[1][:count]
+
+    def first(self, count: int) -> Tried:
+        return Tried(*(values[:count] for values in _arrays(self)))
 
 
-def rows_with_light(colours: np.ndarray) -> np.ndarray:
-    """Which rows of (n, 1) or (n, 3) float32 are not all 0: (k,) int64, ascending."""
-    result = np.empty(len(colours), np.int64)
-    return result[: _rows_with_light(colours, result)]
+def worth_tracing(
+    samples: LightSamples, choice: LightChoice, vertices: Vertices, world: World
+) -> Tried:
+    """The samples that bring any light that the points may scatter to the viewer.
+
+    None that is part of the transport of what it falls on, and none from behind a surface that is
+    lit from one side.
+    """
+    n = len(choice.row)
+    numbers = (np.empty(n, np.int64) for _ in range(3))
+    directions = np.empty((n, 3), np.float32), np.empty(n, np.float32)
+    result = Tried(*numbers, *directions, np.empty(n, np.int32))
+    found = samples.pdf, samples.radiance, samples.wi_world, samples.distance
+    points = vertices.wo_world, vertices.ng_world, vertices.instance, vertices.own
+    instances = world.own_light, world.one_sided
+    chosen = choice.row, choice.light
+    return result.first(_worth_tracing(found, chosen, points, instances, _arrays(result)))
+
+
+def _arrays(tried: Tried) -> tuple[np.ndarray, ...]:
+    own = tried.wi_world, tried.distance, tried.own
+    return tried.sample, tried.row, tried.light, *own
+
+
+def _like(tried: Tried) -> Tried:
+    return Tried(*(np.empty_like(values) for values in _arrays(tried)))
 
 
 def power_share(pdf: np.ndarray, other: np.ndarray) -> np.ndarray:
@@ -34,44 +77,72 @@ def power_share(pdf: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 
 @compiled(fastmath=())
-def _worth_tracing(pdf, radiance, row, light, instance, own_light, result):
+def _worth_tracing(found, chosen, points, instances, result):
+    pdf, radiance, wi, distance = found
+    row, light = chosen
+    wo, ng, instance, own = points
+    own_light, one_sided = instances
     count = 0
     for i in range(len(row)):
+        at, k = row[i], instance[row[i]]
         bright = radiance[i, 0] != 0.0 or radiance[i, 1] != 0.0 or radiance[i, 2] != 0.0
-        if pdf[i] > 0.0 and bright and own_light[instance[row[i]]] != light[i]:
-            result[count] = i
-            count += 1
+        if not (pdf[i] > 0.0 and bright and own_light[k] != light[i]):
+            continue
+        g = vector_at(ng, at)
+        if one_sided[k] and not dot(g, vector_at(wi, i)) * dot(g, vector_at(wo, at)) > 0.0:
+            continue
+        result[0][count], result[1][count], result[2][count] = i, at, light[i]
+        for axis in range(3):
+            result[3][count, axis] = wi[i, axis]
+        result[4][count], result[5][count] = distance[i], own[at]
+        count += 1
     return count
 
 
 @compiled(fastmath=())
-def _rows_with_light(colours, result):
+def _take_kept(tried, kept, result, left):
     count = 0
-    for i in range(len(colours)):
-        bright = colours[i, 0] != 0.0
-        for channel in range(1, colours.shape[1]):
-            bright = bright or colours[i, channel] != 0.0
-        if bright:
-            result[count] = i
-            count += 1
+    for i in range(len(kept)):
+        bright = False
+        for channel in range(kept.shape[1]):
+            bright = bright or kept[i, channel] != 0.0
+            left[count, channel] = kept[i, channel]
+        if not bright:
+            continue
+        for axis in range(3):
+            result[3][count, axis] = tried[3][i, axis]
+        result[0][count], result[1][count], result[2][count] = tried[0][i], tried[1][i], tried[2][i]
+        result[4][count], result[5][count] = tried[4][i], tried[5][i]
+        count += 1
     return count
 
 
 @compiled(fastmath=())
-def weigh_samples(transport, radiance, found, kept, pdf, own_pdf, delta):
-    """Multiply transport, (k, 3) float32, by the radiance of samples and by their weights.
+def weigh_samples(transport, seen, samples, tried, kept, own_pdf, lights, beta):
+    """Make of transport, (k, 3) float32, the radiance that samples bring along their paths.
 
-    radiance: (n, 3) float32, of all samples, and found: (k,) which of them. kept: (k, 1) or (k, 3)
-    float32. pdf, own_pdf: (k,), densities of the light and of rays. delta: (k,) bool, lights that
-    rays cannot find.
+    seen: (k,) float32, multiplied by the mean of what is kept. samples: radiance (n, 3) and pdf
+    (n,) float32 of all samples. tried: samples, rows and lights of Tried. kept: (k, 1) or (k, 3)
+    float32. own_pdf: (k,), density of rays. lights: probability of each light, and whether no ray
+    can find it. beta: (m, 3) float32, throughput of the rows' paths.
     """
-    for i in range(len(found)):
-        ratio = own_pdf[i] / pdf[i]
-        share = np.float32(1.0) if delta[i] else np.float32(1.0 / (1.0 + ratio * ratio))
-        weight = np.float32(share / pdf[i])
+    radiance, pdf = samples
+    sample, row, light = tried
+    probability, delta = lights
+    channels = kept.shape[1]
+    for i in range(len(sample)):
+        density = pdf[sample[i]] * probability[light[i]]
+        ratio = own_pdf[i] / density
+        share = np.float32(1.0) if delta[light[i]] else np.float32(1.0 / (1.0 + ratio * ratio))
+        weight = np.float32(share / density)
+        mean = np.float32(0.0)
         for channel in range(3):
-            left = kept[i, min(channel, kept.shape[1] - 1)]
-            transport[i, channel] *= radiance[found[i], channel] * weight * left
+            left = kept[i, min(channel, channels - 1)]
+            value = transport[i, channel] * (radiance[sample[i], channel] * weight * left)
+            transport[i, channel] = beta[row[i], channel] * value
+        for channel in range(channels):
+            mean += kept[i, channel]
+        seen[i] *= mean / np.float32(channels)
 
 
 @compiled(fastmath=())

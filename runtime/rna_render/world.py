@@ -29,6 +29,7 @@ class Vertices:
     parts: for each part of a body that was hit its rows, and its points in object space.
     x_world, n_world: (m, 3) float32, points and shading normals.
     ng_world: (m, 3) float32, geometric normals.
+    wo_world: (m, 3) float32, unit, towards where the rays came from.
     own: (m,) int32, the instance that rays from here pass through, or NO_INSTANCE.
     """
 
@@ -38,6 +39,7 @@ class Vertices:
     x_world: np.ndarray
     n_world: np.ndarray
     ng_world: np.ndarray
+    wo_world: np.ndarray
     own: np.ndarray
 
     def __len__(self) -> int:
@@ -69,6 +71,8 @@ class World:
         light: (k,) int32, for each instance its place in `lights`; -1 if it does not shine.
         own_light: (k,) int32, the same where what the light throws on the instance itself is part
             of its transport; else -1.
+        one_sided: (k,) bool, for each instance whether it sends to the viewer nothing of light that
+            comes from the other side of its surface than the viewer is on.
         radius: of a sphere about the scene, without what is boundless; world units.
         scatters: whether light can go from one thing to another, or to another part of the same.
     """
@@ -89,6 +93,8 @@ class World:
         self.scale = scale.astype(np.float32)
         self._matrices = np.array([transform.matrix for transform in transforms])
         self._rotations = self._matrices[:, :3, :3] / scale[:, None, None]
+        self._turned = not (self._rotations == np.eye(3)).all()
+        self._placed = not (self._matrices == np.eye(4)).all()
         bodies = [self._bodies[b] for b in self._order.body]
         self.scene = InstanceScene(
             [
@@ -101,6 +107,7 @@ class World:
         self.light = np.where(shines, np.cumsum(shines) - 1, -1).astype(np.int32)
         passes = np.array([body.passes_through for body in bodies])
         self.own_light = np.where(passes, self.light, -1).astype(np.int32)
+        self.one_sided = np.array([body.one_sided for body in bodies])
         self._has_role = {role: np.array([body.role is role for body in bodies]) for role in Role}
         self._passes = passes
         size = scale * np.sqrt(3.0) * [body.scene.extent for body in bodies]
@@ -119,7 +126,8 @@ class World:
         ray = ray[self._has_role[role][hits.instance[ray]]]
         ray, groups = self._order.sorted(ray, hits)
         instance = hits.instance[ray]
-        wo = self.to_object_directions(instance, -d_world.take(ray, axis=0))
+        wo_world = -d_world.take(ray, axis=0)
+        wo = self.to_object_directions(instance, wo_world)
         x, n = (np.empty((len(ray), 3), np.float32) for _ in range(2))
         parts = []
         for body, part, rows in groups:
@@ -133,6 +141,7 @@ class World:
             self._to_world_points(instance, x),
             self.to_world_directions(instance, n),
             self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
+            wo_world,
             np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
         )
 
@@ -148,17 +157,26 @@ class World:
         return result
 
     def to_world_directions(self, instance: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        """Object-space directions (n, 3) float32 of the given instances, in the world."""
+        """Object-space directions (n, 3) float32 of the given instances, in the world.
+
+        Here and below the vectors themselves, not a copy, where no instance is placed otherwise.
+        """
+        if not self._turned:
+            return directions
         return _transformed(self._rotations, self._no_shift, instance, directions)
 
     def to_object_directions(
         self, instance: np.ndarray, directions_world: np.ndarray
     ) -> np.ndarray:
         """World-space unit directions (n, 3) float32, in the given instances' object space."""
+        if not self._turned:
+            return directions_world
         inverse = self._rotations.transpose(0, 2, 1)
         return _transformed(inverse, self._no_shift, instance, directions_world)
 
     def _to_world_points(self, instance: np.ndarray, points: np.ndarray) -> np.ndarray:
+        if not self._placed:
+            return points
         linear, translation = self._matrices[:, :3, :3], self._matrices[:, :3, 3]
         return _transformed(linear, translation, instance, points)
 

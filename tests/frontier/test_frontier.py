@@ -62,7 +62,7 @@ def test_json_has_cost_and_error_of_every_model(out: Path) -> None:
         assert 0.0 < point["share_of_gemm"] < 2.0
         assert point["psnr"] > 0.0 and point["flip"] > 0.0 and point["p99"] > 0.0
     assert report["timings"]["costs"]["gemm_gflops"] > 0.0
-    assert (out / "frontier.png").stat().st_size > 10_000
+    assert (out / "frontier.svg").stat().st_size > 10_000
     with Image.open(out / "tables.png") as sheet:
         assert sheet.width > 200 and sheet.height > 200  # Cycles and one ablation, its error below
         assert np.asarray(sheet.convert("L")).std() > 30.0

@@ -34,7 +34,9 @@ def on_gpu(
 
 
 def on_cpu(scene_file: SceneFile, world: World) -> Film:
-    integrator = make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
+    # The GPU's paths go on with one ray from every point.
+    resolve = scene_file.resolve
+    integrator = make_integrator(scene_file.scene, world, resolve=resolve, branches=1)
     return render(scene_file.scene, integrator)
 
 

@@ -321,3 +321,16 @@ def test_points_are_on_their_own():
         np.testing.assert_array_equal(points.sample(n, n, wo, u[row], row), wi[row])
         np.testing.assert_array_equal(points.pdf(n, n, wo, wi[row], row), pdf[row])
         np.testing.assert_array_equal(points.evaluate(n, n, wo, wi[row], row), full[row])
+
+
+@pytest.mark.parametrize("material", MATERIALS)
+def test_values_and_densities_in_one_pass_are_those_of_two(material):
+    rng = np.random.default_rng(8)
+    n, ng, wo, wi = (unit_vectors(rng, 500) for _ in range(4))
+    u, points, row = rng.random((500, 3)), made_of(500, **material), rng.permutation(500)
+    value, density = points.evaluate_and_pdf(n, ng, wo, wi, row)
+    np.testing.assert_array_equal(value, points.evaluate(n, ng, wo, wi, row))
+    np.testing.assert_array_equal(density, points.pdf(n, ng, wo, wi, row))
+    sampled, density = points.sample_and_pdf(n, ng, wo, u, row)
+    np.testing.assert_array_equal(sampled, points.sample(n, ng, wo, u, row))
+    np.testing.assert_array_equal(density, points.pdf(n, ng, wo, sampled, row))

@@ -7,6 +7,7 @@ import pytest
 
 from rna_render.bodies import FIBER_LOBES, SURFACE_LOBES
 from rna_render.neural_sampling import LobeMixture
+from rna_render.sampling import Sampler
 from tests.render.assets import unit_vectors
 from tests.render.chi_squared import assert_directions_follow
 
@@ -60,6 +61,26 @@ def test_a_normal_and_a_tangent_of_no_length_are_no_trouble():
         assert (mixture.pdf(none, none, wo, wi) > 0).all()
 
 
+def test_points_spread_evenly_are_so_among_lobes():
+    """The first number chooses the lobe and is used again there: 64 points of a net, one lobe's
+    share of 0.25, and 16 of them there, whatever the seed."""
+    mixture = LobeMixture(uniform=0.25, mirror=0.75, mirror_kappa=1e6)
+    mirror = np.float32([[0, 0, 1]])
+    for seed in range(8):
+        points = Sampler(seed, 0).square(np.zeros(1, np.uint32), 1, 64)
+        wi = mixture.sample(*(np.tile(mirror, (64, 1)) for _ in range(3)), points)
+        assert np.count_nonzero(wi @ mirror[0] < 0.999) in (15, 16)
+
+
 def test_an_empty_batch_is_legal():
     none = np.zeros((0, 3), np.float32)
     assert SURFACE_LOBES.sample(none, none, none, np.zeros((0, 3))).shape == (0, 3)
+
+
+def test_rows_of_points_are_taken_as_they_come():
+    rng = np.random.default_rng(4)
+    at, row = [unit_vectors(rng, 40) for _ in range(3)], rng.integers(0, 40, 100)
+    u, taken = rng.random((100, 3)), [values[row] for values in at]
+    wi = FIBER_LOBES.sample(*at, u, row)
+    np.testing.assert_array_equal(wi, FIBER_LOBES.sample(*taken, u))
+    np.testing.assert_array_equal(FIBER_LOBES.pdf(*at, wi, row), FIBER_LOBES.pdf(*taken, wi))

@@ -178,7 +178,7 @@ def test_nothing_old_is_handed_out_after_a_change(scene_file, world):
 
 
 def test_a_change_interrupts_a_sample_between_bands(scene_file, world, monkeypatch):
-    monkeypatch.setattr("rna_render.bands.BAND", 64)
+    monkeypatch.setattr("rna_render.preview.session.SMALL_BAND", 64)
     session = Session(scene_file, world, lighting_choices(scene_file.path))
     integrators = []
 

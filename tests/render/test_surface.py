@@ -149,3 +149,23 @@ def test_wrong_points_are_told():
 def test_no_points_are_legal():
     none = np.zeros((0, 3), np.float32)
     assert visible(square(), flat(none, none), none).shape == (0,)
+
+
+def test_points_in_one_pass_are_what_each_formula_gives():
+    mesh, rng = moved(sphere(1), 1.7, 0.3), np.random.default_rng(12)
+    triangle = rng.integers(0, len(mesh.triangles), 300).astype(np.int32)
+    u, v = rng.dirichlet([1, 1, 1], 300)[:, :2].T.astype(np.float32)
+    at, corners = (mesh.triangles, triangle, u, v), mesh.triangles[triangle]
+    points = SurfacePoints.of(mesh, triangle, u, v)
+    np.testing.assert_array_equal(points.x, interpolate_positions(mesh.positions, *at))
+    np.testing.assert_array_equal(points.n, interpolate_normals(mesh.normals, *at))
+    ng = geometric_normals(mesh.positions, mesh.triangles, triangle)
+    np.testing.assert_array_equal(points.ng, ng)
+    weights = np.stack([1 - u - v, u, v], axis=1).astype(np.float64)
+    way = points.x[:, None] - mesh.positions[corners]
+    below = np.minimum(np.sum(way * mesh.normals[corners], axis=2), 0.0)
+    lift = -np.sum((weights * below)[..., None] * mesh.normals[corners], axis=1)
+    np.testing.assert_allclose(points.lift, lift, atol=1e-6)
+    row, wi = rng.permutation(300)[:100], unit_vectors(rng, 100)
+    origins = leaving_origins(points, wi, 2.0, row)
+    np.testing.assert_array_equal(origins, leaving_origins(points.take(row), wi, 2.0))

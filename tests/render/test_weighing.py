@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -9,7 +13,8 @@ from rna_render.bands import BAND, SMALL_BAND, _bands
 from rna_render.light_sampling import LightChoice
 from rna_render.lights import LightSamples
 from rna_render.lights.equirectangular import EquirectangularImage
-from rna_render.weighing import power_share, rows_with_light, weigh_samples, worth_tracing
+from rna_render.weighing import Tried, power_share, weigh_samples, worth_tracing
+from tests.render.assets import unit_vectors
 
 RNG = np.random.default_rng(5)
 
@@ -21,36 +26,64 @@ def numbers(*shape: int) -> np.ndarray:
 
 
 def test_samples_worth_tracing() -> None:
-    n = 500
-    row, light = np.sort(RNG.integers(0, 50, n)), RNG.integers(0, 3, n)
-    instance, own_light = RNG.integers(0, 4, 50).astype(np.int32), np.int32([-1, 0, 1, 2])
-    samples = LightSamples(numbers(n, 3), numbers(n), numbers(n, 3), numbers(n))
+    n, m = 500, 50
+    row, light = np.sort(RNG.integers(0, m, n)), RNG.integers(0, 3, n)
+    instance, own_light = RNG.integers(0, 4, m).astype(np.int32), np.int32([-1, 0, 1, 2])
+    one_sided = np.array([True, False, True, False])
+    wi, wo, ng = unit_vectors(RNG, n), unit_vectors(RNG, m), unit_vectors(RNG, m)
+    samples = LightSamples(wi, numbers(n), numbers(n, 3), numbers(n))
+    own = RNG.integers(0, 9, m).astype(np.int32)
+    vertices: Any = SimpleNamespace(instance=instance, wo_world=wo, ng_world=ng, own=own)
+    world: Any = SimpleNamespace(own_light=own_light, one_sided=one_sided)
     expected = (samples.pdf > 0.0) & samples.radiance.any(axis=1)
     expected &= own_light[instance[row]] != light
-    found = worth_tracing(samples, LightChoice(row, light, numbers(n, 2)), instance, own_light)
-    assert 0 < len(found) < n
-    assert (found == np.flatnonzero(expected)).all()
+    same_side = np.sum(ng[row] * wi, axis=1) * np.sum(ng * wo, axis=1)[row] > 0.0
+    expected &= same_side | ~one_sided[instance[row]]
+    found = worth_tracing(samples, LightChoice(row, light, numbers(n, 2)), vertices, world)
+    rows = np.flatnonzero(expected)
+    assert 0 < len(rows) < n
+    assert (found.sample == rows).all() and (found.row == row[rows]).all()
+    assert (found.light == light[rows]).all() and (found.own == own[row[rows]]).all()
+    assert (found.wi_world == wi[rows]).all()
+    assert (found.distance == samples.distance[rows]).all()
+
+
+@pytest.mark.parametrize("channels", [1, 3])
+def test_samples_of_which_something_is_left(channels: int) -> None:
+    n = 200
+    arrays = (RNG.integers(0, 99, n) for _ in range(3))
+    tried = Tried(*arrays, numbers(n, 3), numbers(n), RNG.integers(0, 9, n).astype(np.int32))
+    kept = numbers(n, channels)
+    found, left = tried.where_kept(kept)
+    rows = np.flatnonzero(kept.any(axis=1))
+    assert (left == kept[rows]).all()
+    for field in fields(Tried):
+        assert (getattr(found, field.name) == getattr(tried, field.name)[rows]).all()
 
 
 @pytest.mark.parametrize("channels", [1, 3])
 def test_weights_of_samples(channels: int) -> None:
-    n, k = 300, 100
-    radiance, found = numbers(n, 3), np.sort(RNG.choice(n, k, replace=False))
-    transport, kept = numbers(k, 3), numbers(k, channels)
-    pdf, own_pdf = RNG.random(k) + 0.1, numbers(k)
-    delta = RNG.random(k) < 0.3
-    share = np.where(delta, np.float32(1.0), power_share(pdf, own_pdf)[:, 0])
-    weight = (share / pdf)[:, None].astype(np.float32)
-    expected = transport * (radiance[found] * weight * kept)
-    weigh_samples(transport, radiance, found, kept, pdf, own_pdf, delta)
-    assert transport == pytest.approx(expected, rel=1e-6)
-    assert (rows_with_light(kept) == np.flatnonzero(kept.any(axis=1))).all()
+    n, k, m = 300, 100, 40
+    radiance, pdf = numbers(n, 3), RNG.random(n).astype(np.float32) + np.float32(0.1)
+    sample, row = np.sort(RNG.choice(n, k, replace=False)), np.sort(RNG.integers(0, m, k))
+    light, probability, delta = RNG.integers(0, 3, k), RNG.random(3) + 0.1, RNG.random(3) < 0.5
+    transport, kept, seen, beta = numbers(k, 3), numbers(k, channels), numbers(k), numbers(m, 3)
+    own_pdf = numbers(k)
+    density = pdf[sample] * probability[light]
+    share = np.where(delta[light], np.float32(1.0), power_share(density, own_pdf)[:, 0])
+    weight = (share / density)[:, None]
+    expected = beta[row] * transport * radiance[sample] * weight * kept
+    expected_seen = seen * kept.mean(axis=1)
+    tried, lights = (sample, row, light), (probability, delta)
+    weigh_samples(transport, seen, (radiance, pdf), tried, kept, own_pdf, lights, beta)
+    assert transport == pytest.approx(expected, rel=1e-5)
+    assert seen == pytest.approx(expected_seen, rel=1e-5)
 
 
 @pytest.mark.parametrize("count", [1, 100, SMALL_BAND + 1, BAND + 1, 640 * 360, 1_000_001])
 @pytest.mark.parametrize("threads", [1, 2, 3])
 def test_bands_are_of_one_size_and_as_many_for_each_thread(count: int, threads: int) -> None:
-    bands = _bands(count, threads)
+    bands = _bands(count, threads, BAND)
     sizes = [len(band) for band in bands]
     assert (np.concatenate(bands) == np.arange(count)).all()
     assert max(sizes) <= BAND and max(sizes) - min(sizes) <= 1

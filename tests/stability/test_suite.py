@@ -71,7 +71,7 @@ def test_a_tiny_run(tmp_path: Path) -> None:
     saved = json.loads((out / "results.json").read_text())
     assert [c["status"] for c in saved["cases"]][1] == "skipped"
     assert {row["model"] for row in saved["cases"][0]["rows"]} > {"package"}
-    for name in ("index.html", "summary.md", "sheet.png", "grazing.png"):
+    for name in ("index.html", "summary.md", "grazing.svg"):
         assert (out / name).stat().st_size > 0
     assert not (out / "zoom.png").exists()
     stamp, _, _, results = read_results(out / "results.json")

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from rna_bench.options import add_out
-from rna_bench.plot_style import figure
+from rna_bench.plot_style import figure, save_chart
 from rna_bench.results import publish
 from rna_bench.scores import scores_of
 from rna_export.capture.dataset import Dataset
@@ -115,7 +115,7 @@ def _draw(rows: list[dict[str, Any]], path: Path) -> None:
     axes.set_xlabel("paths a ray x rays a light; the rest is lights")
     axes.set_ylabel("PSNR without noise, dB")
     axes.legend()
-    drawn.savefig(path, dpi=120)
+    save_chart(drawn, path)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 from matplotlib.ticker import EngFormatter, LogLocator, NullFormatter
 
 from rna_bench.frontier.chart_points import COSTS, front
-from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure
+from rna_bench.plot_style import CYCLES, OPPONENT, OURS, PAPER, QUIET, figure, save_chart
 
 COLOURS = {"ours": OURS, "paper": PAPER, "opponent": OPPONENT, "ablation": QUIET, "cycles": CYCLES}
 LABELS = {
@@ -24,7 +24,7 @@ _MARKERS = {"float32": "o", "int8": "D"}
 
 
 def draw(reports: list[dict[str, Any]], path: Path) -> None:
-    """Write a PNG of reports of `study`: a row an asset, whose longest trainings are filled."""
+    """Write an SVG of reports of `study`: a row an asset, whose longest trainings are filled."""
     assets = list(dict.fromkeys(report["dataset"]["name"] for report in reports))
     drawn = figure(12, 0.8 + 4.2 * len(assets))
     grid = drawn.subplots(len(assets), 2, sharey="row", squeeze=False)
@@ -34,7 +34,7 @@ def draw(reports: list[dict[str, Any]], path: Path) -> None:
     for axis, cost in zip(grid[-1], _SHOWN, strict=True):
         axis.set_xlabel(COSTS[cost])
     drawn.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-    drawn.savefig(path, dpi=120)
+    save_chart(drawn, path)
 
 
 def _steps(report: dict[str, Any]) -> int:

@@ -159,11 +159,11 @@ class Study:
         }
 
     def write(self) -> None:
-        """Write `frontier.json`, `frontier.png`, `tables.png`, `index.html` of what is there."""
+        """Write `frontier.json`, `frontier.svg`, `tables.png`, `index.html` of what is there."""
         report = self.report()
         path = self.out / "frontier.json"
         write_results(path, self.stamp, report)
-        draw([report], self.out / "frontier.png")
+        draw([report], self.out / "frontier.svg")
         views = self.dataset.validation_views()
         draw_sheet(report, self.out, views)
         write_page(self.out, self.stamp, report, views)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 from PIL import Image
 
-from rna_bench.plot_style import ERROR_MAP
 from rna_export.capture.validation_view import ValidationView
+from rna_export.compare.sheet import flip_colours
 from rna_export.metrics import display
 
 
@@ -33,5 +32,5 @@ def cut(strip: Path, chosen: list[int], size: int) -> list[np.ndarray]:
     with Image.open(strip) as image:
         pixels = np.asarray(image)
     if pixels.ndim == 2:
-        pixels = (255.0 * matplotlib.colormaps[ERROR_MAP](pixels)[..., :3]).astype(np.uint8)
+        pixels = flip_colours(pixels / 255.0)
     return [pixels[:, k * size : (k + 1) * size] for k in chosen]

@@ -6,13 +6,12 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 
-from rna_bench.plot_style import ERROR_MAP
 from rna_export.capture.worker import BlenderWorker
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.compare.run import Timed
+from rna_export.compare.sheet import flip_colours
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
 from rna_render.camera import Camera
 from rna_render.lights.directions import LUMINANCE
@@ -59,8 +58,7 @@ class Beside:
 
     def flip_picture(self, image: np.ndarray) -> np.ndarray:
         """FLIP's map in its colours, (h, w, 3) uint8."""
-        colours = matplotlib.colormaps[ERROR_MAP](np.clip(self.flip(image)[1], 0.0, 1.0))
-        return (255.0 * colours[..., :3]).astype(np.uint8)
+        return flip_colours(self.flip(image)[1])
 
     def strip(self, image: np.ndarray) -> np.ndarray:
         """Ours, Cycles and FLIP side by side, (h, 3 w, 3) uint8."""

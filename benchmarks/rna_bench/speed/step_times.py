@@ -19,7 +19,7 @@ STEPS = ("gather", "inputs", "decoder", "output")
 def step_times(
     package: Package, name: str, batch: tuple[NDArray[np.float32], ...]
 ) -> dict[str, float]:
-    """ns a query of a tier on one thread, by step.
+    """ns/query of a tier on one thread, by step.
 
     Features and other inputs are written in one pass: what that takes beyond a pass that writes
     features alone counts as inputs. Both passes decode, so that caches are alike.
@@ -38,7 +38,7 @@ def step_times(
 def _passed(
     filler: QueryFiller, decoder: Decoder, batch: tuple[NDArray[np.float32], ...]
 ) -> NDArray[np.float64]:
-    """ns a query of filling, decoding and copying, over a quarter of the batch."""
+    """ns/query of filling, decoding and copying, over a quarter of the batch."""
     rows = decoder.tile_rows
     n = max(len(batch[0]) // 4 // rows, 1) * rows
     outputs = np.zeros((2, len(batch[0]), 3), np.float32)

@@ -105,7 +105,7 @@ def run(args: argparse.Namespace) -> None:
             folder = args.out / "cases"
             results = run_cases(cases, workshop, folder, settings, args.again, print, where)
         write_page(args.out, args.stamp, workshop.name, settings, results)
-    print(f"wrote {args.out / 'index.html'}, {args.out / 'summary.md'}, {args.out / 'sheet.png'}")
+    print(f"wrote {args.out / 'index.html'}, {args.out / 'summary.md'}")
 
 
 def _workshop(args: argparse.Namespace) -> Any:

@@ -1,23 +1,21 @@
-"""The suite's results as charts, one sheet of them, a table in Markdown and HTML, and JSON."""
+"""The suite's results as charts, a table in Markdown and HTML, and JSON."""
 
 from __future__ import annotations
 
-import io
 import json
 from pathlib import Path
 from typing import Any
 
-from matplotlib.figure import Figure, FigureBase
-from PIL import Image
+from matplotlib.figure import Figure
 
 from rna_bench.html_pages import write_html
-from rna_bench.plot_style import FAIL, PASS, QUIET, figure
+from rna_bench.plot_style import FAIL, PASS, QUIET, figure, save_chart
 from rna_bench.results import write_results
 from rna_bench.stability.case import Case, Row
 from rna_bench.stability.suite import CASES, Result
 
 _COLOURS = {"pass": PASS, "fail": FAIL, "skipped": QUIET}
-_ACROSS, _SIZE = 3, (6.6, 3.2)  # charts of the sheet in a row; inches of one
+_SIZE = 6.6, 3.2  # inches of a chart
 
 
 def write_page(
@@ -27,17 +25,13 @@ def write_page(
     settings: dict[str, Any],
     results: list[Result],
 ) -> None:
-    """Write `results.json`, `summary.md`, `index.html`, `sheet.png` and a PNG a case."""
+    """Write `results.json`, `summary.md`, `index.html` and an SVG a case."""
     saved = {"asset": name, "settings": settings, "cases": [_as_json(r) for r in results]}
     write_results(folder / "results.json", stamp, saved, indent=None)
     (folder / "summary.md").write_text(table(results))
     drawn = [result for result in results if not result.skipped]
     for result in drawn:
-        chart = figure(*_SIZE)
-        _draw(chart, result)
-        chart.savefig(folder / f"{result.case.name}.png", dpi=110)
-    if drawn:
-        _save_small(_sheet(drawn), folder / "sheet.png")
+        save_chart(_chart(result), folder / f"{result.case.name}.svg")
     told = [(result, _found(result), _COLOURS[result.status]) for result in results]
     page = folder / "index.html"
     write_html(page, "stability.html", name=name, stamp=stamp, settings=settings, results=told)
@@ -87,24 +81,10 @@ def _as_json(result: Result) -> dict[str, Any]:
     }
 
 
-def _save_small(figure: Figure, path: Path) -> None:
-    """As a PNG of 128 colours, which charts do not need more of."""
-    file = io.BytesIO()
-    figure.savefig(file, dpi=80)
-    Image.open(file).convert("RGB").quantize(128).save(path, optimize=True)
-
-
-def _sheet(results: list[Result]) -> Figure:
-    down = -(-len(results) // _ACROSS)
-    sheet = figure(_ACROSS * _SIZE[0], down * _SIZE[1])
-    parts = sheet.subfigures(down, _ACROSS, squeeze=False).reshape(-1)
-    for part, result in zip(parts, results, strict=False):
-        _draw(part, result)
-    return sheet
-
-
-def _draw(chart: FigureBase, result: Result) -> None:
+def _chart(result: Result) -> Figure:
+    chart = figure(*_SIZE)
     chart.suptitle(
         f"{result.case.title}: {result.status}", color=_COLOURS[result.status], fontsize=9
     )
     result.case.draw(chart, result.rows)
+    return chart

@@ -72,7 +72,7 @@ class CaptureSettings(DatasetModel):
 
 
 # Hair paths are expensive and noisy: more points with fewer paths train better
-# (docs/decisions.md). With a surface, whose paths are cheap, both use the same number.
+# (docs/decisions/fibers.md). With a surface, whose paths are cheap, both use the same number.
 _FIBERS = {
     "samples": 2,
     "rays": 16384,

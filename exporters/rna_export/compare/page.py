@@ -10,6 +10,7 @@ import numpy as np
 from PIL import Image
 
 from rna_export.compare.run import Pair
+from rna_export.compare.sheet import comparison_sheet, flip_colours
 from rna_export.html_pages import write_html
 from rna_export.metrics import (
     FLIP_DEFINITION,
@@ -30,7 +31,7 @@ def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, 
     rows, strips = [], []
     for number, pair in enumerate(pairs):
         images = _images(pair)
-        strips.append(np.concatenate(list(images.values()), axis=1))
+        strips.append((list(images.values()), _scores(pair)))
         pictures = [
             {"kind": kind, "file": f"{number}-{kind}.png", "caption": _caption(kind, pair)}
             for kind in images
@@ -52,18 +53,23 @@ def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, 
     )
     results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
     write_atomically(folder / "results.json", (json.dumps(results, indent=1) + "\n").encode())
-    Image.fromarray(np.concatenate(strips, axis=0)).save(folder / "sheet.png")
+    comparison_sheet(strips).save(folder / "sheet.png")
 
 
 def _images(pair: Pair) -> dict[str, np.ndarray]:
     difference = np.abs(display(pair.ours) - display(pair.cycles))
-    heat = np.repeat(np.clip(255.0 * pair.flip_map, 0, 255).astype(np.uint8)[..., None], 3, axis=2)
     return {
         "ours": to_png(pair.ours),
         "cycles": to_png(pair.cycles),
         "difference": np.clip(255.0 * 4.0 * difference, 0, 255).astype(np.uint8),
-        "flip": heat,
+        "flip": flip_colours(pair.flip_map),
     }
+
+
+def _scores(pair: Pair) -> str:
+    clean = pair.psnr_without_noise
+    bound = "at least " if clean.high is None else ""
+    return f"{pair.shot.name}: PSNR without noise {bound}{clean.db:.1f} dB, FLIP {pair.flip:.3f}"
 
 
 def _caption(kind: str, pair: Pair) -> str:

@@ -113,7 +113,7 @@ class Preset(BaseModel):
 
 
 # A batch in the paper is an image slice, several 100,000 samples. A CPU takes too few such steps to
-# learn anything, and steps count more than samples (docs/decisions.md): a batch is ours, for all.
+# learn anything, and steps count more than samples (docs/decisions/training.md): ours, for all.
 _BATCH = 2048
 
 
@@ -133,9 +133,10 @@ def _paper(kind: str, width: int) -> Preset:
     )
 
 
-# Fine planes learn the noise of hair's scattered light (docs/decisions.md).
+# Fine planes learn the noise of hair's scattered light (docs/decisions/fibers.md).
 _PLANES = {"surface": (256, 8), "fiber": (32, 16)}
-_SMOOTHING = {"surface": 0.25, "fiber": 0.0}  # of hair not measured; docs/decisions.md
+# Measured on surfaces alone (docs/decisions/training.md).
+_SMOOTHING = {"surface": 0.25, "fiber": 0.0}
 # For assets that are small in the image.
 _TINY_PLANES = {"surface": (128, 8), "fiber": (16, 16)}
 

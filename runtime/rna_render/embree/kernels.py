@@ -7,6 +7,8 @@ intrinsics below turn them into calls and memory accesses. All kernels are cache
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from llvmlite import ir
 from numba import prange, types
@@ -35,6 +37,35 @@ CHUNK = 1024
 # Rays written before the first of them is traced. Embree reads a ray in 16-byte loads, which
 # stall on 4-byte stores that have only just been made.
 BLOCK = 32
+
+
+class Rays(NamedTuple):
+    """ray_id: (n,) uint32, what a ray passes through, as one of the `filters` has it. mask: (n,)
+    uint32; rays meet instances that share a bit. origins, directions: (n, 3) float32. tnear, tfar:
+    (n,) float32. All but the vectors may be (1,), for all rays.
+    """
+
+    ray_id: np.ndarray
+    mask: np.ndarray
+    origins: np.ndarray
+    directions: np.ndarray
+    tnear: np.ndarray
+    tfar: np.ndarray
+
+
+class Hits(NamedTuple):
+    """t: (n,) float32, infinity for a miss. instance, geometry, primitive: (n,) int32, -1 for a
+    miss; instance also where there are none. u, v: (n,) float32, 0 for a miss. ng: (n, 3) float32,
+    unit, 0 for a miss; or (0, 3), and then it is not written.
+    """
+
+    t: np.ndarray
+    instance: np.ndarray
+    geometry: np.ndarray
+    primitive: np.ndarray
+    u: np.ndarray
+    v: np.ndarray
+    ng: np.ndarray
 
 
 @intrinsic
@@ -88,100 +119,82 @@ def _store_normal(ray, ng):
     ng[0], ng[1], ng[2] = x * scale, y * scale, z * scale
 
 
+@compiled(fastmath=())
+def _aim(ray, bits, i, rays):
+    """Fill the RTCRay with row i of Rays; False for a ray that meets nothing."""
+    ray_id, mask, origins, directions, tnear, tfar = rays
+    near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
+    number, met = ray_id[min(i, len(ray_id) - 1)], mask[min(i, len(mask) - 1)]
+    _set_ray(ray, bits, origins[i], directions[i], near, far, met, number)
+    return ray[RAY_TNEAR] <= ray[RAY_TFAR]
+
+
+@compiled(fastmath=())
+def _store_hits(block, bits, start, count, hits):
+    """Copy `count` RTCHits to Hits, from row `start` on."""
+    t, instance, geometry, primitive, u, v, ng = hits
+    for k in range(count):
+        i = start + k
+        hit = bits[k, HIT_GEOMETRY] != INVALID_ID
+        t[i] = block[k, RAY_TFAR] if hit else np.inf
+        instance[i] = np.int32(bits[k, HIT_INSTANCE]) if hit else -1
+        geometry[i] = np.int32(bits[k, HIT_GEOMETRY]) if hit else -1
+        primitive[i] = np.int32(bits[k, HIT_PRIMITIVE]) if hit else -1
+        u[i] = block[k, HIT_U] if hit else 0.0
+        v[i] = block[k, HIT_V] if hit else 0.0
+        if len(ng) and hit:
+            _store_normal(block[k], ng[i])
+        elif len(ng):
+            ng[i] = 0.0
+
+
 @compiled(parallel=True, fastmath=())
-def intersect(
-    function,
-    scene,
-    arguments,
-    ray_id,
-    mask,
-    origins,
-    directions,
-    tnear,
-    tfar,
-    t,
-    instance,
-    geometry,
-    primitive,
-    u,
-    v,
-    ng,
-):
+def intersect(function, scene, arguments, rays, hits):
     """Closest hits.
 
-    function, scene: addresses of rtcIntersect1 and of the scene.
-    arguments, ray_id: as for `occluded`. mask: (n,) uint32, or (1,) for all
-        rays; they meet instances that share a bit.
-    origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
-    t: (n,) float32 out, infinity for a miss.
-    instance, geometry, primitive: (n,) int32 out, -1 for a miss; instance also where there are
-        none.
-    u, v: (n,) float32 out, 0 for a miss.
-    ng: (n, 3) float32 out, unit, 0 for a miss; or (0, 3), and then it is not written.
+    function, scene: addresses of rtcIntersect1 and of the scene. arguments: address of
+    RTCIntersectArguments, or 0. rays: Rays. hits: Hits, written.
     """
-    n = len(t)
+    n = len(hits[0])
     for chunk in prange((n + CHUNK - 1) // CHUNK):
-        rays = _ray_block(RAY_HIT_WORDS)
-        bits = rays.view(np.uint32)
-        address = rays.ctypes.data
+        block = _ray_block(RAY_HIT_WORDS)
+        bits = block.view(np.uint32)
+        address = block.ctypes.data
         for start in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK), BLOCK):
             count = min(BLOCK, n - start)
             for k in range(count):
-                i = start + k
-                near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
-                number = ray_id[min(i, len(ray_id) - 1)]
-                met = mask[min(i, len(mask) - 1)]
-                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, met, number)
+                _aim(block[k], bits[k], start + k, rays)
                 bits[k, HIT_GEOMETRY] = INVALID_ID
                 bits[k, HIT_INSTANCE] = INVALID_ID
             for k in range(count):
-                if rays[k, RAY_TNEAR] <= rays[k, RAY_TFAR]:
+                if block[k, RAY_TNEAR] <= block[k, RAY_TFAR]:
                     call_embree(function, scene, address + k * RAY_HIT_WORDS * 4, arguments)
-            for k in range(count):
-                i = start + k
-                hit = bits[k, HIT_GEOMETRY] != INVALID_ID
-                t[i] = rays[k, RAY_TFAR] if hit else np.inf
-                instance[i] = np.int32(bits[k, HIT_INSTANCE]) if hit else -1
-                geometry[i] = np.int32(bits[k, HIT_GEOMETRY]) if hit else -1
-                primitive[i] = np.int32(bits[k, HIT_PRIMITIVE]) if hit else -1
-                u[i] = rays[k, HIT_U] if hit else 0.0
-                v[i] = rays[k, HIT_V] if hit else 0.0
-                if len(ng) and hit:
-                    _store_normal(rays[k], ng[i])
-                elif len(ng):
-                    ng[i] = 0.0
+            _store_hits(block, bits, start, count, hits)
 
 
 @compiled(parallel=True, fastmath=())
-def occluded(function, scene, arguments, ray_id, mask, origins, directions, tnear, tfar, result):
+def occluded(function, scene, arguments, rays, result):
     """Whether anything is hit between tnear and tfar.
 
-    function, scene: addresses of rtcOccluded1 and of the scene.
-    arguments: address of RTCOccludedArguments (RTCIntersectArguments begin alike), or 0.
-    ray_id: (n,) uint32, or (1,) for all rays: what a ray passes through, if `arguments` are
-        those of one of the `filters`. mask: as for `intersect`.
-    origins, directions: (n, 3) float32. tnear, tfar: (n,) float32, or (1,) for all rays.
-    result: (n,) bool out; False for a ray that is not finite or has no direction.
+    function, scene: addresses of rtcOccluded1 and of the scene. arguments: address of
+    RTCOccludedArguments, or 0. rays: Rays. result: (n,) bool, written; False for a ray that is
+    not finite or has no direction.
     """
     n = len(result)
     for chunk in prange((n + CHUNK - 1) // CHUNK):
-        rays = _ray_block(RAY_WORDS)
-        bits = rays.view(np.uint32)
-        address = rays.ctypes.data
+        block = _ray_block(RAY_WORDS)
+        bits = block.view(np.uint32)
+        address = block.ctypes.data
         for start in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK), BLOCK):
             count = min(BLOCK, n - start)
             for k in range(count):
-                i = start + k
-                near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
-                number = ray_id[min(i, len(ray_id) - 1)]
-                met = mask[min(i, len(mask) - 1)]
-                _set_ray(rays[k], bits[k], origins[i], directions[i], near, far, met, number)
+                _aim(block[k], bits[k], start + k, rays)
             for k in range(count):
-                if rays[k, RAY_TNEAR] <= rays[k, RAY_TFAR]:
+                if block[k, RAY_TNEAR] <= block[k, RAY_TFAR]:
                     call_embree(function, scene, address + k * RAY_WORDS * 4, arguments)
             for k in range(count):
                 # rtcOccluded1 reports a hit by setting tfar to minus infinity.
-                result[start + k] = rays[k, RAY_TFAR] == -np.inf
+                result[start + k] = block[k, RAY_TFAR] == -np.inf
 
 
 @compiled(fastmath=())
@@ -201,105 +214,63 @@ def _start(context):
     values[CONTEXT_COLOURED] = 0.0
 
 
-@compiled(fastmath=())
-def _aim(ray, bits, i, ray_id, mask, origins, directions, tnear, tfar):
-    """Fill the RTCRay with row i; False for a ray that meets nothing."""
-    near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
-    number, met = ray_id[min(i, len(ray_id) - 1)], mask[min(i, len(mask) - 1)]
-    _set_ray(ray, bits, origins[i], directions[i], near, far, met, number)
-    return ray[RAY_TNEAR] <= ray[RAY_TFAR]
-
-
 @compiled(parallel=True, fastmath=())
-def transmitted(function, scene, arguments, ray_id, mask, origins, directions, tnear, tfar, result):
+def transmitted(function, scene, arguments, rays, result):
     """The product of what all hits between tnear and tfar let through.
 
-    arguments: (8,) uint64 of a transmittance filter. result: (n, 3) float32 out; 1 for a ray that
-    is not finite or has no direction. The others are those of `occluded`.
+    arguments: (8,) uint64 of a transmittance filter. result: (n, 3) float32, written; 1 for a ray
+    that is not finite or has no direction. The others are those of `occluded`.
     """
     n = len(result)
     for chunk in prange((n + CHUNK - 1) // CHUNK):
-        rays = _ray_block(RAY_WORDS)
-        bits = rays.view(np.uint32)
-        address = rays.ctypes.data
+        block = _ray_block(RAY_WORDS)
+        ray, bits = block[0], block.view(np.uint32)[0]
         query, context = _query(arguments)
         for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
-            line = ray_id, mask, origins, directions, tnear, tfar
             result[i] = 1.0
-            if _aim(rays[0], bits[0], i, *line):
+            if _aim(ray, bits, i, rays):
                 _start(context)
-                call_embree(function, scene, address, query.ctypes.data)
-                blocked = rays[0, RAY_TFAR] == -np.inf
+                call_embree(function, scene, block.ctypes.data, query.ctypes.data)
+                blocked = ray[RAY_TFAR] == -np.inf
                 for channel in range(3):
                     weight = context.view(np.float64)[CONTEXT_WEIGHT + channel]
                     result[i, channel] = 0.0 if blocked else weight
 
 
 @compiled(parallel=True, fastmath=())
-def intersect_through(
-    functions,
-    scene,
-    arguments,
-    weighing,
-    ray_id,
-    mask,
-    origins,
-    directions,
-    tnear,
-    tfar,
-    t,
-    instance,
-    geometry,
-    primitive,
-    u,
-    v,
-    ng,
-    weight,
-):
+def intersect_through(functions, scene, arguments, rays, hits, weight):
     """Closest hits of rays that pass through hits at random, as often as these let light through.
 
-    functions: addresses of rtcIntersect1 and of rtcOccluded1. arguments, weighing: (8,) uint64
-    each, of `filters.random_transmittance_filters`. weight: (n, 3) float32 out, by which
-    what is found has to be multiplied: 1 unless a hit is coloured; or (0, 3), where none is, and
-    then it is not written. The others are those of `intersect`.
+    functions: addresses of rtcIntersect1 and of rtcOccluded1. arguments: of either, (8,) uint64,
+    of `filters.random_transmittance_filters`. weight: (n, 3) float32, written: what is found has to
+    be multiplied by it, 1 unless a hit is coloured; or (0, 3), where none is. The others are those
+    of `intersect`.
     """
-    n = len(t)
+    n = len(hits[0])
     for chunk in prange((n + CHUNK - 1) // CHUNK):
-        rays = _ray_block(RAY_HIT_WORDS)
-        bits = rays.view(np.uint32)
-        address = rays.ctypes.data
-        query, context = _query(arguments)
-        weighing_query, _ = _query(weighing)
-        weighing_query[ARGUMENT_CONTEXT] = context.ctypes.data
-        ray, words = rays[0], bits[0]
+        block = _ray_block(RAY_HIT_WORDS)
+        blocks = block.view(np.uint32)
+        ray, bits, address = block[0], blocks[0], block.ctypes.data
+        query, context = _query(arguments[0])
+        weighing, _ = _query(arguments[1])
+        weighing[ARGUMENT_CONTEXT] = context.ctypes.data
         for i in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
-            line = ray_id, mask, origins, directions, tnear, tfar
-            words[HIT_GEOMETRY] = INVALID_ID
-            words[HIT_INSTANCE] = INVALID_ID
+            bits[HIT_GEOMETRY] = INVALID_ID
+            bits[HIT_INSTANCE] = INVALID_ID
             _start(context)
-            traced = _aim(ray, words, i, *line)
+            traced = _aim(ray, bits, i, rays)
             if traced:
                 call_embree(functions[0], scene, address, query.ctypes.data)
-            hit = words[HIT_GEOMETRY] != INVALID_ID
-            t[i] = ray[RAY_TFAR] if hit else np.inf
-            instance[i] = np.int32(words[HIT_INSTANCE]) if hit else -1
-            geometry[i] = np.int32(words[HIT_GEOMETRY]) if hit else -1
-            primitive[i] = np.int32(words[HIT_PRIMITIVE]) if hit else -1
-            u[i] = ray[HIT_U] if hit else 0.0
-            v[i] = ray[HIT_V] if hit else 0.0
-            if len(ng) and hit:
-                _store_normal(ray, ng[i])
-            elif len(ng):
-                ng[i] = 0.0
+            _store_hits(block, blocks, i, 1, hits)
             if len(weight):
                 values = context.view(np.float64)
                 if traced and values[CONTEXT_COLOURED] > 0.0:
-                    _name_last(context, words)
-                    _aim(ray, words, i, *line)
-                    ray[RAY_TFAR] = min(ray[RAY_TFAR], t[i])
-                    call_embree(functions[1], scene, address, weighing_query.ctypes.data)
+                    _name_last(context, bits)
+                    _aim(ray, bits, i, rays)
+                    ray[RAY_TFAR] = min(ray[RAY_TFAR], hits[0][i])
+                    call_embree(functions[1], scene, address, weighing.ctypes.data)
                 for channel in range(3):
-                    share = values[CONTEXT_SHARE + channel] if hit else 1.0
+                    share = values[CONTEXT_SHARE + channel] if hits[0][i] < np.inf else 1.0
                     weight[i, channel] = share * values[CONTEXT_WEIGHT + channel]
 
 

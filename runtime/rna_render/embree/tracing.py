@@ -58,6 +58,7 @@ NOTHING = Passing()
 
 # The id of a ray that passes through no instance and no strand, in a scene of either.
 NO_OWN = 0xFFFFFFFE
+_NO_ID = np.full(1, NO_OWN, np.uint32)
 
 
 class GeometryScene:
@@ -122,19 +123,11 @@ def closest_hits(
 
     Arguments and errors are those of GeometryScene.occluded.
     """
-    origins = vectors("origins", origins)
-    n = len(origins)
-    directions = vectors("directions", directions, n)
-    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
-    t, u, v = (np.empty(n, np.float32) for _ in range(3))
-    instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
-    ng = np.empty((n if with_normals else 0, 3), np.float32)
+    rays = _rays(passing.ray_id, passing.mask, origins, directions, tnear, tfar)
+    hits = _hits(len(rays.origins), with_normals)
     function = api.function_address("rtcIntersect1")
-    out = t, instance, geometry, primitive, u, v, ng
-    through = passing.arguments, passing.ray_id, passing.mask
-    rays = origins, directions, *interval
-    kernels.intersect(function, scene.handle, *through, *rays, *out)
-    return ClosestHits(*out)
+    kernels.intersect(function, scene.handle, passing.arguments, rays, hits)
+    return ClosestHits(*hits)
 
 
 def any_hits(
@@ -149,14 +142,10 @@ def any_hits(
 
     Arguments and errors are those of GeometryScene.occluded.
     """
-    origins = vectors("origins", origins)
-    n = len(origins)
-    directions = vectors("directions", directions, n)
-    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
-    result = np.empty(n, bool)
+    rays = _rays(passing.ray_id, passing.mask, origins, directions, tnear, tfar)
+    result = np.empty(len(rays.origins), bool)
     function = api.function_address("rtcOccluded1")
-    through = passing.arguments, passing.ray_id, passing.mask
-    kernels.occluded(function, scene.handle, *through, origins, directions, *interval, result)
+    kernels.occluded(function, scene.handle, passing.arguments, rays, result)
     return result
 
 
@@ -176,15 +165,10 @@ def transmitted(
     that rays pass through, as the filter has it; NO_OWN if None. mask: as in Passing. The rest,
     and the errors, are those of GeometryScene.occluded.
     """
-    origins = vectors("origins", origins)
-    n = len(origins)
-    directions = vectors("directions", directions, n)
-    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
-    own = np.full(1, NO_OWN, np.uint32) if ray_id is None else ray_id
-    result = np.empty((n, 3), np.float32)
+    rays = _rays(_NO_ID if ray_id is None else ray_id, mask, origins, directions, tnear, tfar)
+    result = np.empty((len(rays.origins), 3), np.float32)
     function = api.function_address("rtcOccluded1")
-    lines = origins, directions, *interval
-    kernels.transmitted(function, scene.handle, arguments, own, mask, *lines, result)
+    kernels.transmitted(function, scene.handle, arguments, rays, result)
     return result
 
 
@@ -204,16 +188,31 @@ def closest_hits_through(
     filters: random_transmittance_filters. coloured: whether `weight` is wanted, else it is 1. The
     rest, and the errors, are those of `closest_hits` and of `transmitted`.
     """
+    rays = _rays(_NO_ID if ray_id is None else ray_id, mask, origins, directions, tnear, tfar)
+    hits = _hits(len(rays.origins))
+    weight = np.empty((len(rays.origins) if coloured else 0, 3), np.float32)
+    functions = api.function_address("rtcIntersect1"), api.function_address("rtcOccluded1")
+    kernels.intersect_through(functions, scene.handle, filters, rays, hits, weight)
+    return ClosestHits(*hits, weight if coloured else None)
+
+
+def _rays(
+    ray_id: np.ndarray,
+    mask: np.ndarray,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+) -> kernels.Rays:
     origins = vectors("origins", origins)
     n = len(origins)
     directions = vectors("directions", directions, n)
     interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
-    own = np.full(1, NO_OWN, np.uint32) if ray_id is None else ray_id
+    return kernels.Rays(ray_id, mask, origins, directions, *interval)
+
+
+def _hits(n: int, with_normals: bool = True) -> kernels.Hits:
     t, u, v = (np.empty(n, np.float32) for _ in range(3))
     instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
-    ng, weight = np.empty((n, 3), np.float32), np.empty((n if coloured else 0, 3), np.float32)
-    functions = tuple(api.function_address(name) for name in ("rtcIntersect1", "rtcOccluded1"))
-    out = t, instance, geometry, primitive, u, v, ng
-    lines = own, mask, origins, directions, *interval
-    kernels.intersect_through(functions, scene.handle, *filters, *lines, *out, weight)
-    return ClosestHits(*out, weight if coloured else None)
+    ng = np.empty((n if with_normals else 0, 3), np.float32)
+    return kernels.Hits(t, instance, geometry, primitive, u, v, ng)

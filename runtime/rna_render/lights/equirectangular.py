@@ -12,9 +12,10 @@ the bilinear luminance. So the density follows the very function that is looked 
 the poles, where that is constant along t, points are uniform in cos(theta) instead: else the
 density per steradian would grow without bound.
 
-A light that shares its directions with rays leaves to them what is no brighter than the mean: each
-cell's weight is then max(L - mean, 0), with L its mean luminance. Karlik, Sik, Vevoda, Skrivan and
-Krivanek, MIS Compensation (TOG 38(6), 2019).
+A light that shares its directions with rays leaves to them what is dim: each cell's weight is then
+max(L - mean / 2, 0), with L its mean luminance and the mean that of the image. Karlik, Sik, Vevoda,
+Skrivan and Krivanek, MIS Compensation (TOG 38(6), 2019), take the whole mean off; docs/decisions/
+renderer.md has why half.
 """
 
 from __future__ import annotations
@@ -34,8 +35,8 @@ from rna_render.lights.image_kernels import (
 )
 from rna_render.lights.intervals import fill_guide
 
-# Compensation that would leave so little of an image is none: what is left would be rounding.
-LEAST_LEFT = 1e-3
+# Part of the mean luminance that samples leave out.
+LEFT_TO_RAYS = 0.5
 
 
 class EquirectangularImage:
@@ -94,15 +95,10 @@ class EquirectangularImage:
 
     @cached_property
     def compensated(self) -> EquirectangularImage:
-        """The same image; `sample` leaves out what is no brighter than the mean.
-
-        An image that would have next to nothing left stays as it is.
-        """
+        """The same image; `sample` leaves out what is no brighter than LEFT_TO_RAYS of the mean."""
         result = copy(self)
-        mean = self.total / (4.0 * np.pi)
+        mean = LEFT_TO_RAYS * self.total / (4.0 * np.pi)
         result._choose(mean)
-        if result.numbers[TOTAL] <= LEAST_LEFT * self.numbers[TOTAL]:
-            return self
         result.numbers[:TOTAL] = self.numbers[:TOTAL]
         return result
 

@@ -250,3 +250,27 @@ def pdf(parameters, row, n, ng, wo, wi, result):
         g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
         point, frame = _row(parameters, p, vector_at(n, p), g, o)
         result[k] = bsdf_density(point, frame, o, i, table)
+
+
+@compiled(fastmath=())
+def evaluate_with_pdf(parameters, row, n, ng, wo, wi, result, density):
+    table, mean = parameters[8], parameters[9]
+    for k in range(len(wi)):
+        p = row[k]
+        g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
+        point, frame = _row(parameters, p, vector_at(n, p), g, o)
+        value = bsdf_value(point, frame, g, o, i, table, mean)
+        result[k, 0], result[k, 1], result[k, 2] = value
+        density[k] = bsdf_density(point, frame, o, i, table)
+
+
+@compiled(fastmath=())
+def sample_with_pdf(parameters, row, n, ng, wo, u, wi, density):
+    table = parameters[8]
+    for k in range(len(wi)):
+        p = row[k]
+        g, o = vector_at(ng, p), unit(vector_at(wo, p))
+        point, frame = _row(parameters, p, vector_at(n, p), g, o)
+        i = bsdf_sample(point, frame, o, u[k, 0], u[k, 1], u[k, 2], table)
+        wi[k, 0], wi[k, 1], wi[k, 2] = i
+        density[k] = bsdf_density(point, frame, o, unit(vector_at(wi, k)), table)

@@ -98,6 +98,34 @@ class Scattering:
         bsdf.pdf(self._parameters(), *at, result)
         return result
 
+    def evaluate_and_pdf(
+        self,
+        n: np.ndarray,
+        ng: np.ndarray,
+        wo: np.ndarray,
+        wi: np.ndarray,
+        row: np.ndarray | None = None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """What `evaluate` and `pdf` return, in one pass."""
+        result, density = np.empty((len(wi), 3), np.float32), np.empty(len(wi), np.float32)
+        at = _rows(row, wo), n, ng, wo, wi
+        bsdf.evaluate_with_pdf(self._parameters(), *at, result, density)
+        return result, density
+
+    def sample_and_pdf(
+        self,
+        n: np.ndarray,
+        ng: np.ndarray,
+        wo: np.ndarray,
+        u: np.ndarray,
+        row: np.ndarray | None = None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """What `sample` returns and its `pdf`, in one pass."""
+        wi, density = np.empty((len(u), 3), np.float32), np.empty(len(u), np.float32)
+        at = _rows(row, wo), n, ng, wo, u
+        bsdf.sample_with_pdf(self._parameters(), *at, wi, density)
+        return wi, density
+
     def _parameters(self):
         weights = np.ones((1, 2), np.float32) if self.weights is None else self.weights
         none = np.zeros(1, np.float32), np.ones(1, np.float32), np.zeros((1, 3), np.float32)

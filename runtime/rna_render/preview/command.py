@@ -47,7 +47,7 @@ def _denoiser(threads: int) -> Denoiser | None:
     if find_spec("pyoidn") is None:
         return None
     try:
-        return Denoiser(threads)
+        return Denoiser(threads, "fast")
     except SceneError as error:
         print(f"note: the preview does not denoise: {error}", file=sys.stderr)
         return None

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from rna_render.bands import rendered_bands
+from rna_render.bands import SMALL_BAND, rendered_bands
 from rna_render.film import Film, Layers
 from rna_render.integrator import Integrator
 from rna_render.preview.change import Change
@@ -241,9 +241,9 @@ class Session:
     def _sample(
         self, revision: int, integrator: Integrator, count: int, sampler: Sampler
     ) -> Layers | None:
-        """One sample of every pixel; None if the view has changed."""
+        """One sample of every pixel; None if the view has changed: small bands notice soon."""
         sample = []
-        with closing(rendered_bands(integrator, count, [sampler])) as bands:
+        with closing(rendered_bands(integrator, count, [sampler], SMALL_BAND)) as bands:
             for band, _ in bands:
                 if self._is_old(revision):
                     return None

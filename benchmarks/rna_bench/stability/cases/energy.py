@@ -103,8 +103,9 @@ def draw(figure: FigureBase, rows: list[Row]) -> None:
     left, right = figure.subplots(1, 2, sharey=True)
     for asset in dict.fromkeys(values(rows, "asset")):
         total = values(rows, "integral", asset=asset)
-        left.plot(values(rows, "n_wo", asset=asset), total, ".", markersize=3, label=asset)
-        right.plot(values(rows, "open", asset=asset), total, ".", markersize=3, label=asset)
+        for axes, name in ((left, "n_wo"), (right, "open")):
+            x = values(rows, name, asset=asset)
+            axes.plot(x, total, ".", markersize=3, label=asset, rasterized=True)
     for axes in (left, right):
         axes.axhline(MOST, color="grey", linewidth=0.8)
     left.set_xlabel("|n.wo|")

@@ -155,7 +155,9 @@ fn direct(
     if found.pdf > 0.0 && found.primitive != NONE {
         found = shining(k, light, found);
     }
-    if found.pdf <= 0.0 || all(found.radiance <= vec3f(0.0)) {
+    let behind = v.kind == OF_MATERIAL && !catches
+        && dot(v.ng_world, path.direction) * dot(v.ng_world, found.wi) >= 0.0;
+    if found.pdf <= 0.0 || all(found.radiance <= vec3f(0.0)) || behind {
         pendings[2u * k + 1u].part = NONE;
         return;
     }

@@ -55,22 +55,25 @@ fn along_axis(axis: vec3f, cosine: f32, turns: f32) -> vec3f {
     return about(axis, sqrt(max(0.0, 1.0 - cosine * cosine)), cosine, turns);
 }
 
-fn lobe_sample(at: LobeFrame, is_fiber: bool, u: vec3f) -> vec3f {
+// u.x chooses the lobe, and what is left of it the direction there.
+fn lobe_sample(at: LobeFrame, is_fiber: bool, u: vec2f) -> vec3f {
     let shares = lobe_shares(is_fiber);
-    if u.z < shares.x {
-        return normalize(along_axis(at.normal, 1.0 - 2.0 * u.x, u.y));
+    if u.x < shares.x {
+        return normalize(along_axis(at.normal, 1.0 - 2.0 * u.x / shares.x, u.y));
     }
-    if !is_fiber {
-        if u.z < shares.x + shares.y {
-            return normalize(along_axis(at.normal, sqrt(1.0 - u.x), u.y));
+    if u.x < shares.x + shares.y {
+        let left = min((u.x - shares.x) / shares.y, 1.0);
+        if is_fiber {
+            let sine = lobe_cone_sine(left, -dot(at.tangent, at.o));
+            return normalize(along_axis(at.tangent, sine, u.y));
         }
-        return normalize(along_axis(at.mirror, fisher_cosine(u.x, MIRROR_KAPPA), u.y));
+        return normalize(along_axis(at.normal, sqrt(1.0 - left), u.y));
     }
-    if u.z < shares.x + shares.y {
-        let sine = lobe_cone_sine(u.x, -dot(at.tangent, at.o));
-        return normalize(along_axis(at.tangent, sine, u.y));
+    let left = min((u.x - shares.x - shares.y) / shares.z, 1.0);
+    if is_fiber {
+        return normalize(along_axis(-at.o, fisher_cosine(left, FORWARD_KAPPA), u.y));
     }
-    return normalize(along_axis(-at.o, fisher_cosine(u.x, FORWARD_KAPPA), u.y));
+    return normalize(along_axis(at.mirror, fisher_cosine(left, MIRROR_KAPPA), u.y));
 }
 
 // Of surfaces: uniform, cosine, mirror; of fibers: uniform, cone, forward.

@@ -41,7 +41,7 @@ fn scatter(
     } else {
         let is_fiber = v.kind == OF_FIBERS;
         let at = lobe_frame(v.shading, select(vec3f(0.0), v.axis, is_fiber), v.wo);
-        wi = lobe_sample(at, is_fiber, u);
+        wi = lobe_sample(at, is_fiber, u.xy);
         pdf = lobe_density(at, is_fiber, wi);
         let weight = beta / max(pdf, 1e-30);
         pendings[2u * k] = Pending(

@@ -1,0 +1,58 @@
+"""The sheet of a comparison: pictures in labelled columns, FLIP in its colours with a scale."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import matplotlib
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
+
+Picture = NDArray[np.uint8]
+
+COLUMNS = ("ours", "Cycles", "difference x 4", "FLIP")
+_MAP = "magma"  # as FLIP's authors show it
+_INK, _PAPER, _QUIET = (20, 20, 20), (255, 255, 255), (90, 90, 90)
+
+
+def flip_colours(error: NDArray[np.floating]) -> Picture:
+    """A map of FLIP, (h, w) in [0, 1], as colours, (h, w, 3) uint8."""
+    colours = matplotlib.colormaps[_MAP](np.clip(error, 0.0, 1.0))
+    return np.asarray(255.0 * colours[..., :3], np.uint8)
+
+
+def comparison_sheet(
+    rows: Sequence[tuple[Sequence[Picture], str]], columns: Sequence[str] = COLUMNS
+) -> Image.Image:
+    """Rows of pictures of one size, (h, w, 3) uint8, each with a caption; the last one is FLIP."""
+    height, width = rows[0][0][0].shape[:2]
+    size = max(11, round(width / 18))
+    line = round(1.6 * size)
+    sheet = Image.new("RGB", (width * len(columns), line + len(rows) * (height + line)), _PAPER)
+    draw = ImageDraw.Draw(sheet)
+    font = ImageFont.load_default(size)
+    for k, name in enumerate(columns):
+        draw.text((k * width + size // 2, line // 2), name, _INK, font, anchor="lm")
+    _draw_scale(sheet, draw, font, (len(columns) - 1) * width, width, line)
+    for k, (pictures, caption) in enumerate(rows):
+        top = line + k * (height + line)
+        sheet.paste(Image.fromarray(np.concatenate(pictures, axis=1)), (0, top))
+        draw.text((size // 2, top + height + line // 2), caption, _QUIET, font, anchor="lm")
+    return sheet
+
+
+def _draw_scale(
+    sheet: Image.Image,
+    draw: ImageDraw.ImageDraw,
+    font: ImageFont.FreeTypeFont | ImageFont.ImageFont,
+    left: int,
+    width: int,
+    line: int,
+) -> None:
+    """The colours from 0 to 1, at the right of the last column's label."""
+    right, length, height = left + width - line // 2, width // 3, line // 2
+    bar = flip_colours(np.tile(np.linspace(0.0, 1.0, length), (height, 1)))
+    sheet.paste(Image.fromarray(bar), (right - length, (line - height) // 2))
+    draw.text((right - length - 3, line // 2), "0", _INK, font, anchor="rm")
+    draw.text((right + 3, line // 2), "1", _INK, font, anchor="lm")

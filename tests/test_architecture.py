@@ -1,0 +1,79 @@
+"""docs/architecture.md: its layers, its files, and the files that a render goes through."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+import threading
+from pathlib import Path
+from types import FrameType
+
+import pytest
+
+from rna_render.cli import main
+from tests.conftest import REPOSITORY
+
+PAGE = (REPOSITORY / "docs" / "architecture.md").read_text()
+WALK = re.findall(r"^\| \d+ \| `(.*?)` \|", PAGE, re.MULTILINE)
+
+
+def folders() -> list[str]:
+    """Folders that the walk enters, once for every time."""
+    names = [str(Path(name).parent) for name in WALK]
+    return [a for a, before in zip(names, ["", *names], strict=False) if a != before]
+
+
+LAYERS = re.findall(r"^\| `(rna_\w+)` \| `(.*?)` \|[^|]*\|(.*?)\|", PAGE, re.MULTILINE)
+
+
+def imports(folder: Path) -> set[str]:
+    """Packages of ours that a folder's files import anywhere."""
+    found = set()
+    for path in folder.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Import):
+                found |= {alias.name.split(".")[0] for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+                found.add(node.module.split(".")[0])
+    return {name for name in found if name.startswith("rna_")}
+
+
+@pytest.mark.parametrize(("package", "folder", "ours"), LAYERS, ids=[row[0] for row in LAYERS])
+def test_layers(package: str, folder: str, ours: str) -> None:
+    packages = {row[0] for row in LAYERS}
+    found = imports(REPOSITORY / folder) & packages - {package}
+    assert ours.strip() == "all" or found == set(re.findall(r"`(\w+)`", ours))
+
+
+def test_files_exist() -> None:
+    """Each row names files whole, or beside the file before."""
+    for row in re.findall(r"^\|.*\|$", PAGE, re.MULTILINE):
+        folder = REPOSITORY
+        for name in re.findall(r"`([\w/]+\.(?:py|wgsl|md|txt|toml))`", row):
+            path = REPOSITORY / name if "/" in name else folder / name
+            assert path.is_file() or (REPOSITORY / name).is_file(), f"{name} in {row}"
+            folder = path.parent
+
+
+def test_the_walk_is_short() -> None:
+    assert len(WALK) <= 15 and len(set(folders())) == len(folders())
+
+
+def test_the_walk_is_what_a_render_does(tmp_path: Path) -> None:
+    scene = REPOSITORY / "examples" / "quickstart" / "scene.yaml"
+    entered: set[str] = set()
+
+    def profile(frame: FrameType, event: str, argument: object) -> None:
+        entered.add(frame.f_code.co_filename)
+
+    small = ["--samples", "1", "--resolution", "32x18"]
+    sys.setprofile(profile)
+    threading.setprofile(profile)
+    try:
+        assert main([str(scene), "--out", str(tmp_path / "a.exr"), *small]) == 0
+    finally:
+        sys.setprofile(None)
+        threading.setprofile(None)  # type: ignore[arg-type]
+    compiled = {"rna_sdk/runtime/query_kernel.py"}
+    assert {name for name in WALK if str(REPOSITORY / name) not in entered} <= compiled
