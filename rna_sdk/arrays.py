@@ -1,4 +1,4 @@
-"""Arrays as callers hand them over, checked before compiled code reads them."""
+"""Checks of callers' arrays before compiled code reads them."""
 
 from __future__ import annotations
 

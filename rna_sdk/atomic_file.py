@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all: written under another name, then renamed."""
+"""Atomic file writing: to a temporary name, then renamed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How every kernel of the project is compiled, and when its code on disk is out of date."""
+"""Compilation of all kernels, and invalidation of cached code."""
 
 from __future__ import annotations
 

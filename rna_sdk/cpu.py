@@ -1,4 +1,4 @@
-"""The processor that this process runs on."""
+"""The processor of this process."""
 
 from __future__ import annotations
 

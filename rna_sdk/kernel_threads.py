@@ -1,4 +1,4 @@
-"""The threads of parallel kernels: numba's, which several threads of Python may call at once."""
+"""Threads of parallel kernels: numba's, callable from several Python threads at once."""
 
 from __future__ import annotations
 

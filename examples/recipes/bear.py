@@ -16,7 +16,7 @@ RADIUS = 0.16  # units of the file, where a hair is 4 long and the bear 115 tall
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=Path, help="where bear.tfx is")
+    parser.add_argument("folder", type=Path, help="folder of bear.tfx")
     args = parser.parse_args()
     fur = rna_hair.resample(rna_hair.read_tfx(args.folder / "bear.tfx", RADIUS), 6)
     fur = rna_hair.fit(rna_hair.taper(fur, RADIUS, tip=0.2, start=0.5))

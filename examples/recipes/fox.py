@@ -147,5 +147,5 @@ def build(depth):
 
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-parser.add_argument("--depth", type=float, default=1.0, help="times the usual mean free path")
+parser.add_argument("--depth", type=float, default=1.0, help="scale factor of the mean free path")
 build(parser.parse_args().depth)

@@ -180,7 +180,7 @@ def build(folder, strands, colour):
 
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-parser.add_argument("folder", type=Path, help="where head.obj and its two images are")
+parser.add_argument("folder", type=Path, help="folder of head.obj and its two images")
 parser.add_argument("--strands", type=int, default=25000)
 parser.add_argument("--colour", choices=sorted(COLOURS), default="brown")
 args = parser.parse_args()

@@ -51,5 +51,5 @@ def build(folder):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=Path, help="where head.obj and its two images are")
+    parser.add_argument("folder", type=Path, help="folder of head.obj and its two images")
     build(parser.parse_args().folder)

@@ -131,5 +131,5 @@ def build(strength):
 
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-parser.add_argument("--strength", type=float, default=1.0, help="times the usual light")
+parser.add_argument("--strength", type=float, default=1.0, help="scale factor of the emission")
 build(parser.parse_args().strength)

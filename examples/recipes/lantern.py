@@ -144,5 +144,5 @@ def build(lit):
 
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-parser.add_argument("--lit", action="store_true", help="the candle burns: it emits light")
+parser.add_argument("--lit", action="store_true", help="light the candle (emission)")
 build(parser.parse_args().lit)

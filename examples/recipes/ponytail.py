@@ -36,7 +36,7 @@ def grow(folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=Path, help="where the four .tfx files are")
+    parser.add_argument("folder", type=Path, help="folder of the four .tfx files")
     parser.add_argument("--hair", choices=sorted(COLOURS), default="blonde")
     args = parser.parse_args()
     melanin, redness, roughness = COLOURS[args.hair]

@@ -1,1 +1,1 @@
-"""The road from a Blender scene to an `.rna` package: capture, training, export, comparison."""
+"""From a Blender scene to an `.rna` package: capture, training, export, comparison."""

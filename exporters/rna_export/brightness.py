@@ -1,4 +1,4 @@
-"""How bright a model's answers are over Cycles', where light is visible and in shadow."""
+"""Brightness of a model relative to Cycles, in lit and shadowed regions."""
 
 from __future__ import annotations
 

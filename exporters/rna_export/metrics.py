@@ -1,4 +1,4 @@
-"""Image error as this project reports it; every number says which definition it follows."""
+"""Image error metrics; every number states its definition."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Whether a reader of `.rna` packages agrees with the format: the kit, and `rna-conform`."""
+"""Conformance tests of `.rna` readers: the kit, and `rna-conform`."""

@@ -1,4 +1,4 @@
-"""The conformance kit as it lies on disk: `kit.json` and the files that it lists."""
+"""The conformance kit on disk: `kit.json` and the files that it lists."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A reader as a program: how it is called, and what it may answer (spec/conformance/README.md)."""
+"""Reader programs: calls and valid results (spec/conformance/README.md)."""
 
 from __future__ import annotations
 

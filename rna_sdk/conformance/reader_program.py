@@ -1,4 +1,4 @@
-"""What reader programs in Python share: their command line, and files in and out.
+"""Shared by reader programs in Python: command line, input and output files.
 
 The protocol is that of spec/conformance/README.md.
 """

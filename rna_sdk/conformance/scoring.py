@@ -1,4 +1,4 @@
-"""What a reader's answers are worth: each case of the kit against what it expects."""
+"""Scores of a reader: each case of the kit against its expected values."""
 
 from __future__ import annotations
 

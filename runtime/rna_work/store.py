@@ -43,7 +43,7 @@ class Store:
             raise self._failed(name, error) from error
 
     def get(self, name: str, local: Path) -> None:
-        """Fetch a file, which appears whole or not at all. Raises WorkError if that fails."""
+        """Fetch a file, which is written atomically. Raises WorkError if that fails."""
         system, root = self._opened()
         local.parent.mkdir(parents=True, exist_ok=True)
         temporary = local.with_name(f"{local.name}.{uuid4().hex[:12]}.part")

@@ -1,4 +1,4 @@
-"""The Python modules that the wheel of bpy ships in a folder that is not on sys.path."""
+"""Python modules that the bpy wheel ships in a folder outside sys.path."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The light that materials emit: switched off for transport, and on alone for emission."""
+"""Emissive materials: disabled for transport captures, the only light of emission captures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Loads a groom, `.hair` or `.tfx`, which says where strands are and little of how they look."""
+"""Loads a groom, `.hair` or `.tfx`: strand geometry with few material properties."""
 
 from __future__ import annotations
 

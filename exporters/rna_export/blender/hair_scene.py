@@ -1,4 +1,4 @@
-"""Makes the hair of a loaded scene what capture expects: curves, Chiang's model, round segments."""
+"""Converts the hair of a loaded scene for capture: curves, Chiang's model, round segments."""
 
 from __future__ import annotations
 

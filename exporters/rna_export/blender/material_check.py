@@ -1,4 +1,4 @@
-"""Names materials that Cycles cannot show as they were meant: images, nodes, scripts, no material.
+"""Reports materials that Cycles does not support: images, nodes, scripts, no material.
 
 Only what a shown object uses counts, and only nodes that lead to the output.
 """

@@ -1,4 +1,4 @@
-"""The relief of materials' normal maps, as textures over the UV coordinates.
+"""Normal maps of materials, as textures over the UV coordinates.
 
 The normal that a material's surface shader is given is rendered on a unit square, whose tangent is
 along u, whose bitangent is up the texture.

@@ -1,4 +1,4 @@
-"""Turns a loaded source such that its front and its up are those of Blender: -Y and +Z."""
+"""Rotates a loaded source to Blender's front and up axes: -Y and +Z."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Renders rays given one by one with stock Cycles, under one sun or by the asset's own light."""
+"""Renders individual rays with stock Cycles, under one sun or by the asset's emission."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which files a source reads beside itself: needed where it is opened on another machine."""
+"""Files that a source references: needed to open it on another machine."""
 
 from __future__ import annotations
 

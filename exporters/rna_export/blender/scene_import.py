@@ -1,4 +1,4 @@
-"""Loads Alembic and USD files, and gives their strands what the files or the importers left out."""
+"""Loads Alembic and USD files, and adds missing properties of their strands."""
 
 from __future__ import annotations
 

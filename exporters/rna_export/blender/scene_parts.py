@@ -1,4 +1,4 @@
-"""Divides what renders show into the parts that a package will have."""
+"""Divides the rendered objects into the parts of the package."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Renders the asset in a scene: other things beside it, and lights other than one sun.
+"""Renders the asset in a scene with other objects and lights.
 
 The scene comes as JSON in Blender's axes, metres and linear colours; lights as docs/scene.md
 describes them. Units of Blender's lamps stand here and nowhere else.

@@ -1,4 +1,4 @@
-"""What renders show: the objects themselves and all their instances."""
+"""Rendered objects, including all instances."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Loads what the user gave (a scene, a model, a groom or a script) and leaves only the asset."""
+"""Loads the source (a scene, model, groom or script) and removes everything but the asset."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which object something that renders show belongs to."""
+"""The owner object of rendered geometry."""
 
 from __future__ import annotations
 

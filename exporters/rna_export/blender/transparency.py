@@ -1,4 +1,4 @@
-"""What the materials let through without bending it, as a texture over the UV coordinates.
+"""Unrefracted transmittance of the materials, as a texture over the UV coordinates.
 
 A material's transmittance is read from its nodes: transparent shaders, mixes of them, and the
 Alpha of a Principled BSDF. The same nodes, wired to an emission shader, are rendered on a unit

@@ -1,4 +1,4 @@
-"""Makes curves of a USD file such that Blender's importer reads all of them right.
+"""Rewrites curves of a USD file so that Blender's importer reads them correctly.
 
 It knows no curves that are pinned or whose widths are by strand (`uniform`) or by segment
 (`varying`), and Cycles no splines and no closed strands. So such `BasisCurves` become polylines, in

@@ -1,4 +1,4 @@
-"""The exported geometry in Embree: the very intersection code that the renderer uses."""
+"""The exported geometry in Embree, with the renderer's intersection code."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Finds, or makes, the Python environment that Blender's module lives in.
+"""Finds or creates the Python environment of Blender's module.
 
 `bpy` needs numpy below 2 and is GPL; so it stays out of the SDK's own environment and process.
 """

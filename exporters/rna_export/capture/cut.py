@@ -1,4 +1,4 @@
-"""A dataset whose surfaces are cut into pieces, each with planes of its own: tiles of texels.
+"""A dataset whose surfaces are cut into pieces with their own planes.
 
 The pieces are parts of the package. What lies near a seam is learnt by the pieces on both sides.
 """

@@ -1,4 +1,4 @@
-"""Directions and frames: the sampling that view rays and lights are drawn with."""
+"""Direction sampling and frames for view rays and lights."""
 
 from __future__ import annotations
 

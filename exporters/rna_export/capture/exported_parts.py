@@ -1,4 +1,4 @@
-"""What Blender shows, as parts of an asset: geometry, and what materials let through."""
+"""The exported scene as parts of an asset: geometry and transmittance."""
 
 from __future__ import annotations
 

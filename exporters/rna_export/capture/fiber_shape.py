@@ -1,4 +1,4 @@
-"""Strands as capture sees them."""
+"""Strands for ray sampling."""
 
 from __future__ import annotations
 

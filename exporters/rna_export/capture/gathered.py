@@ -1,4 +1,4 @@
-"""The finished files of a dataset, on their way from workers to its folder."""
+"""Transfer of finished dataset files from workers to the dataset's folder."""
 
 from __future__ import annotations
 

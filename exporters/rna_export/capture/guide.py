@@ -1,4 +1,4 @@
-"""Chooses view rays where a model is expected to err most, with weights that undo the choice.
+"""Importance-samples view rays by expected model error, with inverse weights.
 
 A guide is a table of errors by where a sample lies: visibility, two angles, position, light. Rays
 are drawn as without it, four times as many as wanted, and each is kept with a probability that
@@ -80,7 +80,7 @@ class Guide:
         return expected
 
     def save(self, path: Path) -> None:
-        """The file appears whole or not at all."""
+        """The file is written atomically."""
         named = zip(self.parts, self.errors, strict=True)
         write_arrays(path, {part.name: errors for part, errors in named})
 

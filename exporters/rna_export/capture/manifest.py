@@ -116,6 +116,6 @@ class CaptureManifest(DatasetModel):
         return {**fields, "visible": 3} if self.transmits else fields
 
     def write(self, path: Path) -> None:
-        """As JSON; the file appears whole or not at all."""
+        """As JSON; the file is written atomically."""
         text = json.dumps(self.model_dump(mode="json", by_alias=True), indent=1) + "\n"
         write_atomically(path, text.encode())

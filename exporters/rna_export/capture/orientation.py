@@ -1,4 +1,4 @@
-"""Which axes are front and up: the options, and the turn that makes them +Z and +Y."""
+"""Front and up axes: the options, and the rotation to +Z and +Y."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs a capture: opens the source, plans, renders what is missing, can be stopped at any time."""
+"""Runs a capture: opens the source, plans, renders missing tasks; resumable at any time."""
 
 from __future__ import annotations
 

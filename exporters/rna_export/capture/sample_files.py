@@ -1,4 +1,4 @@
-"""The files of a dataset: named arrays as safetensors, each written whole or not at all.
+"""The files of a dataset: named arrays as safetensors, written atomically.
 
 Arrays are named PART/FIELD; those of one part have a row for each sample of that part.
 """
@@ -58,5 +58,5 @@ def joined(parts: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
 
 
 def write_arrays(path: Path, arrays: Mapping[str, np.ndarray]) -> None:
-    """Save as safetensors; the file appears whole or not at all."""
+    """Save as safetensors; the file is written atomically."""
     write_atomically(path, save({k: np.ascontiguousarray(v) for k, v in arrays.items()}))

@@ -1,4 +1,4 @@
-"""The directions that a scene can ask an asset about: from where it is seen, from where lit."""
+"""The view and light directions that a scene uses on an asset."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Workers that render the tasks of a dataset, each with a Blender of its own."""
+"""Workers that render the tasks of a dataset, each with its own Blender process."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What can follow `--` on the command line of a source: its own `--help`."""
+"""Help on the arguments after `--`: the source's own `--help`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A part's geometry as arrays of a file: the package's integers, or float32 as it is."""
+"""A part's geometry as file arrays: quantised integers or float32."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A mesh as capture sees it."""
+"""A mesh for ray sampling."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The units of a capture: each task renders one file of the dataset, and only that."""
+"""Tasks of a capture: each renders one file of the dataset."""
 
 from __future__ import annotations
 

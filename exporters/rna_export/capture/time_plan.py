@@ -1,4 +1,4 @@
-"""What a capture of so many minutes can hold: smaller validation images, then lights."""
+"""Plan of a time-limited capture: reduced validation images, then the number of lights."""
 
 from __future__ import annotations
 

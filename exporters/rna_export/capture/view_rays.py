@@ -1,4 +1,4 @@
-"""Chooses the view rays that Cycles is asked about; every one of them hits the asset.
+"""Samples the view rays to capture; all of them hit the asset.
 
 Three kinds are mixed. *Outside* rays are uniform chords of the bounding sphere: what cameras
 around the asset see. *Close* rays start anywhere in the free space over a random point, down to

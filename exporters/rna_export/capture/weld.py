@@ -1,4 +1,4 @@
-"""Triangle corners, one by one, to a mesh."""
+"""Converts a triangle soup to an indexed mesh."""
 
 from __future__ import annotations
 

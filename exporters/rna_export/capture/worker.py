@@ -1,4 +1,4 @@
-"""One Blender process: starts it, talks to it in JSON lines, ends it, starts it again."""
+"""One Blender process: start, JSON lines protocol, stop, restart."""
 
 from __future__ import annotations
 

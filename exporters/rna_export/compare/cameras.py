@@ -1,4 +1,4 @@
-"""The standard cameras of a comparison; a file of its own, so that --help loads nothing more."""
+"""The standard cameras of a comparison; separate, so that --help imports nothing else."""
 
 from __future__ import annotations
 

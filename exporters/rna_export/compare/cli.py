@@ -1,4 +1,4 @@
-"""`rna-compare`: a package beside Cycles rendering the original."""
+"""`rna-compare`: a package against the original in Cycles."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A scene of the renderer as the worker has Cycles render it, the original for the asset.
+"""A renderer scene for the Cycles worker, with the original in place of the asset.
 
 The description is JSON in the renderer's own space, +Y up:
 

@@ -1,4 +1,4 @@
-"""The page of a comparison: a table of pictures, the numbers as JSON, and one sheet as PNG."""
+"""The report of a comparison: a table of images, the numbers as JSON, and one sheet as PNG."""
 
 from __future__ import annotations
 

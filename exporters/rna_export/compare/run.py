@@ -1,4 +1,4 @@
-"""Renders the same pictures with Cycles from the source and with us from the package."""
+"""Renders the same images from the source with Cycles and from the package with ours."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Checkpoints to one package: a tier each, with its measured error and cost."""
+"""Checkpoints to one package: one tier each, with measured error and cost."""
 
 from __future__ import annotations
 

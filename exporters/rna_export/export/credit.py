@@ -1,4 +1,4 @@
-"""Options of every command that writes a package: whose model it is."""
+"""Credit options of commands that write a package."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an exported package has beside the asset: poster and stand-in materials; and its coding."""
+"""Poster, stand-in materials and compression of an exported package."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The decoder's layers in 8-bit integers, calibrated on queries of the training data.
+"""The decoder's layers in int8, calibrated on queries of the training data.
 
 Activations are uint8, one scale a layer; weights int8, one scale an output; sums int32. Zero is
 the smallest activation, so that storing one in uint8 is the ReLU, too. No two weights that an

@@ -1,4 +1,4 @@
-"""The picture that a package shows of itself."""
+"""The poster image of a package."""
 
 from __future__ import annotations
 

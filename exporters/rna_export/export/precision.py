@@ -1,4 +1,4 @@
-"""In what numbers a tier is stored and computed: planes and decoder."""
+"""Number formats of a tier: planes and decoder."""
 
 from __future__ import annotations
 

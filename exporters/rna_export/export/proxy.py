@@ -1,4 +1,4 @@
-"""Meshes with fewer triangles, for an asset that is small in the image."""
+"""Simplified proxy meshes, for an asset that is small in the image."""
 
 from __future__ import annotations
 

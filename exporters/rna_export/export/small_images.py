@@ -1,4 +1,4 @@
-"""The error of an asset that is seen small: of the validation images, reduced."""
+"""Error of an asset at small image sizes, from downsampled validation images."""
 
 from __future__ import annotations
 

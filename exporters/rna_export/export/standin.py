@@ -1,4 +1,4 @@
-"""A simple material in the place of a neural asset, estimated from its captured samples.
+"""A stand-in material for a neural asset, estimated from its captured samples.
 
 Surfaces: the base colour is the Lambertian albedo that fits the lit samples away from their
 highlights best (least squares); the roughness that of the GGX lobe (Trowbridge and Reitz 1975)

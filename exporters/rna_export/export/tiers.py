@@ -1,4 +1,4 @@
-"""A trained tier as the package has it: planes and decoders of each part, for each precision."""
+"""A trained tier in package form: planes and decoders of each part and precision."""
 
 from __future__ import annotations
 

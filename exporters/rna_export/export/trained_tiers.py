@@ -1,4 +1,4 @@
-"""Checkpoints, put together as tiers: one of each part for every preset."""
+"""Groups checkpoints into tiers: one checkpoint per part and preset."""
 
 from __future__ import annotations
 

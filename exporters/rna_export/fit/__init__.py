@@ -1,1 +1,1 @@
-"""`rna-fit`: the cheapest model that a scene needs, found and trained."""
+"""`rna-fit`: finds and trains the cheapest model within a limit."""

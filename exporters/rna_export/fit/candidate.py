@@ -1,4 +1,4 @@
-"""A model that a fit may choose, and what is known of it so far."""
+"""A candidate model of a fit, and its results so far."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`rna-fit`: the cheapest model of a dataset that is accurate enough, or the best cheap enough."""
+"""`rna-fit`: the cheapest model within an error limit, or the best within a cost limit."""
 
 from __future__ import annotations
 

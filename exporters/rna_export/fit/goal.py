@@ -1,4 +1,4 @@
-"""What a fit is to reach, on a scale where a power law of training is a line."""
+"""The goal of a fit, on a scale where training's power law is linear."""
 
 from __future__ import annotations
 

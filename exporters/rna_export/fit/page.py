@@ -1,4 +1,4 @@
-"""The page that explains a fit: what was tried, what it costs, why the next cheaper one failed."""
+"""The report of a fit: candidates, costs, and why the next cheaper one failed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One fit: costs of the candidates, the search, the package and the page that explains it."""
+"""One fit: costs of the candidates, search, package and report."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""`rna-make`: from a model to a package that is as good as asked for, in one command."""
+"""`rna-make`: from a model to a package that meets an error target, in one command."""

@@ -1,4 +1,4 @@
-"""What a make was asked for."""
+"""The settings of an `rna-make` run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Trainings of a preset, one after the other, each anew: texels keep what noise they begin with."""
+"""Successive trainings of a preset, each from scratch: texels keep the noise of early samples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How much each round captures and trains: by a goal alone, or within a time."""
+"""Size of each capture and training round, by goal or by time limit."""
 
 from __future__ import annotations
 
@@ -116,5 +116,5 @@ def in_shards(wanted: float, before: int, shard: int) -> int:
 
 
 def _minutes(seconds: float) -> Length:
-    # Rounded: a run that goes on is one of the very same length.
+    # Rounded: a resumed run has exactly the same length.
     return Length(minutes=round(max(seconds, 0.6) / 60.0, 3))

@@ -1,4 +1,4 @@
-"""The rays of a make: a dataset that grows by rounds, guided by errors on rays that are new."""
+"""The rays of an `rna-make` run: a dataset that grows by rounds, guided by held-out errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs a make: captures and trains by turns until the stop rule ends it, then exports."""
+"""Runs `rna-make`: alternates capture and training until the stopping criterion, then exports."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _RAYS, _PHASE, _LAST = 1.0, 1.0, 3.0  # weights of stages in the progress bar
 
 @dataclass(frozen=True)
 class Made:
-    """What a make came to."""
+    """The outcome of an `rna-make` run."""
 
     dataset: Dataset
     why: Verdict
@@ -38,7 +38,7 @@ class Made:
 
 
 class Make:
-    """One make in its work folder; a stopped one goes on.
+    """One `rna-make` run in its work folder; a interrupted one resumes.
 
     begun: when its time began, of `time.monotonic`. Raises `TrainingError` where the work folder is
     of another make.

@@ -1,4 +1,4 @@
-"""`make.json`: what a make was asked for and how far it is."""
+"""`make.json`: settings and progress of an `rna-make` run."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _NAME = "make.json"
 
 
 class Asked(BaseModel):
-    """What must be the same for a make to go on."""
+    """Settings that must match to resume a run."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -62,7 +62,7 @@ class Last(BaseModel):
 
 
 class State(BaseModel):
-    """How far a make is. `save` writes it into the work folder."""
+    """Progress of a run. `save` writes it into the work folder."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -73,14 +73,14 @@ class State(BaseModel):
     last: dict[str, Last] = {}
 
     def save(self, work: Path) -> None:
-        """The file appears whole or not at all."""
+        """The file is written atomically."""
         write_atomically(work / _NAME, (self.model_dump_json(indent=1) + "\n").encode())
 
 
 def load_state(work: Path, asked: Asked) -> State | None:
     """The state in a work folder; None if no make has begun there.
 
-    Raises `TrainingError` when it is damaged or of a make that was asked for something else.
+    Raises `TrainingError` when it is damaged or belongs to a run with other settings.
     """
     path = work / _NAME
     if not path.is_file():

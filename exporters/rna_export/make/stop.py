@@ -1,4 +1,4 @@
-"""When enough has been captured and trained: the goal is met, or the error has stopped falling."""
+"""Stopping criterion: the goal is met, or the error has stopped falling."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How wrong a model is on rays that it was not trained on, and where: the guide for the next ones.
+"""Binned error of a model on held-out rays, which guides the next round.
 
 The error is that of PSNR: of displayed radiance. It has the noise of the rays' few paths in it.
 That is meant: where targets are noisy, a fit needs more of them, too.

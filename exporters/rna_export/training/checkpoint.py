@@ -1,4 +1,4 @@
-"""A trained model as a file; read without unpickling anything."""
+"""A trained model as a file; reading never unpickles."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def load_checkpoint(path: Path) -> Trained:
 
 
 def load_progress(path: Path) -> dict[str, Any]:
-    """The checkpoint of `rna-train` that a stopped run goes on from, as it was saved.
+    """The checkpoint of `rna-train` that a stopped run resumes from, as saved.
 
     Raises `TrainingError` when no run can go on from the file.
     """
@@ -66,7 +66,7 @@ def save_checkpoint(
 ) -> None:
     """Write a model with what made it, under a temporary name first.
 
-    progress: what a stopped run goes on from.
+    progress: what an interrupted run resumes from.
     """
     weights = {"model": model.state_dict(), "record": record}
     with atomic_file(path) as temporary:

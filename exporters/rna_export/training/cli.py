@@ -1,4 +1,4 @@
-"""`rna-train`: fits a neural asset to a captured dataset."""
+"""`rna-train`: trains a neural asset on a captured dataset."""
 
 from __future__ import annotations
 

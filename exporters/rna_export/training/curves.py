@@ -1,4 +1,4 @@
-"""The curves of a training: `metrics.csv`, a row a validation, and a picture of it."""
+"""The curves of a training: `metrics.csv`, one row per validation, and a plot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an asset emits: a decoder of its own on the planes of the transport."""
+"""Emission of an asset: a separate decoder on the planes of the transport."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Batches of what an asset emits, beside those of its transport."""
+"""Batches of emission samples, beside those of transport."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Features from a network: NRHints' in the place of the triplane, as the paper compares with it.
+"""Features from NRHints' network instead of the triplane, the paper's baseline.
 
 Sizes are those that its authors published: Zeng et al., "Relighting Neural Radiance Fields with
 Shadow and Highlight Hints", 2023, github.com/iamNCJ/NRHints, `SDFNetConfig` and

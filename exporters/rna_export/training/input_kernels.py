@@ -1,4 +1,4 @@
-"""Decoder inputs on the CPU, compiled, with their gradient; `inputs.py` holds the PyTorch twin.
+"""Compiled CPU kernels of decoder inputs and their gradient; PyTorch reference: `inputs.py`.
 
 The blocks are the runtime's own, LANES rows at a time.
 """

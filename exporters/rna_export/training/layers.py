@@ -1,4 +1,4 @@
-"""The decoder's layers as one step of autograd, which a small batch spends less time in."""
+"""The decoder's layers as one autograd function, faster for small batches."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How noisy captured radiance is, and which loss it calls for."""
+"""Noise of captured radiance, and the choice of loss."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far a run is, 0 to 1, of its steps or of its time: learning rates and blur follow it."""
+"""Progress of a run, 0 to 1, by steps or time; schedules learning rate and blur."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class TimePace:
     but by 2% a step at most: after a stall, as of a suspended machine, the rates still come down
     in steps.
 
-    begun: as `monotonic` has it. state: of a run that goes on.
+    begun: as `monotonic` has it. state: of a resumed run.
     """
 
     def __init__(self, seconds: float, begun: float, state: dict[str, float] | None = None):

@@ -1,4 +1,4 @@
-"""How the parts of an asset share the minutes and the folder of a training."""
+"""Division of training time and folder among the parts of an asset."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def shared_minutes(minutes: float | None, parts: Sequence[DatasetPart]) -> dict[
         return {parts[0].name: minutes}
     pixels = np.array([sum(len(v.pixel) for v in part.validation_views()) for part in parts])
     shares = _ALIKE / len(parts) + (1.0 - _ALIKE) * pixels / pixels.sum()
-    # Rounded: a run that goes on is one of the very same length.
+    # Rounded: a resumed run has exactly the same length.
     return {
         part.name: round(minutes * float(share), 3)
         for part, share in zip(parts, shares, strict=True)

@@ -1,4 +1,4 @@
-"""What a validation measures of a model that is being trained, and writes."""
+"""Validation during training: metrics and written files."""
 
 from __future__ import annotations
 

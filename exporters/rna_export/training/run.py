@@ -1,4 +1,4 @@
-"""Runs a training: length of the run, checkpoints, curves; goes on where it was stopped."""
+"""Runs a training: length, checkpoints, curves, resume."""
 
 from __future__ import annotations
 

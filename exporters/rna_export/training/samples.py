@@ -1,4 +1,4 @@
-"""Training batches: all samples in one table, a row each."""
+"""Training batches: all samples in one table, one per row."""
 
 from __future__ import annotations
 

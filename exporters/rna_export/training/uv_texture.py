@@ -1,4 +1,4 @@
-"""Features in one texture over an unwrapped surface: what the paper compares its triplane with."""
+"""Features in one texture over an unwrapped surface, the paper's alternative to the triplane."""
 
 from __future__ import annotations
 

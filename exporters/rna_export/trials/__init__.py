@@ -1,1 +1,1 @@
-"""Trials: named models that are trained, exported and measured alike, to be compared."""
+"""Trials: named models, trained, exported and measured alike for comparison."""

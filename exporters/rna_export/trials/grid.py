@@ -1,4 +1,4 @@
-"""The grids of models: shapes of ours, the paper's tables, what each of our choices is worth."""
+"""The grids of models: our shapes, the paper's tables, ablations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs trials side by side, in workers that keep the dataset's samples between them."""
+"""Runs trials concurrently, in workers that keep the dataset's samples loaded."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a finished trial leaves beside its packages: `record.json`."""
+"""The record of a finished trial: `record.json`."""
 
 from __future__ import annotations
 

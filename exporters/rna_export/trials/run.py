@@ -23,7 +23,7 @@ from rna_export.trials.unwrap import UnwrappedPart
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.runtime import load
 
-_VALIDATED_EVERY = 5_000  # steps; a stopped trial goes on from there
+_VALIDATED_EVERY = 5_000  # steps; an interrupted trial resumes from there
 
 
 def run_trial(

@@ -1,4 +1,4 @@
-"""What a model's shaded validation images score, all together and one by one."""
+"""Scores of a model's shaded validation images, in total and per image."""
 
 from __future__ import annotations
 
