@@ -3,8 +3,8 @@
 >>> asset = rna_gpu.load("toy.rna")
 >>> visible, shadowed = asset.evaluate(positions, normals, wo, wi)
 
-The calls are those of `rna_sdk.runtime`; `asset.evaluate_on_gpu` works on buffers that stay on the
-GPU. The shaders in `wgsl/` are also those of the web viewer.
+Arguments and results are those of `rna_sdk.runtime`. `asset.evaluate_on_gpu` reads and writes GPU
+buffers, without a copy to the CPU. The web viewer uses the same shaders, `wgsl/`.
 """
 
 from rna_gpu.asset import GpuAsset, GpuFiber, GpuPart, GpuSurface

@@ -1,4 +1,4 @@
-"""Assets on the GPU, asked like those of `rna_sdk.runtime`."""
+"""Assets on the GPU, with the interface of `rna_sdk.runtime`."""
 
 from __future__ import annotations
 
@@ -21,17 +21,16 @@ class GpuPart:
     """One part of a tier on the GPU: a `GpuSurface` or a `GpuFiber`.
 
     Attributes:
-        name: the part's, or the asset's where it is the only one.
+        name: name of the part; of the asset if it has only one.
         kind: "surface" or "fiber".
         tier_part: the part's record in the tier.
-        transport: rows in, (visible, shadowed) out, also without leaving the GPU.
-        emitter: rows in, emitted radiance out; None where the part does not emit.
-        multiply_adds: of a query of transport.
-        bytes: that it takes on the GPU.
+        transport: evaluator of (visible, shadowed).
+        emitter: evaluator of emitted radiance; None if the part does not emit.
+        multiply_adds: cost of a transport query.
     """
 
     def __init__(self, device: Device, package: Package, tier: Tier, part: int, name: str) -> None:
-        """Raises: QueryError: a decoder outside the profile; GpuError: it does not fit."""
+        """Raises QueryError: a decoder outside the profile; GpuError: it does not fit."""
         record, own = package.manifest.parts[part], tier.parts[part]
         self.name, self.kind, self.tier_part, self.device = name, record.kind, own, device
         stored = package.planes(tier.name, part)
@@ -60,13 +59,13 @@ class GpuPart:
         return self.emitter is not None
 
     def new_rows(self, capacity: int) -> GpuRows:
-        """Buffers for so many rows of transport, for `evaluate_on_gpu`."""
+        """Buffers for `capacity` transport queries, for `evaluate_on_gpu`. Raises GpuError."""
         return self.transport.new_rows(capacity)
 
     def evaluate_on_gpu(self, rows: GpuRows, most: int) -> None:
-        """Evaluate rows that shaders of the caller wrote; the results stay in `rows.results`.
+        """Evaluate the queries in `rows`, as written by the caller's shaders, into `rows.results`.
 
-        most: no fewer than `rows.count` says, and no more than the buffers hold.
+        most: upper bound of `rows.count`, at most `rows.capacity`.
         """
         self.transport.dispatch(rows, most)
 
@@ -84,7 +83,7 @@ class GpuSurface(GpuPart):
     """A part whose geometry is a mesh."""
 
     def evaluate(self, positions: Rows, normals: Rows, wo: Rows, wi: Rows) -> tuple[Rows, Rows]:
-        """As `rna_sdk.runtime.SurfaceAsset.evaluate`, within the spec's agreement (8.2)."""
+        """As `rna_sdk.runtime.SurfaceAsset.evaluate`, within the tolerance of the spec (8.2)."""
         return self._evaluate(positions, normals, 0, wo, wi)
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
@@ -98,7 +97,7 @@ class GpuFiber(GpuPart):
     def evaluate(
         self, positions: Rows, tangents: Rows, h: Rows, wo: Rows, wi: Rows
     ) -> tuple[Rows, Rows]:
-        """As `rna_sdk.runtime.FiberAsset.evaluate`, within the spec's agreement (8.2)."""
+        """As `rna_sdk.runtime.FiberAsset.evaluate`, within the tolerance of the spec (8.2)."""
         return self._evaluate(positions, tangents, h, wo, wi)
 
     def emission(self, positions: Rows, tangents: Rows, h: Rows, wo: Rows) -> Rows:
@@ -107,12 +106,13 @@ class GpuFiber(GpuPart):
 
 
 class GpuAsset:
-    """One tier of a package on the GPU; make one with `load`.
+    """One tier of a package of several parts on the GPU; made by `load`.
 
     Attributes:
-        name, tier: as of `rna_sdk.runtime.Asset`.
-        parts: what is evaluated, in the manifest's order.
-        device: where it is.
+        name: name of the asset.
+        tier: the tier's record.
+        parts: the parts, in the manifest's order.
+        device: the GPU that holds them.
     """
 
     def __init__(self, name: str, tier: Tier, parts: tuple[GpuPart, ...], device: Device) -> None:

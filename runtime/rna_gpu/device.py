@@ -1,4 +1,4 @@
-"""A GPU that is open for compute work."""
+"""An open GPU: buffers, pipelines and transfers of `wgpu`."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ _WANTED = (
 
 
 class Device:
-    """A GPU, its limits and what is compiled for it.
+    """An open GPU, its limits and a cache of compiled pipelines.
 
     Attributes:
-        name: of the adapter, for a person.
+        name: readable name of the adapter and its backend.
         wgpu: the device of the `wgpu` package.
-        limits: of the device, by WebGPU's names with hyphens.
+        limits: limits of the device, by WebGPU's hyphenated names.
     """
 
     def __init__(self, adapter: Any) -> None:
-        """adapter: a `wgpu.GPUAdapter`. Raises GpuError: it gives no device."""
+        """adapter: a `wgpu.GPUAdapter`. Raises GpuError: the adapter has no device."""
         self.name = f"{adapter.info.get('device') or 'GPU'} ({adapter.info.get('backend_type')})"
         limits = {name: adapter.limits[name] for name in _WANTED}
         try:
@@ -42,9 +42,12 @@ class Device:
         self._layouts: dict[tuple[str, ...], Any] = {}
 
     def pipeline(self, source: str, entry: str, layouts: Sequence[Any] = ()) -> Any:
-        """The compute pipeline of a WGSL module, compiled once.
+        """A compute pipeline, compiled once and cached.
 
-        layouts: of its groups; without them they are what the module uses.
+        Args:
+            source: the WGSL module.
+            entry: name of its entry point.
+            layouts: bind group layouts; derived from the module if empty.
         """
         key = source, entry, tuple(map(id, layouts))
         if key not in self._pipelines:
@@ -58,9 +61,9 @@ class Device:
         return self._pipelines[key]
 
     def layout(self, *kinds: str) -> Any:
-        """The layout of a group whose bindings are of these kinds, made once: pipelines go by it.
+        """A bind group layout with one buffer binding per kind, cached.
 
-        kinds: "uniform", which takes an offset, "storage" or "read-only-storage".
+        kinds: "uniform" (with a dynamic offset), "storage" or "read-only-storage".
         """
         if kinds not in self._layouts:
             entries = [
@@ -75,10 +78,15 @@ class Device:
         return self._layouts[kinds]
 
     def buffer(self, size: int, *usages: str, what: str) -> Any:
-        """A new buffer of `size` bytes; usages: names of `wgpu.BufferUsage`.
+        """A new buffer.
+
+        Args:
+            size: bytes.
+            usages: names of `wgpu.BufferUsage`; the copy usages are always set.
+            what: the buffer's content, for error messages.
 
         Raises:
-            GpuError: the device takes no such buffer; `what` says what it is for.
+            GpuError: the buffer exceeds the device's limits or its memory.
         """
         limit = self.limits["max-buffer-size"]
         if "STORAGE" in usages:
@@ -94,7 +102,7 @@ class Device:
             raise GpuError(f"{what}: {size:,} bytes: {_one_line(error)}") from error
 
     def upload(self, values: NDArray[Any], *usages: str, what: str) -> Any:
-        """A new buffer with these bytes."""
+        """A new buffer with the bytes of `values`; usages, `what` and errors as of `buffer`."""
         data = np.ascontiguousarray(values).reshape(-1).view(np.uint8)
         buffer = self.buffer(len(data), *usages, what=what)
         self.write(buffer, data)
@@ -102,11 +110,11 @@ class Device:
 
     @contextmanager
     def working(self) -> Iterator[None]:
-        """Around work on the device.
+        """Context for calls to `wgpu`; translates its exceptions.
 
         Raises:
-            DeviceLostError: the device went away.
-            GpuError: it refused something.
+            DeviceLostError: the device was lost.
+            GpuError: a call failed.
         """
         try:
             yield
@@ -115,19 +123,22 @@ class Device:
             raise kind(f"{self.name}: {_one_line(error)}") from error
 
     def write(self, buffer: Any, values: NDArray[Any]) -> None:
-        """Bytes from the buffer's start on; errors as of `working`."""
+        """Copy the bytes of `values` to the start of the buffer. Errors as of `working`."""
         data = np.ascontiguousarray(values).reshape(-1).view(np.uint8)
         if len(data):
             with self.working():
                 self.wgpu.queue.write_buffer(buffer, 0, np.pad(data, (0, -len(data) % 4)))
 
     def read(self, buffer: Any, size: int) -> NDArray[np.uint8]:
-        """The first `size` bytes; waits for the work before. Errors as of `working`."""
+        """The first `size` bytes; waits for submitted work. Errors as of `working`."""
         with self.working():
             return np.frombuffer(self.wgpu.queue.read_buffer(buffer, 0, size), np.uint8)
 
     def groups(self, threads: int, size: int = 64) -> tuple[int, int, int]:
-        """Workgroups for so many threads, in two dimensions: one takes 65,535 at most."""
+        """Workgroup counts (x, y, z) for `threads` invocations in workgroups of `size`.
+
+        Two-dimensional, because one dimension is limited (65,535 by default).
+        """
         count = max(-(-threads // size), 1)
         most = self.limits["max-compute-workgroups-per-dimension"]
         rows = -(-count // most)
@@ -135,12 +146,16 @@ class Device:
 
 
 def open_device(prefer: str | None = None) -> Device:
-    """The fastest GPU of this machine; software drivers where there is none.
+    """Open the fastest GPU of this machine, or a software driver if there is none.
 
-    prefer: part of an adapter's name to take instead.
+    prefer: part of the name of the adapter to open instead.
 
     Raises:
-        GpuError: there is no adapter.
+        GpuError: no adapter was found.
+
+    Example:
+        >>> device = open_device()
+        >>> asset = load("toy.rna", device=device)
     """
     if prefer is None:
         adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
@@ -149,7 +164,7 @@ def open_device(prefer: str | None = None) -> Device:
         adapters = wgpu.gpu.enumerate_adapters_sync()
         found = [one for one in adapters if prefer.lower() in one.summary.lower()]
     if not found:
-        raise GpuError("no GPU found; on Debian `mesa-vulkan-drivers` brings a software one")
+        raise GpuError("no GPU found; on Debian `mesa-vulkan-drivers` provides a software one")
     return Device(found[0])
 
 

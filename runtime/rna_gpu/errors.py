@@ -1,4 +1,4 @@
-"""What can go wrong with a GPU."""
+"""Errors of the GPU reader."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from rna_sdk.errors import RnaError
 
 
 class GpuError(RnaError):
-    """There is no usable GPU, something does not fit on it, or it was lost."""
+    """No usable GPU, out of its memory or limits, or a failed call."""
 
 
 class DeviceLostError(GpuError):
-    """The device went away during work; open a new one and begin the step again."""
+    """The device was lost during work. Open a new one and load the asset again."""

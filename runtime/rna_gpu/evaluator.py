@@ -1,4 +1,4 @@
-"""A decoder of a part on the GPU: rows in, colours out."""
+"""Evaluates the decoder of one part on the GPU: query rows in, RGB out."""
 
 from __future__ import annotations
 
@@ -23,13 +23,14 @@ _LARGEST_BATCH = 1 << 18  # rows: 16 MiB of them
 
 @dataclass(frozen=True, eq=False)
 class GpuRows:
-    """Rows and their results on the GPU.
+    """Queries and their results in GPU buffers.
 
     Attributes:
-        rows: (capacity, 4, 4) float32: (position, h), (n or t, free), (wo, free), (wi, free).
-        results: (capacity, 2, 4) float32: visible and shadowed RGB; of emission (capacity, 1, 4).
-        count: uint32 whose first number is how many rows there are; a shader may write it.
-        capacity: rows that the buffers have room for.
+        rows: (capacity, 4, 4) float32, object space: (position, h), (n or t, unused), (wo, unused),
+            (wi, unused).
+        results: (capacity, 2, 4) float32: visible and shadowed RGB; emission: (capacity, 1, 4).
+        count: uint32 buffer; its first element is the number of rows. Shaders may write it.
+        capacity: number of rows that the buffers hold.
     """
 
     rows: Any

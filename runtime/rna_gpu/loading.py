@@ -1,4 +1,4 @@
-"""From the file of a package to an asset on the GPU."""
+"""Loading of packages onto the GPU."""
 
 from __future__ import annotations
 
@@ -20,14 +20,24 @@ def load(
 ) -> GpuPart | GpuAsset:
     """Open the package at `path` on a GPU.
 
-    A package of one part gives that part, a `GpuSurface` or `GpuFiber`; one of several a
-    `GpuAsset`, whose `parts` are such. tier, min_psnr, max_error: as of `rna_sdk.runtime.load`.
-    device: None opens the fastest one.
+    Args:
+        path: the `.rna` file.
+        tier: as of `rna_sdk.runtime.load`.
+        device: the GPU; None opens the fastest one.
+        min_psnr: dB, as of `rna_sdk.runtime.load`.
+        max_error: mean FLIP, as of `rna_sdk.runtime.load`.
+
+    Returns:
+        A `GpuSurface` or `GpuFiber` for a package of one part, else a `GpuAsset` with such `parts`.
 
     Raises:
-        PackageError: the file cannot be read or breaks the format.
-        QueryError: there is no such tier, or a decoder is outside the decoder profile.
-        GpuError: there is no GPU, or the asset does not fit on it.
+        PackageError: the file cannot be read or violates the format.
+        QueryError: no such tier, or a decoder outside the decoder profile.
+        GpuError: no GPU, or the asset does not fit on it.
+
+    Example:
+        >>> asset = load("toy.rna", min_psnr=30.0)
+        >>> visible, shadowed = asset.evaluate(positions, normals, wo, wi)
     """
     with Package.open(path) as package:
         record = choose_tier(package, tier, min_psnr, max_error)

@@ -1,8 +1,8 @@
 """The integrator plug-in `rna_path`: a path tracer for scenes with assets.
 
-Light is found by sampling emitters and by following rays, weighted by the power heuristic. Where a
-path meets an asset, the decoder says what leaves it, and the asset's own ray picks the output; a
-ray that starts on an asset passes through it (spec/RNA.md, 7.1). Everything else is Mitsuba's own.
+Direct light combines emitter and BSDF samples with the power heuristic. At an asset the decoder
+gives the outgoing radiance; the visibility ray against the asset selects its output, and a ray that
+starts on an asset passes through it (spec/RNA.md, 7.1). All other shapes are shaded by Mitsuba.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ AOVS = (
 
 
 class RnaPath(mi.SamplingIntegrator):
-    """`rna_path`, with the properties of Mitsuba's `path`.
+    """The integrator `rna_path`, with properties as of Mitsuba's `path`.
 
-    max_depth: edges of the longest path, as Mitsuba counts (1: emitters that are seen; 2: direct
-    light; default 6). rr_depth: edges from which paths end at random (default 5).
-    aovs: whether the image has the channels AOVS besides (default false).
+    `max_depth` is the maximum path length in edges, default 6 (1: visible emitters only; 2: direct
+    light). Russian roulette starts at `rr_depth` edges, default 5. `aovs` adds the channels `AOVS`
+    to the image, default false.
     """
 
     def __init__(self, props: mi.Properties) -> None:
-        """Raises QueryError where `hide_emitters` is asked for."""
+        """Raises QueryError if `hide_emitters` is set."""
         super().__init__(props)
         if self.hide_emitters:
             raise QueryError("rna_path: hide_emitters: found true, expected false; it shows them")
@@ -45,7 +45,7 @@ class RnaPath(mi.SamplingIntegrator):
         return list(AOVS) if self._aovs else []
 
     def render_forward(self, *arguments: Any, **named: Any) -> Any:
-        """Forward derivatives; the steps of paths are unrolled for them."""
+        """Forward-mode derivatives, with the path loop unrolled."""
         self._unrolled = True
         try:
             return super().render_forward(*arguments, **named)
@@ -53,7 +53,7 @@ class RnaPath(mi.SamplingIntegrator):
             self._unrolled = False
 
     def render_backward(self, *arguments: Any, **named: Any) -> Any:
-        """Backward derivatives; the steps of paths are unrolled for them."""
+        """Reverse-mode derivatives, with the path loop unrolled."""
         self._unrolled = True
         try:
             return super().render_backward(*arguments, **named)
@@ -61,7 +61,7 @@ class RnaPath(mi.SamplingIntegrator):
             self._unrolled = False
 
     def sample(self, scene, sampler, ray, medium=None, active=True):  # type: ignore[no-untyped-def]
-        """Radiance along camera rays, whether they met something, and the AOVs."""
+        """Radiance along camera rays, whether they hit anything, and the AOVs."""
         shapes = shapes_of(scene)
         for shape in shapes:
             check_placed(shape)
@@ -84,7 +84,7 @@ class RnaPath(mi.SamplingIntegrator):
 
 
 def _aovs(world: World, state: Path) -> list[mi.Float]:
-    """Of what camera rays meet; 0 where they meet nothing."""
+    """Channels `AOVS` of the hits of camera rays; 0 for background."""
     at = Vertex(world, state)
     met = at.on_asset | (at.on_plain & at.si.is_valid())
     normal = world.to_world_directions(at.hits.instance, at.points.n)

@@ -1,4 +1,4 @@
-"""The shape plug-in `rna`: a package, placed in a scene."""
+"""The shape plug-in `rna`: an instance of a package."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ class LoadedPackage:
     """One tier of a package in Mitsuba's memory, shared by its instances.
 
     Attributes:
-        scene: what rays meet. evaluators: of the parts. bounds: (2, 3), of all parts.
+        scene: the geometry for ray queries.
+        evaluators: decoders of the parts.
+        bounds: (2, 3), box of all parts in object space.
     """
 
     def __init__(self, path: str, tier: str | None) -> None:
@@ -40,7 +42,7 @@ _loaded: dict[tuple[str, float, str | None], LoadedPackage] = {}
 
 
 def load_package(path: str, tier: str | None) -> LoadedPackage:
-    """The package, loaded once for as long as the file does not change."""
+    """The package at `path`; cached until the file changes."""
     real = os.path.realpath(path)
     changed = os.path.getmtime(real) if os.path.exists(real) else 0.0
     key = real, changed, tier
@@ -52,10 +54,17 @@ def load_package(path: str, tier: str | None) -> LoadedPackage:
 def asset(
     path: str | PathLike[str], tier: str | None = None, to_world: Any = None
 ) -> dict[str, Any]:
-    """An entry of a scene for mitsuba.load_dict: the package at `path`, placed.
+    """The scene entry of a package instance, for `mitsuba.load_dict`.
 
-    tier: its name; the first one where left out. to_world: a Mitsuba transform or a (4, 4) array,
-    object to world: a rotation, a uniform scale and a translation.
+    Args:
+        path: the `.rna` file.
+        tier: name of the tier; None is the first.
+        to_world: object to world: a Mitsuba transform or a (4, 4) array with a rotation, a uniform
+            scale and a translation; None is the identity.
+
+    Example:
+        >>> entry = asset("toy.rna", to_world=mi.ScalarTransform4f().translate([0, 0, -1]))
+        >>> scene = mi.load_dict({"type": "scene", "toy": entry, "sky": {"type": "constant"}})
     """
     entry: dict[str, Any] = {"type": "rna", "filename": os.fspath(path)}
     if tier is not None:
@@ -67,15 +76,14 @@ def asset(
 
 
 class RnaShape(mi.Mesh):
-    """What `asset` describes. Rays of `rna_path` alone meet it.
+    """The shape `rna`, an instance of a package. Only rays of `rna_path` intersect it.
 
-    Mitsuba's own rays see one triangle without area across the box of the asset, which gives the
-    scene its size and is never hit. The parameter `to_world` may be changed, and carries
-    derivatives.
+    For Mitsuba itself the shape is one degenerate triangle across the asset's bounding box, which
+    gives the scene its extent and is never hit. The parameter `to_world` is differentiable.
 
     Attributes:
         loaded: the package.
-        to_world: Transform4f.
+        to_world: object to world, Transform4f.
     """
 
     def __init__(self, props: mi.Properties) -> None:
@@ -87,7 +95,7 @@ class RnaShape(mi.Mesh):
         if "to_world" in props:
             matrix = np.array(props["to_world"].matrix, float).reshape(4, 4)
         self.loaded = load_package(str(mi.file_resolver().resolve(path)), tier)
-        Transform(matrix)  # refuses what is no similarity
+        Transform(matrix)  # raises if not a similarity
         corners = np.array(list(itertools.product(*self.loaded.bounds.T)))
         corners = corners @ matrix[:3, :3].T + matrix[:3, 3]
         super().__init__(props.id(), 3, 1)
@@ -102,12 +110,12 @@ class RnaShape(mi.Mesh):
 
     def traverse(self, callback: mi.TraversalCallback) -> None:
         if self.to_world is None:
-            super().traverse(callback)  # the placeholder is being made
+            super().traverse(callback)  # called by the base class's constructor
         else:
             callback.put("to_world", self.to_world, mi.ParamFlags.Differentiable)
 
     def parameters_changed(self, keys: list[str]) -> None:
-        """The placeholder stays as it was made; it sets the size of Mitsuba's scene alone."""
+        """Keeps the placeholder triangle."""
         if self.to_world is None:
             super().parameters_changed(keys)
 
@@ -116,12 +124,12 @@ class RnaShape(mi.Mesh):
 
 
 def shapes_of(scene: mi.Scene) -> list[RnaShape]:
-    """The assets of a scene. Raises QueryError where it has another number of `rna` shapes."""
+    """The assets of a scene."""
     return [shape for shape in scene.shapes() if isinstance(shape, RnaShape)]
 
 
 def check_placed(shape: RnaShape) -> None:
-    """Raises QueryError where `to_world` was changed to what is no similarity."""
+    """Raises QueryError if `to_world` is not a similarity."""
     try:
         Transform(np.array(shape.to_world.matrix, float).reshape(4, 4))
     except QueryError as error:
