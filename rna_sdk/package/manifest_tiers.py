@@ -56,10 +56,10 @@ class Validation(Record):
 
 
 class Cost(Record):
-    """What a query costs."""
+    """Cost of a query."""
 
-    multiply_adds: Count = Field(description="Multiply-adds of the decoder a query.")
-    ns_per_query: Measure = Field(description="Nanoseconds a query, everything included.")
+    multiply_adds: Count = Field(description="Multiply-adds of the decoder per query.")
+    ns_per_query: Measure = Field(description="Nanoseconds per query, everything included.")
     threads: Positive = Field(description="Threads used in the measurement.")
     machine: str = Field(description="What it was measured on.")
 

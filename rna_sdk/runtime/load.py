@@ -28,7 +28,7 @@ def load(
 
     tier: name of a tier; None takes the package's first.
     threads: threads of an evaluation; None takes one for each core this process may use.
-    min_psnr: instead of a name: takes the tier with the fewest multiply-adds a query, those of
+    min_psnr: instead of a name: takes the tier with the fewest multiply-adds per query, those of
         an int8 decoder counted half, among those whose recorded validation PSNR is at least
         this many dB.
     max_error: likewise, whose recorded mean FLIP is at most this.

@@ -23,7 +23,7 @@ def choose_tier(
     """The tier of this name; or the cheapest within a limit; or the first.
 
     min_psnr: dB. max_error: largest mean FLIP, as `expected_error` has it for `pixels`. Cheapest
-    is fewest multiply-adds a query, which no machine or load changes, those of an int8 decoder
+    is fewest multiply-adds per query, which no machine or load changes, those of an int8 decoder
     counted half; among equals the package's order decides. A tier without a recorded validation
     reaches no limit, and one without a recorded cost counts as dearest.
 
@@ -112,11 +112,10 @@ def _cheapest(
 
 
 def _work(tier: Tier) -> float:
-    """Multiply-adds of a query, as many float32 ones as take about as long.
+    """Multiply-adds per query, those of int8 decoders counted half.
 
-    Measured, the whole of a query with an int8 decoder is 1.7 to 4 times as fast as in float32 on
-    CPUs with VNNI, 1.4 to 2.3 times on others, the more the wider
-    (docs/decisions/decoder-and-int8.md).
+    Half is between the measured extremes: a query with an int8 decoder takes 1/1.05 (AVX2, width
+    64) to 1/5 (AVX-512 VNNI, width 512) of the time in float32 (docs/results.md).
     """
     if tier.cost is None:
         return math.inf

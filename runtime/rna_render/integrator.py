@@ -70,7 +70,7 @@ class Integrator:
     """Renders bands of pixels; several threads may each render one at once.
 
     lights: those of the world first, in its order. max_depth: how many points of a path may
-    scatter. clamp: the most radiance that one path may bring by way of more than one thing, if any.
+    scatter. clamp: clamp on per-path indirect radiance; None disables it.
     branches: rays that go on from the point that the camera sees; each then counts for that part
     of a path, with its clamp.
     on_first_hits: called once, when the first camera rays have been traced. strategy: how light is

@@ -51,7 +51,7 @@ def tell_tiers(scene_file: SceneFile, world: World) -> None:
 
 
 def tell_costs(scene_file: SceneFile, world: World) -> None:
-    """Print what a query of each asset's tier costs on this processor."""
+    """Print the cost per query of each asset's tier on this processor."""
     for line in cost_lines(scene_file, world):
         print(line, file=sys.stderr)
 

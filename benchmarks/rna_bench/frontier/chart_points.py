@@ -13,7 +13,7 @@ COSTS = {
     "ns": "ns/query, all threads",
     "ns_one_thread": "ns/query, one thread",
     "bytes": "bytes of the package",
-    "multiply_adds": "multiply-adds of the decoder, a query",
+    "multiply_adds": "multiply-adds of the decoder per query",
 }
 """Member of a point -> what it is; less is better."""
 

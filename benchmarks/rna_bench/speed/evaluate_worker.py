@@ -3,7 +3,8 @@
     python -m rna_bench.speed.evaluate_worker CHECKOUT PACKAGE BATCHES
 
 BATCHES: an .npz of the arguments of `evaluate`, `name/0` and on for each batch. For each line that
-comes in it writes a line of JSON: CPU ns of this thread, a flop of the matrix product and a query.
+comes in it writes a line of JSON: CPU ns of this thread, per flop of the matrix product and per
+query.
 """
 
 from __future__ import annotations

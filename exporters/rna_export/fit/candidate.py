@@ -15,7 +15,7 @@ class Candidate:
 
     trial: Trial
     precision: str
-    ns: float  # a query on all threads
+    ns: float  # per query on all threads
     scores: dict[int, ModelScores] = field(default_factory=dict)  # by steps of training
     verdict: str = ""  # why it was chosen, or was not
 

@@ -22,7 +22,7 @@ class Goal:
     """A limit on the error, or on the cost.
 
     max_error: mean FLIP of the validation images, as a tier's `validation.flip` records it.
-    min_psnr: dB, as `validation.psnr` records it. budget: nanoseconds a query on all threads.
+    min_psnr: dB, as `validation.psnr` records it. budget: nanoseconds per query on all threads.
     """
 
     metric: Literal["max_error", "min_psnr", "budget"]
@@ -60,5 +60,5 @@ class Goal:
         return {
             "max_error": f"mean FLIP of at most {self.value:g}",
             "min_psnr": f"PSNR of at least {self.value:g} dB",
-            "budget": f"at most {self.value / 1e3:g} us a query",
+            "budget": f"at most {self.value / 1e3:g} us per query",
         }[self.metric]

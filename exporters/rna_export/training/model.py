@@ -64,7 +64,7 @@ class NeuralAsset(nn.Module):
 
     @property
     def multiply_adds(self) -> int:
-        """Of all matrix products, a query; not of the decoder of emission."""
+        """Of all matrix products of a query, without the emission decoder."""
         layers = [*self.decoder, *self.triplane.modules()]
         return sum(m.weight.numel() for m in layers if isinstance(m, nn.Linear))
 

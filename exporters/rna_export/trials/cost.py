@@ -19,7 +19,7 @@ _FEWEST, _MOST = 16_384, 1_000_000
 
 
 class QueryCost(BaseModel):
-    """Nanoseconds a query, everything included; medians."""
+    """Nanoseconds per query, everything included; medians."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 

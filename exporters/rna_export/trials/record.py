@@ -18,7 +18,7 @@ class Point(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     bytes: int | None = Field(description="of a package with nothing else, geometry included")
-    multiply_adds: int = Field(description="of the decoder, a query")
+    multiply_adds: int = Field(description="of the decoder per query")
     scores: ModelScores
 
 
