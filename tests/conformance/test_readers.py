@@ -13,8 +13,8 @@ from types import ModuleType, SimpleNamespace
 import numpy as np
 import pytest
 
-from rna_render import conformance_reader, parts_scene, surface
-from rna_render.surface import interpolate_positions
+from rna_render import conformance_reader, parts_scene
+from rna_render.surface import OFFSET, SurfacePoints, leaving_origins
 from rna_sdk.conformance import reader, twin_reader
 from rna_sdk.conformance.cli import run_levels
 from rna_sdk.conformance.kit import LEVELS, Kit
@@ -162,26 +162,30 @@ def test_planes_upside_down_fail_wherever_there_are_texels(kit: Kit, minimal: Mo
     assert passed == {"surface-one-texel", "fiber-one-channel"}
 
 
+def leaving_by(origins: Callable[..., np.ndarray], package: str, records: bytes) -> np.ndarray:
+    """Visibility where rays leave points of meshes from other origins."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(parts_scene, "leaving_origins", origins)
+        return conformance_reader.visibility(package, records)
+
+
 def without_lift(package: str, records: bytes) -> np.ndarray:
     """No ray starts on the smooth surface."""
 
-    def none(*at):  # type: ignore[no-untyped-def]
-        return 0 * interpolate_positions(at[0], *at[2:])
+    def flat(points: SurfacePoints, *others) -> np.ndarray:  # type: ignore[no-untyped-def]
+        return leaving_origins(replace(points, lift=np.zeros_like(points.lift)), *others)
 
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(surface, "lifts", none)
-        return conformance_reader.visibility(package, records)
+    return leaving_by(flat, package, records)
 
 
 def from_outside(package: str, records: bytes) -> np.ndarray:
     """All rays start on the side of the geometric normal."""
 
-    def above(points, directions, extent):  # type: ignore[no-untyped-def]
-        return points.x + np.float32(surface.OFFSET * extent) * points.ng
+    def above(points: SurfacePoints, directions, extent, row) -> np.ndarray:  # type: ignore[no-untyped-def]
+        origins = points.x + np.float32(OFFSET * extent) * points.ng
+        return origins if row is None else origins[row]
 
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(parts_scene, "leaving_origins", above)
-        return conformance_reader.visibility(package, records)
+    return leaving_by(above, package, records)
 
 
 def of_strands(own_strand: bool):  # type: ignore[no-untyped-def]
