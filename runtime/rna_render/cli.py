@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from rna_render.limits import MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
 from rna_sdk.console import INTERRUPTED, command_parser, run_command
-from rna_work.places import add_cluster_option
+from rna_work.cluster_option import add_cluster_option
 
 if TYPE_CHECKING:
     from rna_render.output import Output

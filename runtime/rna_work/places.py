@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -16,11 +15,6 @@ from rna_work.sources import Carried, InPlace
 from rna_work.threads import HERE, Caller, Threads
 
 Answer = TypeVar("Answer")
-
-HELP = (
-    "run on a Ray cluster: auto (the cluster this machine has joined), ray://HOST:PORT, or local "
-    "(start one here) (address, default: this machine, without Ray)"
-)
 
 
 @dataclass(frozen=True)
@@ -123,11 +117,6 @@ class ThisMachine:
 def this_machine() -> ThisMachine:
     """Its cores that this process may use."""
     return ThisMachine(len(os.sched_getaffinity(0)))
-
-
-def add_cluster_option(parser: argparse.ArgumentParser) -> None:
-    """The option `--cluster`."""
-    parser.add_argument("--cluster", metavar="ADDRESS", help=HELP)
 
 
 def place(address: str | None) -> AbstractContextManager[Place]:

@@ -13,7 +13,8 @@ from typing import Any
 
 from rna_export.machine import default_workers
 from rna_sdk.errors import CaptureError
-from rna_work.places import add_cluster_option, place
+from rna_work.cluster_option import add_cluster_option
+from rna_work.places import place
 
 # As in `suite.CASES`, which takes seconds to import: not for --help.
 CASE_NAMES = (

@@ -21,7 +21,8 @@ from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
-from rna_work.places import add_cluster_option, place
+from rna_work.cluster_option import add_cluster_option
+from rna_work.places import place
 from rna_work.store import add_store_option
 
 if TYPE_CHECKING:

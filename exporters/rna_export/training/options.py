@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from rna_work.places import add_cluster_option
+from rna_work.cluster_option import add_cluster_option
 from rna_work.store import add_store_option
 
 
