@@ -94,23 +94,20 @@ def batch_record(batch: str, runs: list[dict[str, Figures]], flop: int) -> Figur
     """Medians of one batch over the runs; the first run, which warms caches, is not among them."""
     record: Figures = {}
     for name in ("before", "after"):
-        found = [run[name] for run in runs]
-        share = np.median([r["gemm"] * flop / r[batch]["ns_per_query"] for r in found])
-        steps = {
-            k: round(float(np.median([r[batch][k] for r in found])), 1) for k in found[0][batch]
-        }
-        record[name] = {"share_of_gemm": round(float(share), 3), **steps}
-    ratios = [r["before"][batch]["ns_per_query"] / r["after"][batch]["ns_per_query"] for r in runs]
+        ns = float(np.median([run[name][batch] for run in runs]))
+        share = np.median([run[name]["gemm"] * flop / run[name][batch] for run in runs])
+        record[name] = {"share_of_gemm": round(float(share), 3), "ns_per_query": round(ns, 1)}
+    ratios = [run["before"][batch] / run["after"][batch] for run in runs]
     record["times_as_fast"] = round(float(np.median(ratios)), 2)
     return record
 
 
 def start_worker(checkout: Path, package: Path, batches: Path) -> subprocess.Popen[str]:
     threads = dict.fromkeys(("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS"), "1")
-    paths = [str(checkout), os.environ.get("PYTHONPATH", "")]
+    paths = [str(checkout), str(ROOT / "benchmarks"), os.environ.get("PYTHONPATH", "")]
     environment = {**os.environ, **threads, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
     module = "rna_bench.speed.evaluate_worker"
-    command = [sys.executable, "-m", module, *map(str, (checkout, package, batches))]
+    command = [sys.executable, "-P", "-m", module, *map(str, (checkout, package, batches))]
     pipe = subprocess.PIPE
     return subprocess.Popen(command, stdin=pipe, stdout=pipe, env=environment, text=True)
 
