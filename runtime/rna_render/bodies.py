@@ -40,23 +40,28 @@ class AssetBody:
 
     Normals of meshes are interpolated from the corners, and not turned to the viewer; those of
     strands are those of the round cones, outward.
+
+    indirect: the same asset with the tier for what the camera does not see directly.
     """
 
     role = Role.SCATTER
     passes_through = True
     one_sided = False
 
-    def __init__(self, asset: Asset) -> None:
+    def __init__(self, asset: Asset, indirect: Asset | None) -> None:
         self._parts = asset.parts
+        self._indirect = asset.parts if indirect is None else indirect.parts
         self.part_count = len(self._parts)
         tables = [part_transmittance(part) for part in self._parts]
         maps = [part_normal_maps(part) for part in self._parts]
         self.scene = PartsScene([part_geometry(part) for part in self._parts], tables, maps)
 
-    def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+    def points(
+        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+    ) -> Points:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
         points = self.scene.points(part, *where)
-        asset = self._parts[part]
+        asset = (self._parts if seen else self._indirect)[part]
         if isinstance(points, FiberPoints):
             return _StrandPoints(asset, self.scene, part, points, wo)
         return _MeshPoints(asset, self.scene, part, points, wo)
@@ -136,7 +141,9 @@ class ObjectBody:
         self.scene = TriangleScene(geometry, [mesh.transmittance])
         self.role = Role.CATCH_SHADOWS if mesh.catches_shadows else Role.SCATTER
 
-    def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+    def points(
+        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+    ) -> Points:
         return _ObjectPoints(self.mesh, hits, ray, wo)
 
 
@@ -189,17 +196,19 @@ class LightBody:
     def __init__(self, light: PlacedLight) -> None:
         self.scene = light.scene
 
-    def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+    def points(
+        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+    ) -> Points:
         raise NotImplementedError("a light scatters nothing")
 
 
 Thing = Asset | MeshObject | PlacedLight
 
 
-def make_body(thing: Thing) -> Body:
-    """The body of an asset, of an object or of a light."""
+def make_body(thing: Thing, indirect: Asset | None = None) -> Body:
+    """The body of an asset, of an object or of a light. indirect: as of AssetBody."""
     if isinstance(thing, PlacedLight):
         return LightBody(thing)
     if isinstance(thing, MeshObject):
         return ObjectBody(thing)
-    return AssetBody(thing)
+    return AssetBody(thing, indirect)

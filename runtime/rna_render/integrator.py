@@ -156,7 +156,7 @@ class Integrator:
                 self._on_first_hits = None
 
     def _vertices(self, role: Role, rays: _Rays) -> Vertices:
-        return self._world.vertices(role, rays.hits, rays.direction)
+        return self._world.vertices(role, rays.hits, rays.direction, seen=rays.pdf is None)
 
     def _describe(self, band: Layers, vertices: Vertices) -> None:
         """The AOVs of what the camera sees."""

@@ -17,13 +17,15 @@ class Placement:
     """A thing, and where it stands.
 
     light: what it shines with, if it does. boundless: whether it says nothing about the size of
-    the scene, as a ground.
+    the scene, as a ground. indirect: the same asset with another tier, which answers what the
+    camera does not see directly; None for `thing` itself.
     """
 
     thing: Thing
     world_from_object: np.ndarray  # (4, 4), a similarity
     light: ShapeLight | None = None
     boundless: bool = False
+    indirect: Asset | None = None
 
 
 def place_asset(
@@ -31,17 +33,18 @@ def place_asset(
     world_from_object: np.ndarray,
     emission: AssetEmission | None = None,
     factor: float = 1.0,
+    indirect: Asset | None = None,
 ) -> Placement:
     """An asset, and the light that it sends out.
 
     world_from_object: (4, 4), a similarity. emission: `emission_of` the asset, for callers that
-    place it several times. factor: on what it emits.
+    place it several times. factor: on what it emits. indirect: as of Placement.
     """
     emission = emission or emission_of(asset)
     light = None
     if emission is not None and factor > 0.0:
         light = AssetLight(emission, world_from_object, factor)
-    return Placement(asset, world_from_object, light)
+    return Placement(asset, world_from_object, light, indirect=indirect)
 
 
 def emission_of(asset: Asset) -> AssetEmission | None:

@@ -79,9 +79,11 @@ class Body(Protocol):
     @property
     def scene(self) -> GeometryScene: ...
 
-    def points(self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray) -> Points:
+    def points(
+        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+    ) -> Points:
         """The points of a part that the given rays, (m,), have hit. A body that shines has none.
 
-        wo: (m, 3) float32, object space.
+        wo: (m, 3) float32, object space. seen: whether they are camera rays.
         """
         ...

@@ -5,7 +5,8 @@ from __future__ import annotations
 import signal
 import sys
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import cast
 
 from tqdm import tqdm
 
@@ -16,6 +17,7 @@ from rna_render.render import render
 from rna_render.scene_file import SceneFile
 from rna_render.tier_costs import cost_lines, loaded_assets
 from rna_render.world import World
+from rna_sdk.runtime import Asset
 
 
 class Interrupt:
@@ -45,9 +47,15 @@ def tell_tiers(scene_file: SceneFile, world: World) -> None:
     """Print which tiers the scene's `quality` led to, if it has one."""
     assets = loaded_assets(scene_file, world)
     if scene_file.scene.quality is not None and assets:
-        names = Counter(asset.tier.name for asset in assets)
-        told = ", ".join(f"{number} {name}" for name, number in names.most_common())
+        told = _counted(assets)
+        if world.indirect:
+            told += f"; of indirect radiance: {_counted(cast(list[Asset], world.indirect))}"
         print(f"tiers of {len(assets)} assets: {told}", file=sys.stderr)
+
+
+def _counted(assets: Sequence[Asset]) -> str:
+    names = Counter(asset.tier.name for asset in assets)
+    return ", ".join(f"{number} {name}" for name, number in names.most_common())
 
 
 def tell_costs(scene_file: SceneFile, world: World) -> None:
@@ -81,7 +89,7 @@ def render_with_bar(
     with bar:
         renderer = open_renderer(device, scene_file, world, report_start)
         film = render(scene, renderer, stop, bar.update, on_sample)
-    warn_of_extrapolation(world.things)
+    warn_of_extrapolation([*world.things, *world.indirect])
     if film.samples < scene.samples and not stop():
         print(f"{what}: time for {film.samples} of {scene.samples} samples", file=sys.stderr)
     return film

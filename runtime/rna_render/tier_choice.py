@@ -26,11 +26,13 @@ class Choice(NamedTuple):
     """What an asset of a scene is loaded with.
 
     tier: its name; None: the package's first. pixels: as `rna_sdk.runtime.load` has it, to
-    choose a proxy; the same for all sizes that have the same one. None: no proxy.
+    choose a proxy; the same for all sizes that have the same one. None: no proxy. indirect: the
+    tier for what the camera does not see directly; None: `tier`.
     """
 
     tier: str | None
     pixels: float | None = None
+    indirect: str | None = None
 
 
 Tiers = tuple[Choice, ...]
@@ -38,6 +40,10 @@ Tiers = tuple[Choice, ...]
 
 # Mean FLIP; the first limit beyond "as accurate as can be".
 _FIRST_STEP = 0.01
+
+# The most of an image that is assumed to come from assets by way of other things: the tier for that
+# may have an error so many times as large. See docs/decisions/renderer.md.
+INDIRECT_SHARE = 0.25
 
 
 class TierChoice:
@@ -57,10 +63,7 @@ class TierChoice:
 
     def within(self, max_error: float) -> Tiers:
         """The cheapest tiers of at most this mean FLIP, or where there is none the best."""
-        return tuple(
-            Choice(named or self._best_within(index, max_error), self._proxy(index))
-            for index, named in enumerate(self._named)
-        )
+        return tuple(self._choice(index, max_error) for index in range(len(self._named)))
 
     def coarser(self, max_error: float) -> Iterator[Tiers]:
         """The same, then with twice the error and so on, as long as that changes tiers."""
@@ -88,6 +91,14 @@ class TierChoice:
                     f"{self._pixels[index]:.0f} pixels; the best is taken, {told}"
                 )
         return lines
+
+    def _choice(self, index: int, max_error: float) -> Choice:
+        named, pixels = self._named[index], self._proxy(index)
+        if named is not None:
+            return Choice(named, pixels)
+        tier = self._best_within(index, max_error)
+        indirect = self._best_within(index, max_error / INDIRECT_SHARE)
+        return Choice(tier, pixels, None if indirect == tier else indirect)
 
     def _proxy(self, index: int) -> float | None:
         """The least height of the package's proxies that the asset does not exceed."""

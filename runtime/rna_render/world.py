@@ -63,6 +63,7 @@ class World:
 
     Attributes:
         things: those of `placements`.
+        indirect: those of `placements`, without None.
         placements: those given, in the order of the instances.
         scene: all instances, in Embree.
         number: (k,) int32, for each instance its place in `placements`, counted from 1.
@@ -78,14 +79,17 @@ class World:
     """
 
     def __init__(self, placements: Sequence[Placement]) -> None:
-        groups: dict[int, list[int]] = {}
+        groups: dict[tuple[int, int], list[int]] = {}
         for index, placement in enumerate(placements):
-            groups.setdefault(id(placement.thing), []).append(index)
+            key = id(placement.thing), id(placement.indirect)
+            groups.setdefault(key, []).append(index)
         order = [index for group in groups.values() for index in group]
         ordered = [placements[index] for index in order]
         self.things = [placement.thing for placement in placements]
+        self.indirect = [p.indirect for p in placements if p.indirect is not None]
         self.placements = ordered
-        self._bodies = [make_body(placements[group[0]].thing) for group in groups.values()]
+        firsts = [placements[group[0]] for group in groups.values()]
+        self._bodies = [make_body(first.thing, first.indirect) for first in firsts]
         self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
         transforms = [Transform(placement.world_from_object) for placement in ordered]
@@ -117,10 +121,11 @@ class World:
         scattering = self._has_role[Role.SCATTER]
         self.scatters = scattering.sum() > 1 or bool((scattering & ~self._passes).any())
 
-    def vertices(self, role: Role, hits: ClosestHits, d_world: np.ndarray) -> Vertices:
+    def vertices(self, role: Role, hits: ClosestHits, d_world: np.ndarray, seen: bool) -> Vertices:
         """The hits on bodies of that role, which is not SHINE.
 
-        hits: of n rays. d_world: (n, 3) float32, their directions.
+        hits: of n rays. d_world: (n, 3) float32, their directions. seen: whether they are camera
+        rays.
         """
         ray = np.flatnonzero(hits.instance >= 0)
         ray = ray[self._has_role[role][hits.instance[ray]]]
@@ -131,7 +136,7 @@ class World:
         x, n = (np.empty((len(ray), 3), np.float32) for _ in range(2))
         parts = []
         for body, part, rows in groups:
-            points = self._bodies[body].points(part, hits, ray[rows], wo[rows])
+            points = self._bodies[body].points(part, hits, ray[rows], wo[rows], seen)
             x[rows], n[rows] = points.x, points.n
             parts.append((rows, points))
         return Vertices(

@@ -95,23 +95,42 @@ def _world(scene_file: SceneFile, tiers: Tiers) -> World:
 
 
 def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
-    from rna_sdk.runtime import load
-
-    loaded: dict[tuple[Path, Choice], Asset] = {}
-    emissions: dict[tuple[Path, Choice], AssetEmission | None] = {}
+    load = _AssetLoader()
     placements = []
     for index, (model, chosen) in enumerate(zip(scene_file.scene.assets, tiers, strict=True)):
         path = scene_file.asset_path(index)
-        if (path, chosen) not in loaded:
-            try:
-                asset = load(path, tier=chosen.tier, threads=1, pixels=chosen.pixels)
-                loaded[path, chosen] = watched(asset, path.name)
-            except QueryError as error:
-                raise scene_file.error(("assets", index, "tier"), str(error)) from error
-            emissions[path, chosen] = emission_of(loaded[path, chosen])
-        at = world_from_object(model.transform), emissions[path, chosen], model.emission
-        placements.append(place_asset(loaded[path, chosen], *at))
+        try:
+            asset = load(path, chosen.tier, chosen.pixels)
+        except QueryError as error:
+            raise scene_file.error(("assets", index, "tier"), str(error)) from error
+        other = None
+        if chosen.indirect is not None:
+            other = load(path, chosen.indirect, chosen.pixels)
+        at = world_from_object(model.transform), load.emission(asset), model.emission
+        placements.append(place_asset(asset, *at, other))
     return placements
+
+
+class _AssetLoader:
+    """Loads each tier and proxy of a package once, and what it emits."""
+
+    def __init__(self) -> None:
+        self._loaded: dict[tuple[Path, str | None, float | None], Asset] = {}
+        self._emissions: dict[int, AssetEmission | None] = {}
+
+    def __call__(self, path: Path, tier: str | None, pixels: float | None) -> Asset:
+        from rna_sdk.runtime import load
+
+        key = path, tier, pixels
+        if key not in self._loaded:
+            asset = load(path, tier=tier, threads=1, pixels=pixels)
+            self._loaded[key] = watched(asset, path.name)
+        return self._loaded[key]
+
+    def emission(self, asset: Asset) -> AssetEmission | None:
+        if id(asset) not in self._emissions:
+            self._emissions[id(asset)] = emission_of(asset)
+        return self._emissions[id(asset)]
 
 
 def _placed_objects(scene_file: SceneFile) -> list[Placement]:

@@ -90,11 +90,23 @@ def test_a_package_without_errors_is_told_of(tmp_path: Path) -> None:
         assert names(file) == ["only"] * 4
 
 
+def test_indirect_radiance_has_a_cheaper_tier(package: Path) -> None:
+    """Four times the error; an asset whose tier is named has no other, nor one of the cheapest."""
+    file = scene(package, "quality: {max_error: 0.015}")
+    choices = TierChoice(file, [file.scene]).within(0.015)
+    assert tier_names(choices) == ("hq", "hq", "hq", "hq")
+    assert [choice.indirect for choice in choices] == ["small", "tiny", "tiny", None]
+    world = load_world(file)
+    assert [asset.tier.name for asset in world.indirect] == ["small", "tiny", "tiny"]
+    coarse = TierChoice(file, [file.scene]).within(0.1)
+    assert [choice.indirect for choice in coarse] == [None] * 4
+
+
 def test_coarser_choices_end_with_the_cheapest_tiers(package: Path) -> None:
     file = scene(package, "quality: {seconds: 1}")
-    choices = [tier_names(tiers) for tiers in TierChoice(file, [file.scene]).coarser(0.0)]
-    assert choices[0] == ("hq", "hq", "hq", "hq")
-    assert choices[-1] == ("tiny", "tiny", "tiny", "hq")
+    choices = list(TierChoice(file, [file.scene]).coarser(0.0))
+    assert tier_names(choices[0]) == ("hq", "hq", "hq", "hq")
+    assert tier_names(choices[-1]) == ("tiny", "tiny", "tiny", "hq")
     assert len(set(choices)) == len(choices) > 2
 
 
