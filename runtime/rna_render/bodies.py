@@ -62,8 +62,10 @@ class AssetBody:
         where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
         points = self.scene.points(part, *where)
         asset = (self._parts if seen else self._indirect)[part]
-        if isinstance(points, FiberPoints):
+        if asset.kind == "fiber":
+            assert isinstance(points, FiberPoints)
             return _StrandPoints(asset, self.scene, part, points, wo)
+        assert isinstance(points, SurfacePoints)
         return _MeshPoints(asset, self.scene, part, points, wo)
 
 

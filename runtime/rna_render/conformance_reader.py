@@ -55,9 +55,9 @@ def normals(package: str, records: bytes) -> np.ndarray:
     found = np.empty((len(words), 3), np.float32)
     with Package.open(package) as opened:
         for part in np.unique(words[:, 7]).tolist():
-            mesh, records = opened.mesh(part), opened.normal_maps(part)
+            mesh, textures = opened.mesh(part), opened.normal_maps(part)
             rows = np.flatnonzero(words[:, 7] == part)
-            maps = NormalMaps(mesh, records) if records else None
+            maps = NormalMaps(mesh, textures) if textures else None
             b1, b2 = np.ascontiguousarray(b[:, rows])
             triangle = words[rows, 0].astype(np.int32)
             found[rows] = SurfacePoints.of(mesh, triangle, b1, b2, maps).mapped

@@ -104,7 +104,9 @@ class Integrator:
         self._sampling_alone = LightSampling(world, lights)
         self.groups = sorted({light.group for light in lights} - {""})
         self._group = [self.groups.index(x.group) if x.group else None for x in lights]
-        self._infinite = [k for k, light in enumerate(lights) if isinstance(light, InfiniteLight)]
+        self._infinite = [
+            (k, light) for k, light in enumerate(self._lights) if isinstance(light, InfiniteLight)
+        ]
         self._rays_meet_lights = strategy != "lights" and not all(light.delta for light in lights)
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
@@ -175,17 +177,16 @@ class Integrator:
             band.beauty[rays.path[hit_light], 3] = 1.0
         elif not self._rays_meet_lights:
             return
-        for k in self._infinite:
-            light = self._lights[k]
+        for k, light in self._infinite:
             if from_camera and not light.visible_to_camera:
                 continue
             radiance, pdf = light.escaped(rays.direction.take(escaped, axis=0))
             self._add_met(band, rays, depth, escaped, k, radiance, pdf)
             if from_camera:
                 band.beauty[rays.path[escaped], 3] = 1.0
-        light = np.where(owner >= 0, self._world.light[owner], -1)
-        for k in np.flatnonzero(np.bincount(light + 1)[1:]):
-            met = np.flatnonzero(light == k)
+        of_light = np.where(owner >= 0, self._world.light[owner], -1)
+        for k in np.flatnonzero(np.bincount(of_light + 1)[1:]).tolist():
+            met = np.flatnonzero(of_light == k)
             radiance, pdf = self._world.lights[k].met(*self._meeting(rays, met))
             self._add_met(band, rays, depth, met, k, radiance, pdf)
 
@@ -217,7 +218,7 @@ class Integrator:
         if self._clamp is None or depth < 2:
             return radiance
         largest = np.maximum(radiance.max(axis=1, keepdims=True), np.float32(1e-30))
-        return radiance * (np.minimum(self._clamp, largest) / largest)
+        return np.asarray(radiance * (np.minimum(self._clamp, largest) / largest))
 
     def _add(self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray) -> None:
         """Add radiance from lights to paths."""
@@ -286,6 +287,7 @@ class Integrator:
         u = np.column_stack(
             [numbers.square(DIRECTION, branches), numbers.square(CHOICES, branches)[:, 1]]
         )
+        assert numbers.number is not None
         number = (numbers.number[:, None] * branches + np.arange(branches)).reshape(-1)
         row = np.repeat(row, branches)
         wi, pdf = np.zeros((len(row), 3), np.float32), np.zeros(len(row), np.float32)
@@ -319,9 +321,9 @@ class Integrator:
         numbers = PathNumbers(sampler, pixels[at], 1)
         band.catcher[at] = 1.0
         band.caught[at] = caught_light(self._sampling_alone, vertices, rays.direction[at], numbers)
-        for k in self._infinite:
-            if self._lights[k].visible_to_camera:
-                radiance, _ = self._lights[k].escaped(rays.direction[at])
+        for k, light in self._infinite:
+            if light.visible_to_camera:
+                radiance, _ = light.escaped(rays.direction[at])
                 radiance = radiance * rays.beta.take(at, axis=0)
                 band.behind_catcher[at, :3] += radiance
                 band.behind_catcher[at, 3] = 1.0

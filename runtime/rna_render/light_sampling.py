@@ -81,7 +81,7 @@ class LightSampling:
             np.zeros((n, 3), np.float32),
             np.zeros(n, np.float32),
         )
-        for k in chosen:
+        for k in chosen.tolist():
             row = np.flatnonzero(choice.light == k)
             samples = self._lights[k].sample(x_world[row], choice.u[row])
             result.wi_world[row], result.distance[row] = samples.wi_world, samples.distance
@@ -117,7 +117,15 @@ class LightSampling:
 
 
 @compiled(parallel=True, fastmath=())
-def _aim(x_world, row, wi_world, distance, origin, direction, length):
+def _aim(
+    x_world: np.ndarray,
+    row: np.ndarray,
+    wi_world: np.ndarray,
+    distance: np.ndarray,
+    origin: np.ndarray,
+    direction: np.ndarray,
+    length: np.ndarray,
+) -> None:
     """Directions and lengths of rays that go from their origins to just before the lights.
 
     The step off the surface may be longer than SHORTER leaves before a light, so rays go to the

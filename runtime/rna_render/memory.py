@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
+
+from rna_sdk.compiled import compiled
 
 
 def _load(word: Any, result: Any) -> Any:
@@ -32,14 +36,14 @@ def _store(word: Any, value_type: Any) -> Any:
     return store
 
 
-load_u8 = _load(ir.IntType(8), types.uint8)
-load_i32 = _load(ir.IntType(32), types.int32)
-load_u32 = _load(ir.IntType(32), types.uint32)
-load_u64 = _load(ir.IntType(64), types.uint64)
-load_f32 = _load(ir.FloatType(), types.float32)
-load_f64 = _load(ir.DoubleType(), types.float64)
-store_u32 = _store(ir.IntType(32), types.uint32)
-store_f64 = _store(ir.DoubleType(), types.float64)
+load_u8: Callable[[Any], int] = _load(ir.IntType(8), types.uint8)
+load_i32: Callable[[Any], int] = _load(ir.IntType(32), types.int32)
+load_u32: Callable[[Any], np.uint32] = _load(ir.IntType(32), types.uint32)
+load_u64: Callable[[Any], np.uint64] = _load(ir.IntType(64), types.uint64)
+load_f32: Callable[[Any], float] = _load(ir.FloatType(), types.float32)
+load_f64: Callable[[Any], float] = _load(ir.DoubleType(), types.float64)
+store_u32: Callable[[Any, np.uint32], None] = _store(ir.IntType(32), types.uint32)
+store_f64: Callable[[Any, float], None] = _store(ir.DoubleType(), types.float64)
 
 
 def _pointer(element: Any) -> Any:
@@ -58,3 +62,9 @@ def _pointer(element: Any) -> Any:
 pointer_i32 = _pointer(types.int32)
 pointer_f32 = _pointer(types.float32)
 pointer_f64 = _pointer(types.float64)
+
+
+@compiled(fastmath=())
+def signed(word: Any) -> int:
+    """An unsigned integer as one that may be negative; int() would leave it unsigned."""
+    return np.int64(word)  # type: ignore[return-value]

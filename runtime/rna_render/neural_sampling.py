@@ -17,7 +17,7 @@ import numpy as np
 from numba import prange
 
 from rna_render.angles import sine_and_cosine
-from rna_render.vectors import dot, unit, vector_at
+from rna_render.vectors import Vector, dot, unit, vector_at
 from rna_sdk.compiled import compiled
 
 # Places in a mixture's numbers: shares of the lobes, then their widths.
@@ -91,14 +91,18 @@ def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:
     return np.arange(len(points)) if row is None else row
 
 
+Frame = tuple[Vector, Vector, Vector, Vector]
+"""What `lobe_frame` returns."""
+
+
 @compiled(fastmath=())
-def _unit_or(x, y, z, otherwise):
+def _unit_or(x: float, y: float, z: float, otherwise: Vector) -> Vector:
     length = np.sqrt(x * x + y * y + z * z)
     return (x / length, y / length, z / length) if length > 0.5 else otherwise
 
 
 @compiled(fastmath=())
-def _about(axis, cosine, turns):
+def _about(axis: Vector, cosine: float, turns: float) -> Vector:
     """The direction at that cosine to a unit axis, and that azimuth, in turns."""
     x, y, z = axis
     sine = np.sqrt(max(0.0, 1.0 - cosine * cosine))
@@ -116,33 +120,35 @@ def _about(axis, cosine, turns):
 
 
 @compiled(fastmath=())
-def _fisher_cosine(u, kappa):
+def _fisher_cosine(u: float, kappa: float) -> float:
     """Cosine to the axis of a von Mises-Fisher direction; Jakob, Numerically stable sampling of
     the von Mises-Fisher distribution on S2 (2012)."""
-    return max(-1.0, 1.0 + np.log(u + (1.0 - u) * np.exp(-2.0 * kappa)) / kappa)
+    return float(max(-1.0, 1.0 + np.log(u + (1.0 - u) * np.exp(-2.0 * kappa)) / kappa))
 
 
 @compiled(fastmath=())
-def _fisher_pdf(cosine, kappa):
+def _fisher_pdf(cosine: float, kappa: float) -> float:
     """Density per steradian at that cosine to the axis."""
-    return kappa * np.exp(kappa * (cosine - 1.0)) / (2.0 * np.pi * (1.0 - np.exp(-2.0 * kappa)))
+    return float(
+        kappa * np.exp(kappa * (cosine - 1.0)) / (2.0 * np.pi * (1.0 - np.exp(-2.0 * kappa)))
+    )
 
 
 @compiled(fastmath=())
-def _logistic(x):
-    return 1.0 / (1.0 + np.exp(-x))
+def _logistic(x: float) -> float:
+    return float(1.0 / (1.0 + np.exp(-x)))
 
 
 @compiled(fastmath=())
-def _cone_sine(u, middle, scale):
+def _cone_sine(u: float, middle: float, scale: float) -> float:
     """Sine of inclination: logistic about `middle`, cut off at -1 and 1."""
     low, high = _logistic((-1.0 - middle) / scale), _logistic((1.0 - middle) / scale)
     p = low + u * (high - low)
-    return min(1.0, max(-1.0, middle + scale * np.log(p / (1.0 - p))))
+    return float(min(1.0, max(-1.0, middle + scale * np.log(p / (1.0 - p)))))
 
 
 @compiled(fastmath=())
-def _cone_pdf(sine, middle, scale):
+def _cone_pdf(sine: float, middle: float, scale: float) -> float:
     """Density per steradian; solid angle is d(sine) d(azimuth)."""
     low, high = _logistic((-1.0 - middle) / scale), _logistic((1.0 - middle) / scale)
     p = _logistic((sine - middle) / scale)
@@ -150,7 +156,7 @@ def _cone_pdf(sine, middle, scale):
 
 
 @compiled(fastmath=())
-def lobe_frame(n, tangent, o):
+def lobe_frame(n: Vector, tangent: Vector, o: Vector) -> Frame:
     """What the functions below take for a point: viewer, normal turned to it, tangent, and mirror
     direction."""
     up = (0.0, 1.0, 0.0)
@@ -169,7 +175,7 @@ def lobe_frame(n, tangent, o):
 
 
 @compiled(fastmath=())
-def lobe_sample(numbers, frame, u1, u2):
+def lobe_sample(numbers: np.ndarray, frame: Frame, u1: float, u2: float) -> Vector:
     """A direction, as often as `lobe_density` says: three float64. u1 chooses the lobe, too."""
     o, normal, tangent, mirror = frame
     lobe, choice = UNIFORM, u1
@@ -195,10 +201,10 @@ def lobe_sample(numbers, frame, u1, u2):
 
 
 @compiled(fastmath=())
-def lobe_density(numbers, frame, w):
+def lobe_density(numbers: np.ndarray, frame: Frame, w: Vector) -> float:
     """Density per steradian in w."""
     o, normal, tangent, mirror = frame
-    density = numbers[UNIFORM] / (4.0 * np.pi)
+    density: float = numbers[UNIFORM] / (4.0 * np.pi)
     density += numbers[COSINE] * max(0.0, dot(normal, w)) / np.pi
     if numbers[MIRROR] > 0.0:
         density += numbers[MIRROR] * _fisher_pdf(dot(mirror, w), numbers[MIRROR_KAPPA])
@@ -210,7 +216,15 @@ def lobe_density(numbers, frame, w):
 
 
 @compiled(parallel=True, fastmath=())
-def _sample(numbers, n, tangents, wo, row, u, wi):
+def _sample(
+    numbers: np.ndarray,
+    n: np.ndarray,
+    tangents: np.ndarray,
+    wo: np.ndarray,
+    row: np.ndarray,
+    u: np.ndarray,
+    wi: np.ndarray,
+) -> None:
     for i in prange(len(row)):
         at = row[i]
         frame = lobe_frame(vector_at(n, at), vector_at(tangents, at), vector_at(wo, at))
@@ -218,7 +232,15 @@ def _sample(numbers, n, tangents, wo, row, u, wi):
 
 
 @compiled(parallel=True, fastmath=())
-def _pdf(numbers, n, tangents, wo, row, wi, pdf):
+def _pdf(
+    numbers: np.ndarray,
+    n: np.ndarray,
+    tangents: np.ndarray,
+    wo: np.ndarray,
+    row: np.ndarray,
+    wi: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
     for i in prange(len(row)):
         at = row[i]
         frame = lobe_frame(vector_at(n, at), vector_at(tangents, at), vector_at(wo, at))

@@ -115,8 +115,9 @@ class PartsScene(GeometryScene):
         Raises QueryError for a primitive that is not there, or arrays of different length.
         """
         geometry, first = self.geometries[part], self._first[part]
-        if isinstance(geometry, Curves):
+        if first is not None and isinstance(geometry, Curves):
             return FiberPoints.of(geometry, first, primitive, u, normals)
+        assert isinstance(geometry, Mesh)
         return SurfacePoints.of(geometry, primitive, u, v, self._normal_maps[part])
 
     def hit_transmittance(self, hits: PartHits, directions: np.ndarray) -> np.ndarray:
@@ -183,8 +184,9 @@ def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:
     """For each part the strand of each segment, (m,) uint32, counted on over all parts."""
     result, start = [], 0
     for geometry in geometries:
-        points = np.diff(geometry.offsets.astype(np.int64)) if isinstance(geometry, Curves) else []
+        offsets = geometry.offsets if isinstance(geometry, Curves) else np.zeros(1, np.uint32)
+        points = offsets[1:].astype(np.int64) - offsets[:-1]
         numbers = np.arange(start, start + len(points), dtype=np.uint32)
-        result.append(np.repeat(numbers, np.asarray(points, np.int64) - 1))
+        result.append(np.repeat(numbers, points - 1))
         start += len(points)
     return result

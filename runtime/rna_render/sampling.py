@@ -45,8 +45,11 @@ class Sampler:
         return points.reshape(-1, 2)
 
 
+Bits = int | np.uint32
+
+
 @compiled(fastmath=())
-def hash_bits(x):
+def hash_bits(x: Bits) -> np.uint32:
     """A 32-bit mix: "lowbias32" of C. Wellons, Prospecting for Hash Functions (2018)."""
     x = np.uint32(x)
     x = np.uint32((x ^ (x >> np.uint32(16))) * np.uint32(0x7FEB352D))
@@ -55,7 +58,7 @@ def hash_bits(x):
 
 
 @compiled(fastmath=())
-def _reverse_bits(x):
+def _reverse_bits(x: Bits) -> np.uint32:
     x = np.uint32(((x >> np.uint32(1)) & 0x55555555) | ((x & 0x55555555) << np.uint32(1)))
     x = np.uint32(((x >> np.uint32(2)) & 0x33333333) | ((x & 0x33333333) << np.uint32(2)))
     x = np.uint32(((x >> np.uint32(4)) & 0x0F0F0F0F) | ((x & 0x0F0F0F0F) << np.uint32(4)))
@@ -64,7 +67,7 @@ def _reverse_bits(x):
 
 
 @compiled(fastmath=())
-def _owen_scramble(x, seed):
+def _owen_scramble(x: Bits, seed: Bits) -> np.uint32:
     """Nested uniform scramble of the bits of x.
 
     B. Burley, Practical Hash-based Owen Scrambling (JCGT 9(4), 2020), listing 1, with the
@@ -79,7 +82,7 @@ def _owen_scramble(x, seed):
 
 
 @compiled(fastmath=())
-def _second_sobol_dimension(index):
+def _second_sobol_dimension(index: Bits) -> np.uint32:
     """Bits of the second Sobol' coordinate; the first is `_reverse_bits`.
 
     The coordinate is the reversed index times Pascal's triangle modulo 2, which has a product of
@@ -95,14 +98,14 @@ def _second_sobol_dimension(index):
 
 
 @compiled(fastmath=())
-def square_key(seed, dimension, pixel):
+def square_key(seed: int, dimension: int, pixel: Bits) -> np.uint32:
     """What `square_point` has of a dimension of a pixel."""
     image_key = hash_bits(hash_bits(seed) + np.uint32(dimension))
     return hash_bits(image_key ^ hash_bits(np.uint32(pixel) + np.uint32(1)))
 
 
 @compiled(fastmath=())
-def square_point(key, number):
+def square_point(key: np.uint32, number: int) -> tuple[float, float]:
     """A point of the unit square: the `number`-th of those that belong to a key."""
     index = _owen_scramble(np.uint32(number), key)
     first = _owen_scramble(_reverse_bits(index), hash_bits(key + np.uint32(1)))
@@ -111,7 +114,9 @@ def square_point(key, number):
 
 
 @compiled(parallel=True, fastmath=())
-def _scrambled_sobol(pixels, number, dimension, seed, points):
+def _scrambled_sobol(
+    pixels: np.ndarray, number: np.ndarray, dimension: int, seed: int, points: np.ndarray
+) -> None:
     for i in prange(len(pixels)):
         key = square_key(seed, dimension, pixels[i])
         first = number[i] * points.shape[1]

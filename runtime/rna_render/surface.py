@@ -13,7 +13,7 @@ import numpy as np
 from numba import prange
 
 from rna_render.rays import check_numbers, vectors
-from rna_render.vectors import cross, dot, unit, vector_at
+from rna_render.vectors import Vector, cross, dot, unit, vector_at
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import QueryError
 
@@ -29,9 +29,14 @@ SMOOTH_BELOW = 0.1
 class Mesh(Protocol):
     """What is read of a mesh; arrays as in rna_sdk.package.Mesh."""
 
-    positions: np.ndarray
-    normals: np.ndarray
-    triangles: np.ndarray
+    @property
+    def positions(self) -> np.ndarray: ...
+
+    @property
+    def normals(self) -> np.ndarray: ...
+
+    @property
+    def triangles(self) -> np.ndarray: ...
 
 
 class NormalMaps(Protocol):
@@ -158,21 +163,28 @@ def leaving_origins(
     return result
 
 
-def _at_hits(values, triangles, triangle, u, v, normalise):
+def _at_hits(
+    values: np.ndarray,
+    triangles: np.ndarray,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    normalise: bool,
+) -> np.ndarray:
     _check_hits(triangles, triangle, u, v)
     result = np.empty((len(triangle), 3), np.float32)
     _interpolate(values, triangles, triangle, u, v, normalise, result)
     return result
 
 
-def _check_hits(triangles, triangle, u, v):
+def _check_hits(triangles: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> None:
     check_numbers("triangle", triangle, len(triangles))
     if not len(triangle) == len(u) == len(v):
         raise QueryError(f"{len(triangle)} triangles, but {len(u)} u and {len(v)} v")
 
 
 @compiled(fastmath=())
-def mixed_at(values, corners, u, v):
+def mixed_at(values: np.ndarray, corners: np.ndarray, u: float, v: float) -> Vector:
     """The corners' rows of (v, 3) float32 at barycentrics (u, v): three float64."""
     a, b, c = corners[0], corners[1], corners[2]
     w = 1.0 - u - v
@@ -184,7 +196,9 @@ def mixed_at(values, corners, u, v):
 
 
 @compiled(fastmath=())
-def lift_at(positions, normals, corners, x):
+def lift_at(
+    positions: np.ndarray, normals: np.ndarray, corners: np.ndarray, x: tuple[float, float, Vector]
+) -> Vector:
     """From a point at (u, v) onto the smooth surface that the triangles stand for: three float64.
 
     x: u, v, and the point. The mean, by barycentrics, of the ways onto the tangent planes of the
@@ -203,7 +217,7 @@ def lift_at(positions, normals, corners, x):
 
 
 @compiled(fastmath=())
-def smooth_share(n, ng, d):
+def smooth_share(n: Vector, ng: Vector, d: Vector) -> tuple[float, bool]:
     """How much of its lift a ray along d starts with, and whether its step is along ng: see
     `leaving_origins`."""
     above_plane = dot(ng, d)
@@ -213,7 +227,15 @@ def smooth_share(n, ng, d):
 
 
 @compiled(parallel=True, fastmath=())
-def _interpolate(values, triangles, triangle, u, v, normalise, result):
+def _interpolate(
+    values: np.ndarray,
+    triangles: np.ndarray,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    normalise: bool,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(triangle)):
         value = mixed_at(values, triangles[triangle[i]], np.float64(u[i]), np.float64(v[i]))
         value = unit(value) if normalise else value
@@ -221,7 +243,7 @@ def _interpolate(values, triangles, triangle, u, v, normalise, result):
 
 
 @compiled(fastmath=())
-def _geometric_normal(positions, corners):
+def _geometric_normal(positions: np.ndarray, corners: np.ndarray) -> Vector:
     p, q = vector_at(positions, corners[0]), vector_at(positions, corners[1])
     r = vector_at(positions, corners[2])
     e1, e2 = (q[0] - p[0], q[1] - p[1], q[2] - p[2]), (r[0] - p[0], r[1] - p[1], r[2] - p[2])
@@ -229,14 +251,27 @@ def _geometric_normal(positions, corners):
 
 
 @compiled(parallel=True, fastmath=())
-def _geometric_normals(positions, triangles, triangle, result):
+def _geometric_normals(
+    positions: np.ndarray, triangles: np.ndarray, triangle: np.ndarray, result: np.ndarray
+) -> None:
     for i in prange(len(triangle)):
         normal = _geometric_normal(positions, triangles[triangle[i]])
         result[i, 0], result[i, 1], result[i, 2] = normal
 
 
 @compiled(parallel=True, fastmath=())
-def _points_at_hits(positions, normals, triangles, triangle, u, v, x, n, ng, lift):
+def _points_at_hits(
+    positions: np.ndarray,
+    normals: np.ndarray,
+    triangles: np.ndarray,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    x: np.ndarray,
+    n: np.ndarray,
+    ng: np.ndarray,
+    lift: np.ndarray,
+) -> None:
     """What the functions above give, in one pass over the hits."""
     for i in prange(len(triangle)):
         corners = triangles[triangle[i]]
@@ -249,7 +284,16 @@ def _points_at_hits(positions, normals, triangles, triangle, u, v, x, n, ng, lif
 
 
 @compiled(parallel=True, fastmath=())
-def _leave(x, n, ng, lift, row, directions, step, result):
+def _leave(
+    x: np.ndarray,
+    n: np.ndarray,
+    ng: np.ndarray,
+    lift: np.ndarray,
+    row: np.ndarray,
+    directions: np.ndarray,
+    step: float,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(row)):
         at = row[i]
         g = vector_at(ng, at)

@@ -9,13 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numba import prange
 
 from rna_render.bilinear import REPEAT, texels_around
-from rna_render.memory import load_f32, load_f64, load_i32, load_u8, load_u32, load_u64
+from rna_render.memory import load_f32, load_f64, load_i32, load_u8, load_u32, load_u64, signed
 from rna_render.rays import check_numbers
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 # The table of a geometry, its user data in Embree, as 64-bit words: addresses, or 0 for none.
@@ -66,9 +68,12 @@ class Transmittance:
         number: np.ndarray,
         textures: Sequence[TransmittanceTexture],
     ) -> None:
-        arrays = (number, np.int32), (triangles, np.uint32), (uvs, np.float32)
-        self._held = [np.ascontiguousarray(array, dtype) for array, dtype in arrays]
-        self._held.append(np.ascontiguousarray(normals, np.float32))
+        self._held: list[np.ndarray] = [
+            np.ascontiguousarray(number, np.int32),
+            np.ascontiguousarray(triangles, np.uint32),
+            np.ascontiguousarray(uvs, np.float32),
+            np.ascontiguousarray(normals, np.float32),
+        ]
         self._texels = [np.ascontiguousarray(texture.texels, np.uint8) for texture in textures]
         rows = zip(textures, self._texels, strict=True)
         self._textures = np.array([_texture_row(*row) for row in rows], np.uint64)
@@ -116,7 +121,7 @@ def _texture_row(texture: TransmittanceTexture, texels: np.ndarray) -> np.ndarra
 
 
 @compiled(fastmath=())
-def dielectric_reflectance(eta, cosine):
+def dielectric_reflectance(eta: float, cosine: float) -> float:
     """Unpolarised Fresnel reflectance of an interface of relative index eta."""
     squared = 1.0 - (1.0 - cosine * cosine) / (eta * eta)
     if squared <= 0.0:
@@ -124,34 +129,38 @@ def dielectric_reflectance(eta, cosine):
     root = np.sqrt(squared)
     s = (cosine - eta * root) / (cosine + eta * root)
     p = (eta * cosine - root) / (eta * cosine + root)
-    return 0.5 * (s * s + p * p)
+    return float(0.5 * (s * s + p * p))
 
 
 @compiled(fastmath=())
-def _mixed(values, width, triangles, triangle, u, v, axis):
+def _mixed(
+    values: Any, width: int, triangles: Any, triangle: int, u: float, v: float, axis: int
+) -> float:
     """A number of the corners, at barycentrics. values: address of rows of that many float32."""
     corner = triangles + np.uint64(triangle) * np.uint64(12)
     place = np.uint64(width * 4), np.uint64(axis * 4)
     a = load_f32(values + np.uint64(load_u32(corner)) * place[0] + place[1])
     b = load_f32(values + np.uint64(load_u32(corner + np.uint64(4))) * place[0] + place[1])
     c = load_f32(values + np.uint64(load_u32(corner + np.uint64(8))) * place[0] + place[1])
-    return (1.0 - u - v) * a + u * b + v * c
+    return float((1.0 - u - v) * a + u * b + v * c)
 
 
 @compiled(fastmath=())
-def _word(table, number):
+def _word(table: Any, number: int) -> np.uint64:
     return load_u64(table + np.uint64(8 * number))
 
 
 @compiled(fastmath=())
-def _texel(texture, row, column, channel):
-    width, channels = np.int64(_word(texture, WIDTH)), np.int64(_word(texture, CHANNELS))
+def _texel(texture: Any, row: int, column: int, channel: int) -> float:
+    width, channels = signed(_word(texture, WIDTH)), signed(_word(texture, CHANNELS))
     place = (row * width + column) * channels + min(channel, channels - 1)
     return load_u8(_word(texture, TEXELS) + np.uint64(place)) / 255.0
 
 
 @compiled(fastmath=())
-def _passed_interface(texture, table, triangle, u, v, direction, facing):
+def _passed_interface(
+    texture: Any, table: Any, triangle: int, u: float, v: float, direction: Vector, facing: bool
+) -> float:
     """1 - F of the texture's interface; 1 where it has none."""
     schlick = load_f64(texture + np.uint64(8 * SCHLICK))
     eta = load_f64(texture + np.uint64(8 * (FRONT if facing else BACK)))
@@ -167,11 +176,13 @@ def _passed_interface(texture, table, triangle, u, v, direction, facing):
     cosine = min(abs(along) / max(np.sqrt(n2 * d2), 1e-30), 1.0)
     if eta != 0.0:
         return 1.0 - dielectric_reflectance(eta, cosine)
-    return (1.0 - schlick) * (1.0 - (1.0 - cosine) ** 5)
+    return float((1.0 - schlick) * (1.0 - (1.0 - cosine) ** 5))
 
 
 @compiled(fastmath=())
-def transmittance(table, triangle, u, v, direction, facing):
+def transmittance(
+    table: Any, triangle: Any, u: float, v: float, direction: Vector, facing: bool
+) -> Vector:
     """(red, green, blue) of a hit; (0, 0, 0) on an opaque triangle.
 
     table: address of the geometry's table, or 0. direction: of the ray, three float64. facing:
@@ -183,12 +194,12 @@ def transmittance(table, triangle, u, v, direction, facing):
     if number < 0:
         return 0.0, 0.0, 0.0
     texture = _word(table, TEXTURES) + np.uint64(number) * np.uint64(8 * TEXTURE_WORDS)
-    height, width = np.int64(_word(texture, HEIGHT)), np.int64(_word(texture, WIDTH))
+    height, width = signed(_word(texture, HEIGHT)), signed(_word(texture, WIDTH))
     uvs, triangles = _word(table, UVS), _word(table, TRIANGLES)
     s = _mixed(uvs, 2, triangles, triangle, u, v, 0)
     t = _mixed(uvs, 2, triangles, triangle, u, v, 1)
-    left, right, a = texels_around(s, width, np.int64(_word(texture, WRAP_U)))
-    top, bottom, b = texels_around(t, height, np.int64(_word(texture, WRAP_V)))
+    left, right, a = texels_around(s, width, signed(_word(texture, WRAP_U)))
+    top, bottom, b = texels_around(t, height, signed(_word(texture, WRAP_V)))
     cutoff = load_f64(texture + np.uint64(8 * CUTOFF))
     passed = _passed_interface(texture, table, triangle, u, v, direction, facing)
     red, green, blue = 0.0, 0.0, 0.0
@@ -211,7 +222,15 @@ def transmittance(table, triangle, u, v, direction, facing):
 
 
 @compiled(parallel=True, fastmath=())
-def _at(table, triangle, u, v, directions, facing, result):
+def _at(
+    table: int,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    directions: np.ndarray,
+    facing: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(triangle)):
         d = directions[i]
         direction = np.float64(d[0]), np.float64(d[1]), np.float64(d[2])

@@ -51,9 +51,9 @@ def worth_tracing(
     lit from one side.
     """
     n = len(choice.row)
-    numbers = (np.empty(n, np.int64) for _ in range(3))
-    directions = np.empty((n, 3), np.float32), np.empty(n, np.float32)
-    result = Tried(*numbers, *directions, np.empty(n, np.int32))
+    sample, row, light = (np.empty(n, np.int64) for _ in range(3))
+    wi_world, distance = np.empty((n, 3), np.float32), np.empty(n, np.float32)
+    result = Tried(sample, row, light, wi_world, distance, np.empty(n, np.int32))
     found = samples.pdf, samples.radiance, samples.wi_world, samples.distance
     points = vertices.wo_world, vertices.ng_world, vertices.instance, vertices.own
     instances = world.own_light, world.one_sided
@@ -73,11 +73,17 @@ def _like(tried: Tried) -> Tried:
 def power_share(pdf: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Power heuristic: the part of the estimate that belongs to the first way, (n, 1) float32."""
     ratio = np.divide(other, pdf, out=np.full(len(pdf), np.inf), where=pdf > 0.0)
-    return (1.0 / (1.0 + np.square(ratio))).astype(np.float32)[:, None]
+    return np.asarray(1.0 / (1.0 + np.square(ratio)), np.float32)[:, None]
 
 
 @compiled(fastmath=())
-def _worth_tracing(found, chosen, points, instances, result):
+def _worth_tracing(
+    found: tuple[np.ndarray, ...],
+    chosen: tuple[np.ndarray, ...],
+    points: tuple[np.ndarray, ...],
+    instances: tuple[np.ndarray, ...],
+    result: tuple[np.ndarray, ...],
+) -> int:
     pdf, radiance, wi, distance = found
     row, light = chosen
     wo, ng, instance, own = points
@@ -100,7 +106,12 @@ def _worth_tracing(found, chosen, points, instances, result):
 
 
 @compiled(fastmath=())
-def _take_kept(tried, kept, result, left):
+def _take_kept(
+    tried: tuple[np.ndarray, ...],
+    kept: np.ndarray,
+    result: tuple[np.ndarray, ...],
+    left: np.ndarray,
+) -> int:
     count = 0
     for i in range(len(kept)):
         bright = False
@@ -118,7 +129,16 @@ def _take_kept(tried, kept, result, left):
 
 
 @compiled(fastmath=())
-def weigh_samples(transport, seen, samples, tried, kept, own_pdf, lights, beta):
+def weigh_samples(
+    transport: np.ndarray,
+    seen: np.ndarray,
+    samples: tuple[np.ndarray, ...],
+    tried: tuple[np.ndarray, ...],
+    kept: np.ndarray,
+    own_pdf: np.ndarray,
+    lights: tuple[np.ndarray, ...],
+    beta: np.ndarray,
+) -> None:
     """Make of transport, (k, 3) float32, the radiance that samples bring along their paths.
 
     seen: (k,) float32, multiplied by the mean of what is kept. samples: radiance (n, 3) and pdf
@@ -146,7 +166,7 @@ def weigh_samples(transport, seen, samples, tried, kept, own_pdf, lights, beta):
 
 
 @compiled(fastmath=())
-def add_rows(target, row, values):
+def add_rows(target: np.ndarray, row: np.ndarray, values: np.ndarray) -> None:
     """target[row, :3] += values, where a row may be there more than once."""
     for i in range(len(row)):
         for channel in range(3):

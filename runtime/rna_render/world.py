@@ -248,7 +248,13 @@ def _transformed(
 
 
 @compiled(parallel=True, fastmath=())
-def _transform(linear, shift, instance, vectors, result):
+def _transform(
+    linear: np.ndarray,
+    shift: np.ndarray,
+    instance: np.ndarray,
+    vectors: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(instance)):
         k = instance[i]
         for row in range(3):
@@ -259,7 +265,15 @@ def _transform(linear, shift, instance, vectors, result):
 
 
 @compiled(parallel=True, fastmath=())
-def _step_off(points, normals, instance, step, row, directions, result):
+def _step_off(
+    points: np.ndarray,
+    normals: np.ndarray,
+    instance: np.ndarray,
+    step: np.ndarray,
+    row: np.ndarray,
+    directions: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(row)):
         at = row[i]
         toward = np.float64(0.0)

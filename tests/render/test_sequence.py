@@ -89,7 +89,7 @@ def test_a_sweep_turns_only_light_from_far_away():
     [
         ({"animation": {"frames": 4}}, "nothing moves"),
         ({"animation": {"frames": 0, "turntable": {}}}, "greater than or equal to 1"),
-        ({"animation": {"frames": 4, "light_sweep": {}}, "lights": ()}, "there are none"),
+        ({"animation": {"frames": 4, "light_sweep": {}}, "lights": ()}, "the scene has none"),
     ],
 )
 def test_animations_that_make_no_sense_are_refused(changes, message):

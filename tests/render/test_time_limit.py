@@ -96,8 +96,11 @@ def test_cheaper_tiers_where_too_few_samples_would_fit(
     folder: Path, limit: float, name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """16 samples are enough; here one takes 0.1, 0.05 or 0.02 seconds."""
-    seconds = iter([0.1, 0.05, 0.02])
-    monkeypatch.setattr(world_loading, "seconds_a_sample", lambda *_: next(seconds))
+    seconds = {"hq": 0.1, "small": 0.05, "tiny": 0.02}
+    monkeypatch.setattr(world_loading, "make_integrator", lambda _, world, **__: world)
+    monkeypatch.setattr(
+        world_loading, "seconds_a_sample", lambda world, _: seconds[world.things[0].tier.name]
+    )
     world = load_world(read_scene(scene(folder, limit)))
     assert [asset.tier.name for asset in world.things] == [name]
 

@@ -7,6 +7,8 @@ query's context, see `kernels`.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numba import types
 
@@ -29,6 +31,7 @@ from rna_render.memory import (
 )
 from rna_render.sampling import hash_bits
 from rna_render.transmittance import STRANDS, transmittance
+from rna_render.vectors import Vector
 from rna_sdk.compiled import callback, compiled
 
 # RTCFilterFunctionNArguments as 64-bit words, and RTCHit in a packet of one as 32-bit words.
@@ -45,28 +48,28 @@ ALL_FEATURES = 0xFFFFFFFF
 
 
 @compiled(fastmath=())
-def _word(arguments, number):
+def _word(arguments: Any, number: int) -> np.uint64:
     return load_u64(arguments + np.uint64(8 * number))
 
 
 @compiled(fastmath=())
-def _bits(address, number):
+def _bits(address: Any, number: int) -> np.uint32:
     return load_u32(address + np.uint64(4 * number))
 
 
 @compiled(fastmath=())
-def _refuse(arguments):
+def _refuse(arguments: Any) -> None:
     store_u32(_word(arguments, FILTER_VALID), np.uint32(0))
 
 
 @compiled(fastmath=())
-def _on_own_instance(arguments):
+def _on_own_instance(arguments: Any) -> bool:
     hit = _word(arguments, FILTER_HIT)
-    return _bits(_word(arguments, FILTER_RAY), RAY_ID) == _bits(hit, FILTER_HIT_INSTANCE)
+    return bool(_bits(_word(arguments, FILTER_RAY), RAY_ID) == _bits(hit, FILTER_HIT_INSTANCE))
 
 
 @compiled(fastmath=())
-def _along_normal(arguments):
+def _along_normal(arguments: Any) -> float:
     """The dot product of the ray's direction and the hit's normal, both of any length."""
     ray, hit = _word(arguments, FILTER_RAY), _word(arguments, FILTER_HIT)
     result = 0.0
@@ -77,7 +80,7 @@ def _along_normal(arguments):
 
 
 @compiled(fastmath=())
-def _on_own_strand(arguments):
+def _on_own_strand(arguments: Any) -> bool:
     """Whether the hit is on a strand from inside, or on the strand that the ray's id names."""
     table = _word(arguments, FILTER_USER_DATA)
     if table == np.uint64(0):
@@ -91,7 +94,7 @@ def _on_own_strand(arguments):
 
 
 @compiled(fastmath=())
-def _transmittance(arguments):
+def _transmittance(arguments: Any) -> Vector:
     """(red, green, blue) of the hit."""
     ray, hit = _word(arguments, FILTER_RAY), _word(arguments, FILTER_HIT)
     u = np.float64(load_f32(hit + np.uint64(4 * FILTER_HIT_U)))
@@ -106,7 +109,7 @@ def _transmittance(arguments):
 
 
 @compiled(fastmath=())
-def _chance(arguments):
+def _chance(arguments: Any) -> float:
     """A number in [0, 1) of the ray and the primitive, the same whenever it is asked for."""
     ray, hit = _word(arguments, FILTER_RAY), _word(arguments, FILTER_HIT)
     state = np.uint32(0)
@@ -119,7 +122,7 @@ def _chance(arguments):
 
 
 @compiled(fastmath=())
-def _multiply(address, red, green, blue):
+def _multiply(address: Any, red: float, green: float, blue: float) -> None:
     """Multiply three float64 in memory."""
     for channel in range(3):
         factor = red if channel == 0 else (green if channel == 1 else blue)
@@ -128,7 +131,7 @@ def _multiply(address, red, green, blue):
 
 
 @compiled(fastmath=())
-def _pass_at_random(arguments):
+def _pass_at_random(arguments: Any) -> None:
     """Refuse the hit as often as it lets light through, the mean of its colours."""
     red, green, blue = _transmittance(arguments)
     mean = (red + green + blue) / 3.0
@@ -148,7 +151,7 @@ def _pass_at_random(arguments):
 
 
 @compiled(fastmath=())
-def _pass_all(arguments):
+def _pass_all(arguments: Any) -> None:
     """Refuse the hit unless it lets nothing through, and multiply by what it lets through."""
     red, green, blue = _transmittance(arguments)
     weight = _word(arguments, FILTER_CONTEXT) + np.uint64(8 * CONTEXT_WEIGHT)
@@ -160,7 +163,7 @@ def _pass_all(arguments):
 
 
 @compiled(fastmath=())
-def _is_last(arguments):
+def _is_last(arguments: Any) -> bool:
     """Whether the hit is the one that the context names."""
     hit, result = _word(arguments, FILTER_HIT), True
     last = _word(arguments, FILTER_CONTEXT) + np.uint64(8 * CONTEXT_LAST)
@@ -170,21 +173,21 @@ def _is_last(arguments):
 
 
 @callback(types.uintp)
-def _refuse_own_instance(arguments):
+def _refuse_own_instance(arguments: Any) -> None:
     """RTCFilterFunctionN: refuse a hit on the instance that the ray's id names."""
     if _on_own_instance(arguments):
         _refuse(arguments)
 
 
 @callback(types.uintp)
-def _refuse_own_strand(arguments):
+def _refuse_own_strand(arguments: Any) -> None:
     """RTCFilterFunctionN: refuse a hit from inside, and one on the strand the ray's id names."""
     if _on_own_strand(arguments):
         _refuse(arguments)
 
 
 @callback(types.uintp)
-def _pass_at_random_but_own_instance(arguments):
+def _pass_at_random_but_own_instance(arguments: Any) -> None:
     if _on_own_instance(arguments):
         _refuse(arguments)
     else:
@@ -192,7 +195,7 @@ def _pass_at_random_but_own_instance(arguments):
 
 
 @callback(types.uintp)
-def _pass_all_but_own_instance(arguments):
+def _pass_all_but_own_instance(arguments: Any) -> None:
     if _on_own_instance(arguments):
         _refuse(arguments)
     else:
@@ -200,7 +203,7 @@ def _pass_all_but_own_instance(arguments):
 
 
 @callback(types.uintp)
-def _pass_all_but_own_strand(arguments):
+def _pass_all_but_own_strand(arguments: Any) -> None:
     if _on_own_strand(arguments):
         _refuse(arguments)
     else:
@@ -208,7 +211,7 @@ def _pass_all_but_own_strand(arguments):
 
 
 @callback(types.uintp)
-def _weigh_passed(arguments):
+def _weigh_passed(arguments: Any) -> None:
     """Refuse every hit; multiply by colour over mean where `_pass_at_random` has passed."""
     if not (_on_own_instance(arguments) or _is_last(arguments)):
         red, green, blue = _transmittance(arguments)

@@ -104,8 +104,9 @@ class InstanceScene:
         lines = origins_world, directions_world, *interval
         if self.transmits:
             ids = self._ids(own, len(origins_world))
-            how = self._random, self._coloured
-            return closest_hits_through(self._scene, *how, *lines, ids, passing.mask)
+            return closest_hits_through(
+                self._scene, self._random, self._coloured, *lines, ids, passing.mask
+            )
         return closest_hits(self._scene, *lines, passing=passing)
 
     def occluded(

@@ -7,7 +7,7 @@ intrinsics below turn them into calls and memory accesses. All kernels are cache
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from llvmlite import ir
@@ -69,11 +69,11 @@ class Hits(NamedTuple):
 
 
 @intrinsic
-def call_embree(typing_context, function, scene, ray, arguments):
+def _call_embree(typing_context: Any, function: Any, scene: Any, ray: Any, arguments: Any) -> Any:
     """Call `function(scene, ray, arguments)`; all four are addresses."""
     signature = types.void(types.uintp, types.uintp, types.uintp, types.uintp)
 
-    def codegen(context, builder, _signature, values):
+    def codegen(context: Any, builder: Any, _signature: Any, values: Any) -> Any:
         pointer = ir.IntType(8).as_pointer()
         function_type = ir.FunctionType(ir.VoidType(), [pointer] * 3)
         callee = builder.inttoptr(values[0], function_type.as_pointer())
@@ -83,8 +83,11 @@ def call_embree(typing_context, function, scene, ray, arguments):
     return signature, codegen
 
 
+call_embree: Any = _call_embree  # numba's type has the typing context among the arguments
+
+
 @compiled(fastmath=())
-def _ray_block(words):
+def _ray_block(words: int) -> np.ndarray:
     """BLOCK structs of `words` float32 each, on an address that Embree's loads may use."""
     block = np.empty(BLOCK * words + ALIGNMENT // 4, np.float32)
     skip = (-block.ctypes.data) % ALIGNMENT // 4
@@ -92,7 +95,16 @@ def _ray_block(words):
 
 
 @compiled(fastmath=())
-def _set_ray(ray, bits, origin, direction, tnear, tfar, mask, ray_id):
+def _set_ray(
+    ray: np.ndarray,
+    bits: np.ndarray,
+    origin: np.ndarray,
+    direction: np.ndarray,
+    tnear: float,
+    tfar: float,
+    mask: int,
+    ray_id: int,
+) -> None:
     """Fill the RTCRay; a ray that is not finite or has no direction gets an empty interval."""
     size = np.float32(0.0)
     for axis in range(3):
@@ -110,7 +122,7 @@ def _set_ray(ray, bits, origin, direction, tnear, tfar, mask, ray_id):
 
 
 @compiled(fastmath=())
-def _store_normal(ray, ng):
+def _store_normal(ray: np.ndarray, ng: np.ndarray) -> None:
     """Normalise Embree's Ng, of any length, in float64: squares of tiny ones leave float32."""
     x, y, z = ray[HIT_NORMAL], ray[HIT_NORMAL + 1], ray[HIT_NORMAL + 2]
     x, y, z = np.float64(x), np.float64(y), np.float64(z)
@@ -120,17 +132,17 @@ def _store_normal(ray, ng):
 
 
 @compiled(fastmath=())
-def _aim(ray, bits, i, rays):
+def _aim(ray: np.ndarray, bits: np.ndarray, i: int, rays: Rays) -> bool:
     """Fill the RTCRay with row i of Rays; False for a ray that meets nothing."""
     ray_id, mask, origins, directions, tnear, tfar = rays
     near, far = tnear[min(i, len(tnear) - 1)], tfar[min(i, len(tfar) - 1)]
     number, met = ray_id[min(i, len(ray_id) - 1)], mask[min(i, len(mask) - 1)]
     _set_ray(ray, bits, origins[i], directions[i], near, far, met, number)
-    return ray[RAY_TNEAR] <= ray[RAY_TFAR]
+    return bool(ray[RAY_TNEAR] <= ray[RAY_TFAR])
 
 
 @compiled(fastmath=())
-def _store_hits(block, bits, start, count, hits):
+def _store_hits(block: np.ndarray, bits: np.ndarray, start: int, count: int, hits: Hits) -> None:
     """Copy `count` RTCHits to Hits, from row `start` on."""
     t, instance, geometry, primitive, u, v, ng = hits
     for k in range(count):
@@ -149,7 +161,7 @@ def _store_hits(block, bits, start, count, hits):
 
 
 @compiled(parallel=True, fastmath=())
-def intersect(function, scene, arguments, rays, hits):
+def intersect(function: int, scene: int, arguments: int, rays: Rays, hits: Hits) -> None:
     """Closest hits.
 
     function, scene: addresses of rtcIntersect1 and of the scene. arguments: address of
@@ -173,7 +185,7 @@ def intersect(function, scene, arguments, rays, hits):
 
 
 @compiled(parallel=True, fastmath=())
-def occluded(function, scene, arguments, rays, result):
+def occluded(function: int, scene: int, arguments: int, rays: Rays, result: np.ndarray) -> None:
     """Whether anything is hit between tnear and tfar.
 
     function, scene: addresses of rtcOccluded1 and of the scene. arguments: address of
@@ -198,7 +210,7 @@ def occluded(function, scene, arguments, rays, result):
 
 
 @compiled(fastmath=())
-def _query(arguments):
+def _query(arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """A copy of the arguments with a context of its own, and the context."""
     context = np.full(CONTEXT_WORDS, 0xFFFFFFFFFFFFFFFF, np.uint64)
     own = arguments.copy()
@@ -207,7 +219,7 @@ def _query(arguments):
 
 
 @compiled(fastmath=())
-def _start(context):
+def _start(context: np.ndarray) -> None:
     """Set what a ray carries; the instance that it is in was left as it was found."""
     values = context.view(np.float64)
     values[CONTEXT_SHARE:CONTEXT_COLOURED] = 1.0
@@ -215,7 +227,9 @@ def _start(context):
 
 
 @compiled(parallel=True, fastmath=())
-def transmitted(function, scene, arguments, rays, result):
+def transmitted(
+    function: int, scene: int, arguments: np.ndarray, rays: Rays, result: np.ndarray
+) -> None:
     """The product of what all hits between tnear and tfar let through.
 
     arguments: (8,) uint64 of a transmittance filter. result: (n, 3) float32, written; 1 for a ray
@@ -238,7 +252,14 @@ def transmitted(function, scene, arguments, rays, result):
 
 
 @compiled(parallel=True, fastmath=())
-def intersect_through(functions, scene, arguments, rays, hits, weight):
+def intersect_through(
+    functions: tuple[int, int],
+    scene: int,
+    arguments: tuple[np.ndarray, np.ndarray],
+    rays: Rays,
+    hits: Hits,
+    weight: np.ndarray,
+) -> None:
     """Closest hits of rays that pass through hits at random, as often as these let light through.
 
     functions: addresses of rtcIntersect1 and of rtcOccluded1. arguments: of either, (8,) uint64,
@@ -275,7 +296,7 @@ def intersect_through(functions, scene, arguments, rays, hits, weight):
 
 
 @compiled(fastmath=())
-def _name_last(context, words):
+def _name_last(context: np.ndarray, words: np.ndarray) -> None:
     last = context[CONTEXT_LAST:].view(np.uint32)
     last[0], last[1] = words[HIT_PRIMITIVE], words[HIT_GEOMETRY]
     last[2] = words[HIT_INSTANCE]

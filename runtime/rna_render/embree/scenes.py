@@ -181,7 +181,7 @@ def _neighbours(segments: np.ndarray) -> np.ndarray:
     chained = np.diff(segments) == 1
     left = np.concatenate([[False], chained]) * api.CURVE_NEIGHBOUR_LEFT
     right = np.concatenate([chained, [False]]) * api.CURVE_NEIGHBOUR_RIGHT
-    return (left | right).astype(np.uint8)
+    return np.asarray(left | right, np.uint8)
 
 
 def _check_mesh(index: int, positions: np.ndarray, triangles: np.ndarray) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
+from typing import Any
 
 import numpy as np
 
@@ -36,8 +37,9 @@ class ClosestHits:
 
     def take(self, row: np.ndarray) -> ClosestHits:
         """The given rows."""
-        values = (getattr(self, field.name) for field in fields(self))
-        return ClosestHits(*(None if a is None else a.take(row, axis=0) for a in values))
+        values: list[Any] = [getattr(self, field.name) for field in fields(self)]
+        taken: list[Any] = [None if a is None else a.take(row, axis=0) for a in values]
+        return ClosestHits(*taken)
 
 
 @dataclass(frozen=True, slots=True)

@@ -196,4 +196,4 @@ def _about(axis: np.ndarray, cosine: float, azimuth: np.ndarray) -> np.ndarray:
     turned = np.cross(axis, side)
     sine = np.sqrt(1.0 - cosine * cosine)
     around = np.cos(azimuth)[:, None] * side + np.sin(azimuth)[:, None] * turned
-    return (cosine * axis + sine * around).astype(np.float32)
+    return np.asarray(cosine * axis + sine * around, np.float32)

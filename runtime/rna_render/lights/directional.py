@@ -8,6 +8,7 @@ from rna_render.lights.base import InfiniteLight, Light
 from rna_render.lights.directions import cone_direction, luminance, unit
 from rna_render.lights.kinds import DIRECTIONAL, OWN, SUN, light_row
 from rna_render.lights.models import DirectionalModel
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 # Radians from the axis to the rim. Below it float32 directions no longer tell the rim apart.
@@ -57,14 +58,14 @@ class SunLight(InfiniteLight):
 
 
 @compiled(fastmath=())
-def sample_directional(numbers):
+def sample_directional(numbers: np.ndarray) -> tuple[Vector, Vector]:
     """Direction and irradiance."""
     wi = numbers[OWN], numbers[OWN + 1], numbers[OWN + 2]
     return wi, (numbers[0], numbers[1], numbers[2])
 
 
 @compiled(fastmath=())
-def sample_sun(numbers, u1, u2):
+def sample_sun(numbers: np.ndarray, u1: float, u2: float) -> tuple[Vector, Vector, float]:
     """Direction, radiance and density."""
     one_minus_cosine = numbers[OWN + 3]
     axis = numbers[OWN], numbers[OWN + 1], numbers[OWN + 2]
@@ -73,7 +74,7 @@ def sample_sun(numbers, u1, u2):
 
 
 @compiled(fastmath=())
-def look_up_sun(numbers, d):
+def look_up_sun(numbers: np.ndarray, d: Vector) -> tuple[Vector, float]:
     """Radiance from d, and the density of `sample_sun`."""
     # |d - axis|^2 = 2 (1 - cos), without the rounding of a cosine near 1.
     x, y, z = d[0] - numbers[OWN], d[1] - numbers[OWN + 1], d[2] - numbers[OWN + 2]

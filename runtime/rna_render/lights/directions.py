@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 # Rec. ITU-R BT.709-6, item 3.2: luminance of linear RGB.
@@ -14,9 +15,13 @@ LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 MAX_PDF = 1e18
 
 
+Axes = Vector | np.ndarray
+"""Three numbers."""
+
+
 def luminance(rgb: np.ndarray) -> np.ndarray:
     """(...) float64 of linear RGB, (..., 3)."""
-    return np.asarray(rgb, np.float64) @ LUMINANCE
+    return np.asarray(np.asarray(rgb, np.float64) @ LUMINANCE)
 
 
 def facing_frame(
@@ -37,14 +42,16 @@ def facing_frame(
     return matrix
 
 
-def unit(vector: np.ndarray) -> np.ndarray:
+def unit(vector: Axes) -> np.ndarray:
     """The vector, (3,), at length one: (3,) float64."""
     vector = np.asarray(vector, np.float64)
-    return vector / np.linalg.norm(vector)
+    return np.asarray(vector / np.linalg.norm(vector))
 
 
 @compiled(fastmath=())
-def cone_direction(x, y, z, one_minus_cosine, u1, u2):
+def cone_direction(
+    x: float, y: float, z: float, one_minus_cosine: float, u1: float, u2: float
+) -> Vector:
     """A direction within a cone about the unit axis (x, y, z), uniform for u in [0, 1)^2.
 
     one_minus_cosine: of the angle from the axis to the rim. It comes as a difference because
@@ -66,7 +73,9 @@ def cone_direction(x, y, z, one_minus_cosine, u1, u2):
 
 
 @compiled(fastmath=())
-def flat_pdf(point, normal, both_sides, per_area, x, d):
+def flat_pdf(
+    point: Axes, normal: Axes, both_sides: bool, per_area: float, x: Axes, d: Axes
+) -> float:
     """Density per steradian of the direction d, seen from x, of points of a plane.
 
     point, normal: of the plane, normal unit. per_area: density of the points per m^2. d: unit.

@@ -9,6 +9,7 @@ from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.lights.kinds import DISK, OWN
 from rna_render.lights.models import DiskModel
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 
@@ -19,18 +20,18 @@ class DiskLight(AreaLight):
         self.world_from_object = facing_frame(model.position, model.look_at)
         numbers = np.append(self.world_from_object[:3].ravel(), model.radius)
         super().__init__(model, np.pi * model.radius**2, DISK, numbers)
-        centre, normal = np.zeros((1, 3), np.float32), np.float32([[0, 0, 1]])
-        self.scene = DiscScene(centre, normal, np.float32([model.radius]))
+        centre, normal = np.zeros((1, 3), np.float32), np.array([[0, 0, 1]], np.float32)
+        self.scene = DiscScene(centre, normal, np.array([model.radius], np.float32))
 
 
 @compiled(fastmath=())
-def _shape(numbers):
+def _shape(numbers: np.ndarray) -> tuple[np.ndarray, float]:
     """Frame and radius."""
     return numbers[OWN : OWN + 12].reshape(3, 4), numbers[OWN + 12]
 
 
 @compiled(fastmath=())
-def concentric(u1, u2):
+def concentric(u1: float, u2: float) -> tuple[float, float]:
     """A uniform point of the unit disk; neighbours stay neighbours.
 
     Shirley and Chiu, A Low Distortion Map Between Disk and Square (JGT 2(3), 1997).
@@ -46,7 +47,9 @@ def concentric(u1, u2):
 
 
 @compiled(fastmath=())
-def sample_disk(numbers, x, u1, u2):
+def sample_disk(
+    numbers: np.ndarray, x: Vector, u1: float, u2: float
+) -> tuple[Vector, float, float]:
     """Direction, distance and density."""
     frame, radius = _shape(numbers)
     a, b = concentric(u1, u2)
@@ -60,7 +63,7 @@ def sample_disk(numbers, x, u1, u2):
 
 
 @compiled(fastmath=())
-def disk_density(numbers, x, d):
+def disk_density(numbers: np.ndarray, x: Vector, d: Vector) -> float:
     """Density of directions that meet the disk, 0 where they meet its dark side."""
     frame, radius = _shape(numbers)
     return flat_pdf(frame[:3, 3], frame[:3, 2], False, 1.0 / (np.pi * radius * radius), x, d)

@@ -10,6 +10,7 @@ from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.image_kernels import look_up_image, sample_image_batch
 from rna_render.lights.kinds import IMAGE, OWN, UNIFORM, light_row
 from rna_render.lights.models import EnvironmentModel
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 _SPHERE_PDF = 1.0 / (4.0 * np.pi)
@@ -61,23 +62,30 @@ class EnvironmentImageLight(InfiniteLight):
 
 
 @compiled(fastmath=())
-def sample_uniform(numbers, u1, u2):
+def sample_uniform(numbers: np.ndarray, u1: float, u2: float) -> tuple[Vector, Vector, float]:
     wi = cone_direction(0.0, 0.0, 1.0, 2.0, u1, u2)
     return wi, (numbers[0], numbers[1], numbers[2]), _SPHERE_PDF
 
 
 @compiled(fastmath=())
-def look_up_uniform(numbers):
+def look_up_uniform(numbers: np.ndarray) -> tuple[Vector, float]:
     return (numbers[0], numbers[1], numbers[2]), _SPHERE_PDF
 
 
 @compiled(fastmath=())
-def sample_image_light(numbers, words, u, wi_world, radiance, pdf):
+def sample_image_light(
+    numbers: np.ndarray,
+    words: np.ndarray,
+    u: np.ndarray,
+    wi_world: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
     """Samples for u, (n, 2); the rest is written, a row each."""
     sample_image_batch(numbers[:OWN], numbers[OWN:], words, u, wi_world, radiance, pdf)
 
 
 @compiled(fastmath=())
-def look_up_image_light(numbers, words, d):
+def look_up_image_light(numbers: np.ndarray, words: np.ndarray, d: Vector) -> tuple[Vector, float]:
     r, g, b, pdf = look_up_image(numbers[OWN:], words, d[0], d[1], d[2])
     return (numbers[0] * r, numbers[1] * g, numbers[2] * b), pdf

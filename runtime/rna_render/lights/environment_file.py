@@ -57,7 +57,8 @@ def read_environment(path: Path) -> np.ndarray:
         raise SceneError(
             f"has {bad} texels that are not finite numbers of at most {MAX_NUMBER:g}", file=path
         )
-    return np.maximum(texels, np.float32(0.0), out=texels)
+    np.maximum(texels, np.float32(0.0), out=texels)
+    return texels
 
 
 def _colours(path: Path, channels: dict[str, np.ndarray]) -> np.ndarray:

@@ -7,12 +7,13 @@ core's cache, and so a core waits for many numbers at once.
 from __future__ import annotations
 
 import numpy as np
-from numba import carray, prange
+from numba import carray, prange  # type: ignore[attr-defined]
 
 from rna_render.angles import sine_and_cosine, turns_of
 from rna_render.lights.directions import LUMINANCE
 from rna_render.lights.intervals import guide_entry, interval_near, place_within
-from rna_render.memory import pointer_f32, pointer_f64, pointer_i32
+from rna_render.memory import pointer_f32, pointer_f64, pointer_i32, signed
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 # What `sample_image_batch` and `look_up_image` read. Addresses of arrays, and the image's size; and
@@ -29,13 +30,17 @@ U1, U2, ROW, COLUMN, CELL_HEIGHT, CAP_Y = range(12, 18)
 BLOCK_ROWS = 18
 
 
-@compiled(fastmath=())
-def _luminance(r, g, b):
-    return LUMINANCE[0] * r + LUMINANCE[1] * g + LUMINANCE[2] * b
+Cell = tuple[Vector, Vector, Vector, Vector]
+"""Colours of the texels at its corners."""
 
 
 @compiled(fastmath=())
-def _cell(texels, row, column):
+def _luminance(r: float, g: float, b: float) -> float:
+    return float(LUMINANCE[0] * r + LUMINANCE[1] * g + LUMINANCE[2] * b)
+
+
+@compiled(fastmath=())
+def _cell(texels: np.ndarray, row: int, column: int) -> Cell:
     """The four texels about a cell."""
     h, w, _ = texels.shape
     upper, lower = max(row - 1, 0), min(row, h - 1)
@@ -49,13 +54,13 @@ def _cell(texels, row, column):
 
 
 @compiled(fastmath=())
-def _texel(texels, row, column):
+def _texel(texels: np.ndarray, row: int, column: int) -> Vector:
     r, g, b = texels[row, column, 0], texels[row, column, 1], texels[row, column, 2]
     return np.float64(r), np.float64(g), np.float64(b)
 
 
 @compiled(fastmath=())
-def _luminances(cell):
+def _luminances(cell: Cell) -> tuple[float, float, float, float]:
     a, b, c, d = cell
     return (
         _luminance(a[0], a[1], a[2]),
@@ -66,11 +71,13 @@ def _luminances(cell):
 
 
 @compiled(parallel=True, fastmath=())
-def sums_of_cells(texels, heights, mean, columns):
+def sums_of_cells(
+    texels: np.ndarray, heights: np.ndarray, mean: float, columns: np.ndarray
+) -> None:
     """Running sums, along each row, of the cells' weights: luminance times the row's height."""
     h, w, _ = texels.shape
     for k in prange(h + 1):
-        row, total = np.int64(k), 0.0  # k is unsigned: k - 1 would be a float
+        row, total = signed(k), 0.0
         columns[row, 0] = 0.0
         for column in range(w):
             a, b, c, d = _luminances(_cell(texels, row, column))
@@ -79,19 +86,19 @@ def sums_of_cells(texels, heights, mean, columns):
 
 
 @compiled(fastmath=())
-def _sample_linear(a, b, u):
+def _sample_linear(a: float, b: float, u: float) -> float:
     """A place in [0, 1) with density in proportion to a line from a to b, neither negative."""
     root = np.sqrt(a * a + u * (b * b - a * a))
     return u * (a + b) / (a + root) if a + root > 0.0 else u
 
 
 @compiled(fastmath=())
-def _cap_angle(one_minus_cosine):
-    return 2.0 * np.arcsin(np.sqrt(one_minus_cosine / 2.0))
+def _cap_angle(one_minus_cosine: float) -> float:
+    return float(2.0 * np.arcsin(np.sqrt(one_minus_cosine / 2.0)))
 
 
 @compiled(fastmath=())
-def _radiance_in_cell(cell, x, y):
+def _radiance_in_cell(cell: Cell, x: float, y: float) -> Vector:
     """Bilinear between the corners."""
     a, b, c, d = cell
     wa, wb, wc, wd = (1.0 - x) * (1.0 - y), x * (1.0 - y), (1.0 - x) * y, x * y
@@ -103,7 +110,14 @@ def _radiance_in_cell(cell, x, y):
 
 
 @compiled(fastmath=())
-def _density(numbers, h, w, cell, here, mean_here):
+def _density(
+    numbers: np.ndarray,
+    h: int,
+    w: int,
+    cell: tuple[float, bool, float],
+    here: float,
+    mean_here: float,
+) -> float:
     """Density of the direction to a place in a cell, by the luminance there and the cell's mean.
 
     cell: its height, whether it is not at a pole, and the sine of the place's angle to +y. The
@@ -119,16 +133,16 @@ def _density(numbers, h, w, cell, here, mean_here):
 
 
 @compiled(fastmath=())
-def _image(words):
-    h, w = np.int64(words[HEIGHT]), np.int64(words[WIDTH])
+def _image(words: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    h, w = signed(words[HEIGHT]), signed(words[WIDTH])
     texels = carray(pointer_f32(words[TEXELS]), (h, w, 3))
     return texels, carray(pointer_f64(words[HEIGHTS]), (h + 1,))
 
 
 @compiled(fastmath=())
-def _choose_rows(words, u, row, place):
+def _choose_rows(words: np.ndarray, u: np.ndarray, row: np.ndarray, place: np.ndarray) -> None:
     """Rows of cells, and in column 1 of place what is left of the second numbers."""
-    h = np.int64(words[HEIGHT])
+    h = signed(words[HEIGHT])
     rows = carray(pointer_f64(words[ROWS]), (h + 2,))
     guide = carray(pointer_i32(words[ROW_GUIDE]), (h + 1,))
     for i in range(len(u)):
@@ -138,9 +152,11 @@ def _choose_rows(words, u, row, place):
 
 
 @compiled(fastmath=())
-def _choose_columns(words, u, row, column, place):
+def _choose_columns(
+    words: np.ndarray, u: np.ndarray, row: np.ndarray, column: np.ndarray, place: np.ndarray
+) -> None:
     """Cells in their rows, and in column 0 of place what is left of the first numbers."""
-    h, w = np.int64(words[HEIGHT]), np.int64(words[WIDTH])
+    h, w = signed(words[HEIGHT]), signed(words[WIDTH])
     columns = carray(pointer_f64(words[COLUMNS]), (h + 1, w + 1))
     guide = carray(pointer_i32(words[COLUMN_GUIDE]), (h + 1, w))
     for i in range(len(u)):
@@ -155,7 +171,14 @@ def _choose_columns(words, u, row, column, place):
 
 
 @compiled(fastmath=())
-def _take_cells(texels, heights, row, column, place, block):
+def _take_cells(
+    texels: np.ndarray,
+    heights: np.ndarray,
+    row: np.ndarray,
+    column: np.ndarray,
+    place: np.ndarray,
+    block: np.ndarray,
+) -> None:
     """Numbers of the cells, column by column, and places in the rows at the poles."""
     h, w, _ = texels.shape
     for i in range(len(row)):
@@ -174,7 +197,9 @@ def _take_cells(texels, heights, row, column, place, block):
 
 
 @compiled(fastmath=())
-def _directions_in_cells(numbers, h, w, count, block):
+def _directions_in_cells(
+    numbers: np.ndarray, h: int, w: int, count: int, block: np.ndarray
+) -> None:
     """Directions, radiance and densities of a block, in place of its first rows.
 
     Without branches or calls, so that the compiler takes several directions at once.
@@ -206,17 +231,33 @@ def _directions_in_cells(numbers, h, w, count, block):
 
 
 @compiled(parallel=True, fastmath=())
-def sample_image_batch(scale, numbers, words, u, d_world, radiance, pdf):
+def sample_image_batch(
+    scale: np.ndarray,
+    numbers: np.ndarray,
+    words: np.ndarray,
+    u: np.ndarray,
+    d_world: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
     """Directions for u, (n, 2), the radiance from there times `scale`, and their densities."""
     for block in prange((len(u) + BLOCK - 1) // BLOCK):
-        start = np.int64(block) * BLOCK
+        start = signed(block) * BLOCK
         part = slice(start, min(start + BLOCK, len(u)))
         out = d_world[part], radiance[part], pdf[part]
         _sample_block(scale, numbers, words, u[part], out[0], out[1], out[2])
 
 
 @compiled(fastmath=())
-def _sample_block(scale, numbers, words, u, d_world, radiance, pdf):
+def _sample_block(
+    scale: np.ndarray,
+    numbers: np.ndarray,
+    words: np.ndarray,
+    u: np.ndarray,
+    d_world: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
     row, column = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
     place, block = np.empty((BLOCK, 2)), np.zeros((BLOCK_ROWS, BLOCK))
     texels, heights = _image(words)
@@ -231,7 +272,9 @@ def _sample_block(scale, numbers, words, u, d_world, radiance, pdf):
 
 
 @compiled(fastmath=())
-def look_up_image(numbers, words, dx, dy, dz):
+def look_up_image(
+    numbers: np.ndarray, words: np.ndarray, dx: float, dy: float, dz: float
+) -> tuple[float, float, float, float]:
     """Radiance from a direction, and the density with which `sample_image_batch` finds it."""
     texels, heights = _image(words)
     h, w, _ = texels.shape
@@ -252,7 +295,13 @@ def look_up_image(numbers, words, dx, dy, dz):
 
 
 @compiled(parallel=True, fastmath=())
-def look_up_image_batch(numbers, words, d_world, radiance, pdf):
+def look_up_image_batch(
+    numbers: np.ndarray,
+    words: np.ndarray,
+    d_world: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
     for i in prange(len(pdf)):
         d = np.float64(d_world[i, 0]), np.float64(d_world[i, 1]), np.float64(d_world[i, 2])
         r, g, b, pdf[i] = look_up_image(numbers, words, d[0], d[1], d[2])

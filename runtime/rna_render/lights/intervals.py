@@ -7,13 +7,14 @@ length is never found, unless all that follow have none.
 
 from __future__ import annotations
 
+import numpy as np
 from numba import prange
 
 from rna_sdk.compiled import compiled
 
 
 @compiled(fastmath=())
-def find_interval(cumulative, value):
+def find_interval(cumulative: np.ndarray, value: float) -> int:
     """The interval that a value is in, by bisection."""
     low, high = 0, len(cumulative) - 1
     while high - low > 1:
@@ -26,7 +27,7 @@ def find_interval(cumulative, value):
 
 
 @compiled(fastmath=())
-def interval_near(cumulative, near, value):
+def interval_near(cumulative: np.ndarray, near: int, value: float) -> int:
     """The interval that a value is in, in steps from one near it."""
     while near > 0 and cumulative[near] > value:
         near -= 1
@@ -36,7 +37,7 @@ def interval_near(cumulative, near, value):
 
 
 @compiled(fastmath=())
-def place_within(cumulative, interval, value):
+def place_within(cumulative: np.ndarray, interval: int, value: float) -> float:
     """Where in its interval a value is, in [0, 1)."""
     length = cumulative[interval + 1] - cumulative[interval]
     place = (value - cumulative[interval]) / length if length > 0.0 else 0.0
@@ -44,7 +45,7 @@ def place_within(cumulative, interval, value):
 
 
 @compiled(parallel=True, fastmath=())
-def fill_guide(cumulative, guide):
+def fill_guide(cumulative: np.ndarray, guide: np.ndarray) -> None:
     """For each row of sums, (r, k + 1), and each i < k an interval near i / k of the last sum.
 
     guide: (r, k) int32, written. From `guide_entry` of a u the interval of u is a step or two away:
@@ -60,6 +61,6 @@ def fill_guide(cumulative, guide):
 
 
 @compiled(fastmath=())
-def guide_entry(u, count):
+def guide_entry(u: float, count: int) -> int:
     """Place in a guide of `count` entries for a u in [0, 1)."""
     return min(int(u * count), count - 1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from rna_render.lights.base import LightRow
@@ -13,7 +15,10 @@ COLOUR, OWN = 0, 3
 ROW_NUMBERS, ROW_WORDS = 20, 8
 
 
-def light_row(kind: int, colour: object, own: object = (), words: object = ()) -> LightRow:
+Numbers = Sequence[float] | np.ndarray
+
+
+def light_row(kind: int, colour: Numbers, own: Numbers = (), words: Numbers = ()) -> LightRow:
     """colour: three numbers. own: those of the kind. words: addresses and sizes."""
     numbers = np.zeros(ROW_NUMBERS)
     numbers[COLOUR:OWN] = colour

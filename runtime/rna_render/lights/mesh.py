@@ -6,15 +6,16 @@ from abc import abstractmethod
 from collections.abc import Callable
 
 import numpy as np
-from numba import carray, prange
+from numba import carray, prange  # type: ignore[attr-defined]
 
 from rna_render.embree.tracing import ClosestHits
 from rna_render.lights.base import LightRow, ShapeLight
-from rna_render.lights.directions import flat_pdf
+from rna_render.lights.directions import Axes, flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
 from rna_render.lights.kinds import OWN, TRIANGLES, light_row
-from rna_render.memory import pointer_f64
+from rna_render.memory import pointer_f64, signed
 from rna_render.rays import vectors
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 
@@ -134,15 +135,19 @@ class MeshLight(TriangleLight):
 
 
 @compiled(fastmath=())
-def _triangle_pdf(corners, normals, per_area, triangle, x, d):
+def _triangle_pdf(
+    corners: np.ndarray, normals: np.ndarray, per_area: np.ndarray, triangle: int, x: Axes, d: Axes
+) -> float:
     """Density of the direction d from x of points on either side of a triangle."""
     return flat_pdf(corners[triangle, 0], normals[triangle], True, per_area[triangle], x, d)
 
 
 @compiled(fastmath=())
-def sample_triangles(numbers, words, x, u1, u2):
+def sample_triangles(
+    numbers: np.ndarray, words: np.ndarray, x: Vector, u1: float, u2: float
+) -> tuple[Vector, float, float, Vector]:
     """Direction, distance, density, and triangle with barycentrics as three float64."""
-    count = np.int64(words[4])
+    count = signed(words[4])
     if count == 0:
         return (0.0, 0.0, 0.0), 0.0, 0.0, (0.0, 0.0, 0.0)
     corners = carray(pointer_f64(words[0]), (count, 3, 3))
@@ -171,7 +176,7 @@ def sample_triangles(numbers, words, x, u1, u2):
 
 
 @compiled(fastmath=())
-def _turned(m, v):
+def _turned(m: np.ndarray, v: Vector) -> Vector:
     return (
         m[0, 0] * v[0] + m[0, 1] * v[1] + m[0, 2] * v[2],
         m[1, 0] * v[0] + m[1, 1] * v[1] + m[1, 2] * v[2],
@@ -180,6 +185,14 @@ def _turned(m, v):
 
 
 @compiled(parallel=True, fastmath=())
-def _mesh_pdf(corners, normals, per_area, x_world, d_world, primitive, pdf):
+def _mesh_pdf(
+    corners: np.ndarray,
+    normals: np.ndarray,
+    per_area: np.ndarray,
+    x_world: np.ndarray,
+    d_world: np.ndarray,
+    primitive: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
     for i in prange(len(x_world)):
         pdf[i] = _triangle_pdf(corners, normals, per_area, primitive[i], x_world[i], d_world[i])

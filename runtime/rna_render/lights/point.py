@@ -8,6 +8,7 @@ from rna_render.lights.base import Light
 from rna_render.lights.directions import luminance, unit
 from rna_render.lights.kinds import OWN, POINT, light_row
 from rna_render.lights.models import PointModel, SpotModel
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 
@@ -62,7 +63,7 @@ class SpotLight(_PointLike):
 
 
 @compiled(fastmath=())
-def _falloff(cosine, cos_inner, cos_outer):
+def _falloff(cosine: float, cos_inner: float, cos_outer: float) -> float:
     """1 within the inner cone, 0 without the outer one."""
     if cosine >= cos_inner:
         return 1.0
@@ -73,7 +74,7 @@ def _falloff(cosine, cos_inner, cos_outer):
 
 
 @compiled(fastmath=())
-def sample_point_light(numbers, x):
+def sample_point_light(numbers: np.ndarray, x: Vector) -> tuple[Vector, float, Vector, float]:
     """Direction, distance, irradiance, and 1 for a density, or 0 without its cone."""
     dx, dy, dz = numbers[OWN] - x[0], numbers[OWN + 1] - x[1], numbers[OWN + 2] - x[2]
     r = np.sqrt(dx * dx + dy * dy + dz * dz)

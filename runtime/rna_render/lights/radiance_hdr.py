@@ -13,6 +13,7 @@ import numpy as np
 from numba import prange
 
 from rna_render.limits import MAX_PIXELS_A_SIDE
+from rna_render.memory import signed
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 
@@ -92,7 +93,7 @@ def _positive(text: str) -> float:
 
 
 @compiled(fastmath=())
-def _decode(data, at, rgbe):
+def _decode(data: np.ndarray, at: int, rgbe: np.ndarray) -> tuple[int, int]:
     """Fill rgbe, (h, w, 4) uint8, from the bytes after the header; what is wrong, and its line."""
     height, width, _ = rgbe.shape
     for row in range(height):
@@ -116,7 +117,7 @@ def _decode(data, at, rgbe):
 
 
 @compiled(fastmath=())
-def _decode_components(data, at, line):
+def _decode_components(data: np.ndarray, at: int, line: np.ndarray) -> tuple[int, int]:
     """The newer code: the four components one after another, each in runs and dumps."""
     for component in range(4):
         x = 0
@@ -125,7 +126,7 @@ def _decode_components(data, at, line):
                 return _TRUNCATED, at
             code = data[at]
             run = code > 128
-            count = np.int64(code) - 128 if run else np.int64(code)
+            count = signed(code) - 128 if run else signed(code)
             if count == 0:
                 return _EMPTY_RUN, at
             if x + count > len(line):
@@ -140,7 +141,7 @@ def _decode_components(data, at, line):
 
 
 @compiled(fastmath=())
-def _decode_pixels(data, at, line):
+def _decode_pixels(data: np.ndarray, at: int, line: np.ndarray) -> tuple[int, int]:
     """Flat pixels and the older code: (1, 1, 1, n) repeats the pixel before n << shift times."""
     x, shift = 0, 0
     while x < len(line):
@@ -151,7 +152,7 @@ def _decode_pixels(data, at, line):
                 return _NOTHING_TO_REPEAT, at
             if shift > 16:
                 return _OVERRUN, at
-            count = np.int64(data[at + 3]) << shift
+            count = signed(data[at + 3]) << shift
             if x + count > len(line):
                 return _OVERRUN, at
             for k in range(count):
@@ -168,7 +169,7 @@ def _decode_pixels(data, at, line):
 
 
 @compiled(parallel=True, fastmath=())
-def _from_rgbe(rgbe, scale, texels):
+def _from_rgbe(rgbe: np.ndarray, scale: float, texels: np.ndarray) -> None:
     """Mantissas m and exponent e: m 2^(e - 136), and 0 for e = 0.
 
     Without the half step that Real Pixels adds to m, as Blender and most readers have it.
@@ -176,7 +177,7 @@ def _from_rgbe(rgbe, scale, texels):
     height, width, _ = rgbe.shape
     for row in prange(height):
         for x in range(width):
-            exponent = np.int64(rgbe[row, x, 3])
+            exponent = signed(rgbe[row, x, 3])
             step = scale * 2.0 ** (exponent - 136) if exponent > 0 else 0.0
             for channel in range(3):
                 texels[row, x, channel] = rgbe[row, x, channel] * step

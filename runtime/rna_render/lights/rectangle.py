@@ -12,6 +12,7 @@ from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.lights.kinds import OWN, RECTANGLE
 from rna_render.lights.models import RectangleModel
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 # Steradians. The solid angle is a difference of angles, exact to 1e-15; below this it is sampled
@@ -30,17 +31,19 @@ class RectangleLight(AreaLight):
         super().__init__(model, width * height, RECTANGLE, numbers)
         corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
         positions = (corners * [*half, 0.0]).astype(np.float32)
-        self.scene = TriangleScene([(positions, np.uint32([[0, 1, 2], [0, 2, 3]]))])
+        self.scene = TriangleScene([(positions, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))])
 
 
 @compiled(fastmath=())
-def _shape(numbers):
+def _shape(numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Frame and half sides."""
     return numbers[OWN : OWN + 12].reshape(3, 4), numbers[OWN + 12 : OWN + 14]
 
 
 @compiled(fastmath=())
-def _seen_from(frame, half, x):
+def _seen_from(
+    frame: np.ndarray, half: np.ndarray, x: Vector
+) -> tuple[float, float, float, float, float]:
     """Edges x0, x1, y0, y1 of the rectangle as seen from x, and x's height over its front."""
     px, py, pz = x[0] - frame[0, 3], x[1] - frame[1, 3], x[2] - frame[2, 3]
     a = px * frame[0, 0] + py * frame[1, 0] + pz * frame[2, 0]
@@ -50,17 +53,17 @@ def _seen_from(frame, half, x):
 
 
 @compiled(fastmath=())
-def _edge_angle(x, y, sign, height):
+def _edge_angle(x: float, y: float, sign: float, height: float) -> float:
     """Angle between the planes through x and two edges that meet in a corner, (x, y, -height).
 
     cos = sign x y / (sqrt(x^2 + h^2) sqrt(y^2 + h^2)), section 4 of the paper, as an arctangent:
     an arccosine would lose angles near 0 and pi.
     """
-    return np.arctan2(height * np.sqrt(x * x + y * y + height * height), sign * x * y)
+    return float(np.arctan2(height * np.sqrt(x * x + y * y + height * height), sign * x * y))
 
 
 @compiled(fastmath=())
-def _solid_angle(x0, x1, y0, y1, height):
+def _solid_angle(x0: float, x1: float, y0: float, y1: float, height: float) -> tuple[float, float]:
     """Of the rectangle, and the sum k of section 5: 2 pi less the two angles at x0."""
     k = 2.0 * np.pi - _edge_angle(x0, y1, 1.0, height) - _edge_angle(x0, y0, -1.0, height)
     right = _edge_angle(x1, y0, 1.0, height) + _edge_angle(x1, y1, -1.0, height)
@@ -68,7 +71,7 @@ def _solid_angle(x0, x1, y0, y1, height):
 
 
 @compiled(fastmath=())
-def rectangle_density(numbers, x, d):
+def rectangle_density(numbers: np.ndarray, x: Vector, d: Vector) -> float:
     """Density of directions that meet the rectangle, 0 where they meet its dark side."""
     frame, half = _shape(numbers)
     per_area = 1.0 / (4.0 * half[0] * half[1])
@@ -81,7 +84,9 @@ def rectangle_density(numbers, x, d):
 
 
 @compiled(fastmath=())
-def _point(x0, x1, y0, y1, height, u1, u2):
+def _point(
+    x0: float, x1: float, y0: float, y1: float, height: float, u1: float, u2: float
+) -> tuple[float, float]:
     """The point that u means, relative to x in the rectangle's axes (section 5 of the paper)."""
     solid_angle, k = _solid_angle(x0, x1, y0, y1, height)
     if solid_angle < MIN_SOLID_ANGLE:
@@ -102,7 +107,9 @@ def _point(x0, x1, y0, y1, height, u1, u2):
 
 
 @compiled(fastmath=())
-def sample_rectangle(numbers, x, u1, u2):
+def sample_rectangle(
+    numbers: np.ndarray, x: Vector, u1: float, u2: float
+) -> tuple[Vector, float, float]:
     """Direction, distance and density."""
     frame, half = _shape(numbers)
     x0, x1, y0, y1, height = _seen_from(frame, half, x)

@@ -29,9 +29,10 @@ class LightSelection:
             shines = np.ones(len(power), bool)
             power = shines.astype(np.float64)
         # In two steps, because a sum of great powers may be infinite.
-        power = power / max(power.max(initial=0.0), 1e-300)
-        even = shines / max(np.count_nonzero(shines), 1)
-        self.probability = EVEN_SHARE * even + (1.0 - EVEN_SHARE) * power / max(power.sum(), 1e-300)
+        power = power / max(float(power.max(initial=0.0)), 1e-300)
+        even = shines / max(int(np.count_nonzero(shines)), 1)
+        by_power = power / max(float(power.sum()), 1e-300)
+        self.probability = EVEN_SHARE * even + (1.0 - EVEN_SHARE) * by_power
         self._inner_edges = np.cumsum(self.probability)[:-1]
         self._last = int(np.flatnonzero(shines)[-1]) if len(power) else -1
 

@@ -9,6 +9,7 @@ from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import cone_direction
 from rna_render.lights.kinds import OWN, SPHERE
 from rna_render.lights.models import SphereModel
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
 
@@ -20,11 +21,11 @@ class SphereLight(AreaLight):
         super().__init__(model, area, SPHERE, np.array([*model.position, model.radius]))
         self.world_from_object = np.eye(4)
         self.world_from_object[:3, 3] = model.position
-        self.scene = SphereScene(np.zeros((1, 3), np.float32), np.float32([model.radius]))
+        self.scene = SphereScene(np.zeros((1, 3), np.float32), np.array([model.radius], np.float32))
 
 
 @compiled(fastmath=())
-def _cone(centre, radius, x):
+def _cone(centre: np.ndarray, radius: float, x: Vector) -> tuple[float, float, float, float, float]:
     """Vector from x to the centre, its length, and 1 - cos of the sphere's angular radius.
 
     The last is 0 where x is inside or on the sphere.
@@ -38,23 +39,25 @@ def _cone(centre, radius, x):
 
 
 @compiled(fastmath=())
-def _cone_pdf(one_minus_cosine):
+def _cone_pdf(one_minus_cosine: float) -> float:
     return 1.0 / (2.0 * np.pi * one_minus_cosine) if one_minus_cosine > 0.0 else 0.0
 
 
 @compiled(fastmath=())
-def _sphere_distance(cx, cy, cz, radius, wi):
+def _sphere_distance(cx: float, cy: float, cz: float, radius: float, wi: Vector) -> float:
     """Along the unit wi to the near side of a sphere whose centre is at (cx, cy, cz).
 
     Rounding may take wi past the rim: then to the point nearest to the sphere.
     """
     along = cx * wi[0] + cy * wi[1] + cz * wi[2]
     px, py, pz = cx - along * wi[0], cy - along * wi[1], cz - along * wi[2]
-    return along - np.sqrt(max(0.0, radius * radius - (px * px + py * py + pz * pz)))
+    return float(along - np.sqrt(max(0.0, radius * radius - (px * px + py * py + pz * pz))))
 
 
 @compiled(fastmath=())
-def sample_sphere(numbers, x, u1, u2):
+def sample_sphere(
+    numbers: np.ndarray, x: Vector, u1: float, u2: float
+) -> tuple[Vector, float, float]:
     """Direction, distance and density."""
     radius = numbers[OWN + 3]
     cx, cy, cz, length, one_minus_cosine = _cone(numbers[OWN : OWN + 3], radius, x)
@@ -65,6 +68,6 @@ def sample_sphere(numbers, x, u1, u2):
 
 
 @compiled(fastmath=())
-def sphere_density(numbers, x):
+def sphere_density(numbers: np.ndarray, x: Vector) -> float:
     """Density of directions that meet the sphere."""
     return _cone_pdf(_cone(numbers[OWN : OWN + 3], numbers[OWN + 3], x)[4])

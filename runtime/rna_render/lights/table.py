@@ -33,12 +33,14 @@ from rna_render.lights.mesh import sample_triangles
 from rna_render.lights.point import sample_point_light
 from rna_render.lights.rectangle import rectangle_density, sample_rectangle
 from rna_render.lights.sphere import sample_sphere, sphere_density
-from rna_render.vectors import vector_at
+from rna_render.vectors import Vector, vector_at
 from rna_sdk.compiled import compiled
 
 
 @compiled(fastmath=())
-def sample_light(kind, numbers, words, x, u1, u2):
+def sample_light(
+    kind: int, numbers: np.ndarray, words: np.ndarray, x: Vector, u1: float, u2: float
+) -> tuple[Vector, float, Vector, float, Vector]:
     """A sample of a light at x, three float64; of images see `sample_batch`."""
     no_place = (0.0, 0.0, 0.0)
     if kind == UNIFORM:
@@ -66,7 +68,9 @@ def sample_light(kind, numbers, words, x, u1, u2):
 
 
 @compiled(fastmath=())
-def escaped_light(kind, numbers, words, d):
+def escaped_light(
+    kind: int, numbers: np.ndarray, words: np.ndarray, d: Vector
+) -> tuple[Vector, float]:
     """Radiance, and density of `sample_light`, of a ray along d that leaves the scene."""
     if kind == IMAGE:
         return look_up_image_light(numbers, words, d)
@@ -78,7 +82,7 @@ def escaped_light(kind, numbers, words, d):
 
 
 @compiled(fastmath=())
-def met_light(kind, numbers, x, d):
+def met_light(kind: int, numbers: np.ndarray, x: Vector, d: Vector) -> tuple[Vector, float]:
     """The same of a ray from x along d that meets a light of one shape and one radiance."""
     pdf = 0.0
     if kind == RECTANGLE:
@@ -91,12 +95,23 @@ def met_light(kind, numbers, x, d):
 
 
 @compiled(fastmath=())
-def _where_seen(numbers, pdf):
+def _where_seen(numbers: np.ndarray, pdf: float) -> Vector:
     return (numbers[0], numbers[1], numbers[2]) if pdf > 0.0 else (0.0, 0.0, 0.0)
 
 
 @compiled(parallel=True, fastmath=())
-def sample_batch(kind, numbers, words, x_world, u, wi_world, distance, radiance, pdf, place):
+def sample_batch(
+    kind: int,
+    numbers: np.ndarray,
+    words: np.ndarray,
+    x_world: np.ndarray,
+    u: np.ndarray,
+    wi_world: np.ndarray,
+    distance: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+    place: np.ndarray,
+) -> None:
     if kind == IMAGE:
         sample_image_light(numbers, words, u, wi_world, radiance, pdf)
         distance[:] = np.inf
@@ -110,14 +125,28 @@ def sample_batch(kind, numbers, words, x_world, u, wi_world, distance, radiance,
 
 
 @compiled(parallel=True, fastmath=())
-def escaped_batch(kind, numbers, words, d_world, radiance, pdf):
+def escaped_batch(
+    kind: int,
+    numbers: np.ndarray,
+    words: np.ndarray,
+    d_world: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
     for i in prange(len(d_world)):
         found, pdf[i] = escaped_light(kind, numbers, words, vector_at(d_world, i))
         radiance[i, 0], radiance[i, 1], radiance[i, 2] = found
 
 
 @compiled(parallel=True, fastmath=())
-def met_batch(kind, numbers, x_world, d_world, radiance, pdf):
+def met_batch(
+    kind: int,
+    numbers: np.ndarray,
+    x_world: np.ndarray,
+    d_world: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
     for i in prange(len(d_world)):
         at = vector_at(x_world, i), vector_at(d_world, i)
         found, pdf[i] = met_light(kind, numbers, at[0], at[1])

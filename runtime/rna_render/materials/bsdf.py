@@ -47,6 +47,7 @@ from rna_render.materials.ggx import (
     visibility,
 )
 from rna_render.vectors import (
+    Vector,
     dot,
     half_cosines,
     tangents_of,
@@ -65,8 +66,24 @@ _NODES = 0.5 * (_NODES + 1.0)
 _WEIGHTS = 0.5 * _WEIGHTS * 4.0 * _NODES**3
 
 
+Point = tuple[Vector, float, float, float, float, float, float, float]
+"""What `bsdf_point` returns."""
+
+Parameters = tuple[np.ndarray, ...]
+"""Of Scattering: an array for each number of a point, and the albedo table with its means."""
+
+
 @compiled(fastmath=())
-def bsdf_point(base, alpha, metallic, coat_f0, coat, diffuse, clear, clear_alpha):
+def bsdf_point(
+    base: Vector,
+    alpha: float,
+    metallic: float,
+    coat_f0: float,
+    coat: float,
+    diffuse: float,
+    clear: float,
+    clear_alpha: float,
+) -> Point:
     """What the functions below take for a point of a material: base colour, three float64; alpha,
     metallic, F0; weights of coat and diffuse part; weight and alpha of the clear coat."""
     coat = coat if coat_f0 > 0.0 else 0.0
@@ -75,14 +92,18 @@ def bsdf_point(base, alpha, metallic, coat_f0, coat, diffuse, clear, clear_alpha
 
 
 @compiled(fastmath=())
-def bsdf_frame(point, n, clear_n, g, o):
+def bsdf_frame(
+    point: Point, n: Vector, clear_n: Vector, g: Vector, o: Vector
+) -> tuple[Vector, Vector]:
     """The normals that a point scatters about: of its surface, and of its clear coat."""
     m = turned_normal(n, g, o)
     return m, (turned_normal(clear_n, g, o) if point[6] > 0.0 else m)
 
 
 @compiled(fastmath=())
-def _row(parameters, p, n, g, o):
+def _row(
+    parameters: Parameters, p: int, n: Vector, g: Vector, o: Vector
+) -> tuple[Point, tuple[Vector, Vector]]:
     """The point of a row of Scattering's parameters, and its frame."""
     base_color, alpha, metallic, coat_f0, weights, clear, clear_alpha, clear_n = parameters[:8]
     q, r = min(p, len(weights) - 1), min(p, len(clear) - 1)
@@ -100,7 +121,7 @@ def _row(parameters, p, n, g, o):
 
 
 @compiled(fastmath=())
-def _albedo(weight, f0, alpha, table, cosine):
+def _albedo(weight: float, f0: float, alpha: float, table: np.ndarray, cosine: float) -> float:
     """The part that a coat reflects by itself."""
     if weight == 0.0:
         return 0.0
@@ -109,7 +130,7 @@ def _albedo(weight, f0, alpha, table, cosine):
 
 
 @compiled(fastmath=())
-def _mean_passed(point, table, mean):
+def _mean_passed(point: Point, table: np.ndarray, mean: np.ndarray) -> float:
     """The mean of what both coats let through."""
     _, alpha, _, f0, coat, _, clear, clear_alpha = point
     if clear == 0.0:
@@ -125,7 +146,9 @@ def _mean_passed(point, table, mean):
 
 
 @compiled(fastmath=())
-def _shares(point, table, cos_o, clear_cos_o):
+def _shares(
+    point: Point, table: np.ndarray, cos_o: float, clear_cos_o: float
+) -> tuple[float, float]:
     """Parts of the samples for the clear coat and for the microfacets below it: their parts of the
     albedo, mean of the colours."""
     base, alpha, metallic, f0, coat_weight, diffuse_weight, clear, clear_alpha = point
@@ -143,7 +166,7 @@ def _shares(point, table, cos_o, clear_cos_o):
 
 
 @compiled(fastmath=())
-def _lobe(alpha, m, o, i):
+def _lobe(alpha: float, m: Vector, o: Vector, i: Vector) -> tuple[float, float]:
     """V D, and Schlick's weight, about the normal m."""
     nh, oh = half_cosines(m, o, i)
     surface = distribution(alpha, nh) * visibility(alpha, dot(m, o), dot(m, i))
@@ -151,7 +174,15 @@ def _lobe(alpha, m, o, i):
 
 
 @compiled(fastmath=())
-def bsdf_value(point, frame, g, o, i, table, mean):
+def bsdf_value(
+    point: Point,
+    frame: tuple[Vector, Vector],
+    g: Vector,
+    o: Vector,
+    i: Vector,
+    table: np.ndarray,
+    mean: np.ndarray,
+) -> Vector:
     """f(o, i) |n.i|: red, green, blue. o, i: unit. frame: of `bsdf_frame`. table, mean: of
     `ggx.albedo_table`."""
     m, c = frame
@@ -185,7 +216,15 @@ def bsdf_value(point, frame, g, o, i, table, mean):
 
 
 @compiled(fastmath=())
-def bsdf_sample(point, frame, o, u1, u2, u3, table):
+def bsdf_sample(
+    point: Point,
+    frame: tuple[Vector, Vector],
+    o: Vector,
+    u1: float,
+    u2: float,
+    u3: float,
+    table: np.ndarray,
+) -> Vector:
     """A direction, as often as `bsdf_density` says. u3: chooses the lobe."""
     m, c = frame
     clear, specular = _shares(point, table, dot(m, o), dot(c, o))
@@ -206,7 +245,9 @@ def bsdf_sample(point, frame, o, u1, u2, u3, table):
 
 
 @compiled(fastmath=())
-def bsdf_density(point, frame, o, i, table):
+def bsdf_density(
+    point: Point, frame: tuple[Vector, Vector], o: Vector, i: Vector, table: np.ndarray
+) -> float:
     """Density of `bsdf_sample` in i, per steradian."""
     m, c = frame
     clear, specular = _shares(point, table, dot(m, o), dot(c, o))
@@ -221,7 +262,15 @@ def bsdf_density(point, frame, o, i, table):
 
 
 @compiled(parallel=True, fastmath=())
-def evaluate(parameters, row, n, ng, wo, wi, result):
+def evaluate(
+    parameters: Parameters,
+    row: np.ndarray,
+    n: np.ndarray,
+    ng: np.ndarray,
+    wo: np.ndarray,
+    wi: np.ndarray,
+    result: np.ndarray,
+) -> None:
     table, mean = parameters[8], parameters[9]
     for k in prange(len(wi)):
         p = row[k]
@@ -232,7 +281,15 @@ def evaluate(parameters, row, n, ng, wo, wi, result):
 
 
 @compiled(parallel=True, fastmath=())
-def sample(parameters, row, n, ng, wo, u, wi):
+def sample(
+    parameters: Parameters,
+    row: np.ndarray,
+    n: np.ndarray,
+    ng: np.ndarray,
+    wo: np.ndarray,
+    u: np.ndarray,
+    wi: np.ndarray,
+) -> None:
     table = parameters[8]
     for k in prange(len(wi)):
         p = row[k]
@@ -243,7 +300,15 @@ def sample(parameters, row, n, ng, wo, u, wi):
 
 
 @compiled(parallel=True, fastmath=())
-def pdf(parameters, row, n, ng, wo, wi, result):
+def pdf(
+    parameters: Parameters,
+    row: np.ndarray,
+    n: np.ndarray,
+    ng: np.ndarray,
+    wo: np.ndarray,
+    wi: np.ndarray,
+    result: np.ndarray,
+) -> None:
     table = parameters[8]
     for k in prange(len(wi)):
         p = row[k]
@@ -253,7 +318,16 @@ def pdf(parameters, row, n, ng, wo, wi, result):
 
 
 @compiled(fastmath=())
-def evaluate_with_pdf(parameters, row, n, ng, wo, wi, result, density):
+def evaluate_with_pdf(
+    parameters: Parameters,
+    row: np.ndarray,
+    n: np.ndarray,
+    ng: np.ndarray,
+    wo: np.ndarray,
+    wi: np.ndarray,
+    result: np.ndarray,
+    density: np.ndarray,
+) -> None:
     table, mean = parameters[8], parameters[9]
     for k in range(len(wi)):
         p = row[k]
@@ -265,7 +339,16 @@ def evaluate_with_pdf(parameters, row, n, ng, wo, wi, result, density):
 
 
 @compiled(fastmath=())
-def sample_with_pdf(parameters, row, n, ng, wo, u, wi, density):
+def sample_with_pdf(
+    parameters: Parameters,
+    row: np.ndarray,
+    n: np.ndarray,
+    ng: np.ndarray,
+    wo: np.ndarray,
+    u: np.ndarray,
+    wi: np.ndarray,
+    density: np.ndarray,
+) -> None:
     table = parameters[8]
     for k in range(len(wi)):
         p = row[k]

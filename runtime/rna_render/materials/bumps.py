@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numba import prange
 
-from rna_render.vectors import cross, dot, unit, vector_at
+from rna_render.vectors import Vector, cross, dot, unit, vector_at
 from rna_sdk.compiled import compiled
 
 # A mirror direction keeps this cosine to the geometric normal, or 0.9 of wo's if that is less, as
@@ -42,22 +42,22 @@ def bumped_normals(
 
 
 @compiled(fastmath=())
-def _minus(a, b):
+def _minus(a: Vector, b: Vector) -> Vector:
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 @compiled(fastmath=())
-def _plus(a, s, b):
+def _plus(a: Vector, s: float, b: Vector) -> Vector:
     """a + s b"""
     return a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
 
 
 @compiled(fastmath=())
-def _given(tangents, corners, u, v):
+def _given(tangents: np.ndarray, corners: np.ndarray, u: float, v: float) -> tuple[Vector, float]:
     """The interpolated tangent and its sign; a sign of 0 where a corner has none."""
     if len(tangents) == 0:
         return (0.0, 0.0, 0.0), 0.0
-    t, sign = (0.0, 0.0, 0.0), np.float64(tangents[corners[0], 3])
+    t, sign = (0.0, 0.0, 0.0), float(tangents[corners[0], 3])
     for k in range(3):
         weight = 1.0 - u - v if k == 0 else (u if k == 1 else v)
         t = _plus(t, weight, vector_at(tangents, corners[k]))
@@ -66,7 +66,9 @@ def _given(tangents, corners, u, v):
 
 
 @compiled(fastmath=())
-def derived_tangent(positions, uvs, corners, n):
+def derived_tangent(
+    positions: np.ndarray, uvs: np.ndarray, corners: np.ndarray, n: Vector
+) -> tuple[Vector, float]:
     """The direction of u on the triangle, and the sign that makes the bitangent go against v."""
     e1 = _minus(vector_at(positions, corners[1]), vector_at(positions, corners[0]))
     e2 = _minus(vector_at(positions, corners[2]), vector_at(positions, corners[0]))
@@ -85,7 +87,7 @@ def derived_tangent(positions, uvs, corners, n):
 
 
 @compiled(fastmath=())
-def _kept_above(m, g, o):
+def _kept_above(m: Vector, g: Vector, o: Vector) -> Vector:
     """m, or the nearest normal that mirrors o above the surface; g is on o's side."""
     twice = 2.0 * dot(m, o)
     mirror = (twice * m[0] - o[0], twice * m[1] - o[1], twice * m[2] - o[2])
@@ -96,7 +98,19 @@ def _kept_above(m, g, o):
 
 
 @compiled(fastmath=())
-def bumped_normal(texel, scale, positions, uvs, tangents, corners, u, v, m, g, o):
+def bumped_normal(
+    texel: Vector,
+    scale: float,
+    positions: np.ndarray,
+    uvs: np.ndarray,
+    tangents: np.ndarray,
+    corners: np.ndarray,
+    u: float,
+    v: float,
+    m: Vector,
+    g: Vector,
+    o: Vector,
+) -> Vector:
     """The normal m with relief: three float64.
 
     texel: red, green, blue. tangents: (0, 4) where there are none. corners: of the triangle. g, o:
@@ -120,7 +134,21 @@ def bumped_normal(texel, scale, positions, uvs, tangents, corners, u, v, m, g, o
 
 
 @compiled(parallel=True, fastmath=())
-def _bump(texture, scale, positions, uvs, tangents, triangles, triangle, u, v, n, ng, wo, result):
+def _bump(
+    texture: np.ndarray,
+    scale: float,
+    positions: np.ndarray,
+    uvs: np.ndarray,
+    tangents: np.ndarray,
+    triangles: np.ndarray,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    n: np.ndarray,
+    ng: np.ndarray,
+    wo: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(n)):
         mesh = positions, uvs, tangents, triangles[triangle[i]]
         m, g, o = vector_at(n, i), vector_at(ng, i), unit(vector_at(wo, i))

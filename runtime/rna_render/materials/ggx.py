@@ -24,7 +24,7 @@ TURN_SAMPLES, OUTWARD_SAMPLES = 24, 48
 
 
 @compiled(fastmath=())
-def distribution(alpha, nh):
+def distribution(alpha: float, nh: float) -> float:
     """D of the half vector's cosine nh > 0, per steradian of half vectors."""
     a2 = alpha * alpha
     spread = (1.0 - nh * nh) + a2 * nh * nh
@@ -32,18 +32,18 @@ def distribution(alpha, nh):
 
 
 @compiled(fastmath=())
-def _root(alpha, cosine):
-    return np.sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine)
+def _root(alpha: float, cosine: float) -> float:
+    return float(np.sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine))
 
 
 @compiled(fastmath=())
-def visibility(alpha, cos_o, cos_i):
+def visibility(alpha: float, cos_o: float, cos_i: float) -> float:
     """G / (4 cos_o cos_i) with Smith's height-correlated G; cosines of at least 0, not both 0."""
     return 0.5 / (cos_i * _root(alpha, cos_o) + cos_o * _root(alpha, cos_i))
 
 
 @compiled(fastmath=())
-def reflected_density(alpha, cos_o, nh):
+def reflected_density(alpha: float, cos_o: float, nh: float) -> float:
     """Density of the directions that `sample_reflection` finds, per steradian.
 
     G1(wo) D / (4 cos_o), below the horizon too.
@@ -52,7 +52,9 @@ def reflected_density(alpha, cos_o, nh):
 
 
 @compiled(fastmath=())
-def sample_reflection(alpha, ox, oy, oz, u1, u2):
+def sample_reflection(
+    alpha: float, ox: float, oy: float, oz: float, u1: float, u2: float
+) -> tuple[float, float, float]:
     """Reflection of wo at a normal out of those that wo sees; maybe below the horizon.
 
     Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps (HPG 2023), listing 3.
@@ -76,7 +78,7 @@ def sample_reflection(alpha, ox, oy, oz, u1, u2):
 
 
 @compiled(fastmath=())
-def schlick(cosine):
+def schlick(cosine: float) -> float:
     """(1 - cosine)^5, the weight of grazing reflectance."""
     x = 1.0 - min(max(cosine, 0.0), 1.0)
     return x * x * x * x * x
@@ -106,7 +108,7 @@ def albedo_table() -> tuple[np.ndarray, np.ndarray]:
 
 
 @compiled(parallel=True, fastmath=())
-def _fill_table(table):
+def _fill_table(table: np.ndarray) -> None:
     size = len(table)
     for row in prange(size):
         alpha = max(MIN_ALPHA, (row / (size - 1)) ** 2)
@@ -117,7 +119,7 @@ def _fill_table(table):
 
 
 @compiled(fastmath=())
-def _quadrature(alpha, cos_o):
+def _quadrature(alpha: float, cos_o: float) -> tuple[float, float]:
     sin_o = np.sqrt(1.0 - cos_o * cos_o)
     all_light, grazing = 0.0, 0.0
     for i in range(TURN_SAMPLES):
@@ -138,7 +140,7 @@ def _quadrature(alpha, cos_o):
 
 
 @compiled(fastmath=())
-def _place(value, size):
+def _place(value: float, size: int) -> tuple[int, float]:
     """Cell of a table's axis, and the place in it; value in [0, 1]."""
     place = value * (size - 1)
     cell = min(int(place), size - 2)
@@ -146,7 +148,7 @@ def _place(value, size):
 
 
 @compiled(fastmath=())
-def albedo_terms(table, alpha, cosine):
+def albedo_terms(table: np.ndarray, alpha: float, cosine: float) -> tuple[float, float]:
     """A and B of `albedo_table`, bilinear."""
     row, s = _place(np.sqrt(min(alpha, 1.0)), len(table))
     column, t = _place(np.sqrt(min(max(cosine, 0.0), 1.0)), len(table))
@@ -160,7 +162,7 @@ def albedo_terms(table, alpha, cosine):
 
 
 @compiled(fastmath=())
-def mean_albedo_terms(mean, alpha):
+def mean_albedo_terms(mean: np.ndarray, alpha: float) -> tuple[float, float]:
     """Means of A and B over wo, linear."""
     row, s = _place(np.sqrt(min(alpha, 1.0)), len(mean))
     a = (1.0 - s) * mean[row, 0] + s * mean[row + 1, 0]

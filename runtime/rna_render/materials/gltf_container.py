@@ -65,7 +65,7 @@ class GltfContainer:
         return path, path
 
     def _item(self, name: str, number: int) -> dict[str, Any]:
-        items = self.json[name]
+        items: list[dict[str, Any]] = self.json[name]
         if not 0 <= number < len(items):
             raise ValueError(f"{name} has no item {number}")
         return items[number]
@@ -136,7 +136,8 @@ def open_gltf(path: Path) -> GltfContainer:
 def _glb_chunks(data: bytes) -> tuple[bytes, bytes | None]:
     if data[:4] != GLB_MAGIC or int.from_bytes(data[4:8], "little") != GLB_VERSION:
         raise ValueError("it does not start as a .glb of version 2 does")
-    chunks, start = {}, 12
+    chunks: dict[bytes, bytes] = {}
+    start = 12
     while start + 8 <= len(data):
         length, kind = (
             int.from_bytes(data[start : start + 4], "little"),

@@ -114,7 +114,11 @@ def _part(
         for name in WIDTHS_OF_ATTRIBUTES
         if name in attributes
     }
-    positions, normals, tangents = (vectors.get(n) for n in ("POSITION", "NORMAL", "TANGENT"))
+    positions, normals, tangents = (
+        vectors["POSITION"],
+        vectors.get("NORMAL"),
+        vectors.get("TANGENT"),
+    )
     for name, values in vectors.items():
         shape = len(positions), WIDTHS_OF_ATTRIBUTES[name]
         if values.shape != shape:

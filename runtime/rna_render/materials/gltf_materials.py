@@ -139,13 +139,13 @@ class GltfMaterials:
         if material.clear_coat > 0:
             self.left_out.add("clear coats of what transmits")
         share = float(data["transmissionFactor"])
-        plain = {"opacity": 1.0, "cutoff": None, "opacity_texture": None, "clear_coat": 0.0}
-        return replace(material, transmission=share, transmission_texture=texture, **plain)
+        opaque = replace(material, opacity=1.0, cutoff=None, opacity_texture=None, clear_coat=0.0)
+        return replace(opaque, transmission=share, transmission_texture=texture)
 
     def _alpha_texture(self, info: Json | None) -> Texture | None:
         """The alpha of an image, in all channels; None if it has none."""
         texture = self._texture(info, LINEAR)
-        if texture is None:
+        if info is None or texture is None:
             return None
         alpha = read_alpha(*self._container.image(self._image(info)))
         return None if alpha is None else replace(texture, texels=alpha)
@@ -153,7 +153,7 @@ class GltfMaterials:
     def _image(self, info: Json) -> int:
         texture = self._container.json["textures"][info["index"]]
         webp = texture.get("extensions", {}).get("EXT_texture_webp", {})
-        image = webp.get("source", texture.get("source"))
+        image: int | None = webp.get("source", texture.get("source"))
         if image is None:
             raise ValueError("a texture has no image that could be read")
         return image
@@ -175,7 +175,7 @@ class GltfMaterials:
         image = self._image(info)
         if image not in self._texels:
             self._texels[image] = read_texels(*self._container.image(image))
-        wrap = tuple(WRAPS[sampler.get(name, 10497)] for name in ("wrapS", "wrapT"))
+        wrap = WRAPS[sampler.get("wrapS", 10497)], WRAPS[sampler.get("wrapT", 10497)]
         return Texture(self._texels[image], decode, wrap, _uv_transform(transform), uv_set)
 
 

@@ -27,7 +27,7 @@ def ground(model: GroundModel, resolve: Callable[[Path], Path]) -> MeshObject:
     x, z = np.array([[-1, 1, 1, -1], [1, 1, -1, -1]]) * half
     return MeshObject(
         positions=np.column_stack([x, np.full(4, model.height), z]).astype(np.float32),
-        normals=np.tile(np.float32([0, 1, 0]), (4, 1)),
+        normals=np.tile(np.array([0, 1, 0], np.float32), (4, 1)),
         uvs=np.column_stack([x, z]).astype(np.float32),
         triangles=np.array([[0, 1, 2], [0, 2, 3]], np.uint32),
         material_numbers=np.zeros(2, np.int32),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 from rna_render.materials.models import (
@@ -77,10 +77,10 @@ def make_material(model: MaterialModel, resolve: Callable[[Path], Path]) -> Mate
     if model.texture is not None:
         path = resolve(model.texture)
         texture = Texture(read_texels(path, path), SRGB)
-    kind = {"base_color": model.color, "emission": model.emission, "base_color_texture": texture}
+    plain = Material(model.color, emission=model.emission, base_color_texture=texture)
     if isinstance(model, ConductorModel):
-        return Material(**kind, metallic=1.0, roughness=model.roughness)
+        return replace(plain, metallic=1.0, roughness=model.roughness)
     if isinstance(model, CoatedModel):
         f0 = reflectance_of_ior(model.ior)
-        return Material(**kind, roughness=model.roughness, coat_f0=f0)
-    return Material(**kind)
+        return replace(plain, roughness=model.roughness, coat_f0=f0)
+    return plain

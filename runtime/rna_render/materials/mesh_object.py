@@ -55,7 +55,9 @@ class MeshObject:
 
     def uv_set(self, number: int) -> np.ndarray:
         """The first or the second texture coordinates; a texture that asks for them has them."""
-        return self.second_uvs if number else self.uvs
+        uvs = self.second_uvs if number else self.uvs
+        assert uvs is not None
+        return uvs
 
     def scattering(self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> Scattering:
         """The material at barycentrics (u, v) of the given triangles.
@@ -92,9 +94,9 @@ class MeshObject:
             material = self.materials[number[row[0]]]
             uvs = self.uv_set(material.normal_texture.uv_set)
             mesh, hits = (self.positions, uvs, self.tangents, self.triangles), (triangle, u, v)
-            at = [values_at.take(row, axis=0) for values_at in (*hits, n, ng, wo)]
-            bumps = values, material.normal_scale, mesh, tuple(at[:3])
-            n[row] = bumped_normals(*bumps, *at[3:])
+            t, a, b, m, g, o = (values_at.take(row, axis=0) for values_at in (*hits, n, ng, wo))
+            scale = material.normal_scale
+            n[row] = bumped_normals(values, scale, mesh, (t, a, b), m, g, o)
         return n
 
     @cached_property
@@ -135,13 +137,17 @@ class MeshObject:
             radiance *= 1.0 - self.transmittance.at(triangle, u, v, *any_way)
         return radiance
 
-    def _emission(self, number, triangle, u, v) -> np.ndarray:
-        emission = self._factors["emission"][number]
+    def _emission(
+        self, number: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+    ) -> np.ndarray:
+        emission: np.ndarray = self._factors["emission"][number]
         for row, values in self._looked_up("emission_texture", number, triangle, u, v):
             emission[row] *= values
         return emission
 
-    def _weights(self, number, triangle, u, v) -> np.ndarray | None:
+    def _weights(
+        self, number: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+    ) -> np.ndarray | None:
         """Scattering.weights: of the coat, and of what is diffuse."""
         if (self._factors["coat_weight"] == 1).all() and not self._factors["transmission"].any():
             return None
@@ -153,7 +159,9 @@ class MeshObject:
             transmission[row] *= values[:, 0]
         return np.column_stack([coat, 1 - transmission])
 
-    def _clear_coat(self, number, triangle, u, v) -> ClearCoat | None:
+    def _clear_coat(
+        self, number: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
+    ) -> ClearCoat | None:
         if not self._factors["clear_coat"].any():
             return None
         weight = self._factors["clear_coat"][number]
@@ -190,12 +198,12 @@ class MeshObject:
             at = np.full(len(row), u, np.float32), np.full(len(row), v, np.float32)
             part = self.emission(row, *at) @ LUMINANCE
             luminance[row] += (1 - EMISSION_FLOOR) / len(points) * part
-        return luminance.astype(np.float32)
+        return np.asarray(luminance, np.float32)
 
     @cached_property
     def _factors(self) -> dict[str, np.ndarray]:
-        names = "base_color", "metallic", "roughness", "coat_f0", "coat_weight", "emission"
-        names += "clear_coat", "clear_coat_roughness", "transmission"
+        names = ["base_color", "metallic", "roughness", "coat_f0", "coat_weight", "emission"]
+        names += ["clear_coat", "clear_coat_roughness", "transmission"]
         return {
             name: np.array([getattr(material, name) for material in self.materials], np.float32)
             for name in names
@@ -231,7 +239,14 @@ def _mean_emission(material: Material) -> np.ndarray:
 
 
 @compiled(parallel=True, fastmath=())
-def _interpolate(uvs, triangles, triangle, u, v, result):
+def _interpolate(
+    uvs: np.ndarray,
+    triangles: np.ndarray,
+    triangle: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(triangle)):
         row = triangle[i]
         a, b, c = triangles[row, 0], triangles[row, 1], triangles[row, 2]

@@ -11,7 +11,9 @@ import io
 import re
 import warnings
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -44,7 +46,7 @@ def read_obj(path: Path, with_materials: bool) -> MeshFile:
             left_out.add(f"material {name!r}, which is in no MTL file")
     if with_materials and any(item.get("vertex_colors") is not None for item in geometry):
         left_out.add("vertex colours")
-    parts = [_part(item, places.get(_material_name(item), 0)) for item in geometry]
+    parts = [_part(item, places.get(_material_name(item) or "", 0)) for item in geometry]
     return MeshFile(parts, materials, sorted(left_out))
 
 
@@ -53,7 +55,7 @@ def _names(text: str, statement: str) -> list[str]:
     return re.findall(rf"^[ \t]*{statement}[ \t]+(.*?)[ \t\r]*$", text, re.MULTILINE)
 
 
-def _geometry(text: str, used: Iterable[str]) -> list[dict]:
+def _geometry(text: str, used: Iterable[str]) -> list[dict[str, Any]]:
     """What trimesh finds: for each material the arguments of a mesh."""
     from trimesh.exchange.obj import load_obj
 
@@ -68,12 +70,12 @@ def _geometry(text: str, used: Iterable[str]) -> list[dict]:
     return list(loaded.get("geometry", {}).values())
 
 
-def _material_name(item: dict) -> str | None:
+def _material_name(item: dict[str, Any]) -> str | None:
     material = getattr(item.get("visual"), "material", None)
     return getattr(material, "name", None)
 
 
-def _part(item: dict, material: int) -> Part:
+def _part(item: dict[str, Any], material: int) -> Part:
     uvs = getattr(item.get("visual"), "uv", None)
     if uvs is not None:
         # The lower left corner of the image is (0, 0) in OBJ.
@@ -118,15 +120,15 @@ def _material(path: Path, data: dict[str, str], left_out: set[str]) -> Material:
         name = re.sub(r"^(-\w+(\s+(on|off|[-+.\d]+))+\s+)*", "", data["map_kd"])
         image = path.parent / name.replace("\\", "/")
         texture = Texture(read_texels(image, image), SRGB)
-    kind = {
-        "base_color": _colour(data, "kd", 1.0 if texture else 0.8),
-        "emission": _colour(data, "ke", 0.0),
-        "base_color_texture": texture,
-    }
+    plain = Material(
+        _colour(data, "kd", 1.0 if texture else 0.8),
+        emission=_colour(data, "ke", 0.0),
+        base_color_texture=texture,
+    )
     if not {"pr", "pm"} & set(data):
-        return Material(**kind)
-    return Material(
-        **kind,
+        return plain
+    return replace(
+        plain,
         metallic=min(_number(data, "pm", 0), 1.0),
         roughness=min(_number(data, "pr", 1), 1.0),
         coat_f0=reflectance_of_ior(max(_number(data, "ni", 1.5), 1.0)),

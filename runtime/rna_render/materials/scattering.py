@@ -126,7 +126,9 @@ class Scattering:
         bsdf.sample_with_pdf(self._parameters(), *at, wi, density)
         return wi, density
 
-    def _parameters(self):
+    def _parameters(
+        self,
+    ) -> bsdf.Parameters:
         weights = np.ones((1, 2), np.float32) if self.weights is None else self.weights
         none = np.zeros(1, np.float32), np.ones(1, np.float32), np.zeros((1, 3), np.float32)
         clear = none if self.clear is None else (self.clear.weight, self.clear.alpha, self.clear.n)

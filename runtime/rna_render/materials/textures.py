@@ -18,6 +18,7 @@ from numba import prange
 
 from rna_render.bilinear import REPEAT, texels_around
 from rna_render.srgb import decode_srgb
+from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 
@@ -98,7 +99,15 @@ def _opened(source: Path | bytes, name: object) -> Iterator[ImageFile]:
 
 
 @compiled(fastmath=())
-def texture_value(texels, decode, wrap_u, wrap_v, transform, a, b):
+def texture_value(
+    texels: np.ndarray,
+    decode: np.ndarray,
+    wrap_u: int,
+    wrap_v: int,
+    transform: np.ndarray,
+    a: float,
+    b: float,
+) -> Vector:
     """Linear colour at the mesh's coordinates (a, b): red, green, blue."""
     height, width = texels.shape[0], texels.shape[1]
     u = transform[0, 0] * a + transform[0, 1] * b + transform[0, 2]
@@ -113,14 +122,32 @@ def texture_value(texels, decode, wrap_u, wrap_v, transform, a, b):
 
 
 @compiled(fastmath=())
-def _mixed(texels, decode, left, right, top, bottom, s, t, c):
+def _mixed(
+    texels: np.ndarray,
+    decode: np.ndarray,
+    left: int,
+    right: int,
+    top: int,
+    bottom: int,
+    s: float,
+    t: float,
+    c: int,
+) -> float:
     upper = (1.0 - s) * decode[texels[top, left, c]] + s * decode[texels[top, right, c]]
     lower = (1.0 - s) * decode[texels[bottom, left, c]] + s * decode[texels[bottom, right, c]]
-    return (1.0 - t) * upper + t * lower
+    return float((1.0 - t) * upper + t * lower)
 
 
 @compiled(parallel=True, fastmath=())
-def _lookup(texels, decode, wrap_u, wrap_v, transform, uv, result):
+def _lookup(
+    texels: np.ndarray,
+    decode: np.ndarray,
+    wrap_u: int,
+    wrap_v: int,
+    transform: np.ndarray,
+    uv: np.ndarray,
+    result: np.ndarray,
+) -> None:
     for i in prange(len(uv)):
         a, b = np.float64(uv[i, 0]), np.float64(uv[i, 1])
         value = texture_value(texels, decode, wrap_u, wrap_v, transform, a, b)

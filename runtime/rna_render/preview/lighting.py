@@ -60,7 +60,7 @@ def _turned(light: LightModel, degrees: float, pivot: np.ndarray) -> LightModel:
         middle = pivot if name in ("position", "look_at") else 0.0
         value = about_y @ (np.asarray(getattr(light, name)) - middle) + middle
         changes[name] = tuple(float(x) for x in value)
-    if "rotation_deg" in type(light).model_fields:
+    if isinstance(light, EnvironmentModel):
         changes["rotation_deg"] = light.rotation_deg + degrees
     return light.model_copy(update=changes)
 

@@ -64,7 +64,9 @@ class Picture:
         else:
             # The backdrop is the page's, and goes through no view transform.
             shown = decode_srgb(to_display(rgb, self.view, self.exposure))
-            encoded = encode_srgb(shown + (1 - a) * decode_srgb(np.float32(BACKDROP_SRGB)))
+            encoded = encode_srgb(
+                shown + (1 - a) * decode_srgb(np.asarray(BACKDROP_SRGB, np.float32))
+            )
         image = Image.fromarray(np.rint(encoded * 255).astype(np.uint8))
         file = io.BytesIO()
         image.save(file, "JPEG", quality=JPEG_QUALITY, subsampling=0)

@@ -21,7 +21,7 @@ from dataclasses import asdict
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib.resources import files
-from socket import socket
+from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 from pydantic import ValidationError
@@ -82,7 +82,7 @@ class PreviewServer(ThreadingHTTPServer):
     def url(self) -> str:
         return f"http://{ADDRESS}:{self.server_port}/"
 
-    def handle_error(self, request: socket, client_address: object) -> None:
+    def handle_error(self, request: Any, client_address: object) -> None:
         """A page that was closed is no error."""
         if not isinstance(sys.exception(), ConnectionError | TimeoutError):
             super().handle_error(request, client_address)
@@ -131,7 +131,7 @@ class _Handler(BaseHTTPRequestHandler):
     def _check_sender(self) -> None:
         headers = self.headers
         host, origin = headers.get("Host"), headers.get("Origin")
-        if host not in self.server.hosts or len(headers.get_all("Host")) != 1:
+        if host not in self.server.hosts or len(headers.get_all("Host", [])) != 1:
             raise _Refusal(HTTPStatus.FORBIDDEN, "not a name of this server")
         if origin is not None and origin != f"http://{host}":
             raise _Refusal(HTTPStatus.FORBIDDEN, "not for other pages")

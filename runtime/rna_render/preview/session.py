@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -100,8 +101,8 @@ class Session:
             raise QueryError(f"lighting: there is no {change.lighting!r}")
         with self._changed:
             before, self._view = self._view, _changed(self._view, change, self._start)
-            shown = {"exposure": self._view.exposure, "denoise": self._view.denoise}
-            if replace(before, **shown) != self._view:
+            view = self._view
+            if replace(before, exposure=view.exposure, denoise=view.denoise) != view:
                 self._revision += 1
                 self._picture = None
             elif self._picture is not None and before != self._view:
@@ -156,6 +157,7 @@ class Session:
         return Picture(label, picture, self._view.exposure, self._scene_file.scene.view, wanted)
 
     def _denoise(self, rgb: np.ndarray) -> np.ndarray:
+        assert self._denoiser is not None
         with self._denoising:
             return self._denoiser(rgb)
 
@@ -271,7 +273,7 @@ def _changed(view: View, change: Change, start: Orbit) -> View:
         orbit = orbit.dollied(change.dolly)
     if any(change.pan):
         orbit = orbit.panned(*change.pan)
-    asked = {
+    asked: dict[str, Any] = {
         "lighting": change.lighting,
         "light_rotation_deg": change.light_rotation_deg,
         "exposure": change.exposure,
