@@ -132,11 +132,11 @@ BULB = {"type": "sphere", "position": (0, 1, 0), "radius": 1, "radiance": (1, 1,
     ("wrong", "says"),
     [
         ({"assets": [{"path": "a.rna"}, {"path": "b.rna"}]}, "2 packages"),
-        ({"assets": [{"path": "a.rna", "transform": {"scale": 2.0}}]}, "scaled by 2"),
+        ({"assets": [{"path": "a.rna", "transform": {"scale": 2.0}}]}, "asset scale 2"),
         ({"ground": {"material": {"type": "conductor"}}}, "diffuse"),
-        ({"ground": {"material": {"type": "diffuse", "emission": (1, 0, 0)}}}, "shine"),
+        ({"ground": {"material": {"type": "diffuse", "emission": (1, 0, 0)}}}, "without emission"),
         ({"objects": [{"path": "wall.obj"}]}, "diffuse"),
-        ({"lights": [BULB]}, "spheres"),
+        ({"lights": [BULB]}, "sphere lights"),
     ],
 )
 def test_what_blender_has_no_twin_of_is_refused(wrong: dict[str, Any], says: str) -> None:

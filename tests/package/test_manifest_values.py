@@ -25,12 +25,12 @@ VALIDATION = '{"psnr": 30, "flip": 0.1, "relativeMse": 0.1, "images": 1, "defini
 COST = '{"nsPerQuery": 1, "threads": 1, "machine": "", "multiplyAdds": '
 CONE = '[{"axis": [0, 1, 0], "halfAngle": '
 
-REQUIRED = 'Members of the manifest are required unless "optional" stands with them.'
-LISTED = "A member that is not listed is an error."
+REQUIRED = 'Members of the manifest are required unless marked "optional".'
+LISTED = "An unlisted member is an error."
 WHOLE = "`8`, `8.0` and `8e0` are the same."
 LARGEST = "from -(2^53 - 1) to 2^53 - 1"
-CONVERTED = '`"8"`, `true` and `null` are no numbers.'
-NULL = '`null` is a value only where "null" stands in a table'
+CONVERTED = '`"8"`, `true` and `null` are not numbers.'
+NULL = '`null` is a value only where a table lists "null"'
 NOT_RECORDED = "left out and null mean the same: not recorded."
 FINITE = "It must be finite: `1e400` is an error"
 PATTERN = 'A pattern matches the whole string: `"1.0\\n"` does not match'
@@ -40,7 +40,7 @@ COORDINATE = "each number from -1e18 to 1e18"
 EXTENT = "On every axis `max - min` is at least 1e-18"
 ROUNDED = "A reader rounds the six numbers to binary32"
 BLOCKS = "one block at least, each at most once"
-TWICE = "may be empty, and a name that is there twice counts once"
+TWICE = "may be empty; a repeated name counts once"
 NAMES = "matches `[A-Za-z0-9][A-Za-z0-9._-]*` with at most 64 characters"
 EMPTY = "A string may be empty unless that is excluded"
 HALF_ANGLE = "`halfAngle` from 0 to the binary64 3.141592653589793"
@@ -49,7 +49,7 @@ ENTRY = "`digest` the SHA-256 (FIPS 180-4) of the data as 64 lower-case hex digi
 HEIGHTS = "each height below the one before"
 TABLE_OF_ERRORS = "Where the array is left out or empty, `flip` of `validation` is the error"
 FREE = "and within `extras`, `extensions` and the two free objects"
-CHARACTERS = "and hold any character, U+0000 included"
+CHARACTERS = "and may contain any character, including U+0000"
 
 # Where, the JSON put there, the code of the reader, the sentence; a "*" before the code marks what
 # spans values, which no schema sees.

@@ -60,5 +60,5 @@ class Goal:
         return {
             "max_error": f"mean FLIP of at most {self.value:g}",
             "min_psnr": f"PSNR of at least {self.value:g} dB",
-            "budget": f"at most {self.value / 1e3:g} us per query",
+            "budget": f"cost of at most {self.value / 1e3:g} us per query",
         }[self.metric]

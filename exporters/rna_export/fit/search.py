@@ -151,7 +151,7 @@ def _affordable(candidates: list[Candidate], goal: Goal) -> list[Candidate]:
     if not left:
         cheapest = min(candidates, key=lambda c: c.ns)
         raise TrainingError(
-            f"no model meets {goal}: the cheapest, {cheapest.name}, takes {cheapest.ns:.0f} ns"
+            f"no model has a {goal}: the cheapest, {cheapest.name}, takes {cheapest.ns:.0f} ns"
         )
     return left
 
