@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import signal
 import threading
 import time
 
@@ -249,3 +250,23 @@ def test_what_ends_the_render_thread_ends_the_session(scene_file, world, monkeyp
     with pytest.raises(MemoryError, match="too large"):
         session.join()
     assert session.ended and session.wait(0, 10.0) is None
+
+
+def test_stop_waits_for_the_render_thread_after_ctrl_c(scene_file, world, monkeypatch):
+    """An interrupted Thread.join makes Python 3.11 believe that the thread has ended."""
+    session = Session(scene_file, world, lighting_choices(scene_file.path))
+    rendering, ended = threading.Event(), threading.Event()
+
+    def slow(*_):
+        rendering.set()
+        time.sleep(1.0)
+        ended.set()
+
+    monkeypatch.setattr(session, "_render", slow)
+    session.start()
+    assert rendering.wait(30.0)
+    threading.Timer(0.2, signal.raise_signal, [signal.SIGINT]).start()
+    with pytest.raises(KeyboardInterrupt):
+        session.join()
+    session.stop()
+    assert ended.is_set()

@@ -91,6 +91,10 @@ class Session:
 
     def join(self) -> None:
         """Wait until the session ends. Raises what ended it, if that was not `stop`."""
+        # Ctrl-C interrupts this wait, not Thread.join: Python 3.11 takes a thread whose join was
+        # interrupted for ended, and `stop` would not wait for it.
+        with self._changed:
+            self._changed.wait_for(lambda: self._stopping)
         self._thread.join()
         if self._failure is not None:
             raise self._failure
