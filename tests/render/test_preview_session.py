@@ -265,8 +265,13 @@ def test_stop_waits_for_the_render_thread_after_ctrl_c(scene_file, world, monkey
     monkeypatch.setattr(session, "_render", slow)
     session.start()
     assert rendering.wait(30.0)
-    threading.Timer(0.2, signal.raise_signal, [signal.SIGINT]).start()
-    with pytest.raises(KeyboardInterrupt):
-        session.join()
+    ctrl_c = threading.main_thread().ident, signal.SIGINT
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # may be ignored so far
+    try:
+        threading.Timer(0.2, signal.pthread_kill, ctrl_c).start()
+        with pytest.raises(KeyboardInterrupt):
+            session.join()
+    finally:
+        signal.signal(signal.SIGINT, before)
     session.stop()
     assert ended.is_set()
