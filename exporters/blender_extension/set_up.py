@@ -59,7 +59,7 @@ def _start(bake):
     folder = sdk.default_folder()
     folder.parent.mkdir(parents=True, exist_ok=True)
     script = Path(__file__).with_name("environment_setup.py")
-    what = ["train,denoise", "--blender"] if bake else ["render,denoise"]
+    what = ["train", "--blender"] if bake else ["render"]
     log = folder.parent / "set-up.log"
     _running = Command([script, folder, sdk.SOURCE, *what], log, python=sys.executable)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -10,17 +12,35 @@ from rna_sdk.errors import SceneError
 
 Quality = Literal["fast", "high"]
 
-INSTALL = "pip install 'pyoidn>=2.5'"
+INSTALL = "pip install pyoidn"
 
 # What Open Image Denoise calls its qualities: oidn.h, OIDNQuality.
 QUALITIES: dict[Quality, int] = {"fast": 4, "high": 6}
 
 
+@dataclass(frozen=True)
+class Guides:
+    """What tells edges and textures from noise, of each pixel.
+
+    albedo: (height, width, 3) float32 in [0, 1]. normal: (height, width, 3) float32, world space,
+    unit or 0.
+    """
+
+    albedo: np.ndarray
+    normal: np.ndarray
+
+    @classmethod
+    def of(cls, channels: Mapping[str, np.ndarray]) -> Guides | None:
+        """From Film.channels; None if there is no albedo, without which normals are not taken."""
+        if "albedo.R" not in channels:
+            return None
+        albedo = np.stack([channels[f"albedo.{c}"] for c in "RGB"], axis=-1)
+        normal = np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1)
+        return cls(albedo, normal)
+
+
 class Denoiser:
     """Open Image Denoise on the CPU, for linear radiance.
-
-    It looks at colour alone: the normals that could guide it are accepted only beside an albedo,
-    which a neural asset does not have.
 
     name: of the filter and its version, for headers.
     """
@@ -51,19 +71,31 @@ class Denoiser:
         """Made anew in another process."""
         return type(self), (self._threads, self._quality)
 
-    def __call__(self, rgb: np.ndarray) -> np.ndarray:
+    def __call__(self, rgb: np.ndarray, guides: Guides | None = None) -> np.ndarray:
         """The image without noise, (height, width, 3) float32 as `rgb` is; finite everywhere.
 
-        The same whatever the number of threads.
+        guides: their noise is taken out first, so that none of it enters the image. The same
+        whatever the number of threads.
         """
-        oidn, color = self._oidn, np.ascontiguousarray(rgb, np.float32)
-        result = np.empty_like(color)
+        images, flags = {"color": rgb}, {"hdr": True}
+        if guides is not None:
+            for name, guide in (("albedo", guides.albedo), ("normal", guides.normal)):
+                images[name] = self._filtered({name: guide}, {})
+            flags["cleanAux"] = True
+        return self._filtered(images, flags)
+
+    def _filtered(self, images: Mapping[str, np.ndarray], flags: Mapping[str, bool]) -> np.ndarray:
+        """The filter's output for these images, (height, width, 3) each."""
+        oidn = self._oidn
+        held = {name: np.ascontiguousarray(image, np.float32) for name, image in images.items()}
+        result = held["output"] = np.empty_like(next(iter(held.values())))
         ray_tracing = oidn.Filter(self._device, oidn.OIDN_FILTER_TYPE_RT)
         # No `with`: pyoidn's swallows every exception.
         try:
-            for name, image in (("color", color), ("output", result)):
+            for name, image in held.items():
                 ray_tracing.set_image(name, image, oidn.OIDN_FORMAT_FLOAT3)
-            ray_tracing.set_bool("hdr", True)
+            for name, flag in flags.items():
+                ray_tracing.set_bool(name, flag)
             ray_tracing.set_int("quality", QUALITIES[self._quality])
             ray_tracing.commit()
             ray_tracing.execute()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rna_render.cli import main
-from rna_render.denoise import Denoiser
+from rna_render.denoise import Denoiser, Guides
 from rna_render.images import read_exr
 from rna_sdk.errors import SceneError
 from tests.render.assets import sphere
@@ -49,6 +49,17 @@ def test_noise_goes_and_bright_light_stays():
     np.testing.assert_array_equal(Denoiser(threads=1)(noisy), result)
 
 
+def test_an_albedo_keeps_texture_that_looks_like_noise():
+    need_denoiser()
+    rng = np.random.default_rng(0)
+    albedo = np.kron(rng.uniform(0.2, 0.9, (48, 48, 3)), np.ones((2, 2, 1))).astype(np.float32)
+    noisy = (albedo * rng.gamma(2.0, 0.5, (96, 96, 1))).astype(np.float32)
+    guides = Guides(albedo, np.broadcast_to(np.float32([0, 0, 1]), albedo.shape))
+    denoiser = Denoiser(threads=2)
+    alone, guided = (np.abs(denoiser(noisy, g) - albedo).mean() for g in (None, guides))
+    assert guided < 0.6 * alone
+
+
 def test_the_exr_keeps_the_noise_and_has_the_denoised_colour_beside_it(scene, tmp_path):
     need_denoiser()
     for name, more in (("plain", []), ("denoised", ["--denoise"])):
@@ -56,7 +67,8 @@ def test_the_exr_keeps_the_noise_and_has_the_denoised_colour_beside_it(scene, tm
         assert main([str(scene), *files, *more]) == 0
     plain, plain_header = read_exr(tmp_path / "plain.exr")
     both, header = read_exr(tmp_path / "denoised.exr")
-    assert set(both) - set(plain) == {"denoised.R", "denoised.G", "denoised.B"}
+    more = {f"{layer}.{c}" for layer in ("denoised", "albedo") for c in "RGB"}
+    assert set(both) - set(plain) == more
     for name, plane in plain.items():
         np.testing.assert_array_equal(both[name], plane, err_msg=name)
     assert not np.array_equal(both["denoised.R"], both["R"])
@@ -72,7 +84,7 @@ def test_without_it_one_line_says_how_to_get_it_before_anything_is_rendered(
     assert main([str(scene), "--out", str(tmp_path / "out.exr"), "--denoise"]) == 1
     error = capsys.readouterr().err
     assert error.startswith("error: ") and error.count("\n") == 1
-    assert "pip install 'pyoidn>=" in error
+    assert "pip install pyoidn" in error
     assert not (tmp_path / "out.exr").exists()
 
 

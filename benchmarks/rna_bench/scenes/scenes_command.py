@@ -3,8 +3,8 @@
     rna-bench scenes toy.rna --source toy.py --out bench/toy
 
 Environments, a lamp, a red wall beside the asset, and instances near and far. Both renderers
-alternate, raw and denoised: Cycles with its own denoiser, ours with Open Image Denoise if the extra
-`denoise` is installed. The error is split into the package's own (the floor, independent of
+alternate, raw and denoised: Cycles with its own denoiser, ours with Open Image Denoise, where there
+is a wheel of it. The error is split into the package's own (the floor, independent of
 sampling) and noise. Writes a report, the figures as JSON and one sheet as PNG.
 
 Cycles references are slow, and cached in OUT/references. Run it on an idle machine. Arguments

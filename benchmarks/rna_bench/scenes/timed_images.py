@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import zip_longest
 
 import numpy as np
@@ -54,15 +53,12 @@ def render_by_turns(
         arrays[label] = image.pixels.astype(np.float32)
         arrays[label + _SECONDS] = np.array([image.seconds])
 
-    first = ours.render(1)  # compiles
-    if denoiser is not None:
-        denoiser(first.pixels)  # builds its networks
+    ours.render(1, denoiser=denoiser)  # compiles, and builds the denoiser's networks
     for n, m in zip_longest(samples, cycles_samples):
         if n is not None:
-            image = ours.render(n, repeats)
-            keep(label_of(OURS, n), image)
+            keep(label_of(OURS, n), ours.render(n, repeats))
             if denoiser is not None:
-                keep(label_of(OURS, n, True), _denoised(image, denoiser, repeats))
+                keep(label_of(OURS, n, True), ours.render(n, repeats, denoiser=denoiser))
         if m is not None:
             for denoise in (False, True):
                 image = cycles.render(m, _FIRST_SEED + m, denoise)
@@ -75,12 +71,3 @@ def image_of(arrays: Arrays, label: str) -> Timed | None:
     if label not in arrays:
         return None
     return Timed(arrays[label], float(arrays[label + _SECONDS][0]))
-
-
-def _denoised(image: Timed, denoise: Callable[[np.ndarray], np.ndarray], repeats: int) -> Timed:
-    seconds = []
-    for _ in range(repeats):
-        begun = time.perf_counter()
-        pixels = denoise(image.pixels)
-        seconds.append(time.perf_counter() - begun)
-    return Timed(pixels, image.seconds + float(np.median(seconds)))
