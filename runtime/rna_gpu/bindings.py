@@ -9,7 +9,7 @@ from rna_gpu.device import Device
 from rna_gpu.errors import GpuError
 from rna_gpu.geometry import Geometry
 from rna_gpu.shaders import compose
-from rna_render.bodies import FIBER_LOBES, SURFACE_LOBES
+from rna_render.bodies.kinds import FIBER_LOBES, SURFACE_LOBES
 
 STRIDE = 256  # bytes: what offsets of uniforms are multiples of
 PATH_BYTES, PENDING_BYTES = 96, 2 * 96

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from rna_gpu.geometry import Shape, Strands, Triangles
 from rna_gpu.scene_images import NONE, Images
+from rna_render.bodies.normal_maps import texture_numbers
+from rna_render.bodies.transmittance import TransmittanceTexture
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
 from rna_render.materials.transmission import main_texture, transmitted_by
-from rna_render.normal_maps import texture_numbers
-from rna_render.transmittance import TransmittanceTexture
 
 SURFACE_SIZE = 9  # vec4f
 _OF_MATERIAL, _OF_NEURAL, _OF_FIBERS = range(3)

@@ -14,13 +14,13 @@ from rna_gpu.scene_domains import domain_rows
 from rna_gpu.scene_images import NONE, Images
 from rna_gpu.scene_lights import light_rows
 from rna_gpu.scene_surfaces import Surfaces
+from rna_render.bodies.surface import OFFSET
 from rna_render.embree.instances import ALL_RAYS, CAMERA_RAY
 from rna_render.lights import Light
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.materials.ggx import albedo_table
 from rna_render.placements import Placement
-from rna_render.surface import OFFSET
 from rna_render.world import World
 
 

@@ -19,6 +19,7 @@ from typing import Literal
 
 import numpy as np
 
+from rna_render.bodies.points import Role
 from rna_render.camera import Camera
 from rna_render.embree.instances import CAMERA_RAY, INDIRECT_RAY
 from rna_render.embree.tracing import ClosestHits
@@ -26,7 +27,6 @@ from rna_render.film import Layers
 from rna_render.light_sampling import LightChoice, LightSampling
 from rna_render.lights import InfiniteLight, Light
 from rna_render.path_numbers import CHOICES, DIRECTION, PIXEL_DIMENSION, ROULETTE, PathNumbers
-from rna_render.points import Role
 from rna_render.sampling import Sampler
 from rna_render.shadow_catcher import caught_light
 from rna_render.weighing import (

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render.asset_parts import Asset
-from rna_render.bodies import Thing
+from rna_render.bodies.asset_parts import Asset
+from rna_render.bodies.kinds import Thing
 from rna_render.lights import AssetEmission, AssetLight, MeshLight, ShapeLight
 from rna_render.materials import MeshObject
 

@@ -9,14 +9,14 @@ from itertools import pairwise
 import numpy as np
 from numba import prange
 
-from rna_render.bodies import Thing, make_body
+from rna_render.bodies.kinds import Thing, make_body
+from rna_render.bodies.points import Body, Points, Role
+from rna_render.bodies.surface import OFFSET
 from rna_render.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
 from rna_render.embree.tracing import ClosestHits
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.placements import Placement
-from rna_render.points import Body, Points, Role
-from rna_render.surface import OFFSET
 from rna_sdk.compiled import compiled
 from rna_sdk.runtime import Transform
 

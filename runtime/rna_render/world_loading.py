@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.asset_parts import Asset
 from rna_render.bands import BandRenderer
+from rna_render.bodies.asset_parts import Asset
 from rna_render.domain_watch import watched
 from rna_render.integrator import Integrator
 from rna_render.integrator_factory import make_integrator

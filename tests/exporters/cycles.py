@@ -10,7 +10,7 @@ from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.weld import weld
 from rna_export.capture.worker import BlenderWorker
-from rna_render.surface import SurfacePoints
+from rna_render.bodies.surface import SurfacePoints
 
 
 @dataclass(frozen=True)

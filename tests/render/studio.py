@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numba
 import numpy as np
 
-from rna_render.bodies import Thing
+from rna_render.bodies.kinds import Thing
 from rna_render.camera import Camera
 from rna_render.integrator import Integrator
 from rna_render.lights import AssetLight, PlacedLight, make_light

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.asset_parts import part_transmittance
+from rna_render.bodies.asset_parts import part_transmittance
+from rna_render.bodies.parts_scene import PartsScene
 from rna_render.embree import TriangleScene
-from rna_render.parts_scene import PartsScene
 from rna_sdk.package import Mesh
 from tests.render.assets import FiberProbe, LambertAsset, sphere, square
 from tests.render.glowing import Composite, Record, pane

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rna_render.bodies.parts_scene import PartsScene
 from rna_render.embree.instances import Instance, InstanceScene
-from rna_render.parts_scene import PartsScene
 from rna_render.scene_model import TransformModel
 from rna_render.transforms import world_from_object
 from rna_sdk.errors import PackageError, QueryError, SceneError

@@ -11,9 +11,9 @@ import gc
 import numpy as np
 import pytest
 
+from rna_render.bodies.parts_scene import PartsScene
 from rna_render.embree import TriangleScene
 from rna_render.embree import library as embree_library
-from rna_render.parts_scene import PartsScene
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 from tests.render.assets import EMBREE_ROUNDING, sphere, unit_vectors

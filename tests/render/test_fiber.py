@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.fiber import FiberPoints, hit_points, tangents
-from rna_render.parts_scene import PartsScene
+from rna_render.bodies.fiber import FiberPoints, hit_points, tangents
+from rna_render.bodies.parts_scene import PartsScene
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves
 from tests.render.assets import unit_vectors

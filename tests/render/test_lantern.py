@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.asset_parts import mesh_transmittance
+from rna_render.bodies.asset_parts import mesh_transmittance
+from rna_render.bodies.parts_scene import PartsScene
 from rna_render.domain_watch import DomainWarning, WatchedAsset, warn_of_extrapolation
 from rna_render.lights import AssetLight
-from rna_render.parts_scene import PartsScene
 from rna_render.render import load_world, make_integrator, render
 from rna_render.scene_file import read_scene
 from rna_render.tier_costs import cost_lines

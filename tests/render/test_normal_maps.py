@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.normal_maps import NormalMaps
-from rna_render.parts_scene import PartsScene
-from rna_render.surface import interpolate_normals
+from rna_render.bodies.normal_maps import NormalMaps
+from rna_render.bodies.parts_scene import PartsScene
+from rna_render.bodies.surface import interpolate_normals
 from rna_sdk.package import Mesh
 from rna_sdk.package.normal_maps import NormalMap
 from rna_sdk.runtime.normal_maps import mapped_normals

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.fiber import FiberPoints
-from rna_render.parts_scene import PartsScene
-from rna_render.surface import OFFSET, SurfacePoints
+from rna_render.bodies.fiber import FiberPoints
+from rna_render.bodies.parts_scene import PartsScene
+from rna_render.bodies.surface import OFFSET, SurfacePoints
 from rna_sdk.package import Curves, Mesh
 from tests.render.assets import merged, sphere, square, unit_vectors
 from tests.render.round_cones import entries

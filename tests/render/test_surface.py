@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rna_render.parts_scene import PartsScene
-from rna_render.surface import (
+from rna_render.bodies.parts_scene import PartsScene
+from rna_render.bodies.surface import (
     SurfacePoints,
     geometric_normals,
     interpolate_normals,

@@ -10,9 +10,9 @@ import numpy as np
 from rna_export.capture.fiber_shape import FiberShape
 from rna_export.capture.settings import SHARPEST
 from rna_export.capture.surface_shape import SurfaceShape
-from rna_render.asset_parts import mesh_transmittance
-from rna_render.normal_maps import NormalMaps
-from rna_render.parts_scene import PartHits, PartPoints, PartsScene
+from rna_render.bodies.asset_parts import mesh_transmittance
+from rna_render.bodies.normal_maps import NormalMaps
+from rna_render.bodies.parts_scene import PartHits, PartPoints, PartsScene
 from rna_sdk.package import Curves, Mesh, NormalMap
 from rna_sdk.package.transmittance import Transmittance
 

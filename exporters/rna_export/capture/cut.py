@@ -14,7 +14,7 @@ import trimesh
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart, View
 from rna_export.capture.validation_view import EmissionView, ValidationView
-from rna_render.parts_scene import PartsScene
+from rna_render.bodies.parts_scene import PartsScene
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from rna_sdk.package.limits import MAX_PARTS

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from rna_export.capture.directions import around
-from rna_render.fiber import FiberPoints, tangents
-from rna_render.parts_scene import PartPoints
+from rna_render.bodies.fiber import FiberPoints, tangents
+from rna_render.bodies.parts_scene import PartPoints
 from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
 

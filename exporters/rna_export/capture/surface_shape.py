@@ -7,8 +7,8 @@ import trimesh
 
 from rna_export.capture.directions import around, reflect
 from rna_export.capture.settings import SHARPEST
-from rna_render.parts_scene import PartPoints
-from rna_render.surface import SurfacePoints, geometric_normals
+from rna_render.bodies.parts_scene import PartPoints
+from rna_render.bodies.surface import SurfacePoints, geometric_normals
 from rna_sdk.package import Mesh
 
 _WIDEST = 0.8  # alpha of GGX

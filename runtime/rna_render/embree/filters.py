@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numba import types
 
+from rna_render.bodies.transmittance import STRANDS, transmittance
 from rna_render.embree.kernels import (
     CONTEXT_COLOURED,
     CONTEXT_LAST,
@@ -30,7 +31,6 @@ from rna_render.memory import (
     store_u32,
 )
 from rna_render.sampling import hash_bits
-from rna_render.transmittance import STRANDS, transmittance
 from rna_render.vectors import Vector
 from rna_sdk.compiled import callback, compiled
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_render.bodies.transmittance import Transmittance
 from rna_render.embree import library as api
 from rna_render.embree.tracing import GeometryScene, closest_hits
-from rna_render.transmittance import Transmittance
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 

@@ -6,22 +6,22 @@ from itertools import pairwise
 
 import numpy as np
 
-from rna_render.asset_parts import (
+from rna_render.bodies.asset_parts import (
     Asset,
     FiberPart,
     SurfacePart,
     part_normal_maps,
     part_transmittance,
 )
+from rna_render.bodies.fiber import FiberPoints
+from rna_render.bodies.surface import SurfacePoints, geometric_normals, interpolate_normals
+from rna_render.bodies.transmittance import Transmittance
 from rna_render.embree.tracing import ClosestHits
-from rna_render.fiber import FiberPoints
 from rna_render.lights.base import ShapeLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.mesh import TriangleLight
 from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
 from rna_render.rays import vectors
-from rna_render.surface import SurfacePoints, geometric_normals, interpolate_normals
-from rna_render.transmittance import Transmittance
 from rna_sdk.runtime import Transform, offset_across
 
 # Emission is asked at so many points at least of a part's mesh, in as many equal parts of each

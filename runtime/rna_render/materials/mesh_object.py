@@ -9,14 +9,14 @@ from functools import cached_property
 import numpy as np
 from numba import prange
 
+from rna_render.bodies.surface import interpolate_normals
+from rna_render.bodies.transmittance import Transmittance
 from rna_render.materials.bumps import bumped_normals
 from rna_render.materials.ggx import MIN_ALPHA
 from rna_render.materials.material import Material
 from rna_render.materials.scattering import ClearCoat, Scattering
 from rna_render.materials.textures import Texture
 from rna_render.materials.transmission import object_transmittance
-from rna_render.surface import interpolate_normals
-from rna_render.transmittance import Transmittance
 from rna_sdk.compiled import compiled
 
 # Luminance of linear sRGB: ITU-R BT.709-6, section 3.2.

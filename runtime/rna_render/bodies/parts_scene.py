@@ -7,6 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_render.bodies.fiber import FiberPoints
+from rna_render.bodies.surface import NormalMaps, SurfacePoints, leaving_origins
+from rna_render.bodies.transmittance import Transmittance, geometry_table
 from rna_render.embree.filters import own_strand_filter, strand_transmittance_filter
 from rna_render.embree.scenes import add_curves, add_mesh
 from rna_render.embree.tracing import (
@@ -18,10 +21,7 @@ from rna_render.embree.tracing import (
     closest_hits,
     transmitted,
 )
-from rna_render.fiber import FiberPoints
 from rna_render.rays import check_numbers, per_ray, vectors
-from rna_render.surface import NormalMaps, SurfacePoints, leaving_origins
-from rna_render.transmittance import Transmittance, geometry_table
 from rna_sdk.package import Curves, Mesh
 
 PartPoints = SurfacePoints | FiberPoints

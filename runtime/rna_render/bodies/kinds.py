@@ -10,8 +10,8 @@ from abc import abstractmethod
 
 import numpy as np
 
-from rna_render import surface
-from rna_render.asset_parts import (
+from rna_render.bodies import surface
+from rna_render.bodies.asset_parts import (
     Asset,
     FiberPart,
     SurfacePart,
@@ -19,15 +19,15 @@ from rna_render.asset_parts import (
     part_normal_maps,
     part_transmittance,
 )
+from rna_render.bodies.fiber import FiberPoints
+from rna_render.bodies.neural_sampling import LobeMixture
+from rna_render.bodies.parts_scene import PartPoints, PartsScene
+from rna_render.bodies.points import Body, Points, Role
+from rna_render.bodies.surface import SurfacePoints
 from rna_render.embree import TriangleScene
 from rna_render.embree.tracing import ClosestHits
-from rna_render.fiber import FiberPoints
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
-from rna_render.neural_sampling import LobeMixture
-from rna_render.parts_scene import PartPoints, PartsScene
-from rna_render.points import Body, Points, Role
-from rna_render.surface import SurfacePoints
 from rna_sdk.runtime import offset_across
 
 # The lobes that rays leave assets in, by kind; see docs/decisions/renderer.md.

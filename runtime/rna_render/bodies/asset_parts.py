@@ -7,8 +7,8 @@ from typing import Literal, Protocol
 
 import numpy as np
 
-from rna_render.normal_maps import NormalMaps, TextureRecord, texture_numbers
-from rna_render.transmittance import Transmittance, TransmittanceTexture
+from rna_render.bodies.normal_maps import NormalMaps, TextureRecord, texture_numbers
+from rna_render.bodies.transmittance import Transmittance, TransmittanceTexture
 from rna_sdk.package import Curves, Mesh
 
 
