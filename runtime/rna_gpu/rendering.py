@@ -35,7 +35,6 @@ class GpuRenderer:
 
     Attributes:
         groups: names of the groups of lights.
-        albedo: whether samples have it, as film.Layers says.
         at_once: 1, since a GPU does one thing after the other.
     """
 
@@ -46,7 +45,6 @@ class GpuRenderer:
         scene_file: SceneFile,
         world: World,
         on_first_hits: Callable[[], None] = lambda: None,
-        albedo: bool = False,
         open_it: Callable[[], Device] | None = None,
     ) -> None:
         """open_it: opens the device, and another one where it is lost; None for the fastest.
@@ -54,7 +52,7 @@ class GpuRenderer:
         Raises:
             GpuError: there is no GPU, or the scene does not fit on it.
         """
-        self._scene_file, self._world, self.albedo = scene_file, world, albedo
+        self._scene_file, self._world = scene_file, world
         self._on_first_hits: Callable[[], None] | None = on_first_hits
         self._open = open_it or _DEVICE.get
         self._lock, self._losses = Lock(), 0
@@ -97,9 +95,7 @@ class GpuRenderer:
         lights = every if _has_catcher(world) else [light.beside_rays() for light in every]
         tables, device = scene_tables(world, lights), self._open()
         parts = _parts(self._scene_file, world, tables.parts, device)
-        self._gpu = Wavefront(
-            device, scene, tables, parts, lights, world.scatters, clamp, self.albedo
-        )
+        self._gpu = Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
         things = [world.things[place] for place, _ in tables.parts]
         self._watched = {
             k: thing for k, thing in enumerate(things) if isinstance(thing, WatchedAsset)

@@ -32,7 +32,7 @@ FRAME = np.dtype(
 """Frame of wgsl/render/frame.wgsl."""
 
 _NONE = 0xFFFFFFFF
-_ESCAPED_COUNT, _FOR_BETA, _RAYS_MEET_LIGHTS = 1, 2, 4
+_HAS_SKY, _FOR_BETA, _RAYS_MEET_LIGHTS = 1, 2, 4
 _FOR_EMISSION, _FOR_LIGHT, TRANSMITS = 8, 16, 32
 
 
@@ -60,18 +60,16 @@ class Steps:
         lights: Sequence[Light],
         parts: Sequence[GpuPart],
         scatters: bool,
-        albedo: bool,
     ) -> None:
-        """parts: those of `tables.parts`. scatters: as World.scatters. albedo: as of Wavefront."""
+        """parts: those of `tables.parts`. scatters: as World.scatters."""
         self._rows: list[dict[str, int]] = []
         self._lights = lights
         self._emitting = [k for k, part in enumerate(parts) if part.emits]
         self._every = range(len(parts))
         self._meet = not all(light.delta for light in lights)
         sky = any(isinstance(light, InfiniteLight) for light in lights)
-        self._flags = _ESCAPED_COUNT * sky + _RAYS_MEET_LIGHTS * self._meet
-        self._flags |= TRANSMITS * tables.transmits
-        self.stages = self._planned(scene.max_depth, scatters, albedo)
+        self._flags = _HAS_SKY * sky + _RAYS_MEET_LIGHTS * self._meet + TRANSMITS * tables.transmits
+        self.stages = self._planned(scene.max_depth, scatters)
         self.frames: NDArray[Any] = np.zeros(len(self._rows), FRAME)
         for row, values in zip(self.frames, self._rows, strict=True):
             for name, value in values.items():
@@ -96,18 +94,16 @@ class Steps:
         for name, value in common.items():
             self.frames[name] = value
 
-    def _planned(self, max_depth: int, scatters: bool, albedo: bool) -> list[list[Step]]:
+    def _planned(self, max_depth: int, scatters: bool) -> list[list[Step]]:
         first = [self._step("camera"), self._step("closest", rays=CAMERA_RAY)]
         stages = [[*first, *self._collected(0)]]
         for depth in range(1, max_depth + 1):
             stages += [self._direct(depth, *chosen) for chosen in self._samples(depth)]
             last = depth == max_depth or not scatters
-            for_albedo = albedo and depth == 1
-            if last and not (self._meet or for_albedo):
+            if last and not self._meet:
                 break
             stage = [self._step("scatter", depth=depth)]
-            flags = self._flags | _ESCAPED_COUNT * for_albedo
-            stage.append(self._step("closest", depth=depth, rays=INDIRECT_RAY, flags=flags))
+            stage.append(self._step("closest", depth=depth, rays=INDIRECT_RAY))
             for_beta = self._flags | _FOR_BETA
             stage += self._queries("transport", self._every, depth=depth, flags=for_beta)
             stages.append([*stage, *self._collected(depth)])

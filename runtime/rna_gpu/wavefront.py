@@ -22,7 +22,7 @@ from rna_render.lights import Light
 from rna_render.scene_model import Scene
 
 _MOST_PATHS = 1 << 17
-_OWN_SUMS = 6  # vec4f a path, then two for each group of lights
+_OWN_SUMS = 5  # vec4f a path, then two for each group of lights
 
 
 class Wavefront:
@@ -42,22 +42,20 @@ class Wavefront:
         lights: Sequence[Light],
         scatters: bool,
         clamp: float | None,
-        albedo: bool,
     ) -> None:
         """parts: those of `tables.parts`. scatters: as World.scatters. clamp: as of indirect_clamp.
-        albedo: whether samples have it.
 
         Raises:
             GpuError: the scene does not fit.
         """
-        self._device, self._parts, self._albedo = device, parts, albedo
+        self._device, self._parts = device, parts
         self._bindings = Bindings(device, FRAME.itemsize)
         self.groups = sorted({light.group for light in lights} - {""})
         batches = [part.transport.batch for part in parts]
         width, height = scene.resolution
         self.band = min(_MOST_PATHS, width * height, *batches)
         self._sums = _OWN_SUMS + 2 * len(self.groups)
-        self._steps = Steps(scene, tables, lights, parts, scatters, albedo)
+        self._steps = Steps(scene, tables, lights, parts, scatters)
         self._steps.fill(scene, tables, clamp, self._sums)
         self._upload(tables)
         self._compile(tables)
@@ -81,7 +79,7 @@ class Wavefront:
                     self._record(encoder, step, count)
                 device.wgpu.queue.submit([encoder.finish()])
         data = device.read(self._path_sums, count * self._sums * 16)
-        return _layers(data.view(np.float32).reshape(count, self._sums, 4), self._albedo)
+        return _layers(data.view(np.float32).reshape(count, self._sums, 4))
 
     def outside_domains(self) -> NDArray[np.uint32]:
         """(parts, 4): queries of each part that is watched since the last call, those from outside
@@ -152,7 +150,7 @@ class Wavefront:
             self._pipelines[name] = made.pipeline(name, made.rows, file="rows"), [queries]
 
 
-def _layers(sums: NDArray[np.float32], albedo: bool) -> Layers:
+def _layers(sums: NDArray[np.float32]) -> Layers:
     """sums: (n, slots, 4), as Frame.sums of wgsl/render/frame.wgsl says."""
     own, by_group = sums[:, :_OWN_SUMS], sums[:, _OWN_SUMS:, :3]
     return Layers(
@@ -167,5 +165,4 @@ def _layers(sums: NDArray[np.float32], albedo: bool) -> Layers:
         groups_behind=by_group[:, 1::2],
         catcher=(own[:, 1, 3] == 2.0).astype(np.float32),
         asset=own[:, 2, 3].astype(np.uint32),
-        albedo=own[:, 5, : 3 if albedo else 0],
     )

@@ -34,15 +34,11 @@ _Band = tuple[np.ndarray, Sampler, bool]
 class BandRenderer(Protocol):
     """Renders one sample of some pixels; rna_render.integrator.Integrator does.
 
-    groups: names of the groups of lights. albedo: whether samples have it. at_once: so many bands
-    at a time; None for any number.
+    groups: names of the groups of lights. at_once: so many bands at a time; None for any number.
     """
 
     @property
     def groups(self) -> Sequence[str]: ...
-
-    @property
-    def albedo(self) -> bool: ...
 
     @property
     def at_once(self) -> int | None: ...

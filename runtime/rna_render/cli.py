@@ -265,7 +265,6 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
             first_rays=lambda: f"first rays traced after {time.perf_counter() - _START:.2f} s",
             on_sample=Interim(options.every, partial(output.write_so_far, scene)),
             device=options.device,
-            albedo=options.denoise,
         )
     if not film.samples:
         print("stopped before the first sample was finished; nothing was written", file=sys.stderr)
@@ -290,8 +289,7 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     folder = output.linear.with_name(f"{output.linear.name}.pieces")
     try:
         with place(options.cluster) as where:
-            how = options.threads, folder, options.device, options.denoise
-            film, kept = render_pieces(scene_file, where, *how)
+            film, kept = render_pieces(scene_file, where, options.threads, folder, options.device)
     except KeyboardInterrupt:
         print(
             f"stopped; finished pieces are in {folder}; the same command goes on", file=sys.stderr

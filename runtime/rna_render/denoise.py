@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -14,29 +13,11 @@ Quality = Literal["fast", "high"]
 
 INSTALL = "pip install pyoidn"
 
+# Of everything that is hit, since the albedo of a neural asset is not known.
+FLAT_ALBEDO = np.float32(0.5)
+
 # What Open Image Denoise calls its qualities: oidn.h, OIDNQuality.
 QUALITIES: dict[Quality, int] = {"fast": 4, "high": 6}
-
-
-@dataclass(frozen=True)
-class Guides:
-    """What tells edges and textures from noise, of each pixel.
-
-    albedo: (height, width, 3) float32 in [0, 1]. normal: (height, width, 3) float32, world space,
-    unit or 0.
-    """
-
-    albedo: np.ndarray
-    normal: np.ndarray
-
-    @classmethod
-    def of(cls, channels: Mapping[str, np.ndarray]) -> Guides | None:
-        """From Film.channels; None if there is no albedo, without which normals are not taken."""
-        if "albedo.R" not in channels:
-            return None
-        albedo = np.stack([channels[f"albedo.{c}"] for c in "RGB"], axis=-1)
-        normal = np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1)
-        return cls(albedo, normal)
 
 
 class Denoiser:
@@ -71,16 +52,19 @@ class Denoiser:
         """Made anew in another process."""
         return type(self), (self._threads, self._quality)
 
-    def __call__(self, rgb: np.ndarray, guides: Guides | None = None) -> np.ndarray:
+    def __call__(self, rgb: np.ndarray, normal: np.ndarray | None = None) -> np.ndarray:
         """The image without noise, (height, width, 3) float32 as `rgb` is; finite everywhere.
 
-        guides: their noise is taken out first, so that none of it enters the image. The same
-        whatever the number of threads.
+        normal: (height, width, 3) float32, unit, or 0 for background; keeps edges sharp. Its own
+        noise is taken out first. The same whatever the number of threads.
         """
         images, flags = {"color": rgb}, {"hdr": True}
-        if guides is not None:
-            for name, guide in (("albedo", guides.albedo), ("normal", guides.normal)):
-                images[name] = self._filtered({name: guide}, {})
+        if normal is not None:
+            # The filter takes no normals without an albedo: docs/decisions/renderer.md,
+            # "Denoising is guided by normals alone".
+            covered = np.linalg.norm(normal, axis=-1, keepdims=True) > 0.0
+            images["albedo"] = np.where(covered, FLAT_ALBEDO, np.zeros_like(normal))
+            images["normal"] = self._filtered({"normal": normal}, {})
             flags["cleanAux"] = True
         return self._filtered(images, flags)
 

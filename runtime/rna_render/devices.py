@@ -24,13 +24,12 @@ class OpenRenderer(Protocol):
     """Opens a device for a scene."""
 
     def __call__(
-        self, scene_file: SceneFile, world: World, on_first_hits: Callable[[], None], albedo: bool
+        self, scene_file: SceneFile, world: World, on_first_hits: Callable[[], None]
     ) -> BandRenderer:
         """What renders `scene_file.scene`, whose things are in `world`.
 
-        on_first_hits: called once, when the first camera rays have been traced. albedo: whether
-        samples have it, as film.Layers says. Raises RnaError for what the device does not know or
-        have room for.
+        on_first_hits: called once, when the first camera rays have been traced. Raises RnaError
+        for what the device does not know or have room for.
         """
         ...
 
@@ -40,20 +39,16 @@ def open_renderer(
     scene_file: SceneFile,
     world: World,
     on_first_hits: Callable[[], None] = lambda: None,
-    albedo: bool = False,
 ) -> BandRenderer:
     """What renders the scene on a device: "cpu", or one that a package offers.
-
-    on_first_hits, albedo: as of OpenRenderer.
 
     Raises:
         SceneError: no installed package offers it, or what it needs is not installed.
         RnaError: the device does not know the scene, or has no room for it.
     """
     if device == CPU:
-        scene, resolve = scene_file.scene, scene_file.resolve
-        return make_integrator(scene, world, on_first_hits, resolve, albedo=albedo)
-    return find_device(device)(scene_file, world, on_first_hits, albedo)
+        return make_integrator(scene_file.scene, world, on_first_hits, scene_file.resolve)
+    return find_device(device)(scene_file, world, on_first_hits)
 
 
 def find_device(name: str) -> OpenRenderer:

@@ -27,8 +27,6 @@ class Layers:
     groups_behind: (n, g, 3) float, as groups, the same.
     catcher: (n,) float, coverage by shadow catchers.
     asset: (n,) uint32, number of the thing, from 1; 0 for none.
-    albedo: (n, 3) float, what the first hit would reflect of white light from everywhere, as
-        sampled, not clamped; (n, 0) where nobody asked for it.
     """
 
     beauty: np.ndarray
@@ -42,10 +40,9 @@ class Layers:
     groups_behind: np.ndarray
     catcher: np.ndarray
     asset: np.ndarray
-    albedo: np.ndarray
 
     @classmethod
-    def empty(cls, count: int, groups: int, dtype: type, albedo: bool = False) -> Layers:
+    def empty(cls, count: int, groups: int, dtype: type) -> Layers:
         """All zero, for `count` pixels."""
         shapes = {
             "beauty": (4,),
@@ -58,7 +55,6 @@ class Layers:
             "behind_catcher": (4,),
             "groups_behind": (groups, 3),
             "catcher": (),
-            "albedo": (3 if albedo else 0,),
         }
         floats: dict[str, np.ndarray] = {
             name: np.zeros((count, *shape), dtype) for name, shape in shapes.items()
@@ -75,18 +71,15 @@ class Layers:
 class Film:
     """Sums samples. A sample enters whole or not at all, so a stopped image is a fair mean.
 
-    resolution: width and height. groups: names of the groups of lights. albedo: whether samples
-    have it.
+    resolution: width and height. groups: names of the groups of lights.
     """
 
-    def __init__(
-        self, resolution: tuple[int, int], groups: Sequence[str] = (), albedo: bool = False
-    ) -> None:
+    def __init__(self, resolution: tuple[int, int], groups: Sequence[str] = ()) -> None:
         self.width, self.height = resolution
         self.samples = 0
         self.groups = tuple(groups)
         count = self.width * self.height
-        self._sum = Layers.empty(count, len(groups), np.float64, albedo)
+        self._sum = Layers.empty(count, len(groups), np.float64)
         self._squares = np.zeros((count, 3))
 
     def add(self, sample: Layers) -> None:
@@ -103,11 +96,6 @@ class Film:
         # The id of the first sample that hit anything: ids have no mean.
         np.copyto(total.asset, sample.asset, where=total.asset == 0)
         self.samples += 1
-
-    @property
-    def albedo(self) -> bool:
-        """Whether samples have it."""
-        return bool(self._sum.albedo.shape[1])
 
     def put(self, start: int, part: Film) -> None:
         """Take over all samples of some pixels from `start` on, of which another film is made."""
@@ -137,7 +125,7 @@ class Film:
         variances of these means, taken as if samples were independent; light.<group>.R/G/B the
         parts of groups of lights. The other channels are means over the samples that hit a
         thing: normal.X/Y/Z (unit, or zero), position.X/Y/Z and visibility; assetId is that of
-        the first sample that did. albedo.R/G/B, if samples have it, are in [0, 1].
+        the first sample that did.
         """
         total, count = self._sum, max(self.samples, 1)
         lit = self._lit()
@@ -154,8 +142,6 @@ class Film:
             ("XYZ", "normal.", normal),
             ("XYZ", "position.", total.position_world / hits),
         ]
-        if self.albedo:
-            named.append(("RGB", "albedo.", np.clip(total.albedo / count, 0.0, 1.0)))
         result = {
             prefix + letter: self._plane(_float32(values[:, column]))
             for letters, prefix, values in named

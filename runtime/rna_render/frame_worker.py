@@ -116,14 +116,7 @@ class FrameWorker(SceneWorker):
         scene = frame_scene(self.scene_file.scene, frame.number)
         files = self._job.output.frame(frame.number)
         frame_file = replace(self.scene_file, scene=scene)
-        film = render_with_bar(
-            frame_file,
-            world,
-            self.stop.is_set,
-            frame.what,
-            device=self.device,
-            albedo=files.denoiser is not None,
-        )
+        film = render_with_bar(frame_file, world, self.stop.is_set, frame.what, device=self.device)
         if self.stop.is_set() and film.samples < scene.samples:
             raise SceneError(f"{frame.what} was stopped")
         files.write(scene, film)

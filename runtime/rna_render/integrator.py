@@ -72,7 +72,7 @@ class Integrator:
     lights: those of the world first, in its order. max_depth: how many points of a path may
     scatter. clamp: clamp on per-path indirect radiance; None disables it.
     branches: rays that go on from the point that the camera sees; each then counts for that part
-    of a path, with its clamp. albedo: whether samples have it, which takes all of these rays.
+    of a path, with its clamp.
     on_first_hits: called once, when the first camera rays have been traced. strategy: how light is
     found; anything but "both" is for tests, since each way alone misses some lights or is slow.
     """
@@ -89,9 +89,7 @@ class Integrator:
         on_first_hits: Callable[[], None] = lambda: None,
         strategy: Strategy = "both",
         branches: int = BRANCHES,
-        albedo: bool = False,
     ) -> None:
-        self.albedo = albedo
         self._world = world
         self._camera = camera
         both = strategy == "both"
@@ -113,7 +111,7 @@ class Integrator:
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
         """One sample of the given pixels, (n,) uint32."""
-        band = Layers.empty(len(pixels), len(self.groups), np.float32, self.albedo)
+        band = Layers.empty(len(pixels), len(self.groups), np.float32)
         rays = self._camera_rays(pixels, sampler)
         self._collect(band, rays, 0)
         self._catch_shadows(band, rays, pixels, sampler)
@@ -134,12 +132,9 @@ class Integrator:
                     arrived = np.bincount(found.row, found.seen, len(path))
                     band.light_samples[path, 1] += arrived
             last = depth == self._max_depth or not self._world.scatters
-            for_albedo = self.albedo and depth == 1
-            if last and not (self._rays_meet_lights or for_albedo):
+            if last and not self._rays_meet_lights:
                 break
             rays = self._scatter(vertices, path, beta, numbers, probability)
-            if for_albedo:
-                add_rows(band.albedo, rays.path, rays.beta)
             self._collect(band, rays, depth)
             if last:
                 break
@@ -303,9 +298,8 @@ class Integrator:
         origin = world.origins(vertices, row, direction)
         hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
-        # A ray into a black sky brings no light, whatever the decoder says.
-        every = bool(self._infinite) or (self.albedo and numbers.depth == 1)
-        met = np.flatnonzero((hits.instance >= 0) | every)
+        # A ray into a black sky brings nothing, whatever the decoder says.
+        met = np.flatnonzero((hits.instance >= 0) | bool(self._infinite))
         for part, place, points in vertices.local_rows(row[met]):
             at = met[part]
             transport[at], _ = points.transport(place, wi[at], distance[at])

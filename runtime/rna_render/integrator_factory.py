@@ -20,25 +20,17 @@ def make_integrator(
     on_first_hits: Callable[[], None] = lambda: None,
     resolve: Callable[[Path], Path] = Path,
     branches: int = BRANCHES,
-    albedo: bool = False,
 ) -> Integrator:
     """What renders `scene`, once its things are in `world`.
 
-    resolve: finds files that the scene names. branches, albedo: as of Integrator. Raises
+    resolve: finds files that the scene names. branches: as of Integrator. Raises
     SceneError for an environment's image that cannot be used.
     """
     lights = all_lights(scene, world, resolve)
     camera = Camera(scene.camera, scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
     return Integrator(
-        world,
-        camera,
-        lights,
-        scene.max_depth,
-        clamp,
-        on_first_hits,
-        branches=branches,
-        albedo=albedo,
+        world, camera, lights, scene.max_depth, clamp, on_first_hits, branches=branches
     )
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.denoise import Denoiser, Guides
+from rna_render.denoise import Denoiser
 from rna_render.film import Film
 from rna_render.images import check_writable, read_attributes, write_linear, write_png
 from rna_render.scene_model import Scene
@@ -58,7 +58,7 @@ class Output:
         channels = film.channels()
         rgb = np.stack([channels[name] for name in "RGB"], axis=-1)
         if self.denoiser is not None:
-            rgb = self.denoiser(rgb, Guides.of(channels))
+            rgb = self.denoiser(rgb, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1))
             channels |= _layer("denoised", rgb)
         attributes = self._attributes(scene, film.samples)
         write_linear(self.linear, channels, attributes)

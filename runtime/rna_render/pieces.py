@@ -34,17 +34,12 @@ _MOST = 1 << 18  # pixels: of more, what comes back would be hundreds of megabyt
 
 
 def render_pieces(
-    scene_file: SceneFile,
-    where: Place,
-    threads: int | None,
-    folder: Path,
-    device: str = CPU,
-    albedo: bool = False,
+    scene_file: SceneFile, where: Place, threads: int | None, folder: Path, device: str = CPU
 ) -> tuple[Film, KeptPieces]:
     """The finished image, and what was kept of it, which its owner removes with the image written.
 
     folder: where finished pieces are kept; those of the same device that are there are not
-    rendered again. device: of `devices`, on every machine. albedo: whether the film has it. Raises
+    rendered again. device: of `devices`, on every machine. Raises
     SceneError for a scene that limits the time of its image.
     """
     scene = scene_file.scene
@@ -54,7 +49,7 @@ def render_pieces(
         )
     files = carried_scene(scene_file, where)
     backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
-    kept = KeptPieces(folder, f"{device} {'albedo ' if albedo else ''}{scene_key(scene_file)}")
+    kept = KeptPieces(folder, f"{device} {scene_key(scene_file)}")
     count, image = prod(scene.resolution), _Image(scene.resolution)
     there = []
     for piece, film in kept.found():
@@ -64,7 +59,7 @@ def render_pieces(
     pieces = list(_cut(missing_pieces(count, there), size))
     done = sum(piece.pixels for piece in there)
     rays = float(count * scene.samples)
-    make = partial(PieceWorker, scene_file, files, threads, device, albedo)
+    make = partial(PieceWorker, scene_file, files, threads, device)
     progress = Progress(rays, "ray", "rendering", float(done * scene.samples))
     pool: Pool[Piece, Film] = Pool(backend, make, tell=progress.tell)
     with progress, pool, closing(pool.run(pieces)) as outcomes:
@@ -82,7 +77,7 @@ class _Image:
         self._film: Film | None = None
 
     def put(self, piece: Piece, part: Film) -> None:
-        self._film = self._film or Film(self._resolution, part.groups, part.albedo)
+        self._film = self._film or Film(self._resolution, part.groups)
         self._film.put(piece.start, part)
 
     def whole(self) -> Film:
@@ -107,16 +102,9 @@ class PieceWorker(SceneWorker):
     """Renders pieces of a scene's image: see `rna_work.worker.Worker`."""
 
     def __init__(
-        self,
-        scene_file: SceneFile,
-        files: Carried,
-        threads: int,
-        device: str,
-        albedo: bool,
-        name: str,
+        self, scene_file: SceneFile, files: Carried, threads: int, device: str, name: str
     ) -> None:
         super().__init__(scene_file, files, threads, device)
-        self._albedo = albedo
         self._renderer: BandRenderer | None = None
 
     def run(self, piece: Piece) -> Film:
@@ -124,11 +112,11 @@ class PieceWorker(SceneWorker):
         scene = self.scene_file.scene
         if self._renderer is None:
             world = self.load([scene])
-            self._renderer = open_renderer(self.device, self.scene_file, world, albedo=self._albedo)
+            self._renderer = open_renderer(self.device, self.scene_file, world)
         pixels = np.arange(piece.start, piece.stop, dtype=np.uint32)
         samplers = (Sampler(scene.seed, number) for number in range(scene.samples))
-        some, sample = SomePixels(self._renderer, pixels), list[Layers]()
-        film = Film((len(pixels), 1), some.groups, some.albedo)
+        film, sample = Film((len(pixels), 1), self._renderer.groups), list[Layers]()
+        some = SomePixels(self._renderer, pixels)
         with closing(rendered_bands(some, len(pixels), samplers)) as bands:
             for band, last in bands:
                 if self.stop.is_set():

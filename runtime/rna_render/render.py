@@ -42,7 +42,7 @@ def render(
     stop: asked after every band; the sample under way is then dropped. progress: told after every
     band how many pixels it had. on_sample: given the film after every sample but the last.
     """
-    film = Film(scene.resolution, renderer.groups, renderer.albedo)
+    film = Film(scene.resolution, renderer.groups)
     samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
     if scene.quality is not None and scene.quality.seconds is not None:
         samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)

@@ -72,13 +72,11 @@ def render_with_bar(
     first_rays: Callable[[], str] | None = None,
     on_sample: Callable[[Film], None] = lambda film: None,
     device: str = CPU,
-    albedo: bool = False,
 ) -> Film:
     """Render the scene, or fewer samples of it if `stop` says so.
 
     what: stands before the bar. first_rays: what to print when the first rays are traced.
     on_sample: given the film after every sample but the last. device: where; see `devices`.
-    albedo: whether the film has it.
     """
     scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
@@ -89,7 +87,7 @@ def render_with_bar(
             bar.write(first_rays(), file=sys.stderr)
 
     with bar:
-        renderer = open_renderer(device, scene_file, world, report_start, albedo)
+        renderer = open_renderer(device, scene_file, world, report_start)
         film = render(scene, renderer, stop, bar.update, on_sample)
     warn_of_extrapolation([*world.things, *world.indirect])
     if film.samples < scene.samples and not stop():

@@ -51,8 +51,7 @@ class SomePixels:
 
     def __init__(self, renderer: BandRenderer, chosen: np.ndarray) -> None:
         self._renderer, self._chosen = renderer, chosen
-        self.groups, self.albedo = renderer.groups, renderer.albedo
-        self.at_once = renderer.at_once
+        self.groups, self.at_once = renderer.groups, renderer.at_once
 
     def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
         return self._renderer.render(self._chosen[pixels], sampler)

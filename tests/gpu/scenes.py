@@ -28,16 +28,15 @@ def on_gpu(
     world: World,
     open_it: Callable[[], Device],
     stop: Callable[[], bool] = lambda: False,
-    albedo: bool = False,
 ) -> Film:
-    renderer = GpuRenderer(scene_file, world, albedo=albedo, open_it=open_it)
+    renderer = GpuRenderer(scene_file, world, open_it=open_it)
     return render(scene_file.scene, renderer, stop)
 
 
-def on_cpu(scene_file: SceneFile, world: World, albedo: bool = False) -> Film:
+def on_cpu(scene_file: SceneFile, world: World) -> Film:
     # The GPU's paths go on with one ray from every point.
-    scene, resolve = scene_file.scene, scene_file.resolve
-    integrator = make_integrator(scene, world, resolve=resolve, branches=1, albedo=albedo)
+    resolve = scene_file.resolve
+    integrator = make_integrator(scene_file.scene, world, resolve=resolve, branches=1)
     return render(scene_file.scene, integrator)
 
 

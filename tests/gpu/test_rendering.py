@@ -108,8 +108,8 @@ def test_the_image_of_the_cpu_with_the_same_numbers(
 ) -> None:
     objects(tmp_path)
     scene_file, world = scene(text)
-    found = on_gpu(scene_file, world, lambda: device, albedo=True).channels()
-    assert_same_numbers(found, on_cpu(scene_file, world, albedo=True).channels())
+    found = on_gpu(scene_file, world, lambda: device).channels()
+    assert_same_numbers(found, on_cpu(scene_file, world).channels())
 
 
 def sky(path: Path) -> None:

@@ -187,7 +187,7 @@ def test_a_change_interrupts_a_sample_between_bands(scene_file, world, monkeypat
         """An integrator whose view is changed while it renders its 34th band of 64 pixels."""
 
         def __init__(self, scene, world, resolve):
-            self.groups, self.albedo, self.at_once = (), False, None
+            self.groups, self.at_once = (), None
             self._integrator, self.resolution = make_integrator(scene, world), scene.resolution
             self.bands, self._lock = 0, threading.Lock()
             integrators.append(self)

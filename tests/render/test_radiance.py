@@ -229,20 +229,3 @@ def test_a_sample_that_was_stopped_half_way_is_dropped(ball, monkeypatch):
     film = render(scene, make_integrator(scene, world), lambda: len(bands) == 3, bands.append)
     assert film.samples == 1
     np.testing.assert_array_equal(rgb(film.channels()), rgb(one))
-
-
-@pytest.mark.parametrize("light", [SUN, SKY | {"visible_to_camera": False}], ids=["sun", "sky"])
-def test_albedo_is_the_reflectance_whatever_the_light(floor, light):
-    edge = ABOVE | {"position": (5, 4, 0), "look_at": (5, 0, 0)}
-    changes = {"samples": 64, "camera": edge, "max_depth": 1}
-    scene, world = stage([(floor, {})], [light], **changes)
-    plain = render(scene, make_integrator(scene, world)).channels()
-    channels = render(scene, make_integrator(scene, world, albedo=True)).channels()
-    assert channels.keys() - plain.keys() == {f"albedo.{c}" for c in "RGB"}
-    for name, plane in plain.items():
-        np.testing.assert_array_equal(channels[name], plane, err_msg=name)
-    albedo = np.stack([channels[f"albedo.{c}"] for c in "RGB"], axis=-1)
-    whole, missed = channels["A"] == 1, channels["A"] == 0
-    assert whole.any() and missed.any()
-    np.testing.assert_allclose(albedo[whole].mean(0), ALBEDO, rtol=0.01)
-    assert (albedo[missed] == 0).all()

@@ -48,7 +48,7 @@ def test_a_measurement_counts_for_the_whole_image(monkeypatch: pytest.MonkeyPatc
     rendered = []
 
     class Slow:
-        groups, albedo, at_once = (), False, None
+        groups, at_once = (), None
 
         def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
             rendered.append(pixels)

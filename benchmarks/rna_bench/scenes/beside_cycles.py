@@ -14,7 +14,7 @@ from rna_export.compare.run import Timed
 from rna_export.compare.sheet import flip_colours
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
 from rna_render.camera import Camera
-from rna_render.denoise import Denoiser, Guides
+from rna_render.denoise import Denoiser
 from rna_render.lights.directions import LUMINANCE
 from rna_render.render import load_world, make_integrator, render
 from rna_render.scene_file import SceneFile
@@ -86,14 +86,14 @@ class OurScene:
         denoiser: of the images, guided as rna-run does; its time counts.
         """
         scene = self._scene.model_copy(update={"samples": samples, "seed": seed})
-        integrator = make_integrator(scene, self._world, albedo=denoiser is not None)
+        integrator = make_integrator(scene, self._world)
         seconds = []
         for _ in range(repeats):
             begun = time.perf_counter()
             channels = render(scene, integrator).channels()
             image = np.stack([channels[c] for c in "RGB"], axis=-1)
             if denoiser is not None:
-                image = denoiser(image, Guides.of(channels))
+                image = denoiser(image, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1))
             seconds.append(time.perf_counter() - begun)
         return Timed(image, float(np.median(seconds)))
 

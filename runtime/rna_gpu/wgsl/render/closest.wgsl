@@ -23,8 +23,8 @@ fn closest(
         paths[k].beta = path.beta * found.weight;
         return;
     }
-    if hit.instance == RNA_NOTHING && (frame.flags & ESCAPED_COUNT) == 0u {
-        pendings[2u * k].part = NONE; // a ray into a black sky brings no light
+    if hit.instance == RNA_NOTHING && (frame.flags & HAS_SKY) == 0u {
+        pendings[2u * k].part = NONE; // a ray into a black sky brings nothing
         return;
     }
     let far = min(hit.t / rna_instances[RNA_INSTANCE * path.own + 6u].w, RNA_FAR);

@@ -80,7 +80,7 @@ fn behind_catcher(k: u32, path: Path) {
             sums[at + 4u] = vec4f((sums[at + 4u] + radiance).xyz, 1.0);
             let group = bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].y);
             if group != NONE {
-                sums[at + 7u + 2u * group] += radiance;
+                sums[at + 6u + 2u * group] += radiance;
             }
         }
     }
@@ -96,9 +96,6 @@ fn collect(
     }
     let path = paths[k];
     pendings[2u * k].part = NONE;
-    if frame.depth == 1u {
-        sums[frame.sums * k + 5u] = vec4f(path.beta, 0.0);
-    }
     let meets = frame.depth == 0u || (frame.flags & RAYS_MEET_LIGHTS) != 0u;
     if path.instance == RNA_NOTHING {
         paths[k].state = DEAD;

@@ -21,7 +21,7 @@ struct Frame {
     surfaces: u32,
     lights: u32,
     albedo: u32,
-    sums: u32, // vec4f a path: beauty, normal and hit, position and number, lights, behind catcher, albedo
+    sums: u32, // vec4f a path: beauty, normal and hit, position and number, lights, behind catcher
     flags: u32, // of those below
     neural_part: u32,
     table_size: u32, // of albedo
@@ -29,7 +29,7 @@ struct Frame {
 }
 
 const NONE: u32 = 0xffffffffu;
-const ESCAPED_COUNT: u32 = 1u; // rays that meet nothing matter, too
+const HAS_SKY: u32 = 1u;
 const FOR_BETA: u32 = 2u;
 const RAYS_MEET_LIGHTS: u32 = 4u;
 const FOR_EMISSION: u32 = 8u;
@@ -98,7 +98,7 @@ fn add_light(k: u32, light: u32, radiance: vec3f) {
     sums[at] += vec4f(radiance, 0.0);
     let group = bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].y);
     if group != NONE {
-        sums[at + 6u + 2u * group] += vec4f(radiance, 0.0);
+        sums[at + 5u + 2u * group] += vec4f(radiance, 0.0);
     }
 }
 
