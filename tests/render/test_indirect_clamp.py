@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+import trimesh
+from numpy.lib.stride_tricks import sliding_window_view
 
+from rna_render.images import write_exr
 from rna_render.indirect_clamp import AUTO, indirect_clamp
+from rna_render.render import load_world, make_integrator, render
+from rna_render.scene_file import SceneFile
 from rna_render.scene_model import Scene
 from tests.render.lights import light
-from tests.render.stage import SKY
+from tests.render.stage import SKY, rgb
 
 SUN = {"direction": (0, 1, 0), "irradiance": (2, 2, 2)}
 CAMERA = {"position": (0, 1, 2), "look_at": (0, 0, 0)}
@@ -41,3 +48,41 @@ def test_scenes_have_one_unless_they_say_null():
     assert Scene.model_validate(told).clamp_indirect == "auto"
     assert Scene.model_validate(told | {"clamp_indirect": None}).clamp_indirect is None
     assert Scene.model_validate(told | {"clamp_indirect": 2}).clamp_indirect == 2.0
+
+
+def test_there_are_no_specks(tmp_path: Path) -> None:
+    """No pixel is above 10 times what a converged image has around it; without the clamp some are.
+
+    A polished ball reflects a small sun onto the ground.
+    """
+    trimesh.creation.icosphere(4, 0.5).export(tmp_path / "ball.ply")
+    sky = np.full((32, 64), 0.2, np.float32)
+    sky[6, 20] = 400.0
+    write_exr(tmp_path / "sky.exr", dict.fromkeys("RGB", sky), {})
+    scene = Scene.model_validate(
+        {
+            "objects": [
+                {
+                    "path": tmp_path / "ball.ply",
+                    "material": {"type": "conductor", "roughness": 0.1},
+                    "transform": {"translation": (0, 0.5, 0)},
+                }
+            ],
+            "ground": {},
+            "camera": {"position": (0, 1.5, 3), "look_at": (0, 0.3, 0), "vertical_fov_deg": 35},
+            "lights": [{"type": "environment", "path": tmp_path / "sky.exr"}],
+            "resolution": (96, 54),
+        }
+    )
+    world = load_world(SceneFile(tmp_path / "scene.yaml", scene, {}))
+
+    def image(samples: int, seed: int, clamp: str | None) -> np.ndarray:
+        changes = {"samples": samples, "seed": seed, "clamp_indirect": clamp}
+        changed = scene.model_copy(update=changes)
+        return rgb(render(changed, make_integrator(changed, world)).channels())
+
+    converged = np.pad(image(256, 9, "auto"), ((2, 2), (2, 2), (0, 0)), "edge")
+    around = sliding_window_view(converged, (5, 5), axis=(0, 1)).max(axis=(-2, -1))
+    for clamp, specked in (("auto", False), (None, True)):
+        largest = max((image(4, seed, clamp) / around).max() for seed in (1, 2, 3))
+        assert (largest > 10.0) == specked
