@@ -13,7 +13,8 @@ from types import ModuleType, SimpleNamespace
 import numpy as np
 import pytest
 
-from rna_render import conformance_reader, parts_scene
+from rna_render import conformance_reader
+from rna_render.bodies import parts_scene
 from rna_render.bodies.surface import OFFSET, SurfacePoints, leaving_origins
 from rna_sdk.conformance import reader, twin_reader
 from rna_sdk.conformance.cli import run_levels
