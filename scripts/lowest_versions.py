@@ -13,11 +13,14 @@ from pathlib import Path
 _INSTEAD = {"torch": "2.13.0"}
 """Versions that are taken instead of the lowest, whose only builds hold gigabytes of CUDA."""
 
-_REQUIREMENT = re.compile(r"(?P<name>[\w.-]+)>=(?P<version>[\w.]+)")
+_REQUIREMENT = re.compile(r"(?P<name>[\w.-]+)>=(?P<version>[\w.]+)(?P<marker>; .+)?")
 
 
 def pins(requirements: list[str]) -> list[str]:
-    """`name==version` of each `name>=version`, sorted. Raises ValueError for any other form."""
+    """`name==version` of each `name>=version`, with its marker if it has one; sorted.
+
+    Raises ValueError for any other form.
+    """
     found = []
     for requirement in requirements:
         if requirement.startswith("rna-sdk["):
@@ -26,7 +29,8 @@ def pins(requirements: list[str]) -> list[str]:
         if match is None:
             raise ValueError(f"pyproject.toml: found {requirement!r}, expected name>=version")
         name = match["name"]
-        found.append(f"{name}=={_INSTEAD.get(name, match['version'])}")
+        version = _INSTEAD.get(name, match["version"])
+        found.append(f"{name}=={version}{match['marker'] or ''}")
     return sorted(found, key=str.lower)
 
 

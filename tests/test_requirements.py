@@ -43,6 +43,10 @@ def test_every_requirement_has_a_lowest_version() -> None:
     assert len(said) == len(wanted) and "numpy==1.26" in said
 
 
+def test_a_marker_is_kept() -> None:
+    assert pins(["numpy>=2.0; python_version < '3.14'"]) == ["numpy==2.0; python_version < '3.14'"]
+
+
 @pytest.mark.parametrize("requirement", ["numpy", "numpy~=2.0", "numpy>=1.26,<3"])
 def test_another_form_is_refused(requirement: str) -> None:
     with pytest.raises(ValueError, match=r"expected name>=version"):
