@@ -31,7 +31,9 @@ from rna_render.sampling import Sampler
 from rna_render.shadow_catcher import caught_light
 from rna_render.weighing import (
     add_rows,
-    power_share,
+    clamp_paths,
+    weigh_met,
+    weigh_rays,
     weigh_samples,
     worth_tracing,
 )
@@ -125,8 +127,7 @@ class Integrator:
             choices, probability = self._sampling.choose(numbers)
             for choice in choices if self._strategy != "rays" else ():
                 found = self._sample_lights(vertices, choice, probability, beta)
-                radiance = self._clamped(found.radiance, depth)
-                self._add(band, path[found.row], found.light, radiance)
+                self._add(band, path[found.row], found.light, found.radiance, depth)
                 if depth == 1:
                     band.light_samples[path, 0] += np.bincount(found.tried, minlength=len(path))
                     arrived = np.bincount(found.row, found.seen, len(path))
@@ -207,21 +208,17 @@ class Integrator:
         radiance: np.ndarray,
         pdf: np.ndarray,
     ) -> None:
-        weight = rays.beta.take(row, axis=0)
-        if rays.pdf is not None and self._strategy == "both":
-            weight = weight * power_share(rays.pdf[row], rays.probability[light] * pdf)
-        added = self._clamped(weight * radiance, depth)
-        self._add(band, rays.path[row], np.full(len(row), light), added)
+        own_pdf = rays.pdf if self._strategy == "both" else None
+        samples = float(rays.probability[light])
+        brought = weigh_met(radiance, pdf, samples, own_pdf, row, rays.beta)
+        self._add(band, rays.path[row], np.full(len(row), light), brought, depth)
 
-    def _clamped(self, radiance: np.ndarray, depth: int) -> np.ndarray:
-        """Radiance of single paths, not above the clamp if it left more than one thing."""
-        if self._clamp is None or depth < 2:
-            return radiance
-        largest = np.maximum(radiance.max(axis=1, keepdims=True), np.float32(1e-30))
-        return np.asarray(radiance * (np.minimum(self._clamp, largest) / largest))
-
-    def _add(self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray) -> None:
-        """Add radiance from lights to paths."""
+    def _add(
+        self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray, depth: int
+    ) -> None:
+        """Add radiance from lights to paths; not above the clamp if it left more than one thing."""
+        if self._clamp is not None and depth >= 2:
+            clamp_paths(radiance, self._clamp)
         add_rows(band.beauty, path, radiance)
         for k, group in enumerate(self._group):
             if group is not None:
@@ -303,11 +300,7 @@ class Integrator:
         for part, place, points in vertices.local_rows(row[met]):
             at = met[part]
             transport[at], _ = points.transport(place, wi[at], distance[at])
-        scale = np.divide(1.0, pdf, out=np.zeros_like(pdf), where=pdf > 0.0)
-        transport *= beta.take(row, axis=0)
-        transport *= scale[:, None]
-        if hits.weight is not None:
-            transport *= hits.weight
+        weigh_rays(transport, pdf, hits.weight, row, beta)
         return _Rays(path[row], origin, direction, hits, transport, pdf, probability, number)
 
     def _catch_shadows(

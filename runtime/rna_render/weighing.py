@@ -70,12 +70,6 @@ def _like(tried: Tried) -> Tried:
     return Tried(*(np.empty_like(values) for values in _arrays(tried)))
 
 
-def power_share(pdf: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Power heuristic: the part of the estimate that belongs to the first way, (n, 1) float32."""
-    ratio = np.divide(other, pdf, out=np.full(len(pdf), np.inf), where=pdf > 0.0)
-    return np.asarray(1.0 / (1.0 + np.square(ratio)), np.float32)[:, None]
-
-
 @compiled(fastmath=())
 def _worth_tracing(
     found: tuple[np.ndarray, ...],
@@ -163,6 +157,64 @@ def weigh_samples(
         for channel in range(channels):
             mean += kept[i, channel]
         seen[i] *= mean / np.float32(channels)
+
+
+@compiled(fastmath=())
+def weigh_met(
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+    probability: float,
+    own_pdf: np.ndarray | None,
+    row: np.ndarray,
+    beta: np.ndarray,
+) -> np.ndarray:
+    """What paths bring of the radiance that their rays met: (k, 3) float32.
+
+    radiance: (k, 3) float32. pdf: (k,) float32, density with which `probability` samples find the
+    light there. own_pdf: (n,) float32, of all rays; None if rays alone find light. row: (k,) which
+    rays these are. beta: (n, 3) float32, throughput of all paths.
+    """
+    result = np.empty_like(radiance)
+    for i in range(len(row)):
+        share = np.float32(1.0)
+        if own_pdf is not None:
+            density = own_pdf[row[i]]
+            ratio = probability * pdf[i] / density if density > 0.0 else np.inf
+            share = np.float32(1.0 / (1.0 + ratio * ratio))
+        for channel in range(3):
+            result[i, channel] = beta[row[i], channel] * share * radiance[i, channel]
+    return result
+
+
+@compiled(fastmath=())
+def weigh_rays(
+    transport: np.ndarray,
+    pdf: np.ndarray,
+    passed: np.ndarray | None,
+    row: np.ndarray,
+    beta: np.ndarray,
+) -> None:
+    """Make of transport, (k, 3) float32, the throughput of paths that go on along rays.
+
+    pdf: (k,) float32, density of the rays' directions. passed: (k, 3) float32, what is left by all
+    that the rays went through; None for 1. row: (k,) rows of beta, (m, 3) float32, the throughput
+    so far.
+    """
+    for i in range(len(row)):
+        scale = np.float32(1.0) / pdf[i] if pdf[i] > 0.0 else np.float32(0.0)
+        for channel in range(3):
+            value = transport[i, channel] * beta[row[i], channel] * scale
+            transport[i, channel] = value if passed is None else value * passed[i, channel]
+
+
+@compiled(fastmath=())
+def clamp_paths(radiance: np.ndarray, limit: np.float32) -> None:
+    """Scale the rows of radiance, (n, 3) float32, whose largest channel is above the limit."""
+    for i in range(len(radiance)):
+        largest = max(radiance[i, 0], radiance[i, 1], radiance[i, 2])
+        if largest > limit:
+            for channel in range(3):
+                radiance[i, channel] *= limit / largest
 
 
 @compiled(fastmath=())

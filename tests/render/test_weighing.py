@@ -13,7 +13,14 @@ from rna_render.bands import BAND, SMALL_BAND, _bands
 from rna_render.light_sampling import LightChoice
 from rna_render.lights import LightSamples
 from rna_render.lights.equirectangular import EquirectangularImage
-from rna_render.weighing import Tried, power_share, weigh_samples, worth_tracing
+from rna_render.weighing import (
+    Tried,
+    clamp_paths,
+    weigh_met,
+    weigh_rays,
+    weigh_samples,
+    worth_tracing,
+)
 from tests.render.assets import unit_vectors
 
 RNG = np.random.default_rng(5)
@@ -70,7 +77,7 @@ def test_weights_of_samples(channels: int) -> None:
     transport, kept, seen, beta = numbers(k, 3), numbers(k, channels), numbers(k), numbers(m, 3)
     own_pdf = numbers(k)
     density = pdf[sample] * probability[light]
-    share = np.where(delta[light], np.float32(1.0), power_share(density, own_pdf)[:, 0])
+    share = np.where(delta[light], np.float32(1.0), 1.0 / (1.0 + np.square(own_pdf / density)))
     weight = (share / density)[:, None]
     expected = beta[row] * transport * radiance[sample] * weight * kept
     expected_seen = seen * kept.mean(axis=1)
@@ -78,6 +85,36 @@ def test_weights_of_samples(channels: int) -> None:
     weigh_samples(transport, seen, (radiance, pdf), tried, kept, own_pdf, lights, beta)
     assert transport == pytest.approx(expected, rel=1e-5)
     assert seen == pytest.approx(expected_seen, rel=1e-5)
+
+
+@pytest.mark.parametrize("both", [True, False])
+def test_weights_of_met_light(both: bool) -> None:
+    n, k = 90, 40
+    row = np.sort(RNG.choice(n, k, replace=False))
+    radiance, pdf, beta, own_pdf = numbers(k, 3), numbers(k), numbers(n, 3), numbers(n)
+    own = own_pdf[row].astype(np.float64)
+    share = own**2 / np.maximum(own**2 + (3.0 * pdf) ** 2, 1e-30) if both else np.ones(k)
+    found = weigh_met(radiance, pdf, 3.0, own_pdf if both else None, row, beta)
+    assert found == pytest.approx(beta[row] * radiance * share[:, None], rel=1e-5)
+    assert found.any()
+
+
+@pytest.mark.parametrize("coloured", [True, False])
+def test_weights_of_rays(coloured: bool) -> None:
+    k, m = 100, 40
+    row, transport, pdf, beta = RNG.integers(0, m, k), numbers(k, 3), numbers(k), numbers(m, 3)
+    passed = numbers(k, 3) if coloured else None
+    chance = np.where(pdf > 0.0, 1.0 / np.maximum(pdf, 1e-30), 0.0)[:, None]
+    expected = transport * beta[row] * chance * (1.0 if passed is None else passed)
+    weigh_rays(transport, pdf, passed, row, beta)
+    assert transport == pytest.approx(expected, rel=1e-5)
+    assert transport.any()
+
+
+def test_the_clamp_keeps_hues() -> None:
+    radiance = np.float32([[0.5, 2.0, 1.0], [0.0, 0.0, 0.0], [0.9, 0.1, 0.0]])
+    clamp_paths(radiance, np.float32(1.0))
+    assert radiance == pytest.approx(np.float32([[0.25, 1.0, 0.5], [0, 0, 0], [0.9, 0.1, 0.0]]))
 
 
 @pytest.mark.parametrize("count", [1, 100, SMALL_BAND + 1, BAND + 1, 640 * 360, 1_000_001])

@@ -7,7 +7,7 @@ import numpy as np
 from rna_render.lights.base import InfiniteLight, Light
 from rna_render.lights.directions import cone_direction, luminance
 from rna_render.lights.equirectangular import EquirectangularImage
-from rna_render.lights.image_kernels import look_up_image, sample_image_batch
+from rna_render.lights.image_kernels import look_up_image_batch, sample_image_batch
 from rna_render.lights.kinds import IMAGE, OWN, UNIFORM, light_row
 from rna_render.lights.models import EnvironmentModel
 from rna_render.vectors import Vector
@@ -86,6 +86,12 @@ def sample_image_light(
 
 
 @compiled(fastmath=())
-def look_up_image_light(numbers: np.ndarray, words: np.ndarray, d: Vector) -> tuple[Vector, float]:
-    r, g, b, pdf = look_up_image(numbers[OWN:], words, d[0], d[1], d[2])
-    return (numbers[0] * r, numbers[1] * g, numbers[2] * b), pdf
+def look_up_image_light(
+    numbers: np.ndarray,
+    words: np.ndarray,
+    d_world: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
+    """Radiance and densities of directions, (n, 3); the rest is written, a row each."""
+    look_up_image_batch(numbers[:OWN], numbers[OWN:], words, d_world, radiance, pdf)

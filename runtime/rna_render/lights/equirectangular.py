@@ -117,7 +117,7 @@ class EquirectangularImage:
         d_world: (n, 3) float32. Returns (n, 3) and (n,), float32.
         """
         out = _empty_vectors(len(d_world)), np.empty(len(d_world), np.float32)
-        look_up_image_batch(self.numbers, self.words, d_world, *out)
+        look_up_image_batch(np.ones(3), self.numbers, self.words, d_world, *out)
         return out
 
 

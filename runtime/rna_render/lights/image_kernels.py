@@ -1,7 +1,7 @@
 """Compiled code of `equirectangular`: cells of an image, directions and radiance.
 
-Directions are sampled in blocks, one look-up at a time for a whole block: the tables do not fit a
-core's cache, and so a core waits for many numbers at once.
+Directions are sampled and looked up in blocks, one access at a time for a whole block: the tables
+do not fit a core's cache, and so a core waits for many numbers at once.
 """
 
 from __future__ import annotations
@@ -16,18 +16,18 @@ from rna_render.memory import pointer_f32, pointer_f64, pointer_i32, signed
 from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 
-# What `sample_image_batch` and `look_up_image` read. Addresses of arrays, and the image's size; and
-# numbers: the turn about +y, the sum of all cells' weights, the mean that they leave out.
+# What `sample_image_batch` and `look_up_image_batch` read. Addresses of arrays, and the image's
+# size; and numbers: the turn about +y, the sum of all cells' weights, the mean that they leave out.
 TEXELS, HEIGHTS, ROWS, ROW_GUIDE, COLUMNS, COLUMN_GUIDE, HEIGHT, WIDTH = range(8)
 TURN_COSINE, TURN_SINE, TOTAL, MEAN = range(4)
 
-# Directions that are sampled together.
+# Directions that are handled together.
 BLOCK = 64
 
-# Rows of a block's numbers: colours of a cell's four corners, then these. Later they begin with
-# the direction, the radiance and the density.
-U1, U2, ROW, COLUMN, CELL_HEIGHT, CAP_Y = range(12, 18)
-BLOCK_ROWS = 18
+# Rows of a block's numbers: colours of a cell's four corners, then these. In the end they begin
+# with the direction, the radiance and the density.
+U1, U2, ROW, COLUMN, CELL_HEIGHT, CAP_Y, SINE = range(12, 19)
+BLOCK_ROWS = 19
 
 
 Cell = tuple[Vector, Vector, Vector, Vector]
@@ -171,6 +171,32 @@ def _choose_columns(
 
 
 @compiled(fastmath=())
+def _block_cell(block: np.ndarray, i: int) -> Cell:
+    return (
+        (block[0, i], block[1, i], block[2, i]),
+        (block[3, i], block[4, i], block[5, i]),
+        (block[6, i], block[7, i], block[8, i]),
+        (block[9, i], block[10, i], block[11, i]),
+    )
+
+
+@compiled(fastmath=())
+def _take_corners(
+    texels: np.ndarray, heights: np.ndarray, row: np.ndarray, column: np.ndarray, block: np.ndarray
+) -> None:
+    """Colours of the cells' corners, and their rows, columns and heights."""
+    h, w, _ = texels.shape
+    for i in range(len(row)):
+        upper, lower = max(row[i] - 1, 0), min(row[i], h - 1)
+        left = column[i]
+        right = left + 1 if left < w - 1 else 0
+        for k in range(3):
+            block[k, i], block[3 + k, i] = texels[upper, left, k], texels[upper, right, k]
+            block[6 + k, i], block[9 + k, i] = texels[lower, left, k], texels[lower, right, k]
+        block[ROW, i], block[COLUMN, i], block[CELL_HEIGHT, i] = row[i], left, heights[row[i]]
+
+
+@compiled(fastmath=())
 def _take_cells(
     texels: np.ndarray,
     heights: np.ndarray,
@@ -180,16 +206,10 @@ def _take_cells(
     block: np.ndarray,
 ) -> None:
     """Numbers of the cells, column by column, and places in the rows at the poles."""
-    h, w, _ = texels.shape
+    h = len(texels)
+    _take_corners(texels, heights, row, column, block)
     for i in range(len(row)):
-        upper, lower = max(row[i] - 1, 0), min(row[i], h - 1)
-        left = column[i]
-        right = left + 1 if left < w - 1 else 0
-        for k in range(3):
-            block[k, i], block[3 + k, i] = texels[upper, left, k], texels[upper, right, k]
-            block[6 + k, i], block[9 + k, i] = texels[lower, left, k], texels[lower, right, k]
         block[U1, i], block[U2, i] = place[i, 0], place[i, 1]
-        block[ROW, i], block[COLUMN, i], block[CELL_HEIGHT, i] = row[i], left, heights[row[i]]
         if row[i] == 0:
             block[CAP_Y, i] = _cap_angle(place[i, 1] * heights[0]) / np.pi * h + 0.5
         elif row[i] == h:
@@ -206,12 +226,7 @@ def _directions_in_cells(
     """
     turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
     for i in range(count):
-        cell = (
-            (block[0, i], block[1, i], block[2, i]),
-            (block[3, i], block[4, i], block[5, i]),
-            (block[6, i], block[7, i], block[8, i]),
-            (block[9, i], block[10, i], block[11, i]),
-        )
+        cell = _block_cell(block, i)
         l00, l01, l10, l11 = _luminances(cell)
         row, column = block[ROW, i], block[COLUMN, i]
         inner = 0.0 < row < h
@@ -271,38 +286,78 @@ def _sample_block(
         pdf[i] = block[6, i]
 
 
-@compiled(fastmath=())
-def look_up_image(
-    numbers: np.ndarray, words: np.ndarray, dx: float, dy: float, dz: float
-) -> tuple[float, float, float, float]:
-    """Radiance from a direction, and the density with which `sample_image_batch` finds it."""
-    texels, heights = _image(words)
-    h, w, _ = texels.shape
-    turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
-    x, z = turn_cos * dx - turn_sin * dz, turn_sin * dx + turn_cos * dz
-    sine = np.sqrt(x * x + z * z)
-    s = (0.5 + turns_of(x, -z)) * w - 0.5
-    t = turns_of(sine, dy) * 2.0 * h + 0.5
-    # A direction that is not a number finds some cell, and radiance that is not a number.
-    row = min(max(int(np.floor(t)), 0), h)
-    column = int(np.floor(s))
-    column = column if 0 <= column < w else w - 1
-    cell = _cell(texels, row, column)
-    a, b, c, d = _luminances(cell)
-    red, green, blue = _radiance_in_cell(cell, s - np.floor(s), t - row)
-    here, mean = _luminance(red, green, blue), (a + b + c + d) / 4.0
-    return red, green, blue, _density(numbers, h, w, (heights[row], 0 < row < h, sine), here, mean)
-
-
 @compiled(parallel=True, fastmath=())
 def look_up_image_batch(
+    scale: np.ndarray,
     numbers: np.ndarray,
     words: np.ndarray,
     d_world: np.ndarray,
     radiance: np.ndarray,
     pdf: np.ndarray,
 ) -> None:
-    for i in prange(len(pdf)):
-        d = np.float64(d_world[i, 0]), np.float64(d_world[i, 1]), np.float64(d_world[i, 2])
-        r, g, b, pdf[i] = look_up_image(numbers, words, d[0], d[1], d[2])
-        radiance[i, 0], radiance[i, 1], radiance[i, 2] = r, g, b
+    """Radiance from directions, (n, 3), times `scale`, and how densely `sample_image_batch` finds
+    them."""
+    for block in prange((len(pdf) + BLOCK - 1) // BLOCK):
+        start = signed(block) * BLOCK
+        part = slice(start, min(start + BLOCK, len(pdf)))
+        _look_up_block(scale, numbers, words, d_world[part], radiance[part], pdf[part])
+
+
+@compiled(fastmath=())
+def _look_up_block(
+    scale: np.ndarray,
+    numbers: np.ndarray,
+    words: np.ndarray,
+    d_world: np.ndarray,
+    radiance: np.ndarray,
+    pdf: np.ndarray,
+) -> None:
+    row, column = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
+    block = np.zeros((BLOCK_ROWS, BLOCK))
+    texels, heights = _image(words)
+    h, w, _ = texels.shape
+    _find_cells(numbers, h, w, d_world, row, column, block)
+    _take_corners(texels, heights, row[: len(pdf)], column, block)
+    _radiance_in_cells(numbers, h, w, len(pdf), block)
+    for i in range(len(pdf)):
+        for axis in range(3):
+            radiance[i, axis] = scale[axis] * block[3 + axis, i]
+        pdf[i] = block[6, i]
+
+
+@compiled(fastmath=())
+def _find_cells(
+    numbers: np.ndarray,
+    h: int,
+    w: int,
+    d_world: np.ndarray,
+    row: np.ndarray,
+    column: np.ndarray,
+    block: np.ndarray,
+) -> None:
+    """Cells that directions are in, their places there and their sines to +y."""
+    turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
+    for i in range(len(d_world)):
+        dx, dy, dz = np.float64(d_world[i, 0]), np.float64(d_world[i, 1]), np.float64(d_world[i, 2])
+        x, z = turn_cos * dx - turn_sin * dz, turn_sin * dx + turn_cos * dz
+        sine = np.sqrt(x * x + z * z)
+        s = (0.5 + turns_of(x, -z)) * w - 0.5
+        t = turns_of(sine, dy) * 2.0 * h + 0.5
+        # A direction that is not a number finds some cell, and radiance that is not a number.
+        row[i] = min(max(int(np.floor(t)), 0), h)
+        left = int(np.floor(s))
+        column[i] = left if 0 <= left < w else w - 1
+        block[U1, i], block[U2, i], block[SINE, i] = s - np.floor(s), t - row[i], sine
+
+
+@compiled(fastmath=())
+def _radiance_in_cells(numbers: np.ndarray, h: int, w: int, count: int, block: np.ndarray) -> None:
+    """Radiance and densities of a block, in the rows where `_directions_in_cells` has them."""
+    for i in range(count):
+        cell = _block_cell(block, i)
+        l00, l01, l10, l11 = _luminances(cell)
+        r, g, b = _radiance_in_cell(cell, block[U1, i], block[U2, i])
+        mean = (l00 + l01 + l10 + l11) / 4.0
+        at = block[CELL_HEIGHT, i], 0.0 < block[ROW, i] < h, block[SINE, i]
+        block[6, i] = _density(numbers, h, w, at, _luminance(r, g, b), mean)
+        block[3, i], block[4, i], block[5, i] = r, g, b

@@ -126,7 +126,7 @@ class MeshLight(TriangleLight):
     ) -> tuple[np.ndarray, np.ndarray]:
         pdf = self._density(x_world, d_world, hits.primitive)
         radiance = self._emission(hits.primitive, hits.u, hits.v)
-        return np.asarray(radiance, np.float32), pdf
+        return np.ascontiguousarray(radiance, np.float32), pdf
 
     def _sent(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, d_world: np.ndarray

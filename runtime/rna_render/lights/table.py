@@ -68,12 +68,9 @@ def sample_light(
 
 
 @compiled(fastmath=())
-def escaped_light(
-    kind: int, numbers: np.ndarray, words: np.ndarray, d: Vector
-) -> tuple[Vector, float]:
-    """Radiance, and density of `sample_light`, of a ray along d that leaves the scene."""
-    if kind == IMAGE:
-        return look_up_image_light(numbers, words, d)
+def escaped_light(kind: int, numbers: np.ndarray, d: Vector) -> tuple[Vector, float]:
+    """Radiance, and density of `sample_light`, of a ray along d that leaves the scene; of images
+    see `escaped_batch`."""
     if kind == UNIFORM:
         return look_up_uniform(numbers)
     if kind == SUN:
@@ -133,8 +130,11 @@ def escaped_batch(
     radiance: np.ndarray,
     pdf: np.ndarray,
 ) -> None:
+    if kind == IMAGE:
+        look_up_image_light(numbers, words, d_world, radiance, pdf)
+        return
     for i in prange(len(d_world)):
-        found, pdf[i] = escaped_light(kind, numbers, words, vector_at(d_world, i))
+        found, pdf[i] = escaped_light(kind, numbers, vector_at(d_world, i))
         radiance[i, 0], radiance[i, 1], radiance[i, 2] = found
 
 
