@@ -467,6 +467,10 @@ def test_what_is_not_shown_is_said_once(tmp_path):
     ]
     with pytest.warns(MeshFileWarning, match="not shown: points and lines$"):
         read(path, {"type": "diffuse"})
+    gltf.json["meshes"][0]["primitives"][1] = {"attributes": {}}
+    gltf.write(path)
+    with pytest.warns(MeshFileWarning, match="not shown: primitives without POSITION$"):
+        read(path, {"type": "diffuse"})
 
 
 @pytest.mark.parametrize(

@@ -79,10 +79,12 @@ def _primitives(
         if "skin" in node or any(node.get("weights", mesh.get("weights", ()))):
             left_out.add("skins and morph targets")
         for primitive in mesh["primitives"]:
-            if primitive.get("mode", TRIANGLES) in (TRIANGLES, STRIP, FAN):
-                yield matrix, primitive
-            else:
+            if primitive.get("mode", TRIANGLES) not in (TRIANGLES, STRIP, FAN):
                 left_out.add("points and lines")
+            elif "POSITION" not in primitive["attributes"]:
+                left_out.add("primitives without POSITION")
+            else:
+                yield matrix, primitive
 
 
 def _roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
