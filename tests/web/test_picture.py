@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import OpenEXR
 import pytest
+from numpy.lib.stride_tricks import sliding_window_view
 
 from rna_render.camera import Camera
 from rna_render.preview.picture import rgba
@@ -106,6 +107,19 @@ def test_environment(api, tmp_path):
     path = write_scene(tmp_path, TOY, ENVIRONMENT, [48, 30], 64)
     found, expected = by_viewer(path, api), by_rna_run(path)
     assert np.mean(found[..., :3]) == pytest.approx(np.mean(expected[..., :3]), rel=0.02)
+
+
+@pytest.mark.parametrize("api", APIS)
+def test_no_specks_in_highlights(api, tmp_path):
+    """After few samples no pixel is far brighter than its 5 x 5 neighbourhood, converged."""
+    size = [96, 60]
+    found = by_viewer(write_scene(tmp_path, TOY, ENVIRONMENT, size, 4), api)
+    expected = by_rna_run(write_scene(tmp_path, TOY, ENVIRONMENT, size, 256))
+    inside = expected[..., 3] > 0.999
+    luminance = expected[..., :3].mean(axis=-1)
+    brightest = sliding_window_view(np.pad(luminance, 2), (5, 5)).max(axis=(-2, -1))
+    ratio = found[..., :3].mean(axis=-1)[inside] / brightest[inside]
+    assert ratio.max() < 6  # 12 without directions about the mirror direction
 
 
 @pytest.mark.parametrize("api", APIS)

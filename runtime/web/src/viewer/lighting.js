@@ -43,7 +43,7 @@ export class Lighting {
       const colour = [this.strength, this.strength, this.strength];
       const angle = (this.rotation + this.imageTurn) * RADIANS;
       // One light, sampled in two ways, which share it.
-      lights.push({ kind: "environment", colour, angle }, { kind: "aroundNormal", colour, angle });
+      lights.push({ kind: "environment", colour, angle }, { kind: "aroundPoint", colour, angle });
       this.tables().up.forEach((value, c) => { up[c] += value * this.strength; });
     }
     return { lights, irradiance: up };

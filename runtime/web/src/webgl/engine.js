@@ -183,7 +183,7 @@ export class WebGLEngine {
   }
 }
 
-const KINDS = { sun: 0, environment: 1, given: 2, aroundNormal: 3 };
+const KINDS = { sun: 0, environment: 1, given: 2, aroundPoint: 3 };
 
 function lightUniforms({ kind, direction = [0, 1, 0], colour, angle = 0, ground }) {
   return {

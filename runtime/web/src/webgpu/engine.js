@@ -6,7 +6,7 @@ import { PartEvaluator, Pipelines } from "./part_evaluator.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
-const KINDS = { sun: 0, environment: 1, given: 2, aroundNormal: 3 };
+const KINDS = { sun: 0, environment: 1, given: 2, aroundPoint: 3 };
 
 export class WebGPUEngine {
   static label = "WebGPU";

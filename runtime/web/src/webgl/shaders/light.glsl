@@ -6,7 +6,7 @@ uniform sampler2D rows1;
 uniform sampler2D rows2;
 uniform sampler2D rows3;
 uniform sampler2D given;        // directions, of the conformance kit
-uniform int lightKind;          // 0: sun; environment: 1 where it is bright, 3 about the normal; 2: given directions
+uniform int lightKind;          // 0: sun; environment: 1 where it is bright, 3 about the point; 2: given directions
 uniform vec3 lightDirection;    // of a sun
 uniform vec3 lightColour;       // its irradiance, or a factor of the environment
 uniform sampler2D environment;  // radiance, row 0 at +y; w: the row's distribution along it
@@ -84,41 +84,70 @@ vec3 brightDirection(vec2 u) {
   return vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
 }
 
-// Directions about the asset: by the cosine about the normal, and some from all sides, since light comes through; about
-// a strand, n = 0, all from all sides.
+// Directions about a point: some about the mirror direction, where highlights lie; of the others some from all sides,
+// since light comes through, and the rest by the cosine about the normal. A vector of zero stands for none: the ground
+// has no highlights, and about a strand all come from all sides.
+struct Surroundings {
+  vec3 n;  // turned to the viewer
+  vec3 mirror;
+};
+
+const float MIRRORED = 0.3333333, MIRROR_KAPPA = 20.0;  // of a von Mises-Fisher distribution
 const float FROM_ALL_SIDES = 0.25, EVEN = 0.25 / PI;
 
-vec3 directionAbout(vec3 n, vec2 u) {
-  bool allSides = u.y < FROM_ALL_SIDES;
-  float v = allSides ? u.y / FROM_ALL_SIDES : (u.y - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES);
-  float phi = 2.0 * PI * u.x, z = 1.0 - 2.0 * v;
+float mirroredShare(Surroundings at) {
+  return at.mirror == vec3(0.0) ? 0.0 : MIRRORED;
+}
+
+// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
+vec3 along(vec3 axis, float cosine, float phi) {
+  float side = axis.z < 0.0 ? -1.0 : 1.0, c = -1.0 / (side + axis.z), d = axis.x * axis.y * c;
+  vec3 s = vec3(1.0 + side * axis.x * axis.x * c, side * d, -side * axis.x);
+  vec3 t = vec3(d, side + axis.y * axis.y * c, -axis.y);
+  return normalize(sqrt(max(0.0, 1.0 - cosine * cosine)) * (cos(phi) * s + sin(phi) * t) + cosine * axis);
+}
+
+vec3 directionAbout(Surroundings at, vec2 u) {
+  float share = mirroredShare(at), phi = 2.0 * PI * u.x;
+  if (u.y < share) {
+    float v = u.y / share;
+    return along(at.mirror, 1.0 + log(v + (1.0 - v) * exp(-2.0 * MIRROR_KAPPA)) / MIRROR_KAPPA, phi);
+  }
+  float rest = (u.y - share) / (1.0 - share);
+  bool allSides = rest < FROM_ALL_SIDES;
+  float v = allSides ? rest / FROM_ALL_SIDES : (rest - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES);
+  float z = 1.0 - 2.0 * v;
   vec3 ball = vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(phi), sin(phi)), z);
-  return normalize(ball + (allSides ? vec3(0.0) : n * 1.0001));
+  return normalize(ball + (allSides ? vec3(0.0) : at.n * 1.0001));
 }
 
-float densityAbout(vec3 n, vec3 wi) {
-  return n == vec3(0.0) ? EVEN : mix(max(0.0, dot(n, wi)) / PI, EVEN, FROM_ALL_SIDES);
+float densityAbout(Surroundings at, vec3 wi) {
+  if (at.n == vec3(0.0)) return EVEN;
+  float rest = mix(max(0.0, dot(at.n, wi)) / PI, EVEN, FROM_ALL_SIDES);
+  float fisher = MIRROR_KAPPA / (2.0 * PI) * exp(MIRROR_KAPPA * (dot(at.mirror, wi) - 1.0));
+  return mix(rest, fisher, mirroredShare(at));
 }
 
-vec3 normalOf(vec4 row0, vec4 row1, vec4 row2) {
-  if (row0.w == 0.0) return vec3(0.0, 1.0, 0.0);  // of the ground
-  if ((wordsAt(primitives, int(row2.w)).w & SEGMENT) != 0u) return vec3(0.0);
-  return dot(row1.xyz, row2.xyz) < 0.0 ? -row1.xyz : row1.xyz;
+Surroundings surroundingsOf(vec4 row0, vec4 row1, vec4 row2) {
+  if (row0.w == 0.0) return Surroundings(vec3(0.0, 1.0, 0.0), vec3(0.0));  // of the ground
+  if ((wordsAt(primitives, int(row2.w)).w & SEGMENT) != 0u) return Surroundings(vec3(0.0), vec3(0.0));
+  vec3 n = row1.xyz, wo = row2.xyz;
+  return Surroundings(dot(n, wo) < 0.0 ? -n : n, reflect(-wo, n));
 }
 
 // One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
-vec3 sampleLight(ivec2 pixel, vec3 n, out vec3 wi) {
+vec3 sampleLight(ivec2 pixel, Surroundings at, out vec3 wi) {
   if (lightKind == 0 || lightKind == 2) {
     wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
     return lightColour;
   }
   vec2 u = random(ivec2(pixel.x, height - 1 - pixel.y - firstRow), DIRECTION);
-  wi = lightKind == 1 ? brightDirection(u) : directionAbout(n, u);
+  wi = lightKind == 1 ? brightDirection(u) : directionAbout(at, u);
   vec3 d = vec3(turn.x * wi.x - turn.y * wi.z, wi.y, turn.x * wi.z + turn.y * wi.x);
   float density;
   vec2 st = vec2(atan(d.x, -d.z) / (2.0 * PI) + 0.5, acos(clamp(d.y, -1.0, 1.0)) / PI);
   vec3 radiance = skyAt(st, length(d.xz), density);
-  return lightColour * radiance / (density + densityAbout(n, wi));
+  return lightColour * radiance / (density + densityAbout(at, wi));
 }
 
 // Where a ray to the light starts, and what it may bring.
@@ -152,7 +181,7 @@ void main() {
   vec4 row0 = texelFetch(rows0, pixel, 0), row1 = texelFetch(rows1, pixel, 0);
   vec4 row2 = texelFetch(rows2, pixel, 0), row3 = texelFetch(rows3, pixel, 0);
   bool isQuery = row0.w != 0.0;
-  vec3 wi, radiance = row3.xyz * sampleLight(pixel, normalOf(row0, row1, row2), wi);
+  vec3 wi, radiance = row3.xyz * sampleLight(pixel, surroundingsOf(row0, row1, row2), wi);
   Start start;
   if (isQuery) start = startOf(row0, row1, row2, row3.w, wi);
   else start = startOnGround(-row2.xyz, wi);

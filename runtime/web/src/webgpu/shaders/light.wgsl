@@ -3,7 +3,7 @@
 
 struct Light {
     direction: vec3f, // of a sun
-    kind: u32,        // 0: sun; the environment: 1 where it is bright, 3 about the normal; 2: directions of the rows
+    kind: u32,        // 0: sun; the environment: 1 where it is bright, 3 about the point; 2: directions of the rows
     colour: vec3f,    // irradiance of a sun, or a factor of the environment
     ground: f32,      // its height
     turn: vec2f,      // cosine and sine of the environment's rotation
@@ -135,33 +135,67 @@ fn bright_direction(u: vec2f) -> vec3f {
     return turned(vec3f(sin(theta) * sin(phi), cos(theta), -sin(theta) * cos(phi)));
 }
 
-// Directions about the asset: by the cosine about the normal, and some from all sides, since light comes through; about
-// a strand, n = 0, all from all sides.
+// Directions about a point: some about the mirror direction, where highlights lie; of the others some from all sides,
+// since light comes through, and the rest by the cosine about the normal. A vector of zero stands for none: the ground
+// has no highlights, and about a strand all come from all sides.
+struct Surroundings {
+    n: vec3f, // turned to the viewer
+    mirror: vec3f,
+}
+
+const MIRRORED = 0.3333333;
+const MIRROR_KAPPA = 20.0; // of a von Mises-Fisher distribution
 const FROM_ALL_SIDES = 0.25;
 
-fn direction_about(n: vec3f, u: vec2f) -> vec3f {
-    let all_sides = u.y < FROM_ALL_SIDES;
-    let v = select((u.y - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES), u.y / FROM_ALL_SIDES, all_sides);
+fn mirrored_share(at: Surroundings) -> f32 {
+    return select(MIRRORED, 0.0, all(at.mirror == vec3f(0.0)));
+}
+
+// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
+fn along(axis: vec3f, cosine: f32, phi: f32) -> vec3f {
+    let side = select(1.0, -1.0, axis.z < 0.0);
+    let c = -1.0 / (side + axis.z);
+    let d = axis.x * axis.y * c;
+    let s = vec3f(1.0 + side * axis.x * axis.x * c, side * d, -side * axis.x);
+    let t = vec3f(d, side + axis.y * axis.y * c, -axis.y);
+    return normalize(sqrt(max(0.0, 1.0 - cosine * cosine)) * (cos(phi) * s + sin(phi) * t) + cosine * axis);
+}
+
+fn direction_about(at: Surroundings, u: vec2f) -> vec3f {
+    let share = mirrored_share(at);
     let phi = 2.0 * PI * u.x;
+    if u.y < share {
+        let v = u.y / share;
+        return along(at.mirror, 1.0 + log(v + (1.0 - v) * exp(-2.0 * MIRROR_KAPPA)) / MIRROR_KAPPA, phi);
+    }
+    let rest = (u.y - share) / (1.0 - share);
+    let all_sides = rest < FROM_ALL_SIDES;
+    let v = select((rest - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES), rest / FROM_ALL_SIDES, all_sides);
     let z = 1.0 - 2.0 * v;
     let ball = vec3f(sqrt(max(0.0, 1.0 - z * z)) * vec2f(cos(phi), sin(phi)), z);
-    return normalize(ball + select(n * 1.0001, vec3f(0.0), all_sides));
+    return normalize(ball + select(at.n * 1.0001, vec3f(0.0), all_sides));
 }
 
-fn density_about(n: vec3f, wi: vec3f) -> f32 {
+fn density_about(at: Surroundings, wi: vec3f) -> f32 {
     let even = 0.25 / PI;
-    return select(mix(max(0.0, dot(n, wi)) / PI, even, FROM_ALL_SIDES), even, all(n == vec3f(0.0)));
+    if all(at.n == vec3f(0.0)) {
+        return even;
+    }
+    let rest = mix(max(0.0, dot(at.n, wi)) / PI, even, FROM_ALL_SIDES);
+    let fisher = MIRROR_KAPPA / (2.0 * PI) * exp(MIRROR_KAPPA * (dot(at.mirror, wi) - 1.0));
+    return mix(rest, fisher, mirrored_share(at));
 }
 
-fn normal_of(row: Row) -> vec3f {
+fn surroundings_of(row: Row) -> Surroundings {
     if row.axis.w == 0u {
-        return vec3f(0.0, 1.0, 0.0); // of the ground
+        return Surroundings(vec3f(0.0, 1.0, 0.0), vec3f(0.0)); // of the ground
     }
     if HAS_SEGMENTS && (primitives[row.wo.w].w & SEGMENT) != 0u {
-        return vec3f(0.0);
+        return Surroundings(vec3f(0.0), vec3f(0.0));
     }
     let n = bitcast<vec3f>(row.axis.xyz);
-    return select(n, -n, dot(n, bitcast<vec3f>(row.wo.xyz)) < 0.0);
+    let wo = bitcast<vec3f>(row.wo.xyz);
+    return Surroundings(select(n, -n, dot(n, wo) < 0.0), reflect(-wo, n));
 }
 
 // One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
@@ -173,16 +207,16 @@ fn arrival_at(pixel: vec2<u32>, row: Row) -> Arrival {
         return Arrival(bitcast<vec3f>(row.wi.xyz), light.colour);
     }
     let u = random(pixel, DIRECTION);
-    let n = normal_of(row);
+    let at = surroundings_of(row);
     var wi: vec3f;
     if light.kind == 1u {
         wi = bright_direction(u);
     } else {
-        wi = direction_about(n, u);
+        wi = direction_about(at, u);
     }
     let d = turned_back(wi);
     let sky = sky_at(vec2f(atan2(d.x, -d.z) / (2.0 * PI) + 0.5, acos(clamp(d.y, -1.0, 1.0)) / PI), length(d.xz));
-    return Arrival(wi, light.colour * sky.radiance / (sky.density + density_about(n, wi)));
+    return Arrival(wi, light.colour * sky.radiance / (sky.density + density_about(at, wi)));
 }
 
 // Where a ray to the light starts, and what it may bring.
