@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
-from numpy.lib.stride_tricks import sliding_window_view
 
 from rna_render.images import write_exr
 from rna_render.indirect_clamp import AUTO, indirect_clamp
@@ -15,6 +14,7 @@ from rna_render.render import load_world, make_integrator, render
 from rna_render.scene_file import SceneFile
 from rna_render.scene_model import Scene
 from tests.render.lights import light
+from tests.render.specks import brightest_around
 from tests.render.stage import SKY, rgb
 
 SUN = {"direction": (0, 1, 0), "irradiance": (2, 2, 2)}
@@ -81,8 +81,7 @@ def test_there_are_no_specks(tmp_path: Path) -> None:
         changed = scene.model_copy(update=changes)
         return rgb(render(changed, make_integrator(changed, world)).channels())
 
-    converged = np.pad(image(256, 9, "auto"), ((2, 2), (2, 2), (0, 0)), "edge")
-    around = sliding_window_view(converged, (5, 5), axis=(0, 1)).max(axis=(-2, -1))
+    around = brightest_around(image(256, 9, "auto"))
     for clamp, specked in (("auto", False), (None, True)):
         largest = max((image(4, seed, clamp) / around).max() for seed in (1, 2, 3))
         assert (largest > 10.0) == specked

@@ -59,3 +59,4 @@ def test_decoder_and_rays_are_the_wgsl_of_rna_gpu():
         for source in kernels.values():
             for name in ("triangle.wgsl", "segment.wgsl", "visibility.wgsl"):
                 assert files[name] in source
+        assert files["render/directions.wgsl"] in kernels["light"]

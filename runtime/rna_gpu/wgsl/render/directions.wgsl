@@ -24,6 +24,19 @@ fn about(axis: vec3f, sine: f32, cosine: f32, turns: f32) -> vec3f {
     return sine * cos(phi) * frame_of.s + sine * sin(phi) * frame_of.t + cosine * axis;
 }
 
+fn along_axis(axis: vec3f, cosine: f32, turns: f32) -> vec3f {
+    return about(axis, sqrt(max(0.0, 1.0 - cosine * cosine)), cosine, turns);
+}
+
+// Cosine to the axis of a von Mises-Fisher direction.
+fn fisher_cosine(u: f32, kappa: f32) -> f32 {
+    return max(-1.0, 1.0 + log(u + (1.0 - u) * exp(-2.0 * kappa)) / kappa);
+}
+
+fn fisher_pdf(cosine: f32, kappa: f32) -> f32 {
+    return kappa * exp(kappa * (cosine - 1.0)) / (2.0 * PI * (1.0 - exp(-2.0 * kappa)));
+}
+
 // Uniform within a cone about a unit axis, by 1 - cos of the angle to its rim.
 fn cone_direction(axis: vec3f, one_minus_cosine: f32, u: vec2f) -> vec3f {
     let height = u.x * one_minus_cosine;

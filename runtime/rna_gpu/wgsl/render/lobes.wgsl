@@ -24,15 +24,6 @@ fn lobe_frame(n: vec3f, tangent: vec3f, o: vec3f) -> LobeFrame {
     return LobeFrame(o, normal, unit_or_up(tangent), 2.0 * dot(normal, o) * normal - o);
 }
 
-// Cosine to the axis of a von Mises-Fisher direction.
-fn fisher_cosine(u: f32, kappa: f32) -> f32 {
-    return max(-1.0, 1.0 + log(u + (1.0 - u) * exp(-2.0 * kappa)) / kappa);
-}
-
-fn fisher_pdf(cosine: f32, kappa: f32) -> f32 {
-    return kappa * exp(kappa * (cosine - 1.0)) / (2.0 * PI * (1.0 - exp(-2.0 * kappa)));
-}
-
 fn logistic(x: f32) -> f32 {
     return 1.0 / (1.0 + exp(-x));
 }
@@ -49,10 +40,6 @@ fn lobe_cone_pdf(sine: f32, middle: f32) -> f32 {
     let high = logistic((1.0 - middle) / CONE_SCALE);
     let p = logistic((sine - middle) / CONE_SCALE);
     return p * (1.0 - p) / (CONE_SCALE * (high - low) * 2.0 * PI);
-}
-
-fn along_axis(axis: vec3f, cosine: f32, turns: f32) -> vec3f {
-    return about(axis, sqrt(max(0.0, 1.0 - cosine * cosine)), cosine, turns);
 }
 
 // u.x chooses the lobe, and what is left of it the direction there.

@@ -5,6 +5,7 @@ import argumentsFile from "../../../rna_gpu/wgsl/arguments.wgsl";
 import blocks from "../../../rna_gpu/wgsl/blocks.wgsl";
 import decoder from "../../../rna_gpu/wgsl/decoder.wgsl";
 import evaluate from "../../../rna_gpu/wgsl/evaluate.wgsl";
+import directions from "../../../rna_gpu/wgsl/render/directions.wgsl";
 import fiber from "../../../rna_gpu/wgsl/fiber.wgsl";
 import fiberBlocks from "../../../rna_gpu/wgsl/fiber_blocks.wgsl";
 import part from "../../../rna_gpu/wgsl/part.wgsl";
@@ -30,7 +31,7 @@ export const sharedFiles = {
   "arguments.wgsl": argumentsFile, "blocks.wgsl": blocks, "decoder.wgsl": decoder, "evaluate.wgsl": evaluate,
   "fiber.wgsl": fiber, "fiber_blocks.wgsl": fiberBlocks, "part.wgsl": part, "planes.wgsl": planes, "segment.wgsl": segment,
   "surface.wgsl": surface, "surface_blocks.wgsl": surfaceBlocks, "triangle.wgsl": triangle, "visibility.wgsl": visibility, "weights_storage.wgsl": weightsStorage,
-  "weights_uniform.wgsl": weightsUniform,
+  "weights_uniform.wgsl": weightsUniform, "render/directions.wgsl": directions,
 };
 
 /** A module as rna_gpu/shaders.py composes it: constants, then the files of the parts. */
@@ -45,7 +46,7 @@ const rays = [scene, triangle, segment, visibility, points, trace, random, band]
 /** The kernels of rays, for assets that have segments, or textures, or not. */
 export function rayKernels({ hasSegments, hasTextures }) {
   const flags = `const HAS_SEGMENTS = ${hasSegments};\nconst HAS_TEXTURES = ${hasTextures};\n`;
-  return { hit: flags + [...rays, hit].join("\n"), light: flags + [...rays, light].join("\n") };
+  return { hit: flags + [...rays, hit].join("\n"), light: flags + [...rays, directions, light].join("\n") };
 }
 
 export const sources = { queue, show };

@@ -92,7 +92,7 @@ struct Surroundings {
   vec3 mirror;
 };
 
-const float MIRRORED = 0.3333333, MIRROR_KAPPA = 20.0;  // of a von Mises-Fisher distribution
+const float MIRRORED = 1.0 / 3.0, MIRROR_KAPPA = 20.0;  // of a von Mises-Fisher distribution
 const float FROM_ALL_SIDES = 0.25, EVEN = 0.25 / PI;
 
 float mirroredShare(Surroundings at) {
@@ -116,8 +116,7 @@ vec3 directionAbout(Surroundings at, vec2 u) {
   float rest = (u.y - share) / (1.0 - share);
   bool allSides = rest < FROM_ALL_SIDES;
   float v = allSides ? rest / FROM_ALL_SIDES : (rest - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES);
-  float z = 1.0 - 2.0 * v;
-  vec3 ball = vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(phi), sin(phi)), z);
+  vec3 ball = along(vec3(0.0, 0.0, 1.0), 1.0 - 2.0 * v, phi);
   return normalize(ball + (allSides ? vec3(0.0) : at.n * 1.0001));
 }
 

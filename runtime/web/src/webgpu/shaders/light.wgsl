@@ -143,7 +143,7 @@ struct Surroundings {
     mirror: vec3f,
 }
 
-const MIRRORED = 0.3333333;
+const MIRRORED = 1.0 / 3.0;
 const MIRROR_KAPPA = 20.0; // of a von Mises-Fisher distribution
 const FROM_ALL_SIDES = 0.25;
 
@@ -151,39 +151,24 @@ fn mirrored_share(at: Surroundings) -> f32 {
     return select(MIRRORED, 0.0, all(at.mirror == vec3f(0.0)));
 }
 
-// Duff et al., Building an Orthonormal Basis, Revisited (JCGT 6(1), 2017).
-fn along(axis: vec3f, cosine: f32, phi: f32) -> vec3f {
-    let side = select(1.0, -1.0, axis.z < 0.0);
-    let c = -1.0 / (side + axis.z);
-    let d = axis.x * axis.y * c;
-    let s = vec3f(1.0 + side * axis.x * axis.x * c, side * d, -side * axis.x);
-    let t = vec3f(d, side + axis.y * axis.y * c, -axis.y);
-    return normalize(sqrt(max(0.0, 1.0 - cosine * cosine)) * (cos(phi) * s + sin(phi) * t) + cosine * axis);
-}
-
 fn direction_about(at: Surroundings, u: vec2f) -> vec3f {
     let share = mirrored_share(at);
-    let phi = 2.0 * PI * u.x;
     if u.y < share {
-        let v = u.y / share;
-        return along(at.mirror, 1.0 + log(v + (1.0 - v) * exp(-2.0 * MIRROR_KAPPA)) / MIRROR_KAPPA, phi);
+        return normalize(along_axis(at.mirror, fisher_cosine(u.y / share, MIRROR_KAPPA), u.x));
     }
     let rest = (u.y - share) / (1.0 - share);
     let all_sides = rest < FROM_ALL_SIDES;
     let v = select((rest - FROM_ALL_SIDES) / (1.0 - FROM_ALL_SIDES), rest / FROM_ALL_SIDES, all_sides);
-    let z = 1.0 - 2.0 * v;
-    let ball = vec3f(sqrt(max(0.0, 1.0 - z * z)) * vec2f(cos(phi), sin(phi)), z);
+    let ball = along_axis(vec3f(0.0, 0.0, 1.0), 1.0 - 2.0 * v, u.x);
     return normalize(ball + select(at.n * 1.0001, vec3f(0.0), all_sides));
 }
 
 fn density_about(at: Surroundings, wi: vec3f) -> f32 {
-    let even = 0.25 / PI;
     if all(at.n == vec3f(0.0)) {
-        return even;
+        return SPHERE_PDF;
     }
-    let rest = mix(max(0.0, dot(at.n, wi)) / PI, even, FROM_ALL_SIDES);
-    let fisher = MIRROR_KAPPA / (2.0 * PI) * exp(MIRROR_KAPPA * (dot(at.mirror, wi) - 1.0));
-    return mix(rest, fisher, mirrored_share(at));
+    let rest = mix(max(0.0, dot(at.n, wi)) / PI, SPHERE_PDF, FROM_ALL_SIDES);
+    return mix(rest, fisher_pdf(dot(at.mirror, wi), MIRROR_KAPPA), mirrored_share(at));
 }
 
 fn surroundings_of(row: Row) -> Surroundings {
