@@ -10,7 +10,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import prange
 
 from rna_sdk.compiled import compiled
 
@@ -108,17 +107,35 @@ def square_key(seed: int, dimension: int, pixel: Bits) -> np.uint32:
 def square_point(key: np.uint32, number: int) -> tuple[float, float]:
     """A point of the unit square: the `number`-th of those that belong to a key."""
     index = _owen_scramble(np.uint32(number), key)
-    first = _owen_scramble(_reverse_bits(index), hash_bits(key + np.uint32(1)))
-    second = _owen_scramble(_second_sobol_dimension(index), hash_bits(key + np.uint32(2)))
-    return first * 2.0**-32, second * 2.0**-32
+    return _first_coordinate(key, index), _second_coordinate(key, index)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
+def _first_coordinate(key: Bits, index: Bits) -> float:
+    """Of the point of a scrambled number."""
+    return _owen_scramble(_reverse_bits(index), hash_bits(key + np.uint32(1))) * 2.0**-32
+
+
+@compiled(fastmath=())
+def _second_coordinate(key: Bits, index: Bits) -> float:
+    bits = _owen_scramble(_second_sobol_dimension(index), hash_bits(key + np.uint32(2)))
+    return bits * 2.0**-32
+
+
+@compiled(fastmath=())
 def _scrambled_sobol(
     pixels: np.ndarray, number: np.ndarray, dimension: int, seed: int, points: np.ndarray
 ) -> None:
-    for i in prange(len(pixels)):
-        key = square_key(seed, dimension, pixels[i])
-        first = number[i] * points.shape[1]
-        for part in range(points.shape[1]):
-            points[i, part] = square_point(key, first + part)
+    """`square_point` for each row and part, step by step, so that the compiler takes several rows
+    at once."""
+    n, parts, _ = points.shape
+    key, index = np.empty(n, np.uint32), np.empty(n, np.uint32)
+    for i in range(n):
+        key[i] = square_key(seed, dimension, pixels[i])
+    for part in range(parts):
+        for i in range(n):
+            index[i] = _owen_scramble(np.uint32(number[i] * parts + part), key[i])
+        for i in range(n):
+            points[i, part, 0] = _first_coordinate(key[i], index[i])
+        for i in range(n):
+            points[i, part, 1] = _second_coordinate(key[i], index[i])

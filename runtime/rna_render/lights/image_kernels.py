@@ -335,19 +335,27 @@ def _find_cells(
     column: np.ndarray,
     block: np.ndarray,
 ) -> None:
-    """Cells that directions are in, their places there and their sines to +y."""
+    """Cells that directions are in, their places there and their sines to +y.
+
+    In three loops, so that the compiler takes several directions at once in the middle one.
+    """
     turn_cos, turn_sin = numbers[TURN_COSINE], numbers[TURN_SINE]
     for i in range(len(d_world)):
-        dx, dy, dz = np.float64(d_world[i, 0]), np.float64(d_world[i, 1]), np.float64(d_world[i, 2])
+        block[0, i], block[1, i], block[2, i] = d_world[i, 0], d_world[i, 1], d_world[i, 2]
+    for i in range(len(d_world)):
+        dx, dy, dz = block[0, i], block[1, i], block[2, i]
         x, z = turn_cos * dx - turn_sin * dz, turn_sin * dx + turn_cos * dz
         sine = np.sqrt(x * x + z * z)
-        s = (0.5 + turns_of(x, -z)) * w - 0.5
-        t = turns_of(sine, dy) * 2.0 * h + 0.5
+        block[U1, i] = (0.5 + turns_of(x, -z)) * w - 0.5
+        block[U2, i] = turns_of(sine, dy) * 2.0 * h + 0.5
+        block[SINE, i] = sine
+    for i in range(len(d_world)):
+        s, t = block[U1, i], block[U2, i]
         # A direction that is not a number finds some cell, and radiance that is not a number.
         row[i] = min(max(int(np.floor(t)), 0), h)
         left = int(np.floor(s))
         column[i] = left if 0 <= left < w else w - 1
-        block[U1, i], block[U2, i], block[SINE, i] = s - np.floor(s), t - row[i], sine
+        block[U1, i], block[U2, i] = s - np.floor(s), t - row[i]
 
 
 @compiled(fastmath=())

@@ -33,12 +33,12 @@ of glTF add to this:
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_render.angles import sine_and_cosine
 from rna_render.materials.ggx import (
     MIN_ALPHA,
     albedo_terms,
+    albedo_views,
     distribution,
     mean_albedo_terms,
     reflected_density,
@@ -70,7 +70,7 @@ Point = tuple[Vector, float, float, float, float, float, float, float]
 """What `bsdf_point` returns."""
 
 Parameters = tuple[np.ndarray, ...]
-"""Of Scattering: an array for each number of a point, and the albedo table with its means."""
+"""Of Scattering: an array for each number of a point, and `ggx.albedo_addresses`."""
 
 
 @compiled(fastmath=())
@@ -261,7 +261,7 @@ def bsdf_density(
     return density
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def evaluate(
     parameters: Parameters,
     row: np.ndarray,
@@ -271,35 +271,21 @@ def evaluate(
     wi: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    table, mean = parameters[8], parameters[9]
-    for k in prange(len(wi)):
-        p = row[k]
-        g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
-        point, frame = _row(parameters, p, vector_at(n, p), g, o)
-        value = bsdf_value(point, frame, g, o, i, table, mean)
-        result[k, 0], result[k, 1], result[k, 2] = value
-
-
-@compiled(parallel=True, fastmath=())
-def sample(
-    parameters: Parameters,
-    row: np.ndarray,
-    n: np.ndarray,
-    ng: np.ndarray,
-    wo: np.ndarray,
-    u: np.ndarray,
-    wi: np.ndarray,
-) -> None:
-    table = parameters[8]
-    for k in prange(len(wi)):
+    """Values of directions wi at the given rows. Here and below neighbours with the same row share
+    what the functions above take for it."""
+    table, mean = albedo_views(parameters[8])
+    k = 0
+    while k < len(wi):
         p = row[k]
         g, o = vector_at(ng, p), unit(vector_at(wo, p))
         point, frame = _row(parameters, p, vector_at(n, p), g, o)
-        i = bsdf_sample(point, frame, o, u[k, 0], u[k, 1], u[k, 2], table)
-        wi[k, 0], wi[k, 1], wi[k, 2] = i
+        while k < len(wi) and row[k] == p:
+            value = bsdf_value(point, frame, g, o, unit(vector_at(wi, k)), table, mean)
+            result[k, 0], result[k, 1], result[k, 2] = value
+            k += 1
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def pdf(
     parameters: Parameters,
     row: np.ndarray,
@@ -309,12 +295,15 @@ def pdf(
     wi: np.ndarray,
     result: np.ndarray,
 ) -> None:
-    table = parameters[8]
-    for k in prange(len(wi)):
+    table, _ = albedo_views(parameters[8])
+    k = 0
+    while k < len(wi):
         p = row[k]
-        g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
+        g, o = vector_at(ng, p), unit(vector_at(wo, p))
         point, frame = _row(parameters, p, vector_at(n, p), g, o)
-        result[k] = bsdf_density(point, frame, o, i, table)
+        while k < len(wi) and row[k] == p:
+            result[k] = bsdf_density(point, frame, o, unit(vector_at(wi, k)), table)
+            k += 1
 
 
 @compiled(fastmath=())
@@ -328,14 +317,18 @@ def evaluate_with_pdf(
     result: np.ndarray,
     density: np.ndarray,
 ) -> None:
-    table, mean = parameters[8], parameters[9]
-    for k in range(len(wi)):
+    table, mean = albedo_views(parameters[8])
+    k = 0
+    while k < len(wi):
         p = row[k]
-        g, o, i = vector_at(ng, p), unit(vector_at(wo, p)), unit(vector_at(wi, k))
+        g, o = vector_at(ng, p), unit(vector_at(wo, p))
         point, frame = _row(parameters, p, vector_at(n, p), g, o)
-        value = bsdf_value(point, frame, g, o, i, table, mean)
-        result[k, 0], result[k, 1], result[k, 2] = value
-        density[k] = bsdf_density(point, frame, o, i, table)
+        while k < len(wi) and row[k] == p:
+            i = unit(vector_at(wi, k))
+            value = bsdf_value(point, frame, g, o, i, table, mean)
+            result[k, 0], result[k, 1], result[k, 2] = value
+            density[k] = bsdf_density(point, frame, o, i, table)
+            k += 1
 
 
 @compiled(fastmath=())
@@ -349,11 +342,14 @@ def sample_with_pdf(
     wi: np.ndarray,
     density: np.ndarray,
 ) -> None:
-    table = parameters[8]
-    for k in range(len(wi)):
+    table, _ = albedo_views(parameters[8])
+    k = 0
+    while k < len(wi):
         p = row[k]
         g, o = vector_at(ng, p), unit(vector_at(wo, p))
         point, frame = _row(parameters, p, vector_at(n, p), g, o)
-        i = bsdf_sample(point, frame, o, u[k, 0], u[k, 1], u[k, 2], table)
-        wi[k, 0], wi[k, 1], wi[k, 2] = i
-        density[k] = bsdf_density(point, frame, o, unit(vector_at(wi, k)), table)
+        while k < len(wi) and row[k] == p:
+            i = bsdf_sample(point, frame, o, u[k, 0], u[k, 1], u[k, 2], table)
+            wi[k, 0], wi[k, 1], wi[k, 2] = i
+            density[k] = bsdf_density(point, frame, o, unit(vector_at(wi, k)), table)
+            k += 1
