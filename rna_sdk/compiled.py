@@ -22,11 +22,15 @@ Kernel = TypeVar("Kernel", bound=Callable[..., object])
 
 
 def compiled(
-    *signature: numba.types.Type, parallel: bool = False, fastmath: tuple[str, ...] = ("contract",)
+    *signature: numba.types.Type,
+    parallel: bool = False,
+    inline: bool = False,
+    fastmath: tuple[str, ...] = ("contract",),
 ) -> Callable[[Kernel], Kernel]:
     """Decorator: compile for these argument types, or for whatever comes where none are given.
 
-    parallel: share loops over `prange` among numba's threads. fastmath: liberties of LLVM's; by
+    parallel: share loops over `prange` among numba's threads. inline: copy it into the kernels that
+    call it; a call takes 10 to 20 ns if it passes tuples or arrays. fastmath: liberties of LLVM's; by
     default fused multiply-add alone, so NaN and infinity keep their meaning.
 
     Kernels let other Python threads run, keep their code on disk for the next process, and
@@ -35,7 +39,11 @@ def compiled(
     """
     cache_type: Any = _ParallelCache if parallel else _SourcesCache
     jit: Any = numba.njit(
-        nogil=True, error_model="numpy", parallel=parallel, fastmath=set(fastmath)
+        nogil=True,
+        error_model="numpy",
+        parallel=parallel,
+        inline="always" if inline else "never",
+        fastmath=set(fastmath),
     )
 
     def compile_kernel(function: Kernel) -> Kernel:

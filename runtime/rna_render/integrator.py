@@ -277,7 +277,8 @@ class Integrator:
             beta = beta / np.float32(branches)
         if numbers.depth >= FIRST_ROULETTE:
             # As often as if the path had not been split.
-            survival = np.minimum(beta.max(axis=1) * self._branches, 1.0)
+            largest = np.maximum(np.maximum(beta[:, 0], beta[:, 1]), beta[:, 2])
+            survival = np.minimum(largest * self._branches, 1.0)
             row = np.flatnonzero(numbers.square(ROULETTE)[:, 0] < survival)
             beta = beta / np.maximum(survival, np.float32(1e-30))[:, None]
         numbers = numbers.take(row)
@@ -296,9 +297,9 @@ class Integrator:
         hits = world.scene.intersect(origin, direction, vertices.own[row], INDIRECT_RAY)
         transport, distance = np.zeros_like(wi), hits.t / world.scale[instance]
         # A ray into a black sky brings nothing, whatever the decoder says.
-        met = np.flatnonzero((hits.instance >= 0) | bool(self._infinite))
-        for part, place, points in vertices.local_rows(row[met]):
-            at = met[part]
+        lit = slice(None) if self._infinite else np.flatnonzero(hits.instance >= 0)
+        for part, place, points in vertices.local_rows(row[lit]):
+            at = part if isinstance(lit, slice) else lit[part]
             transport[at], _ = points.transport(place, wi[at], distance[at])
         weigh_rays(transport, pdf, hits.weight, row, beta)
         return _Rays(path[row], origin, direction, hits, transport, pdf, probability, number)

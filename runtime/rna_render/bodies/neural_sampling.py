@@ -95,13 +95,13 @@ Frame = tuple[Vector, Vector, Vector, Vector]
 """What `lobe_frame` returns."""
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _unit_or(x: float, y: float, z: float, otherwise: Vector) -> Vector:
     length = np.sqrt(x * x + y * y + z * z)
     return (x / length, y / length, z / length) if length > 0.5 else otherwise
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _about(axis: Vector, cosine: float, turns: float) -> Vector:
     """The direction at that cosine to a unit axis, and that azimuth, in turns."""
     x, y, z = axis
@@ -119,14 +119,14 @@ def _about(axis: Vector, cosine: float, turns: float) -> Vector:
     )
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _fisher_cosine(u: float, kappa: float) -> float:
     """Cosine to the axis of a von Mises-Fisher direction; Jakob, Numerically stable sampling of
     the von Mises-Fisher distribution on S2 (2012)."""
     return float(max(-1.0, 1.0 + np.log(u + (1.0 - u) * np.exp(-2.0 * kappa)) / kappa))
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _fisher_pdf(cosine: float, kappa: float) -> float:
     """Density per steradian at that cosine to the axis."""
     return float(
@@ -134,12 +134,12 @@ def _fisher_pdf(cosine: float, kappa: float) -> float:
     )
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _logistic(x: float) -> float:
     return float(1.0 / (1.0 + np.exp(-x)))
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _cone_sine(u: float, middle: float, scale: float) -> float:
     """Sine of inclination: logistic about `middle`, cut off at -1 and 1."""
     low, high = _logistic((-1.0 - middle) / scale), _logistic((1.0 - middle) / scale)
@@ -147,7 +147,7 @@ def _cone_sine(u: float, middle: float, scale: float) -> float:
     return float(min(1.0, max(-1.0, middle + scale * np.log(p / (1.0 - p)))))
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _cone_pdf(sine: float, middle: float, scale: float) -> float:
     """Density per steradian; solid angle is d(sine) d(azimuth)."""
     low, high = _logistic((-1.0 - middle) / scale), _logistic((1.0 - middle) / scale)
@@ -155,7 +155,7 @@ def _cone_pdf(sine: float, middle: float, scale: float) -> float:
     return p * (1.0 - p) / (scale * (high - low) * 2.0 * np.pi)
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def lobe_frame(n: Vector, tangent: Vector, o: Vector) -> Frame:
     """What the functions below take for a point: viewer, normal turned to it, tangent, and mirror
     direction."""
@@ -174,7 +174,7 @@ def lobe_frame(n: Vector, tangent: Vector, o: Vector) -> Frame:
     return o, normal, tangent, mirror
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def lobe_sample(numbers: np.ndarray, frame: Frame, u1: float, u2: float) -> Vector:
     """A direction, as often as `lobe_density` says: three float64. u1 chooses the lobe, too."""
     o, normal, tangent, mirror = frame
@@ -200,7 +200,7 @@ def lobe_sample(numbers: np.ndarray, frame: Frame, u1: float, u2: float) -> Vect
     return unit(direction)
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def lobe_density(numbers: np.ndarray, frame: Frame, w: Vector) -> float:
     """Density per steradian in w."""
     o, normal, tangent, mirror = frame

@@ -26,6 +26,8 @@ from functools import cached_property
 import numpy as np
 
 from rna_render.lights.image_kernels import (
+    COLUMN_FINENESS,
+    ROW_FINENESS,
     TOTAL,
     TURN_COSINE,
     TURN_SINE,
@@ -33,7 +35,7 @@ from rna_render.lights.image_kernels import (
     sample_image_batch,
     sums_of_cells,
 )
-from rna_render.lights.intervals import fill_guide
+from rna_render.lights.intervals import guide_of
 
 # Part of the mean luminance that samples leave out.
 LEFT_TO_RAYS = 0.5
@@ -44,7 +46,7 @@ class EquirectangularImage:
 
     texels: (h, w, 3) float32, radiance, finite and not negative; row 0 at +y. angle: radians that
     the image is turned about +y, counter-clockwise seen from above. It keeps texels as they are,
-    and 12 bytes a texel for the choice of directions.
+    and 16 bytes a texel for the choice of directions.
 
     Attributes:
         total: integral of the luminance over the sphere, W / m^2, with the mean of each cell.
@@ -65,12 +67,11 @@ class EquirectangularImage:
     def _choose(self, mean: float) -> None:
         """Fill the tables that directions are chosen with."""
         h, w, _ = self._texels.shape
-        columns, column_guide = np.empty((h + 1, w + 1)), np.empty((h + 1, w), np.int32)
+        columns = np.empty((h + 1, w + 1))
         sums_of_cells(self._texels, self._heights, mean, columns)
-        fill_guide(columns, column_guide)
-        rows, row_guide = np.concatenate([[0.0], np.cumsum(columns[:, -1])]), np.empty(h + 1, "i4")
-        fill_guide(rows[None], row_guide[None])
-        self._held = self._texels, self._heights, rows, row_guide, columns, column_guide
+        rows = np.concatenate([[0.0], np.cumsum(columns[:, -1])])
+        guides = guide_of(rows[None], ROW_FINENESS), guide_of(columns, COLUMN_FINENESS)
+        self._held = self._texels, self._heights, rows, guides[0], columns, guides[1]
         addresses = [array.ctypes.data for array in self._held]
         self.words = np.array([*addresses, h, w], np.uint64)
         self.numbers = np.array([1.0, 0.0, rows[-1], mean])

@@ -21,6 +21,9 @@ from rna_sdk.compiled import compiled
 TEXELS, HEIGHTS, ROWS, ROW_GUIDE, COLUMNS, COLUMN_GUIDE, HEIGHT, WIDTH = range(8)
 TURN_COSINE, TURN_SINE, TOTAL, MEAN = range(4)
 
+# Entries of a guide for each interval. The more there are, the fewer steps are left to guess.
+ROW_FINENESS, COLUMN_FINENESS = 8, 4
+
 # Directions that are handled together.
 BLOCK = 64
 
@@ -144,10 +147,10 @@ def _choose_rows(words: np.ndarray, u: np.ndarray, row: np.ndarray, place: np.nd
     """Rows of cells, and in column 1 of place what is left of the second numbers."""
     h = signed(words[HEIGHT])
     rows = carray(pointer_f64(words[ROWS]), (h + 2,))
-    guide = carray(pointer_i32(words[ROW_GUIDE]), (h + 1,))
+    guide = carray(pointer_i32(words[ROW_GUIDE]), (ROW_FINENESS * (h + 1),))
     for i in range(len(u)):
         value = u[i, 1] * rows[h + 1]
-        row[i] = interval_near(rows, guide[guide_entry(u[i, 1], h + 1)], value)
+        row[i] = interval_near(rows, guide[guide_entry(u[i, 1], len(guide))], value)
         place[i, 1] = place_within(rows, row[i], value)
 
 
@@ -158,9 +161,9 @@ def _choose_columns(
     """Cells in their rows, and in column 0 of place what is left of the first numbers."""
     h, w = signed(words[HEIGHT]), signed(words[WIDTH])
     columns = carray(pointer_f64(words[COLUMNS]), (h + 1, w + 1))
-    guide = carray(pointer_i32(words[COLUMN_GUIDE]), (h + 1, w))
+    guide = carray(pointer_i32(words[COLUMN_GUIDE]), (h + 1, COLUMN_FINENESS * w))
     for i in range(len(u)):
-        column[i] = guide[row[i], guide_entry(u[i, 0], w)]
+        column[i] = guide[row[i], guide_entry(u[i, 0], COLUMN_FINENESS * w)]
     for i in range(len(u)):  # nothing but loads that depend on no comparison
         place[i, 0] = columns[row[i], column[i]]
     for i in range(len(u)):
@@ -245,7 +248,7 @@ def _directions_in_cells(
         block[3, i], block[4, i], block[5, i] = r, g, b
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def sample_image_batch(
     scale: np.ndarray,
     numbers: np.ndarray,
@@ -256,37 +259,35 @@ def sample_image_batch(
     pdf: np.ndarray,
 ) -> None:
     """Directions for u, (n, 2), the radiance from there times `scale`, and their densities."""
-    for block in prange((len(u) + BLOCK - 1) // BLOCK):
-        start = signed(block) * BLOCK
-        part = slice(start, min(start + BLOCK, len(u)))
-        out = d_world[part], radiance[part], pdf[part]
-        _sample_block(scale, numbers, words, u[part], out[0], out[1], out[2])
+    texels, heights = _image(words)
+    h, w, _ = texels.shape
+    row, column = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
+    place, block = np.empty((BLOCK, 2)), np.zeros((BLOCK_ROWS, BLOCK))
+    for start in range(0, len(u), BLOCK):
+        part = u[start : start + BLOCK]
+        count = len(part)
+        _choose_rows(words, part, row, place)
+        _choose_columns(words, part, row, column, place)
+        _take_cells(texels, heights, row[:count], column, place, block)
+        _directions_in_cells(numbers, h, w, count, block)
+        for i in range(count):
+            for axis in range(3):
+                d_world[start + i, axis] = block[axis, i]
+        _store_radiance(scale, block, start, radiance[: start + count], pdf)
 
 
 @compiled(fastmath=())
-def _sample_block(
-    scale: np.ndarray,
-    numbers: np.ndarray,
-    words: np.ndarray,
-    u: np.ndarray,
-    d_world: np.ndarray,
-    radiance: np.ndarray,
-    pdf: np.ndarray,
+def _store_radiance(
+    scale: np.ndarray, block: np.ndarray, start: int, radiance: np.ndarray, pdf: np.ndarray
 ) -> None:
-    row, column = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
-    place, block = np.empty((BLOCK, 2)), np.zeros((BLOCK_ROWS, BLOCK))
-    texels, heights = _image(words)
-    _choose_rows(words, u, row, place)
-    _choose_columns(words, u, row, column, place)
-    _take_cells(texels, heights, row[: len(u)], column, place, block)
-    _directions_in_cells(numbers, texels.shape[0], texels.shape[1], len(u), block)
-    for i in range(len(u)):
+    """Copy a block's radiance, times `scale`, and its densities to all rows from `start` on."""
+    for i in range(start, len(radiance)):
         for axis in range(3):
-            d_world[i, axis], radiance[i, axis] = block[axis, i], scale[axis] * block[3 + axis, i]
-        pdf[i] = block[6, i]
+            radiance[i, axis] = scale[axis] * block[3 + axis, i - start]
+        pdf[i] = block[6, i - start]
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def look_up_image_batch(
     scale: np.ndarray,
     numbers: np.ndarray,
@@ -297,32 +298,17 @@ def look_up_image_batch(
 ) -> None:
     """Radiance from directions, (n, 3), times `scale`, and how densely `sample_image_batch` finds
     them."""
-    for block in prange((len(pdf) + BLOCK - 1) // BLOCK):
-        start = signed(block) * BLOCK
-        part = slice(start, min(start + BLOCK, len(pdf)))
-        _look_up_block(scale, numbers, words, d_world[part], radiance[part], pdf[part])
-
-
-@compiled(fastmath=())
-def _look_up_block(
-    scale: np.ndarray,
-    numbers: np.ndarray,
-    words: np.ndarray,
-    d_world: np.ndarray,
-    radiance: np.ndarray,
-    pdf: np.ndarray,
-) -> None:
-    row, column = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
-    block = np.zeros((BLOCK_ROWS, BLOCK))
     texels, heights = _image(words)
     h, w, _ = texels.shape
-    _find_cells(numbers, h, w, d_world, row, column, block)
-    _take_corners(texels, heights, row[: len(pdf)], column, block)
-    _radiance_in_cells(numbers, h, w, len(pdf), block)
-    for i in range(len(pdf)):
-        for axis in range(3):
-            radiance[i, axis] = scale[axis] * block[3 + axis, i]
-        pdf[i] = block[6, i]
+    row, column = np.empty(BLOCK, np.int64), np.empty(BLOCK, np.int64)
+    block = np.zeros((BLOCK_ROWS, BLOCK))
+    for start in range(0, len(pdf), BLOCK):
+        part = d_world[start : start + BLOCK]
+        count = len(part)
+        _find_cells(numbers, h, w, part, row, column, block)
+        _take_corners(texels, heights, row[:count], column, block)
+        _radiance_in_cells(numbers, h, w, count, block)
+        _store_radiance(scale, block, start, radiance[: start + count], pdf)
 
 
 @compiled(fastmath=())

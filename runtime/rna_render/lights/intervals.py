@@ -44,19 +44,26 @@ def place_within(cumulative: np.ndarray, interval: int, value: float) -> float:
     return min(max(place, 0.0), 1.0 - 1e-16)
 
 
-@compiled(parallel=True, fastmath=())
-def fill_guide(cumulative: np.ndarray, guide: np.ndarray) -> None:
-    """For each row of sums, (r, k + 1), and each i < k an interval near i / k of the last sum.
+def guide_of(cumulative: np.ndarray, fineness: int) -> np.ndarray:
+    """For each row of sums, (r, k + 1), an interval near i / count of the last sum, for i < count.
 
-    guide: (r, k) int32, written. From `guide_entry` of a u the interval of u is a step or two away:
-    Chen and Asau, On Generating Random Variates from an Empirical Distribution (AIIE Transactions
-    6, 1974).
+    Returns (r, count) int32; count is `fineness` times k. From `guide_entry` of a u the interval of
+    u is few steps away: Chen and Asau, On Generating Random Variates from an Empirical Distribution
+    (AIIE Transactions 6, 1974).
     """
+    guide = np.empty((len(cumulative), fineness * (cumulative.shape[1] - 1)), np.int32)
+    _fill_guide(cumulative, guide)
+    return guide
+
+
+@compiled(parallel=True, fastmath=())
+def _fill_guide(cumulative: np.ndarray, guide: np.ndarray) -> None:
     count = guide.shape[1]
     for row in prange(len(guide)):
         interval = 0
         for i in range(count):
-            interval = interval_near(cumulative[row], interval, i / count * cumulative[row, count])
+            value = i / count * cumulative[row, -1]
+            interval = interval_near(cumulative[row], interval, value)
             guide[row, i] = interval
 
 

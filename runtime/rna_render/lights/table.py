@@ -8,7 +8,6 @@ and blue; a float64, 0 where nothing arrives; and for triangles, whose radiance 
 from __future__ import annotations
 
 import numpy as np
-from numba import prange
 
 from rna_render.lights.directional import look_up_sun, sample_directional, sample_sun
 from rna_render.lights.disk import disk_density, sample_disk
@@ -96,7 +95,7 @@ def _where_seen(numbers: np.ndarray, pdf: float) -> Vector:
     return (numbers[0], numbers[1], numbers[2]) if pdf > 0.0 else (0.0, 0.0, 0.0)
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def sample_batch(
     kind: int,
     numbers: np.ndarray,
@@ -113,7 +112,7 @@ def sample_batch(
         sample_image_light(numbers, words, u, wi_world, radiance, pdf)
         distance[:] = np.inf
         return
-    for i in prange(len(x_world)):
+    for i in range(len(x_world)):
         sample = sample_light(kind, numbers, words, vector_at(x_world, i), u[i, 0], u[i, 1])
         distance[i], pdf[i] = sample[1], sample[3]
         for axis in range(3):
@@ -121,7 +120,7 @@ def sample_batch(
             place[i, axis] = sample[4][axis]
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def escaped_batch(
     kind: int,
     numbers: np.ndarray,
@@ -133,12 +132,12 @@ def escaped_batch(
     if kind == IMAGE:
         look_up_image_light(numbers, words, d_world, radiance, pdf)
         return
-    for i in prange(len(d_world)):
+    for i in range(len(d_world)):
         found, pdf[i] = escaped_light(kind, numbers, vector_at(d_world, i))
         radiance[i, 0], radiance[i, 1], radiance[i, 2] = found
 
 
-@compiled(parallel=True, fastmath=())
+@compiled(fastmath=())
 def met_batch(
     kind: int,
     numbers: np.ndarray,
@@ -147,7 +146,7 @@ def met_batch(
     radiance: np.ndarray,
     pdf: np.ndarray,
 ) -> None:
-    for i in prange(len(d_world)):
+    for i in range(len(d_world)):
         at = vector_at(x_world, i), vector_at(d_world, i)
         found, pdf[i] = met_light(kind, numbers, at[0], at[1])
         radiance[i, 0], radiance[i, 1], radiance[i, 2] = found

@@ -73,7 +73,7 @@ Parameters = tuple[np.ndarray, ...]
 """Of Scattering: an array for each number of a point, and `ggx.albedo_addresses`."""
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def bsdf_point(
     base: Vector,
     alpha: float,
@@ -91,7 +91,7 @@ def bsdf_point(
     return base, alpha, metallic, coat_f0, coat, diffuse, clear, clear_alpha
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def bsdf_frame(
     point: Point, n: Vector, clear_n: Vector, g: Vector, o: Vector
 ) -> tuple[Vector, Vector]:
@@ -100,7 +100,7 @@ def bsdf_frame(
     return m, (turned_normal(clear_n, g, o) if point[6] > 0.0 else m)
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _row(
     parameters: Parameters, p: int, n: Vector, g: Vector, o: Vector
 ) -> tuple[Point, tuple[Vector, Vector]]:
@@ -145,7 +145,7 @@ def _mean_passed(point: Point, table: np.ndarray, mean: np.ndarray) -> float:
     return result
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def _shares(
     point: Point, table: np.ndarray, cos_o: float, clear_cos_o: float
 ) -> tuple[float, float]:
@@ -173,7 +173,7 @@ def _lobe(alpha: float, m: Vector, o: Vector, i: Vector) -> tuple[float, float]:
     return surface, schlick(oh)
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def bsdf_value(
     point: Point,
     frame: tuple[Vector, Vector],
@@ -215,7 +215,7 @@ def bsdf_value(
     return r * cos_i + top, g_ * cos_i + top, b * cos_i + top
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def bsdf_sample(
     point: Point,
     frame: tuple[Vector, Vector],
@@ -244,7 +244,7 @@ def bsdf_sample(
     )
 
 
-@compiled(fastmath=())
+@compiled(inline=True, fastmath=())
 def bsdf_density(
     point: Point, frame: tuple[Vector, Vector], o: Vector, i: Vector, table: np.ndarray
 ) -> float:
