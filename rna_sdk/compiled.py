@@ -29,9 +29,9 @@ def compiled(
 ) -> Callable[[Kernel], Kernel]:
     """Decorator: compile for these argument types, or for whatever comes where none are given.
 
-    parallel: share loops over `prange` among numba's threads. inline: copy it into the kernels that
-    call it; a call takes 10 to 20 ns if it passes tuples or arrays. fastmath: liberties of LLVM's; by
-    default fused multiply-add alone, so NaN and infinity keep their meaning.
+    parallel: share loops over `prange` among numba's threads. inline: copy it into the kernels
+    that call it; a call takes 10 to 20 ns if it passes tuples or arrays. fastmath: liberties of
+    LLVM's; by default fused multiply-add alone, so NaN and infinity keep their meaning.
 
     Kernels let other Python threads run, keep their code on disk for the next process, and
     divide as IEEE 754 has it. The code on disk is renewed when anything that is compiled into

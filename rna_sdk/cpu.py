@@ -19,6 +19,11 @@ def processor_key() -> str:
     return f"{processor()}, {sha256(flags.encode()).hexdigest()[:12]}"
 
 
+def multiplies_bfloat16() -> bool:
+    """Whether it has matrix instructions for bfloat16; False where Linux does not say."""
+    return not {"avx512_bf16", "amx_bf16"}.isdisjoint(_cpuinfo("flags").split())
+
+
 def _cpuinfo(name: str) -> str:
     """A member of the first processor in Linux's list; "" where there is none."""
     try:

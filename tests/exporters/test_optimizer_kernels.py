@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+from typing import Literal
+
 import pytest
 import torch
 from torch import nn
 
+from rna_export.training import fitting
 from rna_export.training.layers import through
+from rna_export.training.model import NeuralAsset
 from rna_export.training.plane_adam import PlaneAdam
+from rna_export.training.presets import PRESETS
 
 
 @pytest.mark.parametrize("size", [7, 5000])
@@ -58,3 +64,56 @@ def test_layers_are_those_of_autograd() -> None:
     assert torch.allclose(found, through(layers, x), atol=1e-6)
     for ours, expected in zip(*gradients, strict=True):
         assert torch.allclose(ours, expected, atol=1e-5)
+
+
+def test_bfloat16_layers_are_near_those_in_float32() -> None:
+    torch.manual_seed(0)
+    sizes = [5, 128, 128, 128, 3]
+    linear = [nn.Linear(a, b) for a, b in pairwise(sizes)]
+    layers = nn.Sequential(*(part for layer in linear for part in (layer, nn.ReLU())))[:-1]
+    x, weights = torch.randn(400, 5, requires_grad=True), torch.randn(400, 3)
+    answers, gradients = [], []
+    for bfloat16 in (False, True):
+        answers.append(through(layers, x, bfloat16))
+        loss = (answers[-1] * weights).sum()
+        gradients.append(torch.autograd.grad(loss, [x, *layers.parameters()]))
+    assert not torch.equal(*answers)
+    assert (answers[1] - answers[0]).norm() / answers[0].norm() < 0.01
+    for exact, found in zip(*gradients, strict=True):
+        assert found.dtype == torch.float32
+        assert (found - exact).norm() / exact.norm() < 0.1
+
+
+@pytest.mark.parametrize(
+    ("width", "products", "has_instructions", "expected"),
+    [
+        (128, "auto", True, True),
+        (64, "auto", True, False),
+        (128, "float32", True, False),
+        (128, "auto", False, False),
+    ],
+)
+def test_bfloat16_is_for_wide_decoders_where_the_processor_has_it(
+    monkeypatch: pytest.MonkeyPatch,
+    width: int,
+    products: Literal["auto", "float32"],
+    has_instructions: bool,
+    expected: bool,
+) -> None:
+    monkeypatch.setattr(fitting, "multiplies_bfloat16", lambda: has_instructions)
+    preset = PRESETS["surface"]["small"].with_model(width=width).with_training(products=products)
+    assert fitting.multiplies_in_bfloat16(preset, "cpu") == expected
+    assert not fitting.multiplies_in_bfloat16(preset, "cuda")
+
+
+def test_only_steps_are_in_bfloat16() -> None:
+    config = PRESETS["surface"]["small"].model.model_copy(update={"width": 128, "resolution": 8})
+    torch.manual_seed(0)
+    model = NeuralAsset(config, torch.tensor([[-1.0] * 3, [1.0] * 3]))
+    at = {name: torch.nn.functional.normalize(torch.randn(9, 3)) for name in ("normal", "wo", "wi")}
+    at["position"] = torch.rand(9, 3)
+    in_float32 = model(at).detach()
+    model.multiplies_in_bfloat16 = True
+    assert not torch.equal(model(at), in_float32)
+    with torch.no_grad():
+        assert torch.equal(model(at), in_float32)

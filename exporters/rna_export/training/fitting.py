@@ -15,8 +15,10 @@ from rna_export.training.plane_adam import PlaneAdam
 from rna_export.training.presets import Preset, TrainingConfig
 from rna_export.training.samples import columns
 from rna_export.training.triplane import Triplane
+from rna_sdk.cpu import multiplies_bfloat16
 
 _SMOOTHED_TOGETHER = 16  # steps
+_WIDE = 128  # neurons, from where bfloat16 is faster
 
 
 class Fitting:
@@ -45,6 +47,7 @@ class Fitting:
             emitting.ceiling.fill_(1.5 * emission.table.largest_radiance)
             emitting.unit.fill_(emission.table.usual_radiance)
         self.model.to(device)
+        self.model.multiplies_in_bfloat16 = multiplies_in_bfloat16(preset, device)
         self._optimizers = _optimizers(self.model, preset.training)
         self._first_rates = [o.param_groups[0]["lr"] for o in self._optimizers]
 
@@ -102,6 +105,12 @@ class Fitting:
         self.model.load_state_dict(state["model"])
         for optimizer, saved in zip(self._optimizers, state["optimizers"], strict=True):
             optimizer.load_state_dict(saved)
+
+
+def multiplies_in_bfloat16(preset: Preset, device: str) -> bool:
+    """What `TrainingConfig.products` comes to here."""
+    wide = preset.model.width >= _WIDE
+    return preset.training.products == "auto" and wide and device == "cpu" and multiplies_bfloat16()
 
 
 def rate(config: TrainingConfig, progress: float) -> float:

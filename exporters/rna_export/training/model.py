@@ -25,7 +25,10 @@ class NeuralAsset(nn.Module):
 
     `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
     presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
+    `multiplies_in_bfloat16`: see `layers.through`; where gradients are asked for, and only there.
     """
+
+    multiplies_in_bfloat16 = False
 
     ceiling: Tensor
     unit: Tensor
@@ -76,7 +79,11 @@ class NeuralAsset(nn.Module):
 
     def forward(self, at: Points, blur: float = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
-        y = through(self.decoder, self.queries(at, blur))
+        y = through(
+            self.decoder,
+            self.queries(at, blur),
+            self.multiplies_in_bfloat16 and torch.is_grad_enabled(),
+        )
         return y.reshape(len(y), y.shape[1] // 3, 3)
 
     def queries(self, at: Points, blur: float = 1.0) -> Tensor:

@@ -93,6 +93,11 @@ class TrainingConfig(BaseModel):
         "difference to its neighbours that a texel loses a step. Where samples are noisy texels "
         "then average, and what is sharp and well seen stays",
     )
+    products: Literal["auto", "float32"] = Field(
+        "auto",
+        description="arithmetic of the matrix products of hidden layers. auto: bfloat16 for 128 "
+        "neurons or more, where the processor has instructions for it",
+    )
 
 
 class Preset(BaseModel):
