@@ -53,6 +53,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
     "accuracy": (
         Command("presets", "accuracy.presets", resumes=True),
         Command("capture-budget", "accuracy.capture_budget", resumes=True),
+        Command("guided-capture", "accuracy.guided_capture", resumes=True),
         Command("for-scene", "accuracy.for_scene"),
         Command("closeup", "accuracy.closeup"),
         Command("emission", "accuracy.emission"),
