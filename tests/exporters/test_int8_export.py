@@ -15,7 +15,7 @@ from rna_export.export.build import build_package
 from rna_export.export.cli import main
 from rna_export.export.decoder import compare_int8_decoder, export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
-from rna_export.export.precision import Precision, stored_planes
+from rna_export.export.precision import Precision, asked_precisions, stored_planes
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.curves import Curves
 from rna_export.training.presets import PRESETS
@@ -169,6 +169,31 @@ def test_the_command_writes_a_tier_a_precision(checkpoint: Path, tmp_path: Path)
     assert int8.cost.multiply_adds == plain.cost.multiply_adds
     assert int8.validation.psnr > plain.validation.psnr - 0.5
     assert load(path, min_psnr=int8.validation.psnr - 0.01).tier.name == "small-int8"
+
+
+def test_precisions_are_for_all_presets_or_for_one() -> None:
+    plain, int8 = Precision(), Precision("int8")
+    asked = asked_precisions(["float32", "hq=int8"], ["small", "hq"])
+    assert asked == {"small": [plain], "hq": [int8]}
+    assert asked_precisions(["hq=int8"], ["small", "hq"]) == asked
+    both = {"small": [plain, int8], "hq": [plain, int8]}
+    assert asked_precisions(["float32", "int8", "int8"], ["small", "hq"]) == both
+
+
+@pytest.mark.parametrize("word", ["int4", "tiny=int8", "small=int4", "=int8=", "small="])
+def test_another_precision_is_refused(word: str) -> None:
+    with pytest.raises(ExportError, match=f"found {word}, expected float32, .* after small="):
+        asked_precisions([word], ["small"])
+
+
+def test_presets_have_precisions_of_their_own(checkpoint: Path, tmp_path: Path) -> None:
+    small = load_checkpoint(checkpoint)
+    trained = [small, replace(small, preset_name="hq")]
+    path, precisions = tmp_path / "two.rna", {"small": [Precision()], "hq": [Precision("int8")]}
+    dataset = Dataset(small.dataset)
+    build_package(trained, dataset, path, None, "CC0-1.0", lambda _: None, precisions)
+    with Package.open(path) as package:
+        assert [tier.name for tier in package.manifest.tiers] == ["small", "hq-int8"]
 
 
 def test_tiers_of_any_pair_share_their_entries(checkpoint: Path, tmp_path: Path) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -29,14 +29,15 @@ def build_package(
     source: str | None,
     license_: str,
     say: Callable[[str], None],
-    precisions: Sequence[Precision] = (Precision(),),
+    precisions: Sequence[Precision] | Mapping[str, Sequence[Precision]] = (Precision(),),
     is_measured: bool = True,
     max_loss: float = MAX_LOSS,
 ) -> Manifest:
     """Write `out` with a tier for each preset and precision; returns its manifest.
 
-    trained: a model of each part of the dataset for each preset. Tiers are named for the preset
-    and, unless it is the usual one, the precision.
+    trained: a model of each part of the dataset for each preset. precisions: of each preset's
+    tiers, or by its name. Tiers are named for the preset and, unless it is the usual one, the
+    precision.
 
     Each tier's error and cost are measured through the runtime, from a package like the one
     written, unless that is not wanted: then the manifest has neither. Raises `ExportError` when
@@ -44,10 +45,12 @@ def build_package(
     a measured tier loses more than `max_loss` dB against it.
     """
     models = trained_tiers(trained, dataset)
-    tiers, data = [], {}
+    tiers, of_tiers, data = [], [], {}
     for model in models:
-        for tier, tier_data in package_tiers(model, dataset, precisions, say):
+        wanted = precisions[model.preset_name] if isinstance(precisions, Mapping) else precisions
+        for tier, tier_data in package_tiers(model, dataset, wanted, say):
             tiers.append(tier)
+            of_tiers.append(model)
             data[tier.name] = tier_data
     manifest = Manifest(
         generator=f"rna-export {rna_sdk.__version__}",
@@ -59,7 +62,6 @@ def build_package(
         license=license_,
     )
     if is_measured:
-        of_tiers = [model for model in models for _ in precisions]
         manifest = _measure(manifest, of_tiers, dataset, data, max_loss, say)
     return write_package(out, manifest, *_of_parts(dataset, data))
 

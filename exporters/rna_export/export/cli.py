@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from rna_export.export.credit import add_credit
-from rna_export.export.precision import MAX_LOSS, PRECISIONS
+from rna_export.export.precision import MAX_LOSS, asked_precisions
 from rna_sdk.console import command_parser, run_command
 
 
@@ -34,11 +34,12 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--precision",
         nargs="+",
-        choices=list(PRECISIONS),
+        metavar="FORMAT",
         default=["float32"],
-        help="number formats, one tier per checkpoint and format: float32 decoder and int8 planes; "
-        "int8 decoder and planes (tier suffix -int8); float32 decoder and float16 planes, of twice "
-        "the size (default: float32)",
+        help="number formats, one tier per checkpoint and format; float32: float32 decoder and "
+        "int8 planes; int8: decoder and planes (tier suffix -int8); float32-float16: float32 "
+        "decoder and float16 planes, of twice the size. PRESET=FORMAT: for this preset alone, in "
+        "place of the others (default: float32)",
     )
     p.add_argument(
         "--max-loss",
@@ -96,7 +97,8 @@ def _run(args: argparse.Namespace) -> None:
 
     trained = [load_checkpoint(path) for path in checkpoint_paths(args.checkpoints)]
     dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
-    precisions = [PRECISIONS[name] for name in dict.fromkeys(args.precision)]
+    presets = dict.fromkeys(one.preset_name for one in trained)
+    precisions = asked_precisions(args.precision, presets)
     build_package(
         trained,
         dataset,

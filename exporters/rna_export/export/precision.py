@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,6 +50,25 @@ PRECISIONS = {
     "float32-float16": Precision(planes="float16"),
 }
 """What `rna-export --precision` offers."""
+
+
+def asked_precisions(asked: Sequence[str], presets: Collection[str]) -> dict[str, list[Precision]]:
+    """Preset -> its formats, from words of `--precision`.
+
+    FORMAT is for all presets, PRESET=FORMAT for one, in place of those for all. Raises
+    `ExportError` for words that are neither.
+    """
+    general: list[Precision] = []
+    special = defaultdict[str, list[Precision]](list)
+    for word in dict.fromkeys(asked):
+        preset, _, name = word.rpartition("=")
+        if name not in PRECISIONS or (preset and preset not in presets):
+            raise ExportError(
+                f"--precision: found {word}, expected {', '.join(PRECISIONS)}, or one of them "
+                f"after {' or '.join(f'{preset}=' for preset in presets)}"
+            )
+        (special[preset] if preset else general).append(PRECISIONS[name])
+    return {preset: special.get(preset) or general or [Precision()] for preset in presets}
 
 
 def stored_planes(planes: np.ndarray, precision: PlanePrecision) -> Planes:
