@@ -33,8 +33,8 @@ class Package:
         >>> with Package.open("toy.rna") as package:
         ...     mesh, tier = package.mesh(), package.manifest.tiers[0]
         ...     planes = package.planes(tier.name)
-        >>> planes.shape[0], mesh.triangles.shape[1]
-        (3, 3)
+        >>> planes.texels.shape, mesh.triangles.shape[1]  # int8 planes
+        ((3, 256, 256, 8), 3)
     """
 
     def __init__(self, container: Container, manifest: Manifest) -> None:

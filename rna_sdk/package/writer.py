@@ -71,10 +71,10 @@ def write_package(
         OSError: the file cannot be written.
 
     Examples:
-        >>> with Package.open("toy.rna") as package:
-        ...     manifest, mesh, name = package.manifest, package.mesh(), "small"
+        >>> with Package.open("curls.rna") as package:
+        ...     manifest, curves, name = package.manifest, package.curves(), "small"
         ...     part = TierData(package.planes(name), bytes(package.decoder(name)))
-        ...     written = write_package("copy.rna", manifest, [mesh], {name: [part]})
+        ...     written = write_package("copy.rna", manifest, [curves], {name: [part]})
         >>> written.tiers[0].name
         'small'
     """

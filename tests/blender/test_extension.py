@@ -86,7 +86,7 @@ print("FOUND", json.dumps({
         mesh, strands = toy.mesh(), curls.curves()
         (x0, y0, z0), (x1, y1, z1) = (corner.tolist() for corner in mesh.box())
         expected = [[x0, -z1, y0], [x1, -z0, y1]]
-        assert found["shared"] and found["tiers"] == ["small"]
+        assert found["shared"] and found["tiers"] == ["small", "hq-int8"]
         np.testing.assert_allclose(found["co"], expected, atol=1e-6)
         assert found["vertices"] == len(mesh.positions)
         assert found["triangles"] == len(mesh.triangles)
@@ -172,7 +172,7 @@ refused(bpy.ops.rna.bake)
     for line in (
         "refused: Error: broken.rna: ",
         "refused: Error: nothing to render: the scene has no assets and no meshes",
-        "refused: Error: object 'toy': tier: no tier 'huge'; this package has: small",
+        "refused: Error: object 'toy': tier: no tier 'huge'; this package has: small, hq-int8",
         "Warning: 'toy': an asset has one scale: rendered with the mean of three",
         "Warning: 'camera': depth of field is left out: everything is sharp",
         "refused: Error: camera 'camera': found type ORTHO, expected PERSP",
