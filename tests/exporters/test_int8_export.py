@@ -15,7 +15,7 @@ from rna_export.export.build import build_package
 from rna_export.export.cli import main
 from rna_export.export.decoder import compare_int8_decoder, export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
-from rna_export.export.precision import Precision, asked_precisions, stored_planes
+from rna_export.export.precision import Precision, precision_word, precisions_of, stored_planes
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.curves import Curves
 from rna_export.training.presets import PRESETS
@@ -173,17 +173,28 @@ def test_the_command_writes_a_tier_a_precision(checkpoint: Path, tmp_path: Path)
 
 def test_precisions_are_for_all_presets_or_for_one() -> None:
     plain, int8 = Precision(), Precision("int8")
-    asked = asked_precisions(["float32", "hq=int8"], ["small", "hq"])
-    assert asked == {"small": [plain], "hq": [int8]}
-    assert asked_precisions(["hq=int8"], ["small", "hq"]) == asked
-    both = {"small": [plain, int8], "hq": [plain, int8]}
-    assert asked_precisions(["float32", "int8", "int8"], ["small", "hq"]) == both
+
+    def of(*words: str) -> dict[str, list[Precision]]:
+        return precisions_of([precision_word(word) for word in words], ["small", "hq"])
+
+    assert of("float32", "hq=int8") == of("hq=int8") == {"small": [plain], "hq": [int8]}
+    assert of("float32", "int8", "int8") == {"small": [plain, int8], "hq": [plain, int8]}
 
 
-@pytest.mark.parametrize("word", ["int4", "tiny=int8", "small=int4", "=int8=", "small="])
-def test_another_precision_is_refused(word: str) -> None:
-    with pytest.raises(ExportError, match=f"found {word}, expected float32, .* after small="):
-        asked_precisions([word], ["small"])
+@pytest.mark.parametrize("word", ["int4", "small=int4", "=int8=", "small="])
+def test_another_precision_is_bad_usage(word: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        main(["best.ckpt", "--precision", word, "--out", "ball.rna"])
+    assert f"found {word}, expected [PRESET=]float32|int8|" in capsys.readouterr().err
+
+
+def test_a_precision_of_another_preset_is_refused(
+    checkpoint: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "ball.rna"
+    assert main([str(checkpoint), "--precision", "tiny=int8", "--out", str(path)]) == 1
+    assert "found preset 'tiny', expected one of small" in capsys.readouterr().err
+    assert not path.exists()
 
 
 def test_presets_have_precisions_of_their_own(checkpoint: Path, tmp_path: Path) -> None:

@@ -113,7 +113,7 @@ def alternate(
     gemm: list[float] = []
     rates: dict[tuple[str, str], list[float]] = {(p, b): [] for p in assets for b in batches}
     for _ in range(repeats + 1):  # the first run warms caches and threads
-        gemm.append(GEMM_FLOP / 1e9 / seconds_of(product))
+        gemm.append(GEMM_FLOP / 1e9 / product())
         for precision, name in rates:
             asset, batch = assets[precision], batches[name]
             taken = seconds_of(lambda a=asset, batch=batch: a.evaluate(*batch, out=results))

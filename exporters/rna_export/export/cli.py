@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from rna_export.export.credit import add_credit
-from rna_export.export.precision import MAX_LOSS, asked_precisions
+from rna_export.export.precision import MAX_LOSS, precision_word, precisions_of
 from rna_sdk.console import command_parser, run_command
 
 
@@ -34,8 +34,9 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--precision",
         nargs="+",
+        type=precision_word,
         metavar="FORMAT",
-        default=["float32"],
+        default=[],
         help="number formats, one tier per checkpoint and format; float32: float32 decoder and "
         "int8 planes; int8: decoder and planes (tier suffix -int8); float32-float16: float32 "
         "decoder and float16 planes, of twice the size. PRESET=FORMAT: for this preset alone, in "
@@ -98,7 +99,7 @@ def _run(args: argparse.Namespace) -> None:
     trained = [load_checkpoint(path) for path in checkpoint_paths(args.checkpoints)]
     dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
     presets = dict.fromkeys(one.preset_name for one in trained)
-    precisions = asked_precisions(args.precision, presets)
+    precisions = precisions_of(args.precision, presets)
     build_package(
         trained,
         dataset,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from argparse import ArgumentTypeError
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
@@ -52,23 +52,32 @@ PRECISIONS = {
 """What `rna-export --precision` offers."""
 
 
-def asked_precisions(asked: Sequence[str], presets: Collection[str]) -> dict[str, list[Precision]]:
-    """Preset -> its formats, from words of `--precision`.
+def precision_word(word: str) -> tuple[str, Precision]:
+    """FORMAT or PRESET=FORMAT of `--precision`: the preset, "" for all, and the format.
 
-    FORMAT is for all presets, PRESET=FORMAT for one, in place of those for all. Raises
-    `ExportError` for words that are neither.
+    Raises `ArgumentTypeError` for another format.
     """
-    general: list[Precision] = []
-    special = defaultdict[str, list[Precision]](list)
-    for word in dict.fromkeys(asked):
-        preset, _, name = word.rpartition("=")
-        if name not in PRECISIONS or (preset and preset not in presets):
+    preset, _, name = word.rpartition("=")
+    if name not in PRECISIONS:
+        raise ArgumentTypeError(f"found {word}, expected [PRESET=]{'|'.join(PRECISIONS)}")
+    return preset, PRECISIONS[name]
+
+
+def precisions_of(
+    asked: Sequence[tuple[str, Precision]], presets: Collection[str]
+) -> dict[str, list[Precision]]:
+    """Preset -> its formats; those for one preset are in place of those for all.
+
+    asked: as `precision_word` has them. Raises `ExportError` for a preset that is not there.
+    """
+    of: dict[str, list[Precision]] = {"": [], **{preset: [] for preset in presets}}
+    for preset, precision in dict.fromkeys(asked):
+        if preset not in of:
             raise ExportError(
-                f"--precision: found {word}, expected {', '.join(PRECISIONS)}, or one of them "
-                f"after {' or '.join(f'{preset}=' for preset in presets)}"
+                f"--precision: found preset {preset!r}, expected one of {', '.join(presets)}"
             )
-        (special[preset] if preset else general).append(PRECISIONS[name])
-    return {preset: special.get(preset) or general or [Precision()] for preset in presets}
+        of[preset].append(precision)
+    return {preset: of[preset] or of[""] or [Precision()] for preset in presets}
 
 
 def stored_planes(planes: np.ndarray, precision: PlanePrecision) -> Planes:

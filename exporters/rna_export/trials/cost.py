@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,7 +16,6 @@ from rna_sdk.runtime.arguments import thread_count
 
 _SECONDS = 0.05  # of one evaluation
 _FEWEST, _MOST = 16_384, 1_000_000
-_SPINNING = 0.2  # s, longer than threads of the matrix product keep cores busy after it
 
 
 class QueryCost(BaseModel):
@@ -55,8 +53,7 @@ def measure_costs(packages: dict[str, Path], queries: Arguments, repeats: int = 
     product, gemm = matrix_product(), []
     taken: dict[tuple[str, int | None], list[float]] = {key: [] for key in timed}
     for _ in range(repeats):
-        gemm.append(seconds_of(product))
-        time.sleep(_SPINNING)
+        gemm.append(product())
         for key, (evaluate, rows) in timed.items():
             taken[key].append(1e9 * seconds_of(evaluate) / rows)
     median = {key: float(np.median(values)) for key, values in taken.items()}
