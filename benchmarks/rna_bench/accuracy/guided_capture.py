@@ -39,12 +39,12 @@ Row = dict[str, Any]
 def run(args: argparse.Namespace) -> None:
     keep_freed_memory()
     plain, guided = Dataset(args.dataset).only, _guided(args)
-    lights = guided.dataset.lights_finished
+    lights = guided.dataset.lights_finished()
     found = _trained(guided, plain, lights, "guided", args)
     rows = [
         _trained(plain, plain, times * lights, "plain", args)
         for times in _TIMES
-        if times * lights <= plain.dataset.lights_finished
+        if times * lights <= plain.dataset.lights_finished()
     ]
     result = {
         "source": args.source.name,
