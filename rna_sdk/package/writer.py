@@ -58,7 +58,7 @@ def write_package(
     Args:
         path: the `.rna` file to make or replace.
         manifest: the manifest; its `entries` are computed here, and its versions raised to
-            what it needs.
+            what it needs. Its extensions name no entries: posters and proxies are `rna-export`'s.
         geometries: of each part, a Mesh for a surface, Curves for fibers.
         data: of every tier of the manifest, by name: that of each part.
         textures: of every transmittance and normal map, by the name of the entry: (H, W, C) uint8.
@@ -72,9 +72,11 @@ def write_package(
 
     Examples:
         >>> with Package.open("curls.rna") as package:
-        ...     manifest, curves, name = package.manifest, package.curves(), "small"
+        ...     curves, name = package.curves(), "small"
         ...     part = TierData(package.planes(name), bytes(package.decoder(name)))
-        ...     written = write_package("copy.rna", manifest, [curves], {name: [part]})
+        ...     bare = {"extensions": {}, "extensions_used": ()}
+        ...     manifest = package.manifest.model_copy(update=bare)
+        >>> written = write_package("copy.rna", manifest, [curves], {name: [part]})
         >>> written.tiers[0].name
         'small'
     """
