@@ -27,6 +27,7 @@ TIERS = REPOSITORY / "docs" / "choosing-a-tier.md"
 PAGES = [
     "examples/quickstart/README.md",
     "examples/fibers/README.md",
+    "examples/jade/README.md",
     "examples/scene/README.md",
     "docs/your-own-host.md",
     "docs/choosing-a-tier.md",
