@@ -12,7 +12,7 @@ from safetensors.numpy import load_file
 from rna_bench.checkout import TOY
 from rna_bench.cli import main
 from rna_bench.scenes import scenes_study
-from rna_bench.scenes.beside_cycles import OurScene
+from rna_bench.scenes.beside_cycles import Beside, OurScene
 from rna_bench.scenes.equal_error import equal_error
 from rna_bench.scenes.kept import Kept
 from rna_bench.scenes.kernel_times import KERNELS, kernel_times
@@ -42,6 +42,14 @@ def test_equal_error_is_exact_where_error_and_time_are_as_assumed() -> None:
     assert found["times_as_fast"] == pytest.approx(12.0) and not found["extrapolated"]
     far = equal_error({"psnr": 40.0, "seconds": 0.5}, cycles)
     assert far["extrapolated"]
+
+
+def test_brightness_is_that_of_the_asset_in_each_channel() -> None:
+    asset = np.zeros((4, 6), bool)
+    asset[1:3, 2:5] = True
+    halves = np.stack([np.full((4, 6, 3), 0.5), np.full((4, 6, 3), 1.5)])
+    image = np.where(asset[..., None], [0.9, 1.0, 1.2], 7.0)
+    assert Beside.of(halves, asset).brightness(image) == pytest.approx([0.9, 1.0, 1.2])
 
 
 def test_kernels_share_all_of_the_time(stage: Stage) -> None:

@@ -53,6 +53,11 @@ class Beside:
         """Mean and map, (h, w)."""
         return flip(*(np.ascontiguousarray(self._shown(i)) for i in (image, self.reference)))
 
+    def brightness(self, image: np.ndarray) -> np.ndarray:
+        """Light from the asset's pixels over the reference's, red, green and blue, (3,)."""
+        ours, theirs = (i[self.asset].sum(axis=0, dtype=float) for i in (image, self.reference))
+        return ours / theirs
+
     def picture(self, image: np.ndarray) -> np.ndarray:
         """The image as displayed, (h, w, 3) uint8."""
         return to_png(self._shown(image))

@@ -30,7 +30,11 @@ def judge(measured: MeasuredScene) -> dict[str, Any]:
         "exposure": beside.exposure,
         "instances": len(measured.scene.assets),
         "covered": float(beside.asset.mean()),
-        "floor": {"samples": plan.floor_samples, **_errors(beside, measured.floor)},
+        "floor": {
+            "samples": plan.floor_samples,
+            **_errors(beside, measured.floor),
+            "brightness": beside.brightness(measured.floor).tolist(),
+        },
         "ours": ours,
         "ours_denoised": _rows(measured, OURS, plan.samples, True),
         "cycles": cycles,

@@ -33,6 +33,7 @@ DEFINITIONS = {
     + EXPOSURE_DEFINITION,
     "floor": "the same of our image with so many samples that hardly any noise is left: the "
     "package's own error",
+    "brightness": "light from the asset's pixels in that image over Cycles', red, green, blue",
     "noise": "PSNR of our image against that one: what more samples take away",
     "flip": FLIP_DEFINITION.replace("sRGB image over black", "image shown so, as sRGB"),
     "equal error": "the time that Cycles takes for the PSNR of our raw image over our time; its "
