@@ -38,7 +38,8 @@ Row = dict[str, Any]
 
 def run(args: argparse.Namespace) -> None:
     keep_freed_memory()
-    plain, guided = Dataset(args.dataset).only, _guided(args)
+    plain = Dataset(args.dataset).only
+    guided = _guided(plain, args)
     lights = guided.dataset.lights_finished()
     found = _trained(guided, plain, lights, "guided", args)
     rows = [
@@ -68,12 +69,14 @@ def lights_for(psnr: float, rows: list[Row]) -> float | None:
     return float(np.exp(np.interp(psnr, best, np.log([rows[k]["lights"] for k in first]))))
 
 
-def _guided(args: argparse.Namespace) -> DatasetPart:
-    work = args.work / "make"
+def _guided(plain: DatasetPart, args: argparse.Namespace) -> DatasetPart:
+    """The rays of `rna-make`, with as many view rays a light and paths a ray as the plain ones."""
+    work, like = args.work / "make", plain.manifest.settings
     out = args.work / "guided.rna"
     if not out.is_file():
         command = [sys.executable, "-m", "rna_export.make.cli", args.source, "--out", out]
         command += ["--lights", args.lights, "--steps", args.steps, "--work", work, "--keep"]
+        command += ["--rays", like.rays, "--samples", like.samples]
         command += ["--seed", args.seed, "--", *args.script_arguments]
         subprocess.run([*map(str, command)], check=True)
     return Dataset(work / "rays").only
