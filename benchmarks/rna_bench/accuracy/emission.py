@@ -75,18 +75,12 @@ def _measured(
     beside = Beside.of(halves, covered)
     found = {
         name: {
-            "brightness": _brightness(ours[where], beside.reference[where]),
+            "brightness": beside.brightness(ours, where).round(4).tolist(),
             "psnr": beside.psnr(ours, where).db,
         }
         for name, where in (("asset", covered), ("things", ~covered))
     }
     return found, beside.strip(ours)
-
-
-def _brightness(ours: np.ndarray, cycles: np.ndarray) -> list[float]:
-    """Red, green and blue, over Cycles'."""
-    ratio = ours.mean(axis=0, dtype=np.float64) / cycles.mean(axis=0, dtype=np.float64)
-    return [round(float(x), 4) for x in ratio]
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

@@ -53,9 +53,10 @@ class Beside:
         """Mean and map, (h, w)."""
         return flip(*(np.ascontiguousarray(self._shown(i)) for i in (image, self.reference)))
 
-    def brightness(self, image: np.ndarray) -> np.ndarray:
-        """Light from the asset's pixels over the reference's, red, green and blue, (3,)."""
-        ours, theirs = (i[self.asset].sum(axis=0, dtype=float) for i in (image, self.reference))
+    def brightness(self, image: np.ndarray, where: np.ndarray | None = None) -> np.ndarray:
+        """Light over the reference's, red, green and blue, (3,), over the asset or `where`."""
+        rows = self.asset if where is None else where
+        ours, theirs = (i[rows].sum(axis=0, dtype=np.float64) for i in (image, self.reference))
         return ours / theirs
 
     def picture(self, image: np.ndarray) -> np.ndarray:

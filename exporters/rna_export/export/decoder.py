@@ -17,6 +17,7 @@ from rna_sdk.runtime.agreement import ABSOLUTE, RELATIVE, TIES, close_rows
 
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000
+_FAR = 10.0  # factor on extreme queries and positions
 
 
 class EmissionModel:
@@ -169,14 +170,14 @@ def extreme_queries(model: Exported, seed: int) -> torch.Tensor:
     queries = random_queries(model, 600, seed + 1)
     low, high = model.triplane.low, model.triplane.high
     axis = torch.eye(3).repeat(100, 1)
-    far = high + 10.0 * (high - low)
+    far = high + _FAR * (high - low)
     h = axis[:, 0]
     corners = [
         model.queries(_points(low.expand(300, 3), axis, axis, axis, h)),
         model.queries(_points(high.expand(300, 3), axis, axis, -axis, -h)),
         model.queries(_points(far.expand(300, 3), axis, -axis, -axis, h)),
     ]
-    return torch.cat([torch.zeros_like(queries[:1]), 10.0 * queries, -10.0 * queries, *corners])
+    return torch.cat([torch.zeros_like(queries[:1]), _FAR * queries, -_FAR * queries, *corners])
 
 
 def _points(
