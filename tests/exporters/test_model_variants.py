@@ -74,6 +74,21 @@ def test_feature_network_sees_position_and_directions(kind: str) -> None:
     assert all(p.grad is not None for p in model.triplane.parameters())
 
 
+def test_feature_network_in_bfloat16_is_near_that_in_float32() -> None:
+    model = model_of("surface", texture="network", width=128, channels=64 + ENCODED_DIRECTIONS)
+    at, answers, gradients = samples(400), [], []
+    for bfloat16 in (False, True):
+        model.multiplies_in_bfloat16 = bfloat16
+        answers.append(model(at))
+        loss = sample_loss(model, at, 1.0)
+        gradients.append(torch.autograd.grad(loss, [*model.triplane.parameters()]))
+    assert not torch.equal(*answers)
+    assert (answers[1] - answers[0]).norm() / answers[0].norm() < 0.01
+    for exact, found in zip(*gradients, strict=True):
+        assert found.dtype == torch.float32
+        assert (found - exact).norm() / exact.norm() < 0.1
+
+
 def test_uv_texture_is_bilinear_between_texel_centres() -> None:
     texture = UvTexture(4, 1, BOUNDS[0], BOUNDS[1])
     values = torch.arange(16.0).reshape(1, 1, 4, 4)

@@ -40,17 +40,27 @@ class FeatureNetwork(nn.Module):
         self.register_buffer("low", low.float())
         self.register_buffer("high", high.float())
 
-    def forward(self, position: Tensor, wo: Tensor, wi: Tensor) -> Tensor:
-        """Features (n, C) of points and directions, (n, 3) each."""
+    def forward(self, position: Tensor, wo: Tensor, wi: Tensor, bfloat16: bool = False) -> Tensor:
+        """Features (n, C) of points and directions, (n, 3) each.
+
+        bfloat16: of the layers after the first, whose inputs resolve the position.
+        """
         p = 2.0 * (position - self.low) / (self.high - self.low) - 1.0
         encoded = torch.cat([_SCALE * p, _octaves(_SCALE * p, _POSITION_OCTAVES)], dim=1)
-        x = encoded
-        for k, layer in enumerate(self.layers[:-1]):
-            if k == _SKIP:
-                x = torch.cat([x, encoded], dim=1) / math.sqrt(2.0)
-            x = nn.functional.softplus(layer(x), beta=100.0)
+        first, *layers, last = self.layers
+        x = _activated(first(encoded))
+        with torch.autocast(x.device.type, torch.bfloat16, enabled=bfloat16):
+            for k, layer in enumerate(layers, start=1):
+                if k == _SKIP:
+                    x = torch.cat([x, encoded], dim=1) / math.sqrt(2.0)
+                x = _activated(layer(x))
+            features = last(x).float()
         directions = [_octaves(w, _DIRECTION_OCTAVES) for w in (wo, wi)]
-        return torch.cat([self.layers[-1](x), *directions], dim=1)
+        return torch.cat([features, *directions], dim=1)
+
+
+def _activated(x: Tensor) -> Tensor:
+    return nn.functional.softplus(x, beta=100.0)
 
 
 def _octaves(x: Tensor, count: int) -> Tensor:

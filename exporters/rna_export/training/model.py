@@ -25,7 +25,8 @@ class NeuralAsset(nn.Module):
 
     `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
     presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
-    `multiplies_in_bfloat16`: see `layers.through`; where gradients are asked for, and only there.
+    `multiplies_in_bfloat16`: see `layers.through` and `FeatureNetwork`; where gradients are asked
+    for, and only there.
     """
 
     multiplies_in_bfloat16 = False
@@ -79,19 +80,19 @@ class NeuralAsset(nn.Module):
 
     def forward(self, at: Points, blur: float = 1.0) -> Tensor:
         """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
-        y = through(
-            self.decoder,
-            self.queries(at, blur),
-            self.multiplies_in_bfloat16 and torch.is_grad_enabled(),
-        )
+        y = through(self.decoder, self.queries(at, blur), self._in_bfloat16)
         return y.reshape(len(y), y.shape[1] // 3, 3)
+
+    @property
+    def _in_bfloat16(self) -> bool:
+        return self.multiplies_in_bfloat16 and torch.is_grad_enabled()
 
     def queries(self, at: Points, blur: float = 1.0) -> Tensor:
         """What the decoder is asked, (k, K)."""
         grid, position = self.triplane, at["position"]
         p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
         if self.config.texture == "network":
-            features = grid(position, at["wo"], at["wi"])
+            features = grid(position, at["wo"], at["wi"], self._in_bfloat16)
         else:
             features = grid(at["uv"] if self.config.texture == "uv" else position, blur)
         return assemble(self.config.inputs, features, p, at)
