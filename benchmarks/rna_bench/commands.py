@@ -55,6 +55,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("capture-budget", "accuracy.capture_budget", resumes=True),
         Command("guided-capture", "accuracy.guided_capture", resumes=True),
         Command("for-scene", "accuracy.for_scene"),
+        Command("exposure", "accuracy.exposure"),
         Command("closeup", "accuracy.closeup"),
         Command("emission", "accuracy.emission"),
         Command("sun-width", "accuracy.sun_width"),

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_export.capture.validation_view import is_lit
+
 LIT, SHADOWED = 0.02, 0.05
 """Shares of the light by which a channel may be off, where light is visible and in shadow."""
 
@@ -48,14 +50,14 @@ class Brightness:
 def brightness(rows: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray]]) -> Brightness:
     """Of images as (radiance (n, 3), reference (n, 3), visible (n,) or (n, 3)) each.
 
-    A row is lit where more than half of the light is visible.
+    What counts as lit: see `is_lit`.
     """
     sums = np.zeros((2, 2, 3))  # in shadow and lit; ours and the reference
     for radiance, reference, visible in rows:
-        is_lit = visible.reshape(len(visible), -1).mean(axis=1) > 0.5
+        of_lit = is_lit(visible)
         for lit in (False, True):
             for k, values in enumerate((radiance, reference)):
-                sums[int(lit), k] += values[is_lit == lit].sum(axis=0, dtype=np.float64)
+                sums[int(lit), k] += values[of_lit == lit].sum(axis=0, dtype=np.float64)
     with np.errstate(divide="ignore", invalid="ignore"):
         shadowed, lit = sums[:, 0] / sums[:, 1]
         share = sums[0, 1] / sums[:, 1].sum(axis=0)

@@ -41,6 +41,13 @@ def test_grazing(dataset: Dataset, answers, passes: bool) -> None:
     assert near and all(row["error"] == pytest.approx(0.02, rel=0.6) for row in near if passes)
 
 
+def test_visibility_may_have_a_colour(dataset: Dataset) -> None:
+    samples, halves = joined_views(dataset.validation_views())
+    coloured = {**samples, "visible": np.repeat(np.float32(samples["visible"])[:, None], 3, axis=1)}
+    rows, of_colours = (grazing.binned(slightly_off, s, halves) for s in (samples, coloured))
+    assert rows and of_colours == rows
+
+
 def test_unseen_directions_are_judged_by_bounds(dataset: Dataset) -> None:
     samples, halves = joined_views(dataset.validation_views())
     largest = float(samples["radiance"].max())

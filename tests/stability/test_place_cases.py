@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -31,6 +33,15 @@ def test_distance_to_an_edge_counts_pixels() -> None:
     expected = np.zeros(SIZE, int)
     expected[4:12], expected[12:20] = np.arange(8, 0, -1), -np.arange(1, 9)
     np.testing.assert_array_equal(distance, np.tile(expected, (SIZE, 1)))
+
+
+def test_visibility_may_have_a_colour() -> None:
+    view = flat_view(12)
+    glass = np.float32([0.9, 0.8, 0.7]) * view.visible[:, None]
+    through_glass = replace(view, samples={**view.samples, "visible": glass})
+    expected = shadow_edges.signed_distance(view)["cast shadow"]
+    found = shadow_edges.signed_distance(through_glass)["cast shadow"]
+    np.testing.assert_array_equal(found, expected)
 
 
 def test_a_terminator_is_where_the_surface_turns_away() -> None:

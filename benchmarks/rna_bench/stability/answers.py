@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from rna_export.capture import validation_view
 from rna_export.capture.asset_arguments import evaluate_arguments
-from rna_export.capture.validation_view import queries_of
 from rna_export.training.model import NeuralAsset
 from rna_export.training.validation import answer
 from rna_sdk.runtime import Asset
@@ -21,8 +21,8 @@ Answers = Callable[[Queries], tuple[np.ndarray, np.ndarray]]
 
 def picked(answers: Answers, samples: dict[str, np.ndarray]) -> np.ndarray:
     """Radiance (n, 3): of both answers the one that each sample's `visible` calls for."""
-    visible, shadowed = answers(queries_of(samples))
-    return np.where(samples["visible"].astype(bool)[:, None], visible, shadowed)
+    visible, shadowed = answers(validation_view.queries_of(samples))
+    return validation_view.picked(samples["visible"], visible, shadowed)
 
 
 def of_package(asset: Asset) -> Answers:

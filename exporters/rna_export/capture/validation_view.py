@@ -135,6 +135,12 @@ def picked(v: np.ndarray, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarr
     return mixed
 
 
+def is_lit(visible: np.ndarray) -> np.ndarray:
+    """(n,) bool: whether more than half of the light is visible, of (n,) or (n, 3)."""
+    share: np.ndarray = visible.reshape(len(visible), -1).mean(axis=1)
+    return share > 0.5
+
+
 def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
     """The part of captured samples that is asked; the rest is what it should be answered with."""
     return {name: rows for name, rows in samples.items() if name not in _NO_QUERY}

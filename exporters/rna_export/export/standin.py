@@ -13,6 +13,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from rna_export.capture.validation_view import is_lit
 from rna_sdk.package.extensions import StandinMaterial
 
 _ROWS = 400_000
@@ -30,8 +31,7 @@ def standin_material(samples: Mapping[str, np.ndarray]) -> StandinMaterial:
         return _material(colour, 1.0, metal=False)
     n, wo, wi = (picked[name] for name in ("normal", "wo", "wi"))
     cos_i, cos_o = _dots(n, wi), _dots(n, wo)
-    visible = picked["visible"].reshape(len(cos_i), -1).mean(axis=1) > 0.5
-    lit = visible & (cos_i > 0.1) & (cos_o > 0.1)
+    lit = is_lit(picked["visible"]) & (cos_i > 0.1) & (cos_o > 0.1)
     halves = wi[lit] + wo[lit]
     halves /= np.maximum(np.linalg.norm(halves, axis=1, keepdims=True), 1e-9)
     cos_h, cos_i, cos_o = _dots(n[lit], halves), cos_i[lit], cos_o[lit]

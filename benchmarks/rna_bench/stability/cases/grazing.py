@@ -11,6 +11,7 @@ from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.view_errors import joined_views, relative_error
 from rna_bench.stability.workshop import Workshop
+from rna_export.capture.validation_view import is_lit
 from rna_export.metrics import display
 
 FACTOR = 3.0  # the mark
@@ -46,7 +47,7 @@ def binned(answers: Answers, samples: dict[str, np.ndarray], halves: np.ndarray)
     along the surface, or along the fiber.
     """
     radiance, rows = picked(answers, samples), []
-    lit = samples["visible"].astype(bool)
+    lit = is_lit(samples["visible"])
     mean = float(display(halves[:, lit]).mean())
     for direction in ("wo", "wi"):
         angle = _angle_deg(samples, direction)

@@ -12,7 +12,7 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples
 from rna_bench.stability.view_errors import relative_error
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.validation_view import ValidationView, is_lit
 
 FACTOR = 2.0  # the mark
 
@@ -83,7 +83,7 @@ def signed_distance(view: ValidationView) -> dict[str, np.ndarray]:
     index = np.full(n * n, -1)
     index[view.pixel] = np.arange(len(view.pixel))
     index = np.pad(index.reshape(n, n), 1, constant_values=-1)
-    lit, position = view.samples["visible"].astype(bool), view.samples["position"]
+    lit, position = is_lit(view.samples["visible"]), view.samples["position"]
     turned = _turned_away(view.samples)
     seeds = {kind: np.zeros(len(lit), bool) for kind in ("terminator", "cast shadow")}
     for a, b in _neighbours(index):

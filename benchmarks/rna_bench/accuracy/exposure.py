@@ -1,0 +1,55 @@
+"""Validation images shown as scenes are: the asset fills the range, its errors are larger.
+
+    rna-bench exposure toy.rays --package examples/quickstart/toy.rna --out exposure.json
+
+Validation images are shown as captured, under one light of irradiance pi; scenes with the exposure
+of `rna-bench scenes`. The same answers are scored with both. What is lost is not lost in a scene.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rna_bench.options import add_out
+from rna_bench.results import publish
+from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION, Beside
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.validation_view import ValidationView, is_lit
+from rna_export.metrics import IRRADIANCE, WITHOUT_NOISE_DEFINITION, psnr_without_noise
+from rna_sdk.package import Package
+from rna_sdk.runtime import load
+
+
+def run(args: argparse.Namespace) -> None:
+    views = Dataset(args.dataset).only.validation_views()
+    tiers = [tier.name for tier in Package.open(args.package).manifest.tiers]
+    report = {
+        "package": args.package.name,
+        "psnr": WITHOUT_NOISE_DEFINITION,
+        "exposed": EXPOSURE_DEFINITION,
+        "tiers": {name: [_scores(view, args.package, name) for view in views] for name in tiers},
+    }
+    publish(report, args)
+
+
+def _scores(view: ValidationView, package: Path, tier: str) -> dict[str, Any]:
+    shaded = view.shaded_by(load(package, tier))
+    halves = np.stack([view.image(half) for half in view.halves])
+    in_scene = Beside.of(halves, view.image(np.ones_like(shaded))[..., 0] > 0.0)
+    return {
+        "view": view.index,
+        "lit": float(is_lit(view.visible).mean()),
+        "psnr": psnr_without_noise(shaded, *view.halves).db,
+        "exposure": in_scene.exposure / IRRADIANCE,
+        "psnr_exposed": in_scene.psnr(view.image(shaded)).db,
+    }
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("dataset", type=Path, help="capture of the asset, of one part")
+    parser.add_argument("--package", type=Path, required=True, help="package of the asset")
+    add_out(parser)
