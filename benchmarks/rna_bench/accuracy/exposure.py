@@ -27,17 +27,21 @@ from rna_sdk.runtime import load
 def run(args: argparse.Namespace) -> None:
     views = Dataset(args.dataset).only.validation_views()
     tiers = [tier.name for tier in Package.open(args.package).manifest.tiers]
+    assets = {name: load(args.package, name) for name in tiers}
     report = {
         "package": args.package.name,
         "psnr": WITHOUT_NOISE_DEFINITION,
         "exposed": EXPOSURE_DEFINITION,
-        "tiers": {name: [_scores(view, args.package, name) for view in views] for name in tiers},
+        "tiers": {
+            name: [scores(view, view.shaded_by(asset)) for view in views]
+            for name, asset in assets.items()
+        },
     }
     publish(report, args)
 
 
-def _scores(view: ValidationView, package: Path, tier: str) -> dict[str, Any]:
-    shaded = view.shaded_by(load(package, tier))
+def scores(view: ValidationView, shaded: np.ndarray) -> dict[str, Any]:
+    """Of radiance (n, 3) of a view's rows. `exposure` multiplies what is displayed."""
     halves = np.stack([view.image(half) for half in view.halves])
     in_scene = Beside.of(halves, view.image(np.ones_like(shaded))[..., 0] > 0.0)
     return {

@@ -33,6 +33,8 @@ from rna_export.training.samples import SampleTable
 _TIMES = (1, 2, 3, 4)
 """Lights of the plain capture, over those of the guided one."""
 
+_OWN_VALIDATION = 32  # paths a pixel of the images of rna-make, which tell it when to stop
+
 Row = dict[str, Any]
 
 
@@ -77,6 +79,7 @@ def _guided(plain: DatasetPart, args: argparse.Namespace) -> DatasetPart:
         command = [sys.executable, "-m", "rna_export.make.cli", args.source, "--out", out]
         command += ["--lights", args.lights, "--steps", args.steps, "--work", work, "--keep"]
         command += ["--rays", like.rays, "--samples", like.samples]
+        command += ["--validation-samples", _OWN_VALIDATION]
         command += ["--seed", args.seed, "--", *args.script_arguments]
         subprocess.run([*map(str, command)], check=True)
     return Dataset(work / "rays").only
