@@ -82,14 +82,14 @@ def test_strands_fold_where_they_share_a_cell() -> None:
     assert near in folded and far not in folded
 
 
-@pytest.mark.parametrize(("psnr", "passes"), [(29.0, True), (20.0, False)])
+@pytest.mark.parametrize(("error", "passes"), [(0.13, True), (0.2, False)])
 @pytest.mark.parametrize("other", ["clear", "alone"])
 def test_thin_geometry_is_judged_by_what_folding_costs(
-    psnr: float, passes: bool, other: str
+    error: float, passes: bool, other: str
 ) -> None:
     rows = [
-        {"shape": "leaf", "where": where, "psnr": value}
-        for where, value in ((other, 30.0), ("folded", psnr))
+        {"shape": "leaf", "where": where, "error": value}
+        for where, value in ((other, 0.1), ("folded", error))
     ]
     assert thin.judge(rows).passed == passes
 
