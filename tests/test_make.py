@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 
 import rna_sdk.runtime
-from rna_export.capture.dataset import Dataset
 from rna_sdk.package import Package
 from tests.exporters.scenes import write_scene
 
@@ -50,7 +49,6 @@ STAGES = (  # a file of the work folder that appears in each
     "rays/validation/*.safetensors",
     "rays/train/00000.safetensors",
     "runs/small/round-01/last.ckpt",
-    "rays/guides/02.safetensors",
     "runs/small/round-02/last.ckpt",
     "runs/small/last/last.ckpt",
     "runs/tiny/last/best.ckpt",
@@ -80,8 +78,6 @@ def test_a_make_killed_at_every_stage_ends_with_a_package(tmp_path: Path) -> Non
         assert [tier.name for tier in package.manifest.tiers] == ["tiny", "small"]
         assert all(tier.validation.psnr > 20.0 for tier in package.manifest.tiers)
     rna_sdk.runtime.load(out)
-    weights = Dataset(work / "rays").only.training_samples()["weight"]
-    assert 0.8 < weights.mean() < 1.2 and weights.min() < 0.9 and weights.max() <= 2.0
 
 
 def test_a_goal_of_a_lamp_behind_glass_is_met(tmp_path: Path) -> None:

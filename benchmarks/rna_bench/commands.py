@@ -53,7 +53,6 @@ GROUPS: dict[str, tuple[Command, ...]] = {
     "accuracy": (
         Command("presets", "accuracy.presets", resumes=True),
         Command("capture-budget", "accuracy.capture_budget", resumes=True),
-        Command("guided-capture", "accuracy.guided_capture", resumes=True),
         Command("for-scene", "accuracy.for_scene"),
         Command("exposure", "accuracy.exposure"),
         Command("closeup", "accuracy.closeup"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 from rna_export.capture.dataset import Dataset
-from rna_export.capture.guide import Guide
 from rna_export.capture.run import CaptureCrew
 from rna_export.capture.sample_files import write_parts
 from rna_export.capture.tasks import Task, TrainingShard
@@ -50,7 +49,6 @@ class Cycles:
 
     stop_after: float = math.inf
     shards: int = 0
-    guided: dict[int, int | None] = field(default_factory=dict)
 
     def begin(self, source: Source, asked: dict[str, Any], out: Path, *_: Any) -> Dataset:
         dataset = make_dataset(out, shards=1).dataset
@@ -77,13 +75,9 @@ class Cycles:
             if self.shards >= self.stop_after:
                 raise Stopped
             self.shards += 1
-            self.guided[task.index] = task.guide
             rng = np.random.default_rng([9, task.index])
             wi = np.repeat(unit_vectors(rng, SHARD), RAYS, axis=0)
-            rows = samples_of_light(rng, wi)
-            if task.guide is not None:
-                rows["weight"] = np.full(len(wi), 1.0, np.float32)
-            write_parts(task.path(dataset), {"asset": rows})
+            write_parts(task.path(dataset), {"asset": samples_of_light(rng, wi)})
 
 
 @pytest.fixture
@@ -138,12 +132,11 @@ def test_without_a_goal_it_ends_when_the_error_stops_falling(make: Any, tmp_path
     assert len(lights) * SHARD == made.dataset.manifest.settings.lights
 
 
-def test_rays_after_the_first_round_have_a_guide_and_weights(make: Any) -> None:
+def test_each_round_adds_rays(make: Any) -> None:
     made, cycles = make()
-    first = [k for k, guide in cycles.guided.items() if guide is None]
-    assert first == [0, 1] and len(cycles.guided) > 4
-    weights = made.dataset.only.training_samples()["weight"]
-    assert len(weights) == len(cycles.guided) * SHARD * RAYS
+    assert cycles.shards > 4
+    samples = made.dataset.only.training_samples()
+    assert len(samples["visible"]) == cycles.shards * SHARD * RAYS
 
 
 def test_a_goal_that_is_met_ends_the_rounds_and_spares_the_last_phase(make: Any) -> None:
@@ -159,15 +152,14 @@ def test_the_last_phase_goes_on_from_the_rounds(make: Any) -> None:
     assert load_checkpoint(last / "best.ckpt").steps > max(rounds) >= 10
 
 
-def test_minutes_end_it(make: Any) -> None:
-    made, _ = make(minutes=0.1)
-    assert made.why == "time is up" and made.rounds == 2
+@pytest.mark.parametrize(("goal", "rounds"), [(None, 1), (Goal("min_psnr", 90.0), 2)])
+def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int) -> None:
+    made, _ = make(minutes=0.1, goal=goal)
+    assert made.why == "time is up" and made.rounds == rounds
     assert made.checkpoints[0].name in ("round-01", "last")
 
 
-@pytest.mark.parametrize(
-    "stage", ["rays 0", "rays 1", "rays 3", "guide", "train 1", "train 2", "last"]
-)
+@pytest.mark.parametrize("stage", ["rays 0", "rays 1", "rays 3", "train 1", "train 2", "last"])
 def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
     stage: str, make: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -187,10 +179,8 @@ def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
 
 
 def stop_in(stage: str, patch: pytest.MonkeyPatch) -> None:
-    """Raise `Stopped` in the guide of a round, in its training, or in the last one."""
-    if stage == "guide":
-        patch.setattr(Guide, "save", stopping)
-    elif stage == "last":
+    """Raise `Stopped` in the training of a round, or in the last one."""
+    if stage == "last":
         patch.setattr(run_module.Make, "_last_phase", stopping)
     elif stage.startswith("train"):
         train, count = phases_module.train, iter(range(int(stage.split()[1]) - 1))

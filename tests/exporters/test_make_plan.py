@@ -75,6 +75,14 @@ def test_stages_fill_the_time_and_leave_some_for_the_export(
     assert captured == pytest.approx(CAPTURE * (60.0 * minutes - export), rel=0.01)
 
 
+def test_without_a_goal_the_time_has_one_round() -> None:
+    plan = TimedPlan(1000, 16, 600.0, has_goal=False)
+    assert plan.rounds == 1 and plan.phase(0, 300.0) is None
+    captured = plan.capture_seconds(0, 600.0)
+    assert captured == pytest.approx(CAPTURE * (600.0 - 30.0))
+    assert plan.last_phase(600.0 - captured, 1).minutes == pytest.approx(captured / 60.0, abs=0.01)
+
+
 def test_late_stages_share_what_is_left() -> None:
     plan = TimedPlan(1000, 16, 600.0)
     assert plan.capture_seconds(3, 100.0) < plan.capture_seconds(3, 400.0) < 400.0

@@ -5,9 +5,7 @@ toy.rays/
   geometry/NAME.safetensors   the mesh or the strands of a part, object space
   transmittance/0.safetensors texture of a material that lets light through, as in a package
   normals/0.safetensors       normal map of a material, as in a package
-  train/00000.safetensors     samples of some lights, arrays NAME/FIELD; with NAME/weight where
-                              a guide chose them, as by rna-make
-  guides/02.safetensors       where rna-make found the model to err, before its second round
+  train/00000.safetensors     samples of some lights, arrays NAME/FIELD
   emission/00000.safetensors  samples of what the asset emits, if it does
   validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
 """
@@ -32,15 +30,7 @@ from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.normal_maps import NORMALS
 from rna_sdk.package.transmittance import TRANSMITTANCE
 
-_FOLDERS = (
-    "geometry",
-    "transmittance",
-    "normals",
-    "train",
-    "guides",
-    "emission",
-    "validation",
-)
+_FOLDERS = ("geometry", "transmittance", "normals", "train", "emission", "validation")
 
 
 class Dataset:
@@ -139,9 +129,6 @@ class Dataset:
 
     def validation_path(self, view: int, half: int) -> Path:
         return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
-
-    def guide_path(self, number: int) -> Path:
-        return self.folder / "guides" / f"{number:02d}.safetensors"
 
     def emission_path(self, shard: int) -> Path:
         return self.folder / "emission" / f"{shard:05d}.safetensors"

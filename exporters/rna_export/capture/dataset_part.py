@@ -106,15 +106,8 @@ class DatasetPart:
         return self.samples_of(paths)
 
     def samples_of(self, paths: Iterable[Path]) -> dict[str, np.ndarray]:
-        """The part's rows of these shards joined, one array a field.
-
-        `weight` is a field where any of them was chosen by a guide: 1 in those that were not.
-        """
-        pieces = [self._read(path, self.fields, ("weight",)) for path in paths]
-        if any("weight" in piece for piece in pieces):
-            for piece in pieces:
-                piece.setdefault("weight", np.ones(len(piece["visible"]), np.float32))
-        samples = joined(pieces)
+        """The part's rows of these shards joined, one array a field."""
+        samples = joined([self._read(path, self.fields) for path in paths])
         if not len(samples["visible"]):
             raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
         return samples
@@ -132,11 +125,9 @@ class DatasetPart:
             for index in range(self.manifest.emission_images)
         ]
 
-    def _read(
-        self, path: Path, fields: Iterable[str], optional: Iterable[str] = ()
-    ) -> dict[str, np.ndarray]:
+    def _read(self, path: Path, fields: Iterable[str]) -> dict[str, np.ndarray]:
         """Rows of a file; a visibility with colours as (n, 3) float32 from 0 to 1."""
-        rows = read_part(path, self.name, fields, optional)
+        rows = read_part(path, self.name, fields)
         if "visible" in rows and rows["visible"].ndim == 2:
             rows["visible"] = rows["visible"].astype(np.float32) / np.float32(255.0)
         return rows

@@ -25,21 +25,15 @@ def write_parts(path: Path, parts: Mapping[str, Mapping[str, np.ndarray]]) -> No
     write_arrays(path, arrays)
 
 
-def read_part(
-    path: Path, part: str, fields: Iterable[str], optional: Iterable[str] = ()
-) -> dict[str, np.ndarray]:
-    """The named fields of one part's samples, and the optional ones that are there.
-
-    Raises CaptureError if the file is damaged.
-    """
+def read_part(path: Path, part: str, fields: Iterable[str]) -> dict[str, np.ndarray]:
+    """The named fields of one part's samples. Raises CaptureError if the file is damaged."""
     try:
         with safe_open(path, "np") as file:
             there = set(file.keys())
             missing = [f"{part}/{field}" for field in fields if f"{part}/{field}" not in there]
             if missing:
                 raise damaged(path, f"no {', '.join(missing)}")
-            found = [*fields, *(name for name in optional if f"{part}/{name}" in there)]
-            arrays = {field: file.get_tensor(f"{part}/{field}") for field in found}
+            arrays = {field: file.get_tensor(f"{part}/{field}") for field in fields}
     except (OSError, SafetensorError) as error:
         raise damaged(path, error) from error
     if len({len(rows) for rows in arrays.values()}) > 1:

@@ -13,7 +13,6 @@ from rna_export.capture.asset_scene import AssetScene, PartRows, ShadePoints
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import directions_in, light_direction
-from rna_export.capture.guide import Guide
 from rna_export.capture.manifest import emission_fields
 from rna_export.capture.sample_files import joined, write_parts
 from rna_export.capture.settings import CaptureSettings
@@ -35,14 +34,9 @@ Samples = dict[str, dict[str, np.ndarray]]
 
 @dataclass(frozen=True)
 class TrainingShard:
-    """Samples of `lights_per_shard` light directions.
-
-    guide: number of that which chooses the view rays, whose samples then have weights; None: all
-    count alike.
-    """
+    """Samples of `lights_per_shard` light directions."""
 
     index: int
-    guide: int | None = None
 
     def __str__(self) -> str:
         return f"training shard {self.index}"
@@ -70,15 +64,9 @@ class TrainingShard:
         domain = dataset.manifest.domain
         wi = light_direction(light, settings.seed, domain.wi)
         rng = np.random.default_rng([settings.seed, 1, light])
-        if self.guide is None:
-            rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
-            extra = {}
-        else:
-            guide = Guide.load(dataset.guide_path(self.guide), [p.captured for p in dataset.parts])
-            rays, weight = guide.rays(scene, wi, settings.rays, domain.wo, rng)
-            extra = {"weight": weight}
+        rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
         seed = int(rng.integers(2**31))
-        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng, extra)
+        return _capture(dataset, scene, worker, rays, wi, settings.samples, seed, rng)
 
 
 @dataclass(frozen=True)

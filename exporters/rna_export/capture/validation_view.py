@@ -11,7 +11,7 @@ import numpy as np
 from rna_export.capture.asset_arguments import Arguments, emission_arguments, evaluate_arguments
 from rna_sdk.runtime import FiberAsset, SurfaceAsset
 
-_NO_QUERY = ("radiance", "direct", "visible", "pixel", "weight")
+_NO_QUERY = ("radiance", "direct", "visible", "pixel")
 
 
 class CapturedImage(Protocol):

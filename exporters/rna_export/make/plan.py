@@ -15,7 +15,6 @@ _SHORT_SECONDS, _SHORT_ROUNDS = 240.0, 2  # each start of Blender costs seconds
 CAPTURE = 0.5
 """Share of the time for capture, all rounds together."""
 _BETWEEN = 0.15  # share for trainings between captures
-_LAST = 1.0 - CAPTURE - _BETWEEN
 _SLACK = 1.3  # lights planned over those expected: the clock ends a capture, not the plan
 _EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the lesser of both
 
@@ -64,16 +63,20 @@ class TimedPlan:
     """Rounds that fill a time: each stage gets its share of what is left.
 
     seconds: in all. lights: that fit into the share of it that is for capture. tiers: to export.
+    has_goal: whether a round may end it earlier.
     """
 
     lights: int
     shard: int
     seconds: float
     tiers: int = 1
+    has_goal: bool = True
 
     @property
     def rounds(self) -> int:
         """Captures; after the last of them comes the last phase."""
+        if not self.has_goal:
+            return 1
         return _SHORT_ROUNDS if self.seconds < _SHORT_SECONDS else _TIMED_ROUNDS
 
     def lights_of(self, round_: int, before: int) -> int:
@@ -103,8 +106,8 @@ class TimedPlan:
 
     def _ahead(self, round_: int) -> float:
         """Shares of the stages from a round's capture on."""
-        between = _BETWEEN * (self.rounds - 1 - round_) / (self.rounds - 1)
-        return CAPTURE * (self.rounds - round_) / self.rounds + between + _LAST
+        before = CAPTURE * round_ / self.rounds
+        return 1.0 - before - (_BETWEEN * round_ / (self.rounds - 1) if round_ else 0.0)
 
 
 Plan = OpenPlan | TimedPlan

@@ -55,7 +55,7 @@ class Make:
         dataset = Dataset(rays_folder(order))
         for note in dataset.manifest.notes:
             say(f"note: {note}")
-        self._rays = Rays(order, dataset, self._state.rounds, self._lead)
+        self._rays = Rays(order, dataset)
         self._goal = order.goal or Goal("min_psnr", math.inf)
         self._plan = self._chosen_plan(dataset)
 
@@ -93,7 +93,8 @@ class Make:
         order, lights = self._order, self._state.lights
         shard = dataset.manifest.settings.lights_per_shard
         if order.minutes is not None:
-            return TimedPlan(lights, shard, 60.0 * order.minutes, len(order.presets))
+            seconds, tiers = 60.0 * order.minutes, len(order.presets)
+            return TimedPlan(lights, shard, seconds, tiers, order.goal is not None)
         kinds = {part.kind for part in dataset.parts}
         usual = max(PRESETS[kind][self._lead].training.steps for kind in kinds)
         return OpenPlan(lights, shard, order.steps or usual)
@@ -104,14 +105,14 @@ class Make:
         if not rounds or rounds[-1].score is not None:
             before = rounds[-1].lights if rounds else 0
             lights = self._plan.lights_of(len(rounds), before)
-            rounds.append(Round(first_shard=before // self._rays.shard, lights=lights))
+            rounds.append(Round(lights=lights))
             if self._plan.rounds is None and len(rounds) > 1:
                 self._progress.more(_RAYS + _PHASE)
             self._save()
         number, round_ = len(rounds) - 1, rounds[-1]
         stage = self._progress.stage(f"round {number + 1}: rays", _RAYS)
         if not round_.is_captured:
-            self._rays.capture(number, self._plan.capture_seconds(number, self._left()), stage)
+            self._rays.capture(round_, self._plan.capture_seconds(number, self._left()), stage)
             self._save()
         stage.done()
         round_.phase = round_.phase or self._plan.phase(number, self._left())
@@ -127,7 +128,7 @@ class Make:
         folder = phase_folder(work, lead, number)
         dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
         phase = Phase(dataset, lead, round_.phase, folder, seed, device)
-        phase.run(self._rays.to_train_on(number), stage)
+        phase.run(dataset.finished_shards(), stage)
         stage.done()
         round_.score = score(trained_in(folder, dataset), dataset)
         self._save()

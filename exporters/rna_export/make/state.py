@@ -45,7 +45,6 @@ class Round(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
 
-    first_shard: int  # of those that it adds
     lights: int  # after it
     is_captured: bool = False
     phase: Length | None = None

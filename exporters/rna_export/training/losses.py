@@ -16,22 +16,20 @@ def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") 
     """The loss of a batch of samples, of the outputs alone that match their visibility.
 
     loss: "log" or "unbiased"; of a model with an output for direct light, of that light alone:
-    scattered light is next to nothing but noise, and its loss is always the unbiased one. Samples
-    that have a `weight` count by it.
+    scattered light is next to nothing but noise, and its loss is always the unbiased one.
     """
     config, y = model.config, model(at, blur)
-    weight = at["weight"][:, None] if "weight" in at else 1.0
     if not config.separates_direct:
-        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit, weight)
+        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit)
     v, of_light = at["visible"], at["direct"]
     if v.dim() == 1:
         v = v[:, None]
     else:  # weakened by what it came through
         of_light = of_light / v.clamp(min=_LEAST_VISIBLE)
-    of_direct = weight * v if config.visibility_hint else weight
+    of_direct = v if config.visibility_hint else 1.0
     direct = _LOSSES[loss](y[:, 0], of_light, model.unit, of_direct)
     scattered = _of_visibility(y[:, 1:], at, config)
-    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit, weight)
+    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
 
 
 def _of_visibility(y: Tensor, at: Points, config: ModelConfig) -> Tensor:
