@@ -14,7 +14,7 @@ _TIMED_ROUNDS = 4
 _SHORT_SECONDS, _SHORT_ROUNDS = 240.0, 2  # each start of Blender costs seconds
 CAPTURE = 0.5
 """Share of the time for capture, all rounds together."""
-_BETWEEN = 0.15  # share for trainings between captures
+_BETWEEN = 0.15  # share for trainings between captures, if there are several
 _SLACK = 1.3  # lights planned over those expected: the clock ends a capture, not the plan
 _EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the lesser of both
 
@@ -92,8 +92,7 @@ class TimedPlan:
         """A round's training; None after the last capture."""
         if round_ == self.rounds - 1:
             return None
-        own = _BETWEEN / (self.rounds - 1)
-        share = own / (self._ahead(round_) - CAPTURE / self.rounds)
+        share = self._between / (self._ahead(round_) - CAPTURE / self.rounds)
         return _minutes(self._usable(left) * share)
 
     def last_phase(self, left: float, models: int) -> Length:
@@ -106,8 +105,12 @@ class TimedPlan:
 
     def _ahead(self, round_: int) -> float:
         """Shares of the stages from a round's capture on."""
-        before = CAPTURE * round_ / self.rounds
-        return 1.0 - before - (_BETWEEN * round_ / (self.rounds - 1) if round_ else 0.0)
+        return 1.0 - round_ * (CAPTURE / self.rounds + self._between)
+
+    @property
+    def _between(self) -> float:
+        """Share of the training after a capture that is not the last."""
+        return 0.0 if self.rounds == 1 else _BETWEEN / (self.rounds - 1)
 
 
 Plan = OpenPlan | TimedPlan
