@@ -23,6 +23,7 @@ import numpy as np
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.validation_view import picked
 from rna_sdk.package import Int8Planes, Package, TierData, write_package
 from rna_sdk.runtime import Asset, load
 
@@ -116,8 +117,8 @@ def _frame(asset: Asset, scene: Any, height: int, seed: int, number: int) -> np.
     image = np.zeros((height * height, 3), np.float32)
     for wi in _lights():
         every_wi = np.tile(wi, (len(origins), 1)).astype(np.float32)
-        lit = scene.visible(points, every_wi)[on.rows, None]
-        image[on.rows] += np.where(lit, *asset.evaluate(x, n, wo, every_wi[: len(x)]))
+        visible = scene.visible(points, every_wi)[on.rows]
+        image[on.rows] += picked(visible, *asset.evaluate(x, n, wo, every_wi[: len(x)]))
     return image.reshape(height, height, 3)
 
 

@@ -12,6 +12,7 @@ from rna_export.capture.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import sphere
 from rna_export.capture.shift import scene_of
+from rna_export.capture.validation_view import is_lit
 from rna_export.capture.view_rays import sample_view_rays
 
 MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above
@@ -79,7 +80,7 @@ def integral(
         visible = scene.visible(points, wi)
         samples = {**fields, "wo": wo, "wi": wi, "visible": visible}
         total += picked(answers, samples)
-        seen += visible
+        seen += is_lit(visible)
     return total * (4.0 * np.pi / _DIRECTIONS), seen / _DIRECTIONS
 
 
