@@ -1,9 +1,9 @@
-"""Validation images shown as scenes are: the asset fills the range, its errors are larger.
+"""PSNR of a package on validation images: as captured, and with the exposure of scenes.
 
     rna-bench exposure toy.rays --package examples/quickstart/toy.rna --out exposure.json
 
-Validation images are shown as captured, under one light of irradiance pi; scenes with the exposure
-of `rna-bench scenes`. The same answers are scored with both. What is lost is not lost in a scene.
+Under one light of irradiance pi most of an asset is dim; in a scene it fills the range, and the same
+errors are larger. The exposure is that of `rna-bench scenes`.
 """
 
 from __future__ import annotations
