@@ -2,8 +2,8 @@
 
     rna-bench exposure toy.rays --package examples/quickstart/toy.rna --out exposure.json
 
-Under one light of irradiance pi most of an asset is dim; in a scene it fills the range, and the same
-errors are larger. The exposure is that of `rna-bench scenes`.
+Under one light of irradiance pi most of an asset is dim; in a scene it fills the range, and the
+same errors are larger. The exposure is that of `rna-bench scenes`.
 """
 
 from __future__ import annotations
