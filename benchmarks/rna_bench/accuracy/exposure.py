@@ -26,8 +26,8 @@ from rna_sdk.runtime import load
 
 def run(args: argparse.Namespace) -> None:
     views = Dataset(args.dataset).only.validation_views()
-    tiers = [tier.name for tier in Package.open(args.package).manifest.tiers]
-    assets = {name: load(args.package, name) for name in tiers}
+    with Package.open(args.package) as package:
+        assets = {tier.name: load(args.package, tier.name) for tier in package.manifest.tiers}
     report = {
         "package": args.package.name,
         "psnr": WITHOUT_NOISE_DEFINITION,

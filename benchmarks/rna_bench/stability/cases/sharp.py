@@ -16,7 +16,7 @@ from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.directions import frame, light_direction
 from rna_export.capture.settings import SHARPEST
 from rna_export.capture.shift import scene_of
-from rna_export.capture.validation_view import queries_of
+from rna_export.capture.validation_view import is_lit, queries_of
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_export.metrics import psnr
@@ -174,7 +174,7 @@ def in_and_out(
     h = samples["wi"] + samples["wo"]
     h = h / np.maximum(np.linalg.norm(h, axis=1, keepdims=True), 1e-6)
     inside = np.sum(h * samples["normal"], axis=1) > np.cos(highlight)
-    visible = samples["visible"].astype(bool)
+    visible = is_lit(samples["visible"])
     within, without = visible & inside, visible & ~inside
     return {
         "psnr_in": _psnr_of_peak(radiance[within], samples["radiance"][within]),
