@@ -145,7 +145,7 @@ def test_a_goal_that_is_met_ends_the_rounds_and_spares_the_last_phase(make: Any)
     assert made.checkpoints[0].name == "round-01"
 
 
-def test_the_last_phase_goes_on_from_the_rounds(make: Any) -> None:
+def test_the_last_phase_is_longer_than_the_rounds(make: Any) -> None:
     made, _ = make()
     last = made.dataset.folder.parent / "runs" / "small" / "last"
     rounds = [load_checkpoint(f / "best.ckpt").steps for f in sorted(last.parent.glob("round-*"))]

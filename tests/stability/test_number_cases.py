@@ -51,3 +51,14 @@ def test_the_integral_of_a_diffuse_ball_is_its_albedo(albedo: float, passes: boo
     np.testing.assert_allclose(total, albedo, atol=0.005)
     rows = [{"asset": "ball", **row, "integral": row["integral"] - 0.01} for row in rows]
     assert energy.judge(rows).passed == passes
+
+
+def test_visibility_may_have_a_colour(monkeypatch: pytest.MonkeyPatch) -> None:
+    asset = LambertAsset(sphere(3), albedo=(0.8, 0.5, 0.2))
+    scene = AssetScene([asset.mesh])
+    expected = energy.furnace(of_package(asset), scene, 20)
+    visible = scene.visible
+    monkeypatch.setattr(
+        scene, "visible", lambda *rays: np.repeat(np.float32(visible(*rays))[:, None], 3, axis=1)
+    )
+    assert expected and energy.furnace(of_package(asset), scene, 20) == expected
