@@ -228,7 +228,7 @@ def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
         end = f"goal met: {goal}"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"
-    return "\n".join([*lines, f"{end}; {made.rounds} capture rounds"])
+    return "\n".join([*lines, f"{end}; capture rounds: {made.rounds}"])
 
 
 if __name__ == "__main__":
