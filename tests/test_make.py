@@ -28,7 +28,7 @@ pane = principled(Roughness=0.4, Alpha=0.5, Base_Color=(0.2, 0.5, 0.8, 1))
 add(*square(1.4, z=1.3), pane)
 """
 SMALL = (
-    "--lights 256 --rays 256 --samples 2 --validation-views 2 --validation-resolution 32 "
+    "--rays 256 --samples 2 --validation-views 2 --validation-resolution 32 "
     "--validation-samples 16 --steps 120 --presets tiny small --keep"
 ).split()
 
@@ -85,12 +85,34 @@ def test_a_goal_of_a_lamp_behind_glass_is_met(tmp_path: Path) -> None:
     source = write_scene(tmp_path, "lamp", LAMP)
     out = tmp_path / "lamp.rna"
     options = [*SMALL[: SMALL.index("--presets")], "--presets", "tiny", "--min-psnr", "10"]
-    said = run(source, out, *options, "--parts", "objects")
+    said = run(source, out, *options, "--lights", 32, "--parts", "objects")
     assert "goal met: PSNR of at least 10 dB" in said
     assert not (tmp_path / "lamp.make").exists()
     with Package.open(out) as package:
         (tier,) = package.manifest.tiers
         assert len(tier.parts) == 2 and tier.parts[0].emission is not None
+
+
+def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path: Path) -> None:
+    """The same bytes in every entry; measured costs differ."""
+    source = write_scene(tmp_path, "ball", SCENE)
+    capture = [*SMALL[: SMALL.index("--steps")], "--lights", 32]
+    export = "--precision float32 small=int8 --source ball --license CC0-1.0".split()
+    made, rays, apart = (tmp_path / name for name in ("made.rna", "ball.rays", "apart.rna"))
+    training = SMALL[SMALL.index("--steps") :]
+    assert "lights used up" in run(source, made, *capture, *training, *export, "--", 0.4)
+    runs = [tmp_path / "runs" / preset for preset in ("tiny", "small")]
+    for module, *options in (
+        ("capture", source, "--out", rays, *capture, "--", 0.4),
+        *(("training", rays, "--preset", r.name, "--steps", 120, "--out", r) for r in runs),
+        ("export", *runs, "--out", apart, *export),
+    ):
+        own = [sys.executable, "-m", f"rna_export.{module}.cli", *map(str, options)]
+        subprocess.run(own, check=True, capture_output=True)
+    with Package.open(made) as one, Package.open(apart) as other:
+        assert [tier.name for tier in one.manifest.tiers] == ["tiny", "small-int8"]
+        assert one.manifest.entries == other.manifest.entries
+        assert one.manifest.provenance == other.manifest.provenance
 
 
 def test_minutes_are_kept(tmp_path: Path) -> None:

@@ -95,6 +95,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         goal: Goal | None = None,
         minutes: float | None = None,
         stop_after: float = math.inf,
+        **settings: int,
     ) -> tuple[Made, Cycles]:
         cycles = Cycles(stop_after)
         monkeypatch.setattr(rays_module, "begin", cycles.begin)
@@ -104,7 +105,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
             source="ball.py",
             source_sha256="0",
             arguments=(),
-            settings={},
+            settings=settings,
             scene=None,
             presets=presets,
             goal=str(goal),
@@ -114,7 +115,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         )
         crew = CaptureCrew(Path("python"), tmp_path / "scratch", 1)
         source = Source(tmp_path / "ball.py")
-        order = Order(source, {}, None, work, presets, goal, minutes, None, 0, "cpu", crew)
+        order = Order(source, settings, None, work, presets, goal, minutes, None, 0, "cpu", crew)
         return Make(order, asked, run_module.monotonic(), lambda _: None).run(), cycles
 
     return run
@@ -157,6 +158,14 @@ def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int) -> None:
     made, _ = make(minutes=0.1, goal=goal)
     assert made.why == "time is up" and made.rounds == rounds
     assert made.checkpoints[0].name in ("round-01", "last")
+
+
+def test_lights_have_one_round_and_no_training_but_the_last(make: Any) -> None:
+    made, cycles = make(presets=("tiny", "small"), lights=64)
+    assert (made.why, made.rounds) == ("lights used up", 1)
+    assert cycles.shards * SHARD == 64
+    assert [folder.name for folder in made.checkpoints] == ["last", "last"]
+    assert [load_checkpoint(f / "best.ckpt").steps for f in made.checkpoints] == [80, 80]
 
 
 @pytest.mark.parametrize("stage", ["rays 0", "rays 1", "rays 3", "train 1", "train 2", "last"])

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from rna_export.make.plan import CAPTURE, Length, OpenPlan, TimedPlan
+from rna_export.make.plan import CAPTURE, FixedPlan, Length, OpenPlan, TimedPlan
 from rna_export.make.stop import LEAST_GAIN_DB, MARGIN_DB, verdict
 
 NONE = -math.inf
@@ -81,6 +81,14 @@ def test_without_a_goal_the_time_has_one_round() -> None:
     captured = plan.capture_seconds(0, 600.0)
     assert captured == pytest.approx(CAPTURE * (600.0 - 30.0))
     assert plan.last_phase(600.0 - captured, 1).minutes == pytest.approx(captured / 60.0, abs=0.01)
+
+
+@pytest.mark.parametrize("steps", [100_000, None])
+def test_lights_that_are_asked_for_are_all_captured_at_once(steps: int | None) -> None:
+    plan = FixedPlan(3520, steps)
+    assert plan.rounds == 1 and plan.lights_of(0, 0) == 3520
+    assert plan.capture_seconds(0, math.inf) is None and plan.phase(0, math.inf) is None
+    assert plan.last_phase(math.inf, 2) == Length(steps=steps)
 
 
 def test_late_stages_share_what_is_left() -> None:

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from rna_export.export.credit import add_credit
-from rna_export.export.precision import MAX_LOSS, precision_word, precisions_of
+from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
 from rna_sdk.console import command_parser, run_command
 
 
@@ -31,17 +31,7 @@ def parser() -> argparse.ArgumentParser:
         type=Path,
         help="dataset of rna-capture (path, default: the one the first checkpoint was trained on)",
     )
-    p.add_argument(
-        "--precision",
-        nargs="+",
-        type=precision_word,
-        metavar="FORMAT",
-        default=[],
-        help="number formats, one tier per checkpoint and format; float32: float32 decoder and "
-        "int8 planes; int8: decoder and planes (tier suffix -int8); float32-float16: float32 "
-        "decoder and float16 planes, of twice the size. PRESET=FORMAT: for this preset alone, in "
-        "place of the others (default: float32)",
-    )
+    add_precision(p)
     p.add_argument(
         "--max-loss",
         type=float,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentTypeError
+from argparse import ArgumentParser, ArgumentTypeError
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
@@ -49,7 +49,22 @@ PRECISIONS = {
     "int8": Precision("int8"),
     "float32-float16": Precision(planes="float16"),
 }
-"""What `rna-export --precision` offers."""
+"""What `--precision` offers."""
+
+
+def add_precision(p: ArgumentParser) -> None:
+    """Add --precision."""
+    p.add_argument(
+        "--precision",
+        nargs="+",
+        type=precision_word,
+        metavar="FORMAT",
+        default=[],
+        help="number formats, one tier per preset and format; float32: float32 decoder and int8 "
+        "planes; int8: decoder and planes (tier suffix -int8); float32-float16: float32 decoder "
+        "and float16 planes, of twice the size. PRESET=FORMAT: for this preset alone, in place of "
+        "the others (default: float32)",
+    )
 
 
 def precision_word(word: str) -> tuple[str, Precision]:

@@ -21,6 +21,7 @@ from rna_export.capture.cli import (
 )
 from rna_export.capture.orientation import joined_axes
 from rna_export.export.credit import add_credit
+from rna_export.export.precision import add_precision, precisions_of
 from rna_export.training.options import add_device
 from rna_export.training.presets import PRESETS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
@@ -52,9 +53,9 @@ def parser() -> argparse.ArgumentParser:
         "rna-make",
         "Capture, train and export a model in one command, up to an error target.",
         "rna-make helmet.gltf --out helmet.rna --min-psnr 36",
-        epilog="Without a target or --minutes it runs until the error stops falling. The same "
-        "command\nresumes an interrupted run. Arguments after -- are passed to the source, as "
-        "in\nrna-capture.",
+        epilog="Without --minutes or --lights it runs until the target is met or the error stops "
+        "falling.\nThe same command resumes an interrupted run. Arguments after -- are passed to "
+        "the source,\nas in rna-capture.",
     )
     p.add_argument("model", type=Path, help="any model that rna-capture reads (path)")
     p.add_argument(
@@ -113,6 +114,7 @@ def parser() -> argparse.ArgumentParser:
         ".make)",
     )
     p.add_argument("--keep", action="store_true", help="keep the work folder (default: off)")
+    add_precision(p)
     add_credit(p)
     p.add_argument(
         "--debug", action="store_true", help="show the traceback of an error (default: off)"
@@ -177,6 +179,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         steps=args.steps,
         seed=args.seed,
     )
+    precisions = precisions_of(args.precision, args.presets)
     source = Source.captured(args.model, arguments, CaptureSettings(**settings))
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     device, python = chosen_device(args.device), find_python()
@@ -196,7 +199,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 crew=CaptureCrew(python, scratch, args.workers, where, args.store),
             )
             made = Make(order, asked, begun, print).run()
-        manifest = export(made, args.out, args.source, args.license)
+        manifest = export(made, args.out, args.source, args.license, precisions)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
     if not args.keep:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from pydantic import BaseModel, ConfigDict
 
+from rna_export.make.stop import Verdict
+
 _FIRST = 1 / 8  # of the usual lights, and of the preset's steps, in the first round
 _STEPS_GROW = 1.5  # a round's, over those of the round before
 _MORE = 0.5  # lights of a round over all before it, and at most over the usual ones
@@ -20,7 +22,7 @@ _EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the
 
 
 class Length(BaseModel):
-    """Of a training: one of the two."""
+    """Of a training: one of the two at most; neither: the preset's steps."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -59,6 +61,33 @@ class OpenPlan:
 
 
 @dataclass(frozen=True)
+class FixedPlan:
+    """One capture of so many lights, then one training of each preset.
+
+    steps: of the trainings; None: each preset's own.
+    """
+
+    lights: int
+    steps: int | None
+    rounds = 1
+    end: Verdict = "lights used up"
+
+    def lights_of(self, round_: int, before: int) -> int:
+        """All of them."""
+        return self.lights
+
+    def capture_seconds(self, round_: int, left: float) -> float | None:
+        """That the capture may take: no limit."""
+
+    def phase(self, round_: int, left: float) -> Length | None:
+        """No training but the last."""
+
+    def last_phase(self, left: float, models: int) -> Length:
+        """The one of a model."""
+        return Length(steps=self.steps)
+
+
+@dataclass(frozen=True)
 class TimedPlan:
     """Rounds that fill a time: each stage gets its share of what is left.
 
@@ -71,6 +100,7 @@ class TimedPlan:
     seconds: float
     tiers: int = 1
     has_goal: bool = True
+    end: Verdict = "time is up"
 
     @property
     def rounds(self) -> int:
@@ -113,7 +143,7 @@ class TimedPlan:
         return 0.0 if self.rounds == 1 else _BETWEEN / (self.rounds - 1)
 
 
-Plan = OpenPlan | TimedPlan
+Plan = OpenPlan | FixedPlan | TimedPlan
 
 
 def in_shards(wanted: float, before: int, shard: int) -> int:

@@ -14,7 +14,7 @@ from rna_export.make.plan import CAPTURE
 from rna_export.make.progress import Stage
 from rna_export.make.state import Round
 
-_SHARD = 16  # lights; a worker begins anew after 12 shards
+_SHARD = 16  # lights, where rounds grow; a worker begins anew after 12 shards
 
 
 def open_rays(order: Order, begun: float) -> Dataset:
@@ -23,7 +23,9 @@ def open_rays(order: Order, begun: float) -> Dataset:
     begun: when those began, of `time.monotonic`.
     """
     limit = None if order.minutes is None else TimeLimit(order.minutes, begun, CAPTURE)
-    asked = {"lights_per_shard": _SHARD, **order.settings}
+    asked = order.settings
+    if "lights" not in asked:
+        asked = {"lights_per_shard": _SHARD, **asked}
     return begin(
         order.source, asked, rays_folder(order), order.crew, limit, _quiet, order.for_scene
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic
@@ -12,10 +12,11 @@ from time import monotonic
 from rna_export.capture.dataset import Dataset
 from rna_export.export.build import build_package
 from rna_export.export.dressing import dress
+from rna_export.export.precision import Precision
 from rna_export.fit.goal import Goal
 from rna_export.make.order import Order
 from rna_export.make.phases import Phase, phase_folder, score, trained_in
-from rna_export.make.plan import OpenPlan, Plan, TimedPlan
+from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan
 from rna_export.make.progress import Progress
 from rna_export.make.rays import Rays, open_rays, rays_folder
 from rna_export.make.state import Asked, Last, Round, Score, State, load_state
@@ -95,6 +96,8 @@ class Make:
         if order.minutes is not None:
             seconds, tiers = 60.0 * order.minutes, len(order.presets)
             return TimedPlan(lights, shard, seconds, tiers, order.goal is not None)
+        if "lights" in order.settings:
+            return FixedPlan(lights, order.steps)
         kinds = {part.kind for part in dataset.parts}
         usual = max(PRESETS[kind][self._lead].training.steps for kind in kinds)
         return OpenPlan(lights, shard, order.steps or usual)
@@ -161,7 +164,7 @@ class Make:
         if self._plan.rounds is None or found == "goal met":
             return found
         captured = sum(r.is_captured for r in rounds)
-        return "time is up" if captured == self._plan.rounds else None
+        return self._plan.end if captured == self._plan.rounds else None
 
     def _best_folder(self, preset: str) -> Path:
         """Of the phase with the least error."""
@@ -192,11 +195,17 @@ class Make:
         return _RAYS * (1 + rounds) + _PHASE * phases + _LAST * len(self._by_cost)
 
 
-def export(made: Made, out: Path, credit: str | None, license_: str) -> Manifest:
-    """Write the package of what was made."""
+def export(
+    made: Made,
+    out: Path,
+    credit: str | None,
+    license_: str,
+    precisions: Mapping[str, Sequence[Precision]],
+) -> Manifest:
+    """Write the package of what was made; precisions: of each preset's tiers."""
     trained = [one for folder in made.checkpoints for one in trained_in(folder, made.dataset)]
     manifest = build_package(
-        trained, made.dataset, out, credit, license_, _quiet, max_loss=math.inf
+        trained, made.dataset, out, credit, license_, _quiet, precisions, max_loss=math.inf
     )
     dress(out, made.dataset, None, (), False, _quiet)
     return manifest

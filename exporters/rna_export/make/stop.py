@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-Verdict = Literal["goal met", "stopped falling", "time is up"]
+Verdict = Literal["goal met", "stopped falling", "time is up", "lights used up"]
 
 LEAST_GAIN_DB = 0.3
 """By which the error has to fall over `ROUNDS` rounds, or it has stopped falling.
