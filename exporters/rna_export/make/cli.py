@@ -36,7 +36,6 @@ _GO_ON = "run the same command again to resume"
 _SETTINGS = (
     "samples",
     "rays",
-    "lights",
     "domain",
     "parts",
     "sharpest",
@@ -79,6 +78,12 @@ def parser() -> argparse.ArgumentParser:
         type=float,
         help="wall-clock limit of the whole command; it ends earlier once the target is met "
         "(float, default: no limit)",
+    )
+    p.add_argument(
+        "--lights",
+        type=int,
+        help="capture exactly so many light directions, then train each preset once (int, default: "
+        "rounds of more and more)",
     )
     p.add_argument(
         "--presets",
