@@ -85,7 +85,7 @@ def test_a_goal_of_a_lamp_behind_glass_is_met(tmp_path: Path) -> None:
     source = write_scene(tmp_path, "lamp", LAMP)
     out = tmp_path / "lamp.rna"
     options = [*SMALL[: SMALL.index("--presets")], "--presets", "tiny", "--min-psnr", "10"]
-    said = run(source, out, *options, "--lights", 32, "--parts", "objects")
+    said = run(source, out, *options, "--parts", "objects")
     assert "goal met: PSNR of at least 10 dB" in said
     assert not (tmp_path / "lamp.make").exists()
     with Package.open(out) as package:

@@ -27,3 +27,8 @@ class Order:
     seed: int
     device: str
     crew: CaptureCrew
+
+    @property
+    def fixes_lights(self) -> bool:
+        """Whether --lights was given: all of them are captured in one round."""
+        return "lights" in self.settings

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from pydantic import BaseModel, ConfigDict
 
@@ -70,7 +71,7 @@ class FixedPlan:
     lights: int
     steps: int | None
     rounds = 1
-    end: Verdict = "lights used up"
+    end: ClassVar[Verdict] = "lights used up"
 
     def lights_of(self, round_: int, before: int) -> int:
         """All of them."""
@@ -100,7 +101,7 @@ class TimedPlan:
     seconds: float
     tiers: int = 1
     has_goal: bool = True
-    end: Verdict = "time is up"
+    end: ClassVar[Verdict] = "time is up"
 
     @property
     def rounds(self) -> int:

@@ -23,9 +23,8 @@ def open_rays(order: Order, begun: float) -> Dataset:
     begun: when those began, of `time.monotonic`.
     """
     limit = None if order.minutes is None else TimeLimit(order.minutes, begun, CAPTURE)
-    asked = order.settings
-    if "lights" not in asked:
-        asked = {"lights_per_shard": _SHARD, **asked}
+    small = {} if order.fixes_lights else {"lights_per_shard": _SHARD}
+    asked = {**small, **order.settings}
     return begin(
         order.source, asked, rays_folder(order), order.crew, limit, _quiet, order.for_scene
     )

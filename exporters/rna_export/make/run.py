@@ -96,7 +96,7 @@ class Make:
         if order.minutes is not None:
             seconds, tiers = 60.0 * order.minutes, len(order.presets)
             return TimedPlan(lights, shard, seconds, tiers, order.goal is not None)
-        if "lights" in order.settings:
+        if order.fixes_lights:
             return FixedPlan(lights, order.steps)
         kinds = {part.kind for part in dataset.parts}
         usual = max(PRESETS[kind][self._lead].training.steps for kind in kinds)
