@@ -25,7 +25,7 @@ from rna_export.capture.dataset import Dataset
 from rna_export.capture.validation_view import ValidationView
 from rna_export.export.decoder import export_decoder
 from rna_export.export.int8_decoder import WeightScale, int8_decoder, pair_scale
-from rna_export.export.tiers import calibration_queries
+from rna_export.export.tiers import calibration
 from rna_export.machine import seconds_of
 from rna_export.metrics import PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import load_checkpoint
@@ -59,12 +59,12 @@ def measured(path: Path, repeats: int) -> dict[str, Any]:
     """Each variant of one checkpoint."""
     trained = load_checkpoint(path)
     dataset = Dataset(trained.dataset).only
-    calibration = calibration_queries(trained, dataset)
+    seen = calibration(trained, dataset).queries
     views = dataset.validation_views()
     queries = [trained.model.queries(_tensors(view)).detach().numpy() for view in views]
     decoders = {}
     for name, scale in VARIANTS.items():
-        layers = int8_decoder(trained.model, calibration, scale) if scale else None
+        layers = int8_decoder(trained.model, seen, scale) if scale else None
         decoders[name] = Decoder(export_decoder(trained.model, layers))
     rows = np.concatenate(queries)
     times: dict[str, list[float]] = {name: [] for name in decoders}

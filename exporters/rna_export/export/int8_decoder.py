@@ -59,9 +59,13 @@ class Int8Decoder:
     offset: Tensor
     layers: tuple[TorchInt8Layer, ...]
 
+    def entered(self, queries: Tensor) -> Tensor:
+        """Queries (n, K) as the first layer has them, 0 to 255."""
+        return (queries * self.gain + self.offset).round().clamp(0, 255)
+
     def __call__(self, queries: Tensor) -> Tensor:
         """y as the model's decoder gives it, (n, outputs) float32, for queries (n, K)."""
-        q = (queries * self.gain + self.offset).round().clamp(0, 255)
+        q = self.entered(queries)
         for layer, following in zip(self.layers, self.layers[1:], strict=False):
             q = (layer(q) / following.input_scale).round().clamp(0, 255)
         return self.layers[-1](q).float()
@@ -151,6 +155,11 @@ def _layer(
     """
     rounded = (weight / scale[:, None]).round()
     moved = expected.mean(dim=0) - (q @ rounded.T * (scale * input_scale) + bias).mean(dim=0)
+    steps = bias_steps(bias + moved, scale * input_scale)
+    return TorchInt8Layer(rounded.to(torch.int8), scale, steps, input_scale)
+
+
+def bias_steps(bias: Tensor, step: Tensor) -> Tensor:
+    """A layer's bias (outputs,) in int32, each in steps of `step`."""
     limit = np.iinfo(np.int32).max // 2
-    steps = ((bias + moved).double() / (scale.double() * input_scale)).round().clamp(-limit, limit)
-    return TorchInt8Layer(rounded.to(torch.int8), scale, steps.to(torch.int32), input_scale)
+    return (bias.double() / step.double()).round().clamp(-limit, limit).to(torch.int32)

@@ -17,6 +17,7 @@ from rna_export.export.decoder import (
     export_decoder,
 )
 from rna_export.export.int8_decoder import int8_decoder
+from rna_export.export.int8_tuning import Calibration, tuned
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.training.checkpoint import Trained
@@ -110,17 +111,18 @@ def _exported(
     if precision == "float32":
         exported = export_decoder(one.model)
         return exported, compare_decoder(exported, one.model)
-    queries = calibration_queries(one, part)
-    layers = int8_decoder(one.model, queries)
+    at = calibration(one, part)
+    layers = tuned(int8_decoder(one.model, at.queries), one.model, at)
     exported = export_decoder(one.model, layers)
-    return exported, compare_int8_decoder(exported, one.model, layers, queries)
+    return exported, compare_int8_decoder(exported, one.model, layers, at.queries)
 
 
 @torch.no_grad()
-def calibration_queries(one: Trained, part: DatasetPart) -> torch.Tensor:
-    """What the decoder is asked at random samples of the training data, (n, K)."""
+def calibration(one: Trained, part: DatasetPart) -> Calibration:
+    """Random samples of the training data."""
     samples = part.training_samples(_CALIBRATION_SHARDS)
     rows = len(samples["position"])
     picked = np.random.default_rng(0).permutation(rows)[:_CALIBRATION_ROWS]
     points = {k: torch.from_numpy(v[picked]) for k, v in queries_of(samples).items()}
-    return one.model.queries(points)
+    visible = torch.from_numpy(samples["visible"][picked].astype(np.float32))
+    return Calibration(one.model.queries(points), visible.reshape(len(picked), -1))
