@@ -21,7 +21,7 @@ from rna_bench.stability.workshop import Workshop
 from rna_export.capture.asset_arguments import evaluate_arguments
 from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
-from rna_sdk.package import Package
+from rna_sdk.package import Int8Planes, Package
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime import Asset, load
 
@@ -54,6 +54,7 @@ def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, 
     tier = asset.tier
     with Package.open(path) as package:
         planes, decoder = package.planes(tier.name), package.decoder(tier.name)
+        planes = planes.decoded() if isinstance(planes, Int8Planes) else planes
         reference = fiber_queries_reference if "tangent" in queries else queries_reference
         rows = evaluate_arguments(queries)
         at = reference(planes, asset.bounds, tier.parts[0].inputs, *rows)
