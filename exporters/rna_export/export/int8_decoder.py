@@ -61,14 +61,19 @@ class Int8Decoder:
 
     def entered(self, queries: Tensor) -> Tensor:
         """Queries (n, K) as the first layer has them, 0 to 255."""
-        return (queries * self.gain + self.offset).round().clamp(0, 255)
+        return stored(queries * self.gain + self.offset)
 
     def __call__(self, queries: Tensor) -> Tensor:
         """y as the model's decoder gives it, (n, outputs) float32, for queries (n, K)."""
         q = self.entered(queries)
         for layer, following in zip(self.layers, self.layers[1:], strict=False):
-            q = (layer(q) / following.input_scale).round().clamp(0, 255)
+            q = stored(layer(q) / following.input_scale)
         return self.layers[-1](q).float()
+
+
+def stored(steps: Tensor) -> Tensor:
+    """Activations, in steps of their scale, as uint8 holds them: 0 to 255."""
+    return steps.round().clamp(0, 255)
 
 
 def pair_scale(weight: Tensor) -> Tensor:
@@ -103,13 +108,13 @@ def int8_decoder(
     # In steps above `low`, which the bias takes up: q = (x - low) / step.
     biases[0] = biases[0] + weights[0] @ low
     weights[0] = weights[0] * step
-    q, scale = (queries * gain + offset).round().clamp(0, 255), 1.0
+    q, scale = stored(queries * gain + offset), 1.0
     layers = []
     for weight, bias, exact in zip(weights, biases, expected, strict=True):
         layers.append(_layer(weight, weight_scale(weight), bias, scale, q, exact))
         sums = layers[-1](q).float()
         scale = _scale(torch.relu(sums))
-        q = (sums / scale).round().clamp(0, 255)
+        q = stored(sums / scale)
     return Int8Decoder(gain, offset, tuple(layers))
 
 

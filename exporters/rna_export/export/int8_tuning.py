@@ -7,14 +7,13 @@ weights stay as they are, and with them the limit of their pairs.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import Any
 
 import torch
 from torch import Tensor, nn
 
-from rna_export.export.int8_decoder import Int8Decoder, TorchInt8Layer, bias_steps
+from rna_export.export.int8_decoder import Int8Decoder, TorchInt8Layer, bias_steps, stored
 from rna_export.training.losses import unbiased_l2
 from rna_export.training.model import NeuralAsset
 
@@ -45,14 +44,15 @@ def tuned(decoder: Int8Decoder, model: NeuralAsset, calibration: Calibration) ->
     layers = [_TunedLayer(layer) for layer in decoder.layers]
     y_of = nn.Sequential(*layers)
     optimizer = torch.optim.Adam(y_of.parameters(), lr=_RATE)
+    schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, _STEPS)
     generator = torch.Generator().manual_seed(0)
-    for step in range(_STEPS):
-        optimizer.param_groups[0]["lr"] = _RATE * 0.5 * (1.0 + math.cos(math.pi * step / _STEPS))
+    for _ in range(_STEPS):
         rows = torch.randint(len(entered), (_BATCH,), generator=generator)
         radiance = _radiance(model, y_of(entered[rows]), calibration.visible[rows])
         optimizer.zero_grad()
         unbiased_l2(torch.log1p(radiance / model.unit), target[rows], model.unit).backward()
         optimizer.step()
+        schedule.step()
     return replace(decoder, layers=tuple(layer.rounded() for layer in layers))
 
 
@@ -95,7 +95,7 @@ class _Stored(torch.autograd.Function):
     @staticmethod
     def forward(ctx: Any, values: Tensor) -> Tensor:
         ctx.save_for_backward((values > 0.0) & (values < 255.0))
-        return values.round().clamp(0.0, 255.0)
+        return stored(values)
 
     @staticmethod
     def backward(ctx: Any, gradient: Tensor) -> Tensor:
