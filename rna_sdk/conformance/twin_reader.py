@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.conformance.reader_program import run_reader
-from rna_sdk.package import Int8Planes, Package
+from rna_sdk.package import Package, float_planes
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime.decoder import Graph
 
@@ -51,8 +51,7 @@ def _answer(
     valid = np.isfinite(queries).all(axis=1)
     for directions in (axis, wo, wi):
         valid &= directions.any(axis=1)
-    part, stored = opened.manifest.parts[number], opened.planes(tier, number)
-    planes = stored.decoded() if isinstance(stored, Int8Planes) else stored
+    part, planes = opened.manifest.parts[number], float_planes(opened.planes(tier, number))
     place = planes, part.bounds.corners(), inputs
     at, t, o, i = position[valid], axis[valid], wo[valid], wi[valid]
     if part.kind == "surface":

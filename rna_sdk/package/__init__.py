@@ -30,7 +30,7 @@ from rna_sdk.package.manifest_tiers import (
 from rna_sdk.package.mesh import Mesh
 from rna_sdk.package.normal_maps import NormalMap
 from rna_sdk.package.package import Package
-from rna_sdk.package.planes import Int8Planes, Planes
+from rna_sdk.package.planes import Int8Planes, Planes, float_planes
 from rna_sdk.package.profile_decoder import (
     ProfileDecoder,
     ProfileLayer,
@@ -72,6 +72,7 @@ __all__ = [
     "Transmittance",
     "TransmittanceRecord",
     "Validation",
+    "float_planes",
     "quantise",
     "query_width",
     "read_profile_decoder",

@@ -57,6 +57,11 @@ _CODES = TensorCodes(
 _ROWS_AT_ONCE = 64
 
 
+def float_planes(planes: Planes) -> NDArray[np.float32]:
+    """The features of planes of any precision, (3, R, R, C) float32."""
+    return planes.decoded() if isinstance(planes, Int8Planes) else planes.astype(np.float32)
+
+
 def planes_to_bytes(planes: Planes) -> bytes:
     """The safetensors file of (3, R, R, C) planes."""
     if isinstance(planes, Int8Planes):

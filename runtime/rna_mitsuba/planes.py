@@ -6,7 +6,7 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
-from rna_sdk.package import Bounds, Int8Planes, Planes
+from rna_sdk.package import Bounds, Planes, float_planes
 
 _GROUP = 4  # channels that are gathered at once
 
@@ -15,11 +15,11 @@ class Triplane:
     """Features at positions of object space. Texels are float32 in device memory."""
 
     def __init__(self, planes: Planes, bounds: Bounds) -> None:
-        texels = planes.decoded() if isinstance(planes, Int8Planes) else planes
+        texels = float_planes(planes)
         self._resolution, self._channels = texels.shape[1], texels.shape[3]
         self._groups = -(-self._channels // _GROUP)
         added = self._groups * _GROUP - self._channels
-        padded = np.pad(texels.astype(np.float32), ((0, 0), (0, 0), (0, 0), (0, added)))
+        padded = np.pad(texels, ((0, 0), (0, 0), (0, 0), (0, added)))
         self._texels = mi.Float(padded.ravel())
         self._low, self._high = ([float(x) for x in corner] for corner in bounds.corners())
 

@@ -23,6 +23,7 @@ from rna_sdk.package import (
     PackageError,
     TierData,
     Validation,
+    float_planes,
     validate,
     write_package,
 )
@@ -71,6 +72,16 @@ def test_int8_planes_come_back(tmp_path: Path) -> None:
     np.testing.assert_array_equal(planes.scales, written.scales)
     expected = written.texels[1, 2, 3, 0] * written.scales[1, 0]
     assert planes.decoded()[1, 2, 3, 0] == expected != 0
+
+
+@pytest.mark.parametrize("precision", ["float32", "float16", "int8"])
+def test_planes_of_any_precision_as_float32(precision: str) -> None:
+    stored = make_planes(precision=precision)
+    planes = float_planes(stored)
+    assert (planes.shape, planes.dtype) == ((3, 8, 8, 4), np.float32)
+    scales = stored.scales[:, None, None] if precision == "int8" else 1.0
+    texels = stored.texels if precision == "int8" else stored
+    np.testing.assert_array_equal(planes, np.float32(texels) * scales)
 
 
 def test_mesh_without_uvs(tmp_path: Path) -> None:

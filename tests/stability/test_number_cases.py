@@ -11,7 +11,7 @@ from rna_bench.stability.answers import of_package
 from rna_bench.stability.cases import energy, numbers
 from rna_export.capture.asset_scene import AssetScene
 from rna_sdk.runtime import load
-from tests.package.builders import make_tiny_package
+from tests.package.builders import make_tier, make_tiny_package
 from tests.render.assets import LambertAsset, sphere, unit_vectors
 
 
@@ -30,8 +30,9 @@ def test_a_package_bears_odd_numbers(tmp_path: Path) -> None:
     assert not bare.passed and "nan" in bare.found
 
 
-def test_the_decoder_in_double_precision_agrees(tmp_path: Path) -> None:
-    make_tiny_package(tmp_path / "tiny.rna")
+@pytest.mark.parametrize("planes", ["float16", "int8"])
+def test_the_decoder_in_double_precision_agrees(planes: str, tmp_path: Path) -> None:
+    make_tiny_package(tmp_path / "tiny.rna", make_tier(plane_precision=planes))
     asset, asked = load(tmp_path / "tiny.rna", threads=1), queries()
     exact = numbers.in_float64(tmp_path / "tiny.rna", asset, asked)
     assert exact[0].dtype == np.float64

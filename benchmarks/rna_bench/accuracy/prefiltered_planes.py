@@ -24,7 +24,7 @@ from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.validation_view import picked
-from rna_sdk.package import Int8Planes, Package, TierData, write_package
+from rna_sdk.package import Package, TierData, float_planes, write_package
 from rna_sdk.runtime import Asset, load
 
 HEIGHTS = (64, 32, 16)
@@ -60,9 +60,7 @@ def level_packages(path: Path, tier: str | None, folder: Path) -> list[Path]:
     with Package.open(path) as package:
         manifest = package.manifest
         record = package.tier(tier or manifest.tiers[0].name)
-        stored = package.planes(record.name)
-        decoded = isinstance(stored, Int8Planes)
-        planes = stored.decoded() if decoded else stored.astype(np.float32)
+        planes = float_planes(package.planes(record.name))
         for level in range(_LEVELS):
             resolution = planes.shape[1]
             part = record.parts[0].model_copy(

@@ -14,12 +14,10 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.export.precision import stored_planes
-from rna_sdk.package import Int8Planes, Package, TierData, quantise, write_package
+from rna_sdk.package import Package, TierData, float_planes, quantise, write_package
 from rna_sdk.package.packing import Unpacked
 
 
@@ -44,12 +42,10 @@ def measured(path: Path) -> dict[str, Any]:
 def _rewritten(path: Path, out: Path, quantised: bool, precision: Any) -> None:
     with Package.open(path) as package:
         tier = package.manifest.tiers[0]
-        stored = package.planes(tier.name)
-        decoded = stored.decoded() if isinstance(stored, Int8Planes) else stored
         part = tier.parts[0].model_copy(update={"plane_precision": precision})
         tier = tier.model_copy(update={"parts": (part,)})
         manifest = package.manifest.model_copy(update={"tiers": (tier,)})
-        planes = stored_planes(decoded.astype(np.float32), precision)
+        planes = stored_planes(float_planes(package.planes(tier.name)), precision)
         data = TierData(planes, bytes(package.decoder(tier.name)))
         geometry = package.geometry()
         kept = quantise(geometry) if quantised else geometry

@@ -21,7 +21,7 @@ from rna_bench.stability.workshop import Workshop
 from rna_export.capture.asset_arguments import evaluate_arguments
 from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
-from rna_sdk.package import Int8Planes, Package
+from rna_sdk.package import Package, float_planes
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime import Asset, load
 
@@ -53,8 +53,7 @@ def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, 
     """What the planes and the decoder of the asset's tier give in double precision."""
     tier = asset.tier
     with Package.open(path) as package:
-        planes, decoder = package.planes(tier.name), package.decoder(tier.name)
-        planes = planes.decoded() if isinstance(planes, Int8Planes) else planes
+        planes, decoder = float_planes(package.planes(tier.name)), package.decoder(tier.name)
         reference = fiber_queries_reference if "tangent" in queries else queries_reference
         rows = evaluate_arguments(queries)
         at = reference(planes, asset.bounds, tier.parts[0].inputs, *rows)
