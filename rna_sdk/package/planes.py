@@ -58,7 +58,14 @@ _ROWS_AT_ONCE = 64
 
 
 def float_planes(planes: Planes) -> NDArray[np.float32]:
-    """The features of planes of any precision, (3, R, R, C) float32."""
+    """The features of planes of any precision, (3, R, R, C) float32.
+
+    Examples:
+        >>> with Package.open("toy.rna") as package:
+        ...     planes = float_planes(package.planes("small"))
+        >>> planes.shape, planes.dtype
+        ((3, 256, 256, 8), dtype('float32'))
+    """
     return planes.decoded() if isinstance(planes, Int8Planes) else planes.astype(np.float32)
 
 
