@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-_TYPES = {None: "text", Path: "path"}
+_TYPES: dict[object, str] = {None: "text", Path: "path"}
 
 
 class OptionHelp(argparse.RawDescriptionHelpFormatter):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import matplotlib
+from cycler import cycler
 from matplotlib.figure import Figure
 
 matplotlib.use("Agg")
@@ -22,7 +23,7 @@ matplotlib.rcParams.update(
         "grid.alpha": 0.25,
         "axes.spines.top": False,
         "axes.spines.right": False,
-        "axes.prop_cycle": matplotlib.cycler(color=[OURS, PAPER, OPPONENT, CYCLES, QUIET]),
+        "axes.prop_cycle": cycler(color=[OURS, PAPER, OPPONENT, CYCLES, QUIET]),
         "lines.markersize": 4,
         "lines.linewidth": 1.2,
         "svg.fonttype": "none",

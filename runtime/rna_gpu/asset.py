@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -69,11 +67,13 @@ class GpuPart:
         """
         self.transport.dispatch(rows, most)
 
-    def _evaluate(self, positions: Rows, axes: Rows, h: object, wo: Rows, wi: Rows) -> Any:
+    def _evaluate(
+        self, positions: Rows, axes: Rows, h: Rows | float, wo: Rows, wi: Rows
+    ) -> tuple[Rows, Rows]:
         transport = self.transport.run(_rows(positions, axes, h, wo, wi))
         return np.ascontiguousarray(transport[:, 0]), np.ascontiguousarray(transport[:, 1])
 
-    def _emission(self, positions: Rows, axes: Rows, h: object, wo: Rows) -> Rows:
+    def _emission(self, positions: Rows, axes: Rows, h: Rows | float, wo: Rows) -> Rows:
         if self.emitter is None:
             return np.zeros((len(positions), 3), np.float32)
         return np.ascontiguousarray(self.emitter.run(_rows(positions, axes, h, wo, wo))[:, 0])
@@ -115,7 +115,9 @@ class GpuAsset:
         device: the GPU that holds them.
     """
 
-    def __init__(self, name: str, tier: Tier, parts: tuple[GpuPart, ...], device: Device) -> None:
+    def __init__(
+        self, name: str, tier: Tier, parts: tuple[GpuSurface | GpuFiber, ...], device: Device
+    ) -> None:
         self.name, self.tier, self.parts, self.device = name, tier, parts, device
 
 
@@ -123,7 +125,7 @@ def _packed(model: memoryview, inputs: tuple[str, ...], channels: int, name: str
     return pack_decoder(read_profile_decoder(model, name), inputs, channels, name)
 
 
-def _rows(positions: Rows, axes: Rows, h: object, wo: Rows, wi: Rows) -> Rows:
+def _rows(positions: Rows, axes: Rows, h: Rows | float, wo: Rows, wi: Rows) -> Rows:
     """(n, 16) float32. Raises QueryError: an argument is no float32 array of n rows."""
     count = len(positions)
     rows = np.zeros((count, 4, 4), np.float32)

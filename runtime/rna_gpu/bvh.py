@@ -15,9 +15,15 @@ from rna_sdk.compiled import compiled
 BINS = 16
 LEAF = 4  # primitives
 MAX_DEPTH = 46  # below RNA_STACK of wgsl/geometry.wgsl
-HALVED_FROM = (
-    24  # levels; from here on sets are halved, which ends within MAX_DEPTH for 2^22 x LEAF
-)
+# Levels; from here on sets are halved, which ends within MAX_DEPTH for 2^22 x LEAF.
+HALVED_FROM = 24
+
+Box = NDArray[np.float32] | NDArray[np.float64]
+"""Corners, (2, 3)."""
+Centres = NDArray[np.float32]
+"""Of the primitives' boxes, (n, 3)."""
+Order = NDArray[np.int64]
+"""Numbers of the primitives, (n,); a set is a range of it."""
 
 NODE = np.dtype([("low", "<f4", 3), ("child", "<u4"), ("high", "<f4", 3), ("count", "<u4")])
 """wgsl/geometry.wgsl: `child` is the right child, or a leaf's first primitive."""
@@ -41,7 +47,13 @@ def build_tree(boxes: NDArray[np.float32]) -> tuple[NDArray[Any], NDArray[np.int
 
 
 @compiled(fastmath=())
-def _build(boxes, centres, order, corners, links):
+def _build(
+    boxes: NDArray[np.float32],
+    centres: Centres,
+    order: Order,
+    corners: NDArray[np.float32],
+    links: NDArray[np.uint32],
+) -> int:
     """Fills the nodes in depth-first order; returns how many there are."""
     stack = np.empty((2 * MAX_DEPTH + 4, 4), np.int64)  # first, end, level, parent of a right child
     stack[0] = 0, len(order), 0, -1
@@ -69,7 +81,7 @@ def _build(boxes, centres, order, corners, links):
 
 
 @compiled(fastmath=())
-def _bound(boxes, order, first, end, corner):
+def _bound(boxes: NDArray[np.float32], order: Order, first: int, end: int, corner: Box) -> None:
     for axis in range(3):
         low, high = boxes[order[first], 0, axis], boxes[order[first], 1, axis]
         for k in range(first + 1, end):
@@ -79,20 +91,21 @@ def _bound(boxes, order, first, end, corner):
 
 
 @compiled(fastmath=())
-def _half_area(box):
+def _half_area(box: Box) -> float:
     x, y, z = box[1, 0] - box[0, 0], box[1, 1] - box[0, 1], box[1, 2] - box[0, 2]
-    return x * y + y * z + z * x
+    area: float = x * y + y * z + z * x
+    return area
 
 
 @compiled(fastmath=())
-def _grow(box, other):
+def _grow(box: Box, other: Box) -> None:
     for axis in range(3):
         box[0, axis] = min(box[0, axis], other[0, axis])
         box[1, axis] = max(box[1, axis], other[1, axis])
 
 
 @compiled(fastmath=())
-def _span(centres, order, first, end, axis):
+def _span(centres: Centres, order: Order, first: int, end: int, axis: int) -> tuple[float, float]:
     low = high = np.float64(centres[order[first], axis])
     for k in range(first + 1, end):
         low = min(low, np.float64(centres[order[k], axis]))
@@ -101,19 +114,28 @@ def _span(centres, order, first, end, axis):
 
 
 @compiled(fastmath=())
-def _bin(value, low, high):
+def _bin(value: float, low: float, high: float) -> int:
     return min(int((value - low) / (high - low) * BINS), BINS - 1)
 
 
 @compiled(fastmath=())
-def _empty():
+def _empty() -> Box:
     box = np.empty((2, 3))
     box[0], box[1] = np.inf, -np.inf
     return box
 
 
 @compiled(fastmath=())
-def _best_cut(boxes, centres, order, first, end, axis, low, high):
+def _best_cut(
+    boxes: NDArray[np.float32],
+    centres: Centres,
+    order: Order,
+    first: int,
+    end: int,
+    axis: int,
+    low: float,
+    high: float,
+) -> tuple[float, int]:
     """The cheapest cut between bins along an axis: its cost and the first bin behind it."""
     counts, bins = np.zeros(BINS, np.int64), np.empty((BINS, 2, 3))
     bins[:, 0], bins[:, 1] = np.inf, -np.inf
@@ -139,7 +161,7 @@ def _best_cut(boxes, centres, order, first, end, axis, low, high):
 
 
 @compiled(fastmath=())
-def _split(boxes, centres, order, first, end):
+def _split(boxes: NDArray[np.float32], centres: Centres, order: Order, first: int, end: int) -> int:
     """Sorts the set by the best cut of all axes; the first of the right half, `first` for none."""
     best, best_axis, best_cut = np.inf, -1, 0
     for axis in range(3):
@@ -162,7 +184,7 @@ def _split(boxes, centres, order, first, end):
 
 
 @compiled(fastmath=())
-def _halve(centres, order, first, end):
+def _halve(centres: Centres, order: Order, first: int, end: int) -> int:
     """Halves the set at the median of its widest axis."""
     widest, axis = -1.0, 0
     for k in range(3):

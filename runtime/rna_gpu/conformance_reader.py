@@ -65,5 +65,6 @@ def _part(package: str, tier: str, part: int) -> GpuPart:
 
 
 if __name__ == "__main__":
-    levels = {"evaluate": evaluate, "emission": emission}
-    sys.exit(run_reader(**levels, visibility=visibility, normals=normals))
+    sys.exit(
+        run_reader(evaluate=evaluate, emission=emission, visibility=visibility, normals=normals)
+    )

@@ -107,11 +107,11 @@ class Evaluator:
         """
         sizes = capacity * ROW_BYTES, capacity * self.colours * _COLOUR_BYTES, 4
         names = "rows", "results", "count of rows"
-        buffers = (
+        rows, results, number = (
             self._device.buffer(size, "STORAGE", what=name)
             for size, name in zip(sizes, names, strict=True)
         )
-        return GpuRows(*buffers, capacity)
+        return GpuRows(rows, results, number, capacity)
 
     def _buffers(self, count: int) -> GpuRows:
         if self._own is None or self._own.capacity < count:

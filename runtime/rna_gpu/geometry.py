@@ -117,20 +117,18 @@ class _Body:
     """Shapes in one space, with a tree."""
 
     def __init__(self, shapes: Sequence[Shape]) -> None:
-        points, normals, primitives, boxes = [], [], [], []
+        made = []
         start = strand = 0
         for shape in shapes:
             if isinstance(shape, Strands):
-                made = _segments(shape, start, strand)
+                made.append(_segments(shape, start, strand))
                 strand += len(shape.curves.offsets) - 1
             else:
-                made = _triangles(shape, start)
-            start += len(made[0])
-            for values, added in zip((points, normals, primitives, boxes), made, strict=True):
-                values.append(added)
-        self.points, self.normals = np.concatenate(points), np.concatenate(normals)
-        self.nodes, self.order = build_tree(np.concatenate(boxes))
-        self.primitives = np.concatenate(primitives)[self.order]
+                made.append(_triangles(shape, start))
+            start += len(made[-1][0])
+        self.points, self.normals, primitives, boxes = map(np.concatenate, zip(*made, strict=True))
+        self.nodes, self.order = build_tree(boxes)
+        self.primitives = primitives[self.order]
         self.extent = max(map(_extent, shapes))
         self.box = self.nodes["low"][0], self.nodes["high"][0]
 

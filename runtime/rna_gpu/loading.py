@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from os import PathLike
 
-from rna_gpu.asset import GpuAsset, GpuFiber, GpuPart, GpuSurface
+from rna_gpu.asset import GpuAsset, GpuFiber, GpuSurface
 from rna_gpu.device import Device, open_device
 from rna_sdk.package import Package
+from rna_sdk.package.manifest_fields import Kind
 from rna_sdk.runtime import choose_tier
 
 
@@ -17,7 +18,7 @@ def load(
     *,
     min_psnr: float | None = None,
     max_error: float | None = None,
-) -> GpuPart | GpuAsset:
+) -> GpuSurface | GpuFiber | GpuAsset:
     """Open the package at `path` on a GPU.
 
     Args:
@@ -44,6 +45,7 @@ def load(
         device = device or open_device()
         parts = package.manifest.parts
         names = [part.name for part in parts] if len(parts) > 1 else [package.manifest.name]
+        kinds: dict[Kind, type[GpuSurface] | type[GpuFiber]]
         kinds = {"surface": GpuSurface, "fiber": GpuFiber}
         loaded = tuple(
             kinds[part.kind](device, package, record, k, name)

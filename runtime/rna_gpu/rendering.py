@@ -11,11 +11,11 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_gpu.asset import GpuAsset, GpuPart
+from rna_gpu.asset import GpuAsset, GpuFiber, GpuPart, GpuSurface
 from rna_gpu.device import Device, open_device
 from rna_gpu.errors import DeviceLostError
 from rna_gpu.loading import load
-from rna_gpu.scene_tables import scene_tables
+from rna_gpu.scene_tables import asset_at, scene_tables
 from rna_gpu.wavefront import Wavefront
 from rna_render.domain_watch import WatchedAsset
 from rna_render.film import Layers
@@ -124,7 +124,7 @@ class _OpenDevice:
 
 _DEVICE = _OpenDevice()
 
-_Loaded = dict[tuple[Path, str], GpuPart | GpuAsset]
+_Loaded = dict[tuple[Path, str], GpuSurface | GpuFiber | GpuAsset]
 _LOADED: WeakKeyDictionary[World, tuple[Device, _Loaded]] = WeakKeyDictionary()
 """The assets of worlds of which several images are rendered."""
 
@@ -140,9 +140,9 @@ def _parts(
     kept, loaded = _LOADED.get(world, (device, {}))
     if kept is not device:
         loaded = {}
-    result = []
+    result: list[GpuPart] = []
     for place, part in wanted:
-        key = scene_file.asset_path(place), world.things[place].tier.name
+        key = scene_file.asset_path(place), asset_at(world, place).tier.name
         if key not in loaded:
             loaded[key] = load(key[0], key[1], device)
         asset = loaded[key]

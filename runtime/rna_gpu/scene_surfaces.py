@@ -78,7 +78,7 @@ class Surfaces:
         catches = mesh.catches_shadows
         materials = mesh.materials[:1] if catches else mesh.materials
         places = [
-            NONE if values is None else np.uint32(self.images.add(np.float32(values)))
+            NONE if values is None else np.uint32(self.images.add(values.astype(np.float32)))
             for values in (mesh.second_uvs, mesh.tangents)
         ]
         numbers = np.array([self._material(material, catches, places) for material in materials])

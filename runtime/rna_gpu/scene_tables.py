@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import cast
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -22,6 +23,7 @@ from rna_render.materials import MeshObject
 from rna_render.materials.ggx import albedo_table
 from rna_render.placements import Placement
 from rna_render.world import World
+from rna_sdk.runtime import Asset
 
 
 @dataclass
@@ -84,13 +86,12 @@ def _joined(
     placed: Sequence[Placed],
 ) -> SceneTables:
     images = surfaces.images
-    parts = [world.things[place] for place, _ in surfaces.parts]
     rows = {
         "things": _things(world, list(stored), geometry, placed),
         "surfaces": surfaces.with_points(geometry.first_points),
         "lights": light_rows(lights, world, images, geometry, stored, bodies),
         "albedo": _albedo() if surfaces.has_coat else np.zeros((1, 4), np.float32),
-        "domains": domain_rows([part.domain for part in parts]),
+        "domains": domain_rows([asset_at(world, place).domain for place, _ in surfaces.parts]),
         "textures": np.array(images.textures, np.float32).reshape(-1, 4),
     }
     starts = np.cumsum([0, *(len(section) for section in rows.values())]).tolist()
@@ -98,6 +99,11 @@ def _joined(
     sections = dict(zip(rows, starts, strict=False))
     whole = images.whole()
     return SceneTables(geometry, table, sections, whole, surfaces.parts, surfaces.transmits)
+
+
+def asset_at(world: World, place: int) -> Asset:
+    """One of `world.things` that is an asset, all of which are the runtime's."""
+    return cast(Asset, world.things[place])
 
 
 def _met_by(placement: Placement) -> int:
@@ -118,7 +124,7 @@ def _things(
         size = world.scale[k] * np.sqrt(3.0) * geometry.extents[placed[stored].body]
         reach = np.abs(matrix[:3, 3]).max() + size
         step = OFFSET * reach if is_object else 0.0
-        catches = is_object and thing.catches_shadows
+        catches = isinstance(thing, MeshObject) and thing.catches_shadows
         row[:] = world.number[k], float(catches), step, float(not is_object)
     return rows
 

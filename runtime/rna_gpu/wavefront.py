@@ -126,8 +126,8 @@ class Wavefront:
             device.buffer(size, "STORAGE", what=name)
             for size, name in zip(sizes, names, strict=True)
         ]
-        self._counts = self._row_buffers[4]
-        self._rows = GpuRows(*self._row_buffers[:3], count)
+        rows, results, number, _, self._counts = self._row_buffers
+        self._rows = GpuRows(rows, results, number, count)
         self._bound = {
             (name, k): evaluator.bind(self._rows)
             for k, part in enumerate(self._parts)

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from rna_bench.one_part import load_one_part
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION, Beside
@@ -21,13 +22,13 @@ from rna_export.capture.dataset import Dataset
 from rna_export.capture.validation_view import ValidationView, is_lit
 from rna_export.metrics import IRRADIANCE, WITHOUT_NOISE_DEFINITION, psnr_without_noise
 from rna_sdk.package import Package
-from rna_sdk.runtime import load
 
 
 def run(args: argparse.Namespace) -> None:
     views = Dataset(args.dataset).only.validation_views()
     with Package.open(args.package) as package:
-        assets = {tier.name: load(args.package, tier.name) for tier in package.manifest.tiers}
+        names = [tier.name for tier in package.manifest.tiers]
+    assets = {name: load_one_part(args.package, name) for name in names}
     report = {
         "package": args.package.name,
         "psnr": WITHOUT_NOISE_DEFINITION,

@@ -20,12 +20,14 @@ from typing import Any
 
 import numpy as np
 
+from rna_bench.one_part import load_one_part
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.validation_view import picked
+from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, TierData, float_planes, write_package
-from rna_sdk.runtime import Asset, load
+from rna_sdk.runtime import SurfaceAsset
 
 HEIGHTS = (64, 32, 16)
 _FRAMES = 16
@@ -41,7 +43,7 @@ def run(args: argparse.Namespace) -> None:
 def measured(path: Path, tier: str | None) -> dict[str, Any]:
     """Of one package: at each height the figures of each level."""
     with tempfile.TemporaryDirectory() as folder:
-        levels = [load(p) for p in level_packages(path, tier, Path(folder))]
+        levels = [_surface(level) for level in level_packages(path, tier, Path(folder))]
     with Package.open(path) as package:
         geometry = package.geometry()
     scene = AssetScene([geometry])
@@ -52,6 +54,13 @@ def measured(path: Path, tier: str | None) -> dict[str, Any]:
         texels = [asset.tier.parts[0].resolution for asset in levels]
         rows.append({"height": height, "levels": dict(zip(map(str, texels), seen, strict=True))})
     return {"package": path.name, "heights": rows}
+
+
+def _surface(path: Path) -> SurfaceAsset:
+    asset = load_one_part(path)
+    if not isinstance(asset, SurfaceAsset):
+        raise QueryError(f"{path}: found a package of kind {asset.kind}, expected a surface")
+    return asset
 
 
 def level_packages(path: Path, tier: str | None, folder: Path) -> list[Path]:
@@ -82,7 +91,9 @@ def halved(planes: np.ndarray) -> np.ndarray:
     return planes.reshape(k, r // 2, 2, r // 2, 2, c).mean(axis=(2, 4), dtype=np.float32)
 
 
-def _figures(asset: Asset, scene: Any, height: int, reference: np.ndarray) -> dict[str, float]:
+def _figures(
+    asset: SurfaceAsset, scene: Any, height: int, reference: np.ndarray
+) -> dict[str, float]:
     frames = np.stack([_frame(asset, scene, height, 2, k) for k in range(_FRAMES)])
     covered = reference.sum(axis=-1) > 0
     scale = np.mean(reference[covered] ** 2)
@@ -93,12 +104,14 @@ def _figures(asset: Asset, scene: Any, height: int, reference: np.ndarray) -> di
     return {"error": float(error), "flicker": float(flicker), "bias": float(bias)}
 
 
-def _mean_of(asset: Asset, scene: Any, height: int, frames: int, seed: int) -> np.ndarray:
-    total = sum(_frame(asset, scene, height, seed, k).astype(np.float64) for k in range(frames))
+def _mean_of(asset: SurfaceAsset, scene: Any, height: int, frames: int, seed: int) -> np.ndarray:
+    total = np.zeros((height, height, 3))
+    for number in range(frames):
+        total += _frame(asset, scene, height, seed, number)
     return total / frames
 
 
-def _frame(asset: Asset, scene: Any, height: int, seed: int, number: int) -> np.ndarray:
+def _frame(asset: SurfaceAsset, scene: Any, height: int, seed: int, number: int) -> np.ndarray:
     """(height, height, 3) radiance at one sample a pixel, black beside the asset."""
     rng = np.random.default_rng((seed, number))
     row, column = np.divmod(np.arange(height * height), height)

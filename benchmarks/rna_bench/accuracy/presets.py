@@ -14,6 +14,7 @@ import subprocess
 import sys
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 from rna_bench.results import write_results
 from rna_export.capture.dataset import Dataset
@@ -45,10 +46,10 @@ def run(args: argparse.Namespace) -> None:
     print(f"wrote {args.out}")
 
 
-def _earlier(path: Path, minutes: float) -> dict[str, object]:
+def _earlier(path: Path, minutes: float) -> dict[str, Any]:
     """Results of other presets that an earlier call left, if they had the same time."""
-    results = json.loads(path.read_text()) if path.is_file() else {"minutes": None}
-    return results["presets"] if results["minutes"] == minutes else {}
+    results: dict[str, Any] = json.loads(path.read_text()) if path.is_file() else {}
+    return results["presets"] if results.get("minutes") == minutes else {}
 
 
 def _scores(checkpoint: Path, dataset: DatasetPart) -> dict[str, object]:

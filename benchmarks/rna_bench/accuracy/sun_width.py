@@ -61,7 +61,7 @@ def _mean(worker: BlenderWorker, shot: Shot, width_deg: float, samples: int) -> 
         irradiance=(1.0, 1.0, 1.0),
         angular_diameter_deg=width_deg,
     )
-    plain = shot.scene("original.rna", samples)
+    plain = shot.scene(Path("original.rna"), samples)
     scene = Scene.model_validate({**dict(plain), "lights": (sun,)})
     size = shot.resolution, shot.resolution
     described = cycles_scene(scene)

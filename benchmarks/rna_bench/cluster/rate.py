@@ -75,7 +75,7 @@ def frame_seconds(where: Place, scene: Path, folder: Path) -> float:
     backend, threads = where.whole_machines(None)
     numbers, output = range(FRAMES), Output(folder / "%d.exr")
     files = carried_scene(scene_file, where)
-    job = FrameJob(scene_file, files, numbers, output, threads, time.perf_counter())
+    job = FrameJob(scene_file, files, numbers, output, threads, time.perf_counter(), "cpu")
     frames = [Frame(number, str(number)) for number in numbers]
     return seconds(Pool(backend, partial(FrameWorker, job)), frames, 1)
 

@@ -57,7 +57,8 @@ def cpu_seconds() -> float:
 def measure(where: Any, tasks: int, workers: int, size: int, ahead: int) -> dict[str, Any]:
     """Runs the tasks; figures of the driver."""
     backend = where.workers(Needs("processes", cpus=0.5), workers)
-    with Pool(backend, partial(StandIn, size), ahead=ahead) as pool:
+    pool: Pool[int, bytes] = Pool(backend, partial(StandIn, size), ahead=ahead)
+    with pool:
         for _ in pool.run(range(10 * workers)):  # all have started
             pass
         memory, started, cpu = [memory_mb()], time.perf_counter(), cpu_seconds()

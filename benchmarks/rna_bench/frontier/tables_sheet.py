@@ -30,7 +30,7 @@ def draw_sheet(report: dict[str, Any], folder: Path, views: list[ValidationView]
     reference = to_png(view.image(view.samples["radiance"]))
     columns = 1 + max(len(table["rows"]) for table in tables)
     drawn = figure(_INCHES * columns, 2.5 * _INCHES * len(tables))
-    for part, table in zip(np.atleast_1d(drawn.subfigures(len(tables))), tables, strict=True):
+    for part, table in zip(drawn.subfigures(len(tables), squeeze=False).flat, tables, strict=True):
         part.suptitle(table["title"], x=0.01, ha="left")
         grid = part.subplots(2, columns)
         for axes in grid.flat:

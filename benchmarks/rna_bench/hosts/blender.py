@@ -63,7 +63,8 @@ def run(args: argparse.Namespace) -> None:
     rows, figures = [], {}
     with tempfile.TemporaryDirectory(prefix="rna-sheet-") as folder:
         extension = Path(folder) / "extension.zip"
-        subprocess.run([ROOT / "scripts" / "blender-extension", extension], check=True)
+        make_extension = str(ROOT / "scripts" / "blender-extension")
+        subprocess.run([make_extension, str(extension)], check=True)
         for name in ASSETS:
             images = rendered(name, Path(folder), extension, args)
             rows.append(row(images))
@@ -89,7 +90,7 @@ def rendered(name: str, folder: Path, extension: Path, args: Any) -> dict[str, n
     for engine in (ours, cycles):
         in_blender(folder, {**order, **engine})
     out = folder / f"{name}-run.exr"
-    command = [sys.executable, "-m", "rna_render.cli", scene / "scene.yaml", "--out", out]
+    command = [sys.executable, "-m", "rna_render.cli", f"{scene}/scene.yaml", "--out", str(out)]
     subprocess.run(command, check=True)
     files = {"rna-run": out, "engine": Path(ours["out"]), "cycles": Path(cycles["out"])}
     return {who: rgb(path) for who, path in files.items()}
@@ -101,11 +102,9 @@ def in_blender(folder: Path, order: dict[str, Any]) -> None:
         "BLENDER_USER_RESOURCES": str(folder / "user"),
         "RNA_SDK_PYTHON": sys.executable,
     }
-    subprocess.run(
-        [find_python(), Path(__file__).with_name("blender_stage.py"), folder / "order.json"],
-        env={**os.environ, **environment},
-        check=True,
-    )
+    stage = Path(__file__).with_name("blender_stage.py")
+    command = [str(find_python()), str(stage), str(folder / "order.json")]
+    subprocess.run(command, env={**os.environ, **environment}, check=True)
 
 
 def rgb(path: Path) -> np.ndarray:

@@ -76,7 +76,7 @@ def dress(scene, order):
     camera.lens = 60.0
     scene.camera = add(scene, "camera", camera, order["camera"], order["target"])
     world = bpy.data.worlds.new("sky")
-    world.node_tree or setattr(world, "use_nodes", True)
+    use_nodes(world)
     world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.2, 0.24, 0.32, 1)
     scene.world = world
     render = scene.render
@@ -85,10 +85,16 @@ def dress(scene, order):
     render.image_settings.color_depth, render.image_settings.color_mode = "32", "RGBA"
 
 
+def use_nodes(block):
+    """Of a world or a material; newer versions of Blender always do, and warn when told to."""
+    if not block.node_tree:
+        block.use_nodes = True
+
+
 def add_plane(name, colour, location, turn, size):
     bpy.ops.mesh.primitive_plane_add(size=size, location=location, rotation=turn)
     material = bpy.data.materials.new(name)
-    material.node_tree or setattr(material, "use_nodes", True)
+    use_nodes(material)
     tree = material.node_tree
     tree.nodes.clear()
     shader = tree.nodes.new("ShaderNodeBsdfDiffuse")

@@ -13,7 +13,9 @@ import json
 import statistics
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PIL import Image
@@ -21,6 +23,9 @@ from PIL import Image
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.metrics import IRRADIANCE, psnr
+
+Renderer = Callable[[int], np.ndarray]
+"""A scene's image for a seed, (height, width, 3)."""
 
 _VARIANT = "llvm_ad_rgb"
 
@@ -56,14 +61,18 @@ def run(args: argparse.Namespace) -> None:
     sheet = np.clip(np.concatenate(rows), 0, 1) ** (1 / 2.2)
     image = Image.fromarray(np.round(sheet * 255).astype(np.uint8))
     small = (image.width * 3 // 5, image.height * 3 // 5)  # a third of the bytes
-    image.resize(small, Image.LANCZOS).save(args.picture, optimize=True)
+    image.resize(small, Image.Resampling.LANCZOS).save(args.picture, optimize=True)
     settings = {"size": list(args.size), "samples": args.samples, "runs": args.runs}
     publish({"variant": _VARIANT, **settings, "scenes": records}, args)
 
 
-def render_in_turn(both, runs):  # type: ignore[no-untyped-def]
+def render_in_turn(
+    both: tuple[Renderer, Renderer], runs: int
+) -> tuple[list[np.ndarray], tuple[list[float], list[float]], list[float]]:
     """Mean images, seconds of each run, and those of the first, which compiles."""
-    first, seconds, images = [], ([], []), ([], [])
+    first: list[float] = []
+    seconds: tuple[list[float], list[float]] = [], []
+    images: tuple[list[np.ndarray], list[np.ndarray]] = [], []
     for renderer in both:
         start = time.perf_counter()
         renderer(0)
@@ -76,7 +85,9 @@ def render_in_turn(both, runs):  # type: ignore[no-untyped-def]
     return [np.mean(of, axis=0) for of in images], seconds, first
 
 
-def record(images, seconds, first):  # type: ignore[no-untyped-def]
+def record(
+    images: list[np.ndarray], seconds: tuple[list[float], list[float]], first: list[float]
+) -> dict[str, Any]:
     """What goes into the JSON of a scene."""
     ours, theirs = images
     medians = [statistics.median(of) for of in seconds]

@@ -228,7 +228,8 @@ class Theirs:
         )
 
     def __call__(self, seed: int) -> np.ndarray:
-        return np.array(mi.render(self.scene, spp=self._samples, seed=seed)).astype(np.float64)
+        image = mi.render(self.scene, spp=self._samples, seed=mi.UInt32(seed))
+        return np.array(image).astype(np.float64)
 
 
 def _plain(value: Any) -> Any:

@@ -50,7 +50,8 @@ def run(args: argparse.Namespace) -> None:
     scene_file = read_scene(args.scene)
     scene = scene_file.scene.model_copy(update={"resolution": tuple(args.resolution), "samples": 1})
     integrator = make_integrator(scene, load_world(scene_file), resolve=scene_file.resolve)
-    device, readings = rna_gpu.open_device(), {}
+    device = rna_gpu.open_device()
+    readings: dict[str, dict[str, list[float]]] = {}
     for _ in range(args.repeats):
         pages = {APIS[api]: in_chromium(args.scene, api, args.resolution) for api in APIS}
         rates = measure(scene_file.asset_path(0), device, args.rows, 1, None)

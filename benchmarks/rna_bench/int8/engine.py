@@ -10,7 +10,7 @@ from rna_sdk.runtime import onnx_bytes as pb
 
 def sums_in_16_bits() -> bool:
     """Whether onnxruntime adds uint8 x int8 in pairs of 16 bits here: 2 x 255 x 127 saturates."""
-    constants = {"one": np.float32(1), "zero": np.uint8(0), "zero8": np.int8(0)}
+    constants: dict[str, object] = {"one": np.float32(1), "zero": np.uint8(0), "zero8": np.int8(0)}
     constants["weight"] = np.array([[127], [127], [-127], [-127]], np.int8)
     operands = ["q", "one", "zero", "weight", "one", "zero8", "one", "zero"]
     nodes = [pb.node("QLinearMatMul", operands, "y")]

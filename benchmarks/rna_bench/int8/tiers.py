@@ -49,22 +49,25 @@ def _measured(checkpoint: Path) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "every.rna"
         manifest = build_package([trained], dataset, path, None, "NOASSERTION", print, PAIRS)
-    first = manifest.tiers[0].validation
     return {
         "asset": dataset.manifest.name,
         "preset": trained.preset_name,
         "width": trained.preset.model.width,
-        "tiers": [
-            {
-                "name": tier.name,
-                "psnr": round(tier.validation.psnr, 3),
-                "psnr_lost": round(first.psnr - tier.validation.psnr, 3),
-                "flip": round(tier.validation.flip, 5),
-                "relative_mse": round(tier.validation.relative_mse, 5),
-                "bytes": _bytes_alone(manifest, tier),
-            }
-            for tier in manifest.tiers
-        ],
+        "tiers": [_record(manifest, tier) for tier in manifest.tiers],
+    }
+
+
+def _record(manifest: Manifest, tier: Tier) -> dict[str, Any]:
+    """The tier's errors, and what it loses against the first one."""
+    first, own = manifest.tiers[0].validation, tier.validation
+    assert first is not None and own is not None  # the exporter validates every tier
+    return {
+        "name": tier.name,
+        "psnr": round(own.psnr, 3),
+        "psnr_lost": round(first.psnr - own.psnr, 3),
+        "flip": round(own.flip, 5),
+        "relative_mse": round(own.relative_mse, 5),
+        "bytes": _bytes_alone(manifest, tier),
     }
 
 

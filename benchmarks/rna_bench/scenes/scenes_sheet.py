@@ -20,7 +20,7 @@ def draw_sheet(done: Sequence[MeasuredScene], found: dict[str, Any], path: Path)
     """Write the PNG; found: scene -> what `judge` gave."""
     heights = [height for one in done for height in (_pictures_height(one), SIZE[1])]
     sheet = figure(SIZE[0], sum(heights))
-    parts = sheet.subfigures(len(heights), 1, height_ratios=heights)
+    parts = sheet.subfigures(len(heights), 1, height_ratios=heights, squeeze=False).flat
     for k, measured in enumerate(done):
         parts[2 * k].suptitle(measured.name, x=0.01, ha="left", fontsize=12, fontweight="bold")
         _draw_pictures(parts[2 * k], measured)

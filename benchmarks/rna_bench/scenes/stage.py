@@ -101,7 +101,7 @@ class Stage:
     def scene(self, *lights: dict[str, Any], **things: Any) -> Scene:
         """The asset, or the given `assets`, with the given lights and things."""
         assets = things.pop("assets", [{"path": self.package, "tier": self.tier}])
-        fair = {"resolution": self.resolution, "clamp_indirect": None}
+        fair: dict[str, Any] = {"resolution": self.resolution, "clamp_indirect": None}
         if self.max_error is not None:
             fair["quality"] = {"max_error": self.max_error}
         return Scene(assets=assets, camera=self.camera, lights=lights, **fair, **things)

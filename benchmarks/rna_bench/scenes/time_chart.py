@@ -56,8 +56,14 @@ def _over_time(axes: Axes, scene: dict[str, Any], error: str, title: str) -> Non
         axes.plot(seconds, values, style, color=colour, label=label)
         for row in rows if not key.endswith("denoised") else ():
             at = row["seconds"], row[error]
-            told = {"textcoords": "offset points", "fontsize": 7, "color": colour}
-            axes.annotate(str(row["samples"]), at, (3, -9), **told)
+            axes.annotate(
+                str(row["samples"]),
+                at,
+                (3, -9),
+                textcoords="offset points",
+                fontsize=7,
+                color=colour,
+            )
     floor = scene["floor"]
     label = f"floor: ours, {floor['samples']} samples"
     axes.axhline(floor[error], color=OURS, lw=0.8, ls=":", label=label)

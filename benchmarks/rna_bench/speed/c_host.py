@@ -17,10 +17,10 @@ from pathlib import Path
 from typing import Any
 
 from rna_bench.checkout import CURLS, TOY
+from rna_bench.one_part import load_one_part
 from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
 from rna_bench.speed.query_batches import random_queries
-from rna_sdk.runtime import load
 from tests.hosts.c_host import CAsset, build
 from tests.hosts.packages import make_profile_tier, write_profile_package
 
@@ -63,7 +63,7 @@ def write_package(path: Path, width: int) -> Path:
 
 def compare(library: Path, path: Path, tier: str, args: argparse.Namespace) -> dict[str, Any]:
     """Median ns/query of both, on the same random queries."""
-    runtime, host = load(path, tier, threads=1), CAsset(library, path, tier)
+    runtime, host = load_one_part(path, tier, threads=1), CAsset(library, path, tier)
     rows = random_queries(runtime, args.rows)
     times: dict[str, list[float]] = {"runtime": [], "c": []}
     for _ in range(args.repeats + 1):  # the first run warms up

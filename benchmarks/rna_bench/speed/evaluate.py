@@ -13,12 +13,15 @@ from __future__ import annotations
 
 import argparse
 import tempfile
+from collections.abc import Callable
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
 from rna_bench.speed.query_batches import Arrays, arguments_of, random_points, sphere_scan
@@ -27,7 +30,6 @@ from rna_bench.speed.step_times import step_times
 from rna_export.export.precision import PRECISIONS
 from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
 from rna_sdk.package import Package
-from rna_sdk.runtime import Asset, load
 
 
 def run(args: argparse.Namespace) -> None:
@@ -63,7 +65,7 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "random.rna"
         write_random_package(path, args.kind, width, args.resolution, args.channels)
-        assets = {name: load(path, tier=name) for name in args.precisions}
+        assets = {name: load_one_part(path, name) for name in args.precisions}
         asset = next(iter(assets.values()))
         n = batch_size(asset, args.seconds)
         batches = {
@@ -92,7 +94,7 @@ def measure(width: int, args: argparse.Namespace) -> dict[str, Any]:
     }
 
 
-def batch_size(asset: Asset, seconds: float) -> int:
+def batch_size(asset: OnePart, seconds: float) -> int:
     """A number of queries that takes about this long."""
     trial = arguments_of(asset, random_points(65_536))
     asset.evaluate(*trial)
@@ -101,7 +103,7 @@ def batch_size(asset: Asset, seconds: float) -> int:
 
 
 def alternate(
-    assets: dict[str, Asset], batches: dict[str, Arrays], repeats: int
+    assets: dict[str, OnePart], batches: dict[str, Arrays], repeats: int
 ) -> tuple[float, dict[tuple[str, str], float]]:
     """GFLOP/s of the matrix product, and queries/s of each asset and batch, by their names.
 
@@ -116,6 +118,7 @@ def alternate(
         gemm.append(GEMM_FLOP / 1e9 / product())
         for precision, name in rates:
             asset, batch = assets[precision], batches[name]
-            taken = seconds_of(lambda a=asset, batch=batch: a.evaluate(*batch, out=results))
+            evaluate: Callable[..., object] = asset.evaluate
+            taken = seconds_of(partial(evaluate, *batch, out=results))
             rates[precision, name].append(len(batch[0]) / taken)
     return float(np.median(gemm[1:])), {k: float(np.median(v[1:])) for k, v in rates.items()}

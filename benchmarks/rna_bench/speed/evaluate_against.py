@@ -23,12 +23,13 @@ from typing import Any
 import numpy as np
 
 from rna_bench.checkout import ROOT
+from rna_bench.one_part import load_one_part
 from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
 from rna_bench.speed.query_batches import arguments_of, random_points, sphere_scan
 from rna_bench.speed.random_package import HIDDEN_LAYERS, INPUTS, write_random_package
 from rna_sdk.package import query_width
-from rna_sdk.runtime import load
+from rna_sdk.package.manifest_fields import Kind
 
 Figures = dict[str, Any]
 
@@ -60,7 +61,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add_out(parser)
 
 
-def measure(kind: str, width: int, args: argparse.Namespace) -> Figures:
+def measure(kind: Kind, width: int, args: argparse.Namespace) -> Figures:
     """The record of one decoder width of one kind of asset."""
     checkouts = {"before": args.before.resolve(), "after": ROOT}
     with tempfile.TemporaryDirectory() as folder:
@@ -80,14 +81,14 @@ def measure(kind: str, width: int, args: argparse.Namespace) -> Figures:
 
 
 def write_batches(path: Path, package: Path, queries: int) -> None:
-    asset = load(package)
+    asset = load_one_part(package)
     batches = {"random": random_points(queries), "coherent": sphere_scan(queries)}
     arrays = {
         f"{name}/{k}": array
         for name, points in batches.items()
         for k, array in enumerate(arguments_of(asset, points))
     }
-    np.savez(path, **arrays)
+    np.savez(path, allow_pickle=False, **arrays)
 
 
 def batch_record(batch: str, runs: list[dict[str, Figures]], flop: int) -> Figures:

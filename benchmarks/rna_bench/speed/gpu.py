@@ -19,11 +19,11 @@ from typing import Any
 import numpy as np
 
 import rna_gpu
+from rna_bench.one_part import load_one_part
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_bench.speed.query_batches import random_queries
-from rna_gpu import Device, GpuPart
-from rna_sdk import runtime
+from rna_gpu import Device, GpuAsset
 
 TEXELS = 12  # that a query reads
 ROW, RESULT, GROUP = 64, 32, 64  # bytes, bytes, threads
@@ -48,9 +48,9 @@ def measure(
     path: Path, device: Device, rows: int, runs: int, threads: int | None
 ) -> dict[str, Any]:
     """One package of one part, in its first tier."""
-    cpu, gpu = runtime.load(path, threads=threads), rna_gpu.load(path, device=device)
-    if isinstance(cpu, runtime.CompositeAsset) or not isinstance(gpu, GpuPart):
-        raise SystemExit(f"{path}: expected a package of one part")
+    cpu = load_one_part(path, threads=threads)
+    gpu = rna_gpu.load(path, device=device)
+    assert not isinstance(gpu, GpuAsset)
     arguments = random_queries(cpu, rows)
     calls: dict[str, Callable[[], object]] = {
         "gpu": lambda: gpu.evaluate(*arguments),

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.runtime import Asset
+from rna_bench.one_part import OnePart
 
-Arrays = tuple[NDArray[np.float32], ...]
-"""Arguments of `evaluate`."""
+Arrays = tuple[Any, ...]
+"""Arguments of `evaluate`, float32."""
 
 
-def arguments_of(asset: Asset, points: Arrays) -> Arrays:
+def arguments_of(asset: OnePart, points: Arrays) -> Arrays:
     """What `evaluate` takes, from surface points; fibers get the normals for tangents, random h."""
     if asset.kind == "surface":
         return points
@@ -27,7 +29,7 @@ def random_points(n: int) -> Arrays:
     return positions, *(unit(rng.normal(size=(n, 3))) for _ in range(3))
 
 
-def random_queries(asset: Asset, n: int) -> Arrays:
+def random_queries(asset: OnePart, n: int) -> Arrays:
     """The same in the box of an asset, as arguments of its `evaluate`."""
     low, high = asset.bounds
     positions, *directions = random_points(n)

@@ -14,6 +14,7 @@ from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import PRECISIONS, Precision, stored_planes
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import PRESETS, ModelConfig
+from rna_export.training.triplane import Triplane
 from rna_sdk.package import (
     Bounds,
     Curves,
@@ -27,13 +28,15 @@ from rna_sdk.package import (
     TierPart,
     write_package,
 )
-from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES
+from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES, Kind
 
 INPUTS = {kind: presets["small"].model.inputs for kind, presets in PRESETS.items()}
 HIDDEN_LAYERS = 4
 
 
-def write_random_package(path: Path, kind: str, width: int, resolution: int, channels: int) -> None:
+def write_random_package(
+    path: Path, kind: Kind, width: int, resolution: int, channels: int
+) -> None:
     """A package with random planes and a random decoder, a tier for each of PRECISIONS."""
     model = random_model(kind, width, resolution, channels)
     tiers = [random_tier(name, model, precision) for name, precision in PRECISIONS.items()]
@@ -51,13 +54,13 @@ def write_random_package(path: Path, kind: str, width: int, resolution: int, cha
     write_package(path, manifest, [geometry], data)
 
 
-def unit_part(kind: str) -> Part:
+def unit_part(kind: Kind) -> Part:
     """The part of a package, in the box from -1 to 1."""
     bounds = Bounds(min=(-1, -1, -1), max=(1, 1, 1))
     return Part(name="asset", kind=kind, bounds=bounds, geometry=GEOMETRY_ENTRIES[kind])
 
 
-def random_model(kind: str, width: int, resolution: int, channels: int) -> NeuralAsset:
+def random_model(kind: Kind, width: int, resolution: int, channels: int) -> NeuralAsset:
     """An untrained model over the box from -1 to 1, planes of deviation 0.5."""
     config = ModelConfig(
         inputs=INPUTS[kind],
@@ -68,7 +71,7 @@ def random_model(kind: str, width: int, resolution: int, channels: int) -> Neura
     )
     torch.manual_seed(0)
     model = NeuralAsset(config, torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])).eval()
-    model.triplane.planes.data.normal_(std=0.5)
+    _planes(model).data.normal_(std=0.5)
     return model
 
 
@@ -85,9 +88,14 @@ def random_tier(name: str, model: NeuralAsset, precision: Precision) -> Tier:
     return Tier(name=name, parts=(part,))
 
 
+def _planes(model: NeuralAsset) -> torch.Tensor:
+    assert isinstance(model.triplane, Triplane)
+    return model.triplane.planes
+
+
 @torch.no_grad()
 def random_data(model: NeuralAsset, part: TierPart) -> TierData:
-    planes = stored_planes(model.triplane.planes.detach().numpy(), part.plane_precision)
+    planes = stored_planes(_planes(model).detach().numpy(), part.plane_precision)
     layers = None
     if part.decoder_precision == "int8":
         layers = int8_decoder(model, random_queries(model, 20_000, seed=0))
@@ -102,5 +110,5 @@ def ball() -> Mesh:
 
 
 def strand() -> Curves:
-    points = np.float32([[0, -0.9, 0], [0, 0.9, 0]])
+    points = np.array([[0, -0.9, 0], [0, 0.9, 0]], np.float32)
     return Curves(points, np.full(2, 0.01, np.float32), np.array([0, 2], np.uint32))

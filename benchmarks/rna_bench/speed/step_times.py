@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Package
+from rna_sdk.runtime.batch import Batch
 from rna_sdk.runtime.decoder import Decoder
 from rna_sdk.runtime.output_kernel import write_colours
-from rna_sdk.runtime.tiles import Batch, QueryFiller
+from rna_sdk.runtime.tiles import QueryFiller
 
 STEPS = ("gather", "inputs", "decoder", "output")
 """Features from the planes; the decoder's other inputs; the decoder; copies to the results."""

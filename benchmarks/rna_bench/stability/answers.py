@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 import numpy as np
 
+from rna_bench.one_part import OnePart
 from rna_export.capture import validation_view
 from rna_export.capture.asset_arguments import evaluate_arguments
 from rna_export.training.model import NeuralAsset
 from rna_export.training.validation import answer
-from rna_sdk.runtime import Asset
 
 Queries = dict[str, np.ndarray]
 """Fields of a sample by name, in the order of `Asset.evaluate`'s arguments; float32."""
@@ -25,7 +25,7 @@ def picked(answers: Answers, samples: dict[str, np.ndarray]) -> np.ndarray:
     return validation_view.picked(samples["visible"], visible, shadowed)
 
 
-def of_package(asset: Asset) -> Answers:
+def of_package(asset: OnePart) -> Answers:
     """A package's, through the runtime."""
 
     def ask(queries: Queries) -> tuple[np.ndarray, np.ndarray]:

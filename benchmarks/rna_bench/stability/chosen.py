@@ -24,8 +24,8 @@ class ChosenSamples(DatasetPart):
         super().__init__(dataset.dataset, dataset.captured)
         self._choose, self._view_as = choose, view
 
-    def training_samples(self) -> Samples:
-        return self._choose(super().training_samples())
+    def training_samples(self, shards: int | None = None) -> Samples:
+        return self._choose(super().training_samples(shards))
 
     def validation_views(self) -> list[ValidationView]:
         return [self._view_as(view) for view in super().validation_views()]

@@ -32,7 +32,7 @@ def write_page(
     drawn = [result for result in results if not result.skipped]
     for result in drawn:
         save_chart(_chart(result), folder / f"{result.case.name}.svg")
-    told = [(result, _found(result), _COLOURS[result.status]) for result in results]
+    told = [(result, result.found, _COLOURS[result.status]) for result in results]
     page = folder / "index.html"
     write_html(page, "stability.html", name=name, stamp=stamp, settings=settings, results=told)
 
@@ -60,13 +60,9 @@ def table(results: list[Result]) -> str:
     lines = ["| case | varies | must reach | found | |", "| --- | --- | --- | --- | --- |"]
     for r in results:
         lines.append(
-            f"| {r.case.name} | {r.case.varies} | {r.case.mark} | {_found(r)} | {r.status} |"
+            f"| {r.case.name} | {r.case.varies} | {r.case.mark} | {r.found} | {r.status} |"
         )
     return "\n".join(lines) + "\n"
-
-
-def _found(result: Result) -> str:
-    return result.skipped or result.verdict.found
 
 
 def _as_json(result: Result) -> dict[str, Any]:
@@ -75,7 +71,7 @@ def _as_json(result: Result) -> dict[str, Any]:
         "case": result.case.name,
         "mark": result.case.mark,
         "status": result.status,
-        "found": _found(result),
+        "found": result.found,
         "skipped": result.skipped,
         "rows": rows,
     }

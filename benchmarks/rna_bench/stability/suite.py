@@ -72,9 +72,14 @@ class Result:
         return "skipped" if self.verdict is None else ("pass" if self.verdict.passed else "fail")
 
     @property
+    def found(self) -> str:
+        """What decides, or why it was skipped."""
+        return self.skipped or self.case.judge(self.rows).found
+
+    @property
     def told(self) -> str:
         """A line for the user."""
-        return f"{self.case.name}: {self.status}, {self.skipped or self.verdict.found}"
+        return f"{self.case.name}: {self.status}, {self.found}"
 
 
 def run_cases(
@@ -126,7 +131,8 @@ def _measure(
     backend, cores = where.whole_machines(None, local="caller")
     make = partial(_CaseWorker, workshop.with_workers(cores) if where.far else workshop)
     failures = []
-    with Pool(backend, make, tell=say) as pool:
+    pool: Pool[Case, list[Row]] = Pool(backend, make, tell=say)
+    with pool:
         for outcome in pool.run(_told(cases, say)):
             if outcome.failure is not None:
                 say(f"{outcome.item.name}: {outcome.failure}")

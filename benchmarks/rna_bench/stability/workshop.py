@@ -16,6 +16,7 @@ from uuid import uuid4
 import numpy as np
 from safetensors.numpy import load_file
 
+from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.stability.answers import Answers, of_package
 from rna_export.capture import blender_env
 from rna_export.capture.dataset import Dataset
@@ -28,7 +29,6 @@ from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.run import Run, train
 from rna_export.trials.packages import write_packages
 from rna_sdk.errors import CaptureError
-from rna_sdk.runtime import Asset, load
 from rna_work.locks import locked
 
 ASSETS = Path(__file__).parent / "assets"
@@ -102,6 +102,13 @@ class Workshop:
             raise CaptureError("found no dataset, expected ASSET.rays/")
         return self.subject.dataset
 
+    @property
+    def source(self) -> Source:
+        """The given asset's. Raises CaptureError when there is none."""
+        if self.subject.source is None:
+            raise CaptureError("found no source, expected --source MODEL")
+        return self.subject.source
+
     def capture(self, name: str, script: str, *arguments: str, **settings: Any) -> DatasetPart:
         """The part of an asset of the suite's own that has one; settings as of `capture_parts`."""
         return self.capture_parts(name, script, *arguments, **settings).only
@@ -158,9 +165,9 @@ class Workshop:
         return write_packages(self.base, self.dataset, out)
 
     @cached_property
-    def asset(self) -> Asset:
+    def asset(self) -> OnePart:
         """The package, loaded."""
-        return load(self.package, tier=self.subject.tier, threads=1)
+        return load_one_part(self.package, self.subject.tier, threads=1)
 
     def answers(self) -> Answers:
         """The package's."""

@@ -47,7 +47,7 @@ def measure(workshop: Workshop) -> list[Row]:
 def furnace(answers: Answers, scene: AssetScene, count: int) -> list[Row]:
     """The integral of T over wi at points that random views see: radiance in a white furnace."""
     rng = np.random.default_rng(21)
-    rays = sample_view_rays(scene, np.float32([0.0, 1.0, 0.0]), count, "sphere", rng)
+    rays = sample_view_rays(scene, np.array([0.0, 1.0, 0.0], np.float32), count, "sphere", rng)
     points = scene.shade_points(rays.origins, rays.directions)
     total, seen = integral(answers, scene, points, -rays.directions, rng)
     axis = points.on[0].fields.get("normal", points.geometric_normal)  # every ray hits

@@ -26,11 +26,10 @@ _RESOLUTION, _SAMPLES, _CYCLES_SAMPLES = (128, 96), 32, 64
 
 
 def measure(workshop: Workshop) -> list[Row]:
-    subject = workshop.subject
     view = {"turn_deg": 0.0, "resolution": _RESOLUTION, "margin": 0.95}
-    stage = Stage.of(workshop.asset, workshop.package.resolve(), subject.tier, **view)
+    stage = Stage.of(workshop.asset, workshop.package.resolve(), workshop.subject.tier, **view)
     spent = workshop.some(_SAMPLES), workshop.some(_CYCLES_SAMPLES)
-    with workshop.cycles(subject.source) as worker:
+    with workshop.cycles(workshop.source) as worker:
         return list(_near_lights(stage, worker, DISTANCES, *spent))
 
 

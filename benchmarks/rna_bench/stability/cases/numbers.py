@@ -11,6 +11,7 @@ from matplotlib.figure import FigureBase
 from onnx import TensorProto, numpy_helper
 from onnx.reference import ReferenceEvaluator
 
+from rna_bench.one_part import load_one_part
 from rna_bench.scenes.beside_cycles import OurScene
 from rna_bench.scenes.stage import Stage
 from rna_bench.stability.answers import Answers, Queries, of_model, of_package, picked
@@ -23,7 +24,7 @@ from rna_export.capture.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Package, float_planes
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
-from rna_sdk.runtime import Asset, load
+from rna_sdk.runtime import Asset
 
 RELATIVE, LOST_DB = 1e-3, 0.2  # the mark
 
@@ -42,7 +43,7 @@ def measure(workshop: Workshop) -> list[Row]:
     rows += odd_inputs(answers, queries)
     rows.append(_bright_light(workshop))
     paths = workshop.packages_of_base().items()
-    packages = {precision: of_package(load(path, threads=1)) for precision, path in paths}
+    packages = {precision: of_package(load_one_part(path, threads=1)) for precision, path in paths}
     full = picked(of_model(workshop.base.model), samples)
     rows += _few_bits(packages, full, samples, halves)
     rows += _least_bits(packages["int8-int8"], queries)
@@ -57,11 +58,12 @@ def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, 
         reference = fiber_queries_reference if "tangent" in queries else queries_reference
         rows = evaluate_arguments(queries)
         at = reference(planes, asset.bounds, tier.parts[0].inputs, *rows)
-        transport = ReferenceEvaluator(_doubled(decoder)).run(None, {"queries": np.float64(at)})[0]
+        evaluator: Any = ReferenceEvaluator(_doubled(decoder))  # whose types do not fit its results
+        (transport,) = evaluator.run(None, {"queries": np.float64(at)})
     return transport[:, :3], transport[:, 3:]
 
 
-def _doubled(decoder: bytes) -> onnx.ModelProto:
+def _doubled(decoder: memoryview) -> onnx.ModelProto:
     """The graph with float64 in place of float32."""
     model = onnx.load_from_string(bytes(decoder))
     for tensor in model.graph.initializer:
@@ -76,7 +78,7 @@ def _doubled(decoder: bytes) -> onnx.ModelProto:
 def odd_inputs(answers: Answers, queries: Queries) -> list[Row]:
     """Inputs that say the same as usual ones in odd numbers, and inputs that say nothing."""
     usual = answers(queries)
-    directions = [name for name in ("normal", "tangent", "wo", "wi") if name in queries]
+    directions: list[str] = [name for name in ("normal", "tangent", "wo", "wi") if name in queries]
     scaled = {
         name: queries | {d: queries[d] * np.float32(scale) for d in directions}
         for name, scale in (("directions of length 1e18", 1e18), ("of length 1e-18", 1e-18))
@@ -85,7 +87,7 @@ def odd_inputs(answers: Answers, queries: Queries) -> list[Row]:
     denormal = {d: np.where(np.abs(queries[d]) < 1e-3, 1e-42, queries[d]) for d in directions}
     flushed = {d: np.where(np.abs(queries[d]) < 1e-3, 0.0, queries[d]) for d in directions}
     tiny, none = (
-        queries | {k: np.float32(v) for k, v in odd.items()} for odd in (denormal, flushed)
+        queries | {k: v.astype(np.float32) for k, v in odd.items()} for odd in (denormal, flushed)
     )
     rows.append(checked("denormal parts", answers(tiny), answers(none)))
     far = queries | {"position": queries["position"] * np.float32(1e30)}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -82,7 +83,7 @@ def measure(workshop: Workshop) -> list[Row]:
             name, "ball.py", *material.arguments, lights=lights, **views, **_STAYS
         )
         source = Source(ASSETS / "ball.py", material.arguments)
-        truth = workshop.kept(name, lambda d=dataset, s=source: _from_cycles(workshop, d, s))
+        truth = workshop.kept(name, partial(_from_cycles, workshop, dataset, source))
         for label, preset in models.items():
             if label == "the paper's" and material.name not in _DRAWN:
                 continue

@@ -46,7 +46,7 @@ def by_elevation(answers: Answers, samples: Samples, halves: np.ndarray) -> list
     for low, high in pairwise(_EDGES_DEG):
         inside = (elevation >= low) & (elevation < high)
         if inside.any():
-            row = {"low_deg": low, "high_deg": high, "samples": int(inside.sum())}
+            row: Row = {"low_deg": low, "high_deg": high, "samples": int(inside.sum())}
             row["error"] = relative_error(radiance[inside], halves[:, inside])
             rows.append(row | bounds(radiance[inside]))
     return rows

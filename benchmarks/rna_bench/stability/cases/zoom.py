@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import io
+from functools import partial
 
 import numpy as np
 from matplotlib.figure import FigureBase
@@ -31,15 +32,14 @@ def measure(workshop: Workshop) -> list[Row]:
     asset = workshop.asset
     shots = [s for s in shots_of(asset, PIXELS, 0.0) if s.camera_name == "close-up"][:2]
     rows = []
-    with workshop.cycles(workshop.subject.source) as worker:
+    with workshop.cycles(workshop.source) as worker:
         for number, shot in enumerate(shots):
             for footprint in FOOTPRINTS:
                 camera = zoomed(shot.eye, shot.target, footprint * texel(asset))
                 scene = _scene(workshop, camera, shot.wi)
                 name = f"zoom-{workshop.name}-{number}-{footprint:g}"
-                halves = workshop.kept(
-                    name, lambda s=scene, c=camera, wi=shot.wi: _cycles(worker, c, wi)
-                )["halves"]
+                reference = workshop.kept(name, partial(_cycles, worker, camera, shot.wi))
+                halves = reference["halves"]
                 ours = OurScene(scene).render(workshop.some(_SAMPLES)).pixels
                 rows.append({"view": number, "texels": footprint, **_row(ours, halves)})
     return rows

@@ -1,0 +1,18 @@
+"""Packages of one part, which can be evaluated as they are."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rna_sdk.errors import QueryError
+from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
+
+OnePart = SurfaceAsset | FiberAsset
+
+
+def load_one_part(path: Path, tier: str | None = None, threads: int | None = None) -> OnePart:
+    """As `rna_sdk.runtime.load`. Raises QueryError where the package has several parts."""
+    parts = load(path, tier, threads).parts
+    if len(parts) > 1:
+        raise QueryError(f"{path}: found {len(parts)} parts, expected one")
+    return parts[0]
