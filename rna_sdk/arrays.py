@@ -9,19 +9,19 @@ from rna_sdk.errors import QueryError
 
 
 def vectors(name: str, value: object, count: int | None = None) -> NDArray[np.float32]:
-    """`value` as a C-contiguous (n, 3) float32 array, copied only where it is not contiguous.
+    """`value` as a C-contiguous (n, 3) float32 array, copied only if it is not contiguous.
 
     Raises:
-        QueryError: it is no such array, or has other than `count` rows.
+        QueryError: it is not such an array, or does not have `count` rows.
     """
     return _rows(name, value, count, (3,))
 
 
 def scalars(name: str, value: object, count: int | None = None) -> NDArray[np.float32]:
-    """`value` as a C-contiguous (n,) float32 array, copied only where it is not contiguous.
+    """`value` as a C-contiguous (n,) float32 array, copied only if it is not contiguous.
 
     Raises:
-        QueryError: it is no such array, or has other than `count` elements.
+        QueryError: it is not such an array, or does not have `count` elements.
     """
     return _rows(name, value, count, ())
 

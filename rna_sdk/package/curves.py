@@ -20,18 +20,17 @@ class Curves:
     """Strands in object space, metres, right-handed with +Y up: chains of round, straight cones.
 
     Attributes:
-        points: (p, 3) float32, strand after strand, each from root to tip; no two in a row of
-            a strand are equal.
-        radii: (p,) float32, more than 0.
-        offsets: (s + 1,) uint32, ascending from 0 to p: strand k has the points offsets[k] up
-            to offsets[k + 1], two at least.
-        quantised: the integers that the arrays were restored from, which a file then holds; None
-            where the arrays are stored as they are. A changed copy (`dataclasses.replace`) has
-            none.
+        points: (p, 3) float32, strand after strand, each from root to tip; consecutive points of
+            a strand differ.
+        radii: (p,) float32, positive.
+        offsets: (s + 1,) uint32, ascending from 0 to p: strand k has the points
+            offsets[k]:offsets[k + 1], at least two.
+        quantised: the integers that the arrays were restored from and that are stored in the
+            file; None if the arrays themselves are stored. `dataclasses.replace` resets it.
 
     Raises:
-        PackageError: GEOMETRY_ARRAY, where a shape or dtype is another; GEOMETRY_STRANDS, where
-            the offsets are not of that form; GEOMETRY_SEGMENT, where a segment has no length.
+        PackageError: GEOMETRY_ARRAY, if a shape or dtype differs; GEOMETRY_STRANDS, if the
+            offsets are invalid; GEOMETRY_SEGMENT, if a segment has length zero.
 
     Examples:
         >>> strand = np.float32([[0, 0, 0], [0, 0.1, 0], [0, 0.2, 0.01]])
@@ -58,7 +57,7 @@ class Curves:
             refuse(Code.GEOMETRY_SEGMENT, "/geometry", found, "a segment of some length")
 
     def segments(self) -> NDArray[np.uint32]:
-        """(m,) the first point of each segment; its second is the next. Strand after strand."""
+        """Index of the first point of each segment, (m,) uint32; the second point follows it."""
         return np.flatnonzero(self._goes_on()).astype(np.uint32)
 
     def _goes_on(self) -> NDArray[np.bool_]:

@@ -49,10 +49,10 @@ def geometry_to_bytes(geometry: Geometry, kind: Kind, where: str) -> bytes:
 
 
 def quantise(geometry: Geometry) -> Geometry:
-    """The geometry that a file of a third to half the bytes holds, to the bit; for exporters.
+    """The geometry as restored from a quantised file of a third to half the size; for exporters.
 
-    Quantise before anything is captured on the geometry, so that what is learnt is what is
-    stored: a mesh in 16 bits an axis, strands in steps below a fiftieth of their smallest radius.
+    Quantise before capture, so that training sees the stored geometry. Meshes have 16 bits per
+    axis, strands steps below a fiftieth of their smallest radius.
 
     Examples:
         >>> with Package.open("toy.rna") as package:

@@ -20,16 +20,14 @@ class Mesh:
 
     Attributes:
         positions: (v, 3) float32.
-        normals: (v, 3) float32, unit; corner normals of the exported mesh, so a vertex on a
-            hard edge is there once for each normal.
+        normals: (v, 3) float32, unit; vertices on hard edges are duplicated, one per normal.
         uvs: (v, 2) float32 with glTF's origin (top left), or None.
         triangles: (t, 3) uint32, counter-clockwise from outside.
-        quantised: the integers that the arrays were restored from, which a file then holds; None
-            where the arrays are stored as they are. A changed copy (`dataclasses.replace`) has
-            none.
+        quantised: the integers that the arrays were restored from and that are stored in the
+            file; None if the arrays themselves are stored. `dataclasses.replace` resets it.
 
     Raises:
-        PackageError: GEOMETRY_ARRAY, where a shape or dtype is another.
+        PackageError: GEOMETRY_ARRAY, if a shape or dtype differs.
 
     Examples:
         >>> corners = np.float32([[0, 0, 0], [1, 0, 0], [0, 0, -1]])
@@ -56,12 +54,12 @@ class Mesh:
             refuse(Code.GEOMETRY_ARRAY, "/geometry", f"{v} vertices, {t} triangles", "some of both")
 
     def box(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        """The lower and the upper corner of the box around it, each (3,) float32."""
+        """Lower and upper corner of the bounding box, each (3,) float32."""
         return self.positions.min(axis=0), self.positions.max(axis=0)
 
 
 def check_array(name: str, array: NDArray[np.generic], shape: tuple[int, ...], dtype: type) -> None:
-    """Raises PackageError (GEOMETRY_ARRAY) where the array has another shape or dtype."""
+    """Raises PackageError (GEOMETRY_ARRAY) if the shape or dtype differs."""
     if array.shape != shape or array.dtype != dtype:
         found = f"{name} {array.dtype} {list(array.shape)}"
         refuse(Code.GEOMETRY_ARRAY, "/geometry", found, f"{np.dtype(dtype)} {list(shape)}")

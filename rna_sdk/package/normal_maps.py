@@ -16,10 +16,10 @@ NORMALS = TextureForm("normals", range(2, 3), Code.NORMAL_MAP_TEXTURE)
 
 @dataclass(frozen=True, eq=False)
 class NormalMap:
-    """The relief of a range of a mesh's triangles (spec/RNA.md, 4.5).
+    """Normal map of a range of a mesh's triangles (spec/RNA.md, 4.5).
 
     Attributes:
-        first, count: the triangles.
+        first, count: the range of triangles.
         texture: (H, W, 2) uint8, read-only.
     """
 

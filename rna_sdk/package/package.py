@@ -21,10 +21,10 @@ from rna_sdk.package.validator import inspect
 
 
 class Package:
-    """A valid package, mapped into memory; make one with `Package.open`.
+    """A valid package, memory-mapped; created by `Package.open`.
 
-    Arrays it hands out are read-only views of the file. They stay good after `close`: the map
-    goes away with the last of them. The file must not be changed in place meanwhile.
+    Returned arrays are read-only views of the file. They remain valid after `close`: the file is
+    unmapped with the last of them. The file must not be modified in place while it is mapped.
 
     Attributes:
         manifest: the manifest, immutable.
@@ -46,7 +46,7 @@ class Package:
         """Map and fully validate the file at `path`.
 
         Raises:
-            PackageError: the file cannot be read or breaks the format; `issues` tells how.
+            PackageError: the file cannot be read or violates the format; see its `issues`.
         """
         result = inspect(path)
         if result.errors or result.container is None or result.manifest is None:
@@ -54,7 +54,7 @@ class Package:
         return cls(result.container, result.manifest)
 
     def close(self) -> None:
-        """Let go of the file. Calling it twice is fine."""
+        """Release the file. Further calls have no effect."""
         self._container = None
 
     def __enter__(self) -> Package:
@@ -81,10 +81,11 @@ class Package:
         raise QueryError(f"no tier {name!r}; this package has: {names}")
 
     def geometry(self, part: int = 0, pixels: float = math.inf) -> Geometry:
-        """The mesh or the curves of a part, as its kind says; object space, metres.
+        """The mesh or curves of a part, according to its kind; object space, metres.
 
-        pixels: how high the sphere about the bounds of all parts is in the image. A part with
-            proxies (RNA_proxy) gives the last one that is for so many pixels and more.
+        part: index of the part.
+        pixels: height in the image of the sphere about the bounds of all parts. A part with
+            proxies (RNA_proxy) returns the coarsest one meant for at least this height.
 
         Raises:
             QueryError: the package has no such part, or is closed.
@@ -95,7 +96,9 @@ class Package:
         return geometry_from_bytes(self._view(names[-1]), names[-1], record.kind)
 
     def proxy_heights(self, part: int = 0) -> tuple[int, ...]:
-        """Up to how many pixels high each proxy of a part is for, descending; see `geometry`.
+        """Largest height in pixels that each proxy of a part is meant for, descending.
+
+        See `geometry`.
 
         Raises:
             QueryError: the package has no such part.
@@ -104,7 +107,7 @@ class Package:
         return tuple(level.height for level in self._proxies(part))
 
     def poster(self) -> bytes | None:
-        """The picture of the asset, a PNG (RNA_poster); None where there is none.
+        """The asset's preview image as PNG bytes (RNA_poster); None if there is none.
 
         Raises:
             QueryError: the package is closed.
@@ -113,10 +116,10 @@ class Package:
         return bytes(self._view(data.image)) if data else None
 
     def mesh(self, part: int = 0, pixels: float = math.inf) -> Mesh:
-        """The geometry of a surface, in object space and metres; arguments as of `geometry`.
+        """The mesh of a surface part, object space, metres; arguments as for `geometry`.
 
         Raises:
-            QueryError: the part is of another kind, there is none, or the package is closed.
+            QueryError: no such part, the part is not a surface, or the package is closed.
         """
         geometry = self.geometry(part, pixels)
         if not isinstance(geometry, Mesh):
@@ -124,10 +127,10 @@ class Package:
         return geometry
 
     def curves(self, part: int = 0, pixels: float = math.inf) -> Curves:
-        """The geometry of fibers, in object space and metres; arguments as of `geometry`.
+        """The curves of a fiber part, object space, metres; arguments as for `geometry`.
 
         Raises:
-            QueryError: the part is of another kind, there is none, or the package is closed.
+            QueryError: no such part, the part is not of fibers, or the package is closed.
         """
         geometry = self.geometry(part, pixels)
         if not isinstance(geometry, Curves):
@@ -135,7 +138,7 @@ class Package:
         return geometry
 
     def transmittance(self, part: int = 0) -> list[Transmittance]:
-        """The holes and thin glass of a part, with their textures; none for an opaque one.
+        """Holes and thin glass of a part, with their textures; empty if it is opaque.
 
         Raises:
             QueryError: the package has no such part, or is closed.
@@ -151,7 +154,7 @@ class Package:
         ]
 
     def normal_maps(self, part: int = 0) -> list[NormalMap]:
-        """The normal maps of a part; none where its normals are the mesh's.
+        """The normal maps of a part; empty if it has none.
 
         Raises:
             QueryError: the package has no such part, or is closed.
@@ -162,7 +165,7 @@ class Package:
         ]
 
     def planes(self, tier: str, part: int = 0) -> Planes:
-        """A part's triplane, (3, R, R, C), planes XY, YZ, ZX: an array, or Int8Planes.
+        """A part's triplane, planes XY, YZ, ZX: an array (3, R, R, C), or Int8Planes.
 
         Raises:
             QueryError: the package has no such tier or part, or is closed.
@@ -171,7 +174,7 @@ class Package:
         return planes_from_bytes(self._view(record.planes), record)
 
     def decoder(self, tier: str, part: int = 0) -> memoryview:
-        """The ONNX model of a part's transport, as read-only bytes.
+        """The ONNX model of a part's transport decoder, read-only bytes.
 
         Raises:
             QueryError: the package has no such tier or part, or is closed.
@@ -179,7 +182,7 @@ class Package:
         return self._view(self._tier_part(tier, part).decoder)
 
     def emission_decoder(self, tier: str, part: int = 0) -> memoryview | None:
-        """The ONNX model of what a part emits, as read-only bytes; None where it emits nothing.
+        """The ONNX model of a part's emission decoder, read-only bytes; None if it does not emit.
 
         Raises:
             QueryError: the package has no such tier or part, or is closed.
@@ -188,7 +191,7 @@ class Package:
         return self._view(emission.decoder) if emission else None
 
     def layout(self) -> dict[str, range]:
-        """Entry -> bytes of the file that it takes with its header; for `tier_ranges`.
+        """Byte range of each entry in the file, its header included; for `tier_ranges`.
 
         Raises:
             QueryError: the package is closed.

@@ -21,11 +21,11 @@ from rna_sdk.package.tensor_file import (
 
 @dataclass(frozen=True, eq=False)
 class Int8Planes:
-    """Planes in a quarter of float32's memory.
+    """Quantised planes.
 
     Attributes:
         texels: (3, R, R, C) int8.
-        scales: (3, C) float32, one a plane and channel; a feature is texel times scale.
+        scales: (3, C) float32, per plane and channel; a feature is texel times scale.
     """
 
     texels: NDArray[np.int8]
@@ -33,7 +33,7 @@ class Int8Planes:
 
     @property
     def dtype(self) -> np.dtype[Any]:
-        """Of the texels."""
+        """dtype of the texels."""
         return self.texels.dtype
 
     def decoded(self) -> NDArray[np.float32]:
@@ -58,7 +58,7 @@ _ROWS_AT_ONCE = 64
 
 
 def float_planes(planes: Planes) -> NDArray[np.float32]:
-    """The features of planes of any precision, (3, R, R, C) float32.
+    """Planes of any precision as features, (3, R, R, C) float32.
 
     Examples:
         >>> with Package.open("toy.rna") as package:

@@ -17,14 +17,15 @@ from rna_sdk.package.onnx_model import Node, read_model
 class ProfileLayer:
     """A fully connected layer: in float32 `y = x weight + bias`.
 
-    In int8, with q = clip(round(x / step), 0, 255), halves to even: y = (q weight + bias) unit.
+    In int8 `y = (q weight + bias) unit` with q = clip(round(x / step), 0, 255), rounding halves to
+    even.
 
     Attributes:
         weight: (inputs, outputs) float32 or int8.
         bias: (outputs,) float32 or int32.
-        step: of int8, else 0.
-        unit: (outputs,) float32 of int8, else None.
-        relu: negative results are 0.
+        step: quantisation step of the inputs in int8, else 0.
+        unit: (outputs,) float32 in int8, else None.
+        relu: whether a ReLU follows.
     """
 
     weight: NDArray[Any]
@@ -39,11 +40,11 @@ class ProfileDecoder:
     """spec/RNA.md, 6.4: result = (exp(clip(layers(queries), 0, top)) - 1) times unit or matrix.
 
     Attributes:
-        low, high: queries are clipped to them.
-        gain, offset: (K,) float32, what clipped queries are multiplied by and added to; or None.
-        layers: the first one reads K columns.
-        top: largest logarithm.
-        unit: 1 where there is a matrix.
+        low, high: limits that queries are clipped to.
+        gain, offset: (K,) float32, applied to clipped queries: x gain + offset; or None.
+        layers: from K inputs to the outputs of the last layer.
+        top: upper limit of the logarithm.
+        unit: factor of the result; 1 if there is a matrix.
         matrix: (n, outputs) float32, or None.
     """
 
@@ -58,20 +59,22 @@ class ProfileDecoder:
 
     @property
     def is_int8(self) -> bool:
-        """Whether its layers are."""
+        """Whether the layers are in int8."""
         return self.layers[0].unit is not None
 
     @property
     def width(self) -> int:
-        """Of the widest layer."""
+        """Number of outputs of the widest layer."""
         return max(len(layer.bias) for layer in self.layers)
 
 
 def read_profile_decoder(model: bytes | memoryview, name: str) -> ProfileDecoder:
     """The decoder in the ONNX bytes of a valid package; arrays are views of them.
 
+    name: of the decoder, for errors.
+
     Raises:
-        QueryError: it does not keep to the decoder profile; `name` says whose it is.
+        QueryError: the decoder is outside the decoder profile.
 
     Examples:
         >>> with Package.open("toy.rna") as package:

@@ -1,4 +1,4 @@
-"""Which bytes of a package one tier needs: for readers that fetch ranges of a file."""
+"""Byte ranges of a package that one tier needs: for readers that fetch parts of a file."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from rna_sdk.package.manifest_tiers import Tier
 
 
 def tier_ranges(layout: Mapping[str, range], manifest: Manifest, tier: Tier) -> list[range]:
-    """The bytes with everything that the tier needs, the manifest included: ascending ranges.
+    """Byte ranges of everything that the tier needs, the manifest included, ascending.
 
-    Entries next to each other make one range. In a package of `write_package` there are two at
-    most: the manifest and what tiers share, then the tier's own.
+    Adjacent entries are merged. Packages of `write_package` have at most two ranges: the manifest
+    with shared entries, and the tier's own entries.
 
-    layout: name -> bytes of the entry with its header, of every entry that the tier needs, as
-        `Package.layout` has it, or the central directory of a file somewhere else.
+    layout: byte range of each entry that the tier needs, its header included, by name: from
+        `Package.layout`, or from the central directory of a remote file.
 
     Examples:
         >>> with Package.open("toy.rna") as package:

@@ -16,10 +16,10 @@ TRANSMITTANCE = TextureForm("transmittance", range(1, 4, 2), Code.TRANSMITTANCE_
 
 @dataclass(frozen=True, eq=False)
 class Transmittance:
-    """What lets light through in a range of a mesh's triangles (spec/RNA.md, 4.4).
+    """Transmittance of a range of a mesh's triangles (spec/RNA.md, 4.4).
 
     Attributes:
-        first, count: the triangles.
+        first, count: the range of triangles.
         texture: (H, W, C) uint8, read-only.
         cutoff: a hole where the texture is greater than this; None: partly transparent.
         ior: relative indices of refraction from the front and from the back; None: no Fresnel.

@@ -32,9 +32,9 @@ class TierData:
     """The data of one part in one tier.
 
     Attributes:
-        planes: (3, R, R, C) float16 or float32, or Int8Planes, as the manifest's tier part says.
-        decoder: the serialized ONNX model of transport.
-        emission_decoder: that of emission, where the manifest's tier part has one.
+        planes: (3, R, R, C) float16 or float32, or Int8Planes, as in the manifest's tier part.
+        decoder: serialized ONNX model of transport.
+        emission_decoder: serialized ONNX model of emission, if the manifest's tier part has one.
     """
 
     planes: Planes
@@ -49,25 +49,24 @@ def write_package(
     data: Mapping[str, Sequence[TierData]],
     textures: Mapping[str, Texture] | None = None,
 ) -> Manifest:
-    """Write a package to `path`, whole or not at all.
+    """Write a package to `path`, atomically.
 
-    The file is written under a temporary name beside `path`, validated, and then renamed. It has
-    the short form of 1.0 where the manifest needs no other. Entries that the manifest names twice
-    are stored once, and stand in the order of `ordered`.
+    The file is written under a temporary name beside `path`, validated, and renamed. It has format
+    1.0 if the manifest needs nothing newer. Entries that the manifest names twice are stored once.
 
     Args:
-        path: the `.rna` file to make or replace.
-        manifest: the manifest; its `entries` are computed here, and its versions raised to
-            what it needs. Its extensions name no entries: posters and proxies are `rna-export`'s.
-        geometries: of each part, a Mesh for a surface, Curves for fibers.
-        data: of every tier of the manifest, by name: that of each part.
-        textures: of every transmittance and normal map, by the name of the entry: (H, W, C) uint8.
+        path: the `.rna` file to create or replace.
+        manifest: the manifest; its `entries` are computed here, and its versions raised to the
+            ones it needs. Posters and proxies are not supported; `rna-export` adds them.
+        geometries: one per part: a Mesh for a surface, Curves for fibers.
+        data: for each tier, by name, the data of each part.
+        textures: (H, W, C) uint8 of all transmittance textures and normal maps, by entry name.
 
     Returns:
-        The manifest as it is read again.
+        The manifest as written.
 
     Raises:
-        PackageError: what was given does not make a valid package.
+        PackageError: the arguments do not form a valid package.
         OSError: the file cannot be written.
 
     Examples:
@@ -91,7 +90,7 @@ def write_package(
 def write_entries(
     path: str | PathLike[str], manifest: Manifest, contents: Mapping[str, bytes]
 ) -> Manifest:
-    """The like of `write_package` for entries that are there as bytes, name -> data."""
+    """As `write_package`, from serialized entries, name -> data."""
     records = {
         name: EntryRecord(size=len(value), sha256=hashlib.sha256(value).hexdigest())
         for name, value in contents.items()

@@ -1,19 +1,19 @@
 """Evaluate the neural assets of `.rna` packages in batches.
 
 Examples:
-    Of a surface:
+    A surface:
 
     >>> asset = load("toy.rna")
     >>> visible, shadowed = asset.evaluate(positions, normals, wo, wi)
 
-    Of fibers:
+    Fibers:
 
     >>> hair = load("hair.rna")
     >>> h = offset_across(normals, tangents, wo)
     >>> visible, shadowed = hair.evaluate(positions, tangents, h, wo, wi)
 
-An asset of several parts is asked part by part: `for part in asset.parts: part.evaluate(...)`.
-An asset of one part is its own part.
+An asset of several parts is evaluated part by part: `for part in asset.parts: part.evaluate(...)`.
+An asset of one part is its own only part.
 """
 
 from rna_sdk.errors import PackageError, QueryError

@@ -1,4 +1,4 @@
-"""Checks of what callers hand to the runtime."""
+"""Checks of arguments to the runtime."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from rna_sdk.errors import QueryError
 
 
 def results(value: object, count: int) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """`value` as a pair of arrays that `count` rows of results can be written into.
+    """`value`, checked to be a pair of writable arrays for `count` rows of results.
 
     Raises:
-        QueryError: it is no such pair.
+        QueryError: it is not.
     """
     if not isinstance(value, tuple) or len(value) != 2:
         raise QueryError(f"out: expected a pair of arrays, found {type(value).__name__}")
@@ -27,10 +27,10 @@ def results(value: object, count: int) -> tuple[NDArray[np.float32], NDArray[np.
 
 
 def thread_count(threads: int | None) -> int:
-    """The number of threads to use: `threads`, or one for each core this process may use.
+    """`threads`, or for None the number of cores available to this process.
 
     Raises:
-        QueryError: `threads` is no integer of at least 1.
+        QueryError: `threads` is not a positive integer.
     """
     if threads is None:
         affinity = getattr(os, "sched_getaffinity", None)  # Linux alone has it

@@ -1,4 +1,4 @@
-"""An asset that is loaded: what all kinds have in common, and one of several parts."""
+"""A loaded asset: what all kinds have in common, and an asset of several parts."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ _MEASURED_ROWS = 32_768
 
 
 class Asset:
-    """One tier of a package, ready to evaluate; make one with `load`.
+    """One tier of a package, ready to evaluate; created by `load`.
 
-    It is a `SurfaceAsset` or a `FiberAsset`, which are evaluated themselves, or a `CompositeAsset`
-    of several of them. Threads may evaluate at the same time.
+    Either a `SurfaceAsset` or a `FiberAsset`, which have `evaluate`, or a `CompositeAsset` of
+    several of them. Evaluation is thread-safe.
 
     Attributes:
-        name: the asset's, for a person; of one of several parts, the part's.
+        name: display name of the asset, or of the part if it is one of several.
         tier: the tier's record in the manifest (`tier.name`, `tier.validation`, ...).
-        domain: the directions it was trained for; see `in_region`.
-        threads: threads of an evaluation.
-        bounds: (2, 3) float32, read-only: lower and upper corner of the box around the boxes that
-            the features of all parts span, object space, metres.
-        emits: whether any part of it emits light.
+        domain: directions covered by training; see `in_region`.
+        threads: number of threads per evaluation.
+        bounds: (2, 3) float32, read-only: lower and upper corner of the bounding box of all parts'
+            features, object space, metres.
+        emits: whether any part emits light.
     """
 
     def __init__(
@@ -57,22 +57,22 @@ class Asset:
 
     @property
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
-        """What is evaluated, in the manifest's order; an asset of one part is that part."""
+        """The parts in the manifest's order; an asset of one part is its own only part."""
         raise NotImplementedError
 
     def measured_ns_per_query(self) -> float:
-        """Nanoseconds that a query takes on this processor, with `threads` threads.
+        """Nanoseconds per query on this processor, with `threads` threads; the mean over parts.
 
-        Of several parts the mean. Measured at the first call (some 0.1 s a part), on queries all
-        over the bounds; then kept in the user's cache for as long as processor, package and
-        versions stay the same. The manifest's `tier.cost` is what another machine took.
+        The first call measures random queries within the bounds (about 0.1 s per part). The result
+        is cached in the user's cache folder, per processor, package and version. `tier.cost` in
+        the manifest is the cost on the machine that exported the package.
         """
         costs = [part.measured_part_ns() for part in self.parts]
         return sum(costs) / len(costs)
 
 
 class CompositeAsset(Asset):
-    """An asset of several parts, each evaluated by itself, which light each other.
+    """An asset of several parts, which are evaluated separately and light each other.
 
     Examples:
         >>> toy, hair = load("toy.rna"), load("curls.rna")
@@ -82,7 +82,7 @@ class CompositeAsset(Asset):
     """
 
     def __init__(self, name: str, parts: Sequence[SurfaceAsset | FiberAsset]) -> None:
-        """parts: of one tier of one package, two or more."""
+        """parts: two or more, of one tier of one package."""
         first = parts[0]
         low = np.min([part.bounds[0] for part in parts], axis=0)
         high = np.max([part.bounds[1] for part in parts], axis=0)
@@ -103,11 +103,11 @@ class AssetPart(Asset):
         kind: "surface" or "fiber".
         tier_part: the part's record in the tier.
         transmittance_records: holes and thin glass of a surface; see `transmittance`.
-        normal_maps: relief of a surface; see `mapped_normals`.
+        normal_maps: normal maps of a surface; see `mapped_normals`.
     """
 
     def __init__(self, package: Package, tier: Tier, threads: int, part: int, name: str) -> None:
-        """package: open; tier: one of its manifest's; threads: at least 1; part: its number."""
+        """package: open. tier: one of its tiers. threads: at least 1. part: index of the part."""
         # onnxruntime and numba load with the first asset, not with this module.
         from rna_sdk.runtime.decoder import Decoder
         from rna_sdk.runtime.tiles import QueryFiller, TileEvaluator

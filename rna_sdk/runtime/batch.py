@@ -12,12 +12,12 @@ Rows = NDArray[np.float32]
 
 @dataclass(frozen=True)
 class Batch:
-    """Each (n, 3) float32 but for h; the results are written.
+    """Arguments and results; each (n, 3) float32 except h.
 
     Attributes:
         axes: normals of a surface, tangents of fibers.
         h: (n,) float32, offsets across fibers; (0,) for a surface, which has none.
-        results: three columns of the decoder's output each: visible and shadowed, or emission.
+        results: written by the evaluation: visible and shadowed, or emission.
     """
 
     positions: Rows

@@ -1,4 +1,4 @@
-"""What queries cost on the processor at hand: measured once, then kept in the user's cache."""
+"""Cost of queries on this processor: measured once, then kept in the user's cache folder."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ _REPEATS = 5
 
 
 def kept_cost(measure: Callable[[], float], *what: object) -> float:
-    """The number that `measure` gave for `what` on this processor and these versions before.
+    """The cached result of `measure` for `what`, this processor and these versions.
 
-    measure: called where it is not known yet. what: repeatable descriptions of what is measured.
+    measure: called if there is no cached result. what: values whose `repr` identifies what is
+    measured.
     """
     import onnxruntime  # loads with the first asset, not with this module
 
@@ -35,7 +36,7 @@ def kept_cost(measure: Callable[[], float], *what: object) -> float:
 
 
 def median_seconds(action: Callable[[], object]) -> float:
-    """Of several calls, after one that warms caches."""
+    """Median duration of several calls, after one that warms caches."""
     action()
     seconds = []
     for _ in range(_REPEATS):
@@ -51,7 +52,7 @@ def _file() -> Path:
 
 
 def _read() -> dict[str, float]:
-    """What is kept; nothing where the file is missing or damaged."""
+    """The cached costs; none if the file is missing or damaged."""
     try:
         known = json.loads(_file().read_text())
         return {str(key): float(value) for key, value in known.items()}
@@ -60,7 +61,7 @@ def _read() -> dict[str, float]:
 
 
 def _write(known: dict[str, float]) -> None:
-    """Replace the file; where it cannot be written, the next process measures again."""
+    """Replace the file; if it cannot be written, the next process measures again."""
     path = _file()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Whether directions are among those that an asset was trained for."""
+"""Whether directions are within the domain of training."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.boo
     region: `wo` or `wi` of `Asset.domain`. directions: (n, 3) float32, unit, object space.
 
     Raises:
-        QueryError: `directions` is another array.
+        QueryError: `directions` is not an (n, 3) float32 array.
 
     Examples:
         >>> asset = load("toy.rna")  # trained for the whole sphere
@@ -34,4 +34,4 @@ def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.boo
 
 
 _ROUNDING = np.float32(1e-6)
-"""What float32 may take from a cosine; a cone without width still holds its axis."""
+"""Tolerance for cosines in float32; a cone of angle 0 still contains its axis."""

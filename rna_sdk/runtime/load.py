@@ -1,4 +1,4 @@
-"""From the file of a package to an asset that can be evaluated."""
+"""Load a package for evaluation."""
 
 from __future__ import annotations
 
@@ -21,24 +21,23 @@ def load(
     max_error: float | None = None,
     pixels: float | None = None,
 ) -> SurfaceAsset | FiberAsset | CompositeAsset:
-    """Open the package at `path` for evaluation. Its planes stay in the file, mapped to memory.
+    """Open the package at `path` for evaluation. Its planes are memory-mapped from the file.
 
-    A package of one part gives that part, as its kind says; one of several a CompositeAsset, whose
-    `parts` are such.
+    A package of one part is returned as a SurfaceAsset or FiberAsset, one of several parts as a
+    CompositeAsset with such `parts`.
 
-    tier: name of a tier; None takes the package's first.
-    threads: threads of an evaluation; None takes one for each core this process may use.
-    min_psnr: instead of a name: takes the tier with the fewest multiply-adds per query, those of
-        an int8 decoder counted half, among those whose recorded validation PSNR is at least
-        this many dB.
-    max_error: likewise, whose recorded mean FLIP is at most this.
-    pixels: how high the asset is in the image: the sphere about its bounds. A small asset is
-        content with a cheaper tier (with max_error), and has the geometry of a proxy, if there is
-        one for its size. None: as high as the validation images.
+    tier: name of a tier; None selects the package's first.
+    threads: number of threads per evaluation; None uses all cores available to this process.
+    min_psnr: dB. Instead of a name: selects the cheapest tier whose recorded validation PSNR is at
+        least this. Cheapest is fewest multiply-adds per query, those of int8 decoders counted half.
+    max_error: likewise, the cheapest tier whose recorded mean FLIP is at most this.
+    pixels: height in the image of the sphere about the asset's bounds. For a small asset a cheaper
+        tier meets `max_error`, and the geometry is that of a proxy if the package has one for this
+        size. None: as high as the validation images.
 
     Raises:
-        PackageError: the file cannot be read or breaks the format.
-        QueryError: there is no such tier, none is good enough, or an argument is no such value.
+        PackageError: the file cannot be read or violates the format.
+        QueryError: no tier has this name or is good enough, or an argument is invalid.
 
     Examples:
         >>> asset = load("toy.rna", min_psnr=30.0)

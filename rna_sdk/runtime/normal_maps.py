@@ -1,6 +1,6 @@
-"""Normals with the relief of normal maps: spec/RNA.md, 4.5, in numpy.
+"""Shading normals from normal maps: spec/RNA.md, 4.5, in numpy.
 
-For tests, tools and readers in Python; renderers have kernels of their own with the same formula.
+For tests, tools and readers in Python; renderers have their own kernels for the same formula.
 """
 
 from __future__ import annotations
@@ -26,10 +26,12 @@ def mapped_normals(
     u: NDArray[np.floating],
     v: NDArray[np.floating],
 ) -> NDArray[np.float32]:
-    """(n, 3) unit normals that a part is asked with at hits of its mesh; object space.
+    """Normals to evaluate a part with at ray hits: interpolated, with its normal maps applied.
 
-    records: of the part (`asset.parts[k].normal_maps`). triangle: (n,) which of the mesh's. u, v:
-    (n,) barycentric coordinates of its second and third corner.
+    records: the part's (`asset.parts[k].normal_maps`). triangle: (n,) indices of the hit triangles.
+    u, v: (n,) barycentric coordinates of the second and third corner.
+
+    Returns (n, 3) float32 unit normals, object space.
 
     Examples:
         >>> asset = load("toy.rna")  # without normal maps: the mesh's own normals

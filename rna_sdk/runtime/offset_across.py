@@ -1,4 +1,4 @@
-"""Where across a fiber's width a ray leaves it."""
+"""Offset of a ray across a fiber's width."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ def offset_across(
 ) -> NDArray[np.float32]:
     """(n,) float32: h of `FiberAsset.evaluate`, n . (t x wo) / |t x wo|, within [-1, 1].
 
-    normals: of the fiber's round side where it is hit. tangents: along the fiber. wo: away from
-    it, towards the eye. All (n, 3) float32 of any length, in one space. Seen from the eye with t
-    upwards, h is the distance to the right of the fiber's middle, in radii. It is 0 where wo is
-    parallel to t, and where a vector has no length or is not finite.
+    normals: of the fiber's round surface at the hit. tangents: along the fiber. wo: away from it,
+    towards the viewer. All (n, 3) float32 of any length, in one space. Seen from the viewer with t
+    upwards, h is the distance to the right of the fiber's axis, in radii. It is 0 where wo is
+    parallel to t, and where a vector has length zero or is not finite.
 
     Raises:
         QueryError: an argument is not an (n, 3) float32 array, or they differ in n.

@@ -1,4 +1,4 @@
-"""A surface that is loaded and can be asked for its transport and emission."""
+"""A loaded surface, which evaluates transport and emission."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class SurfaceAsset(AssetPart):
         name: str,
         pixels: float = math.inf,
     ) -> None:
-        """package: open; tier: one of its manifest's; part: the number of one with a mesh.
+        """package: open. tier: one of its tiers. part: index of a part with a mesh.
 
         pixels: as for `Package.geometry`.
         """
@@ -48,21 +48,20 @@ class SurfaceAsset(AssetPart):
     ) -> tuple[Rows, Rows]:
         """Transport at surface points: radiance towards wo under irradiance 1 from wi.
 
-        positions: metres. normals: of the surface. wo, wi: where light goes to and comes from,
-        both away from the surface. All (n, 3) float32, object space; n may be 0. Vectors of
-        another length than 1 are brought to it; positions outside the bounds are moved to
-        their nearest point on them. out: two C-contiguous (n, 3) float32 arrays to write the
-        result into and return, which saves large batches the cost of fresh memory.
+        positions: metres. normals: of the surface. wo, wi: directions towards the viewer and
+        the light, both away from the surface. All (n, 3) float32, object space; n may be 0. Vectors
+        are normalised; positions outside the bounds are clamped to them. out: two C-contiguous
+        (n, 3) float32 arrays that receive the result and are returned, which avoids allocations.
 
-        Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and never negative:
-        for the case that the asset itself does not, or does, block the ray from the position
-        along wi. Both contain the cosine. A row with NaN or an infinity, or with a normal, wo
-        or wi of length zero, gets 0. A row's result is the same to the bit in whatever batch
-        it comes and for any number of threads.
+        Returns (visible, shadowed), each (n, 3) float32 linear RGB, finite and non-negative.
+        `shadowed` applies where the asset itself blocks the ray from the position along wi,
+        `visible` elsewhere. Both include the cosine. A row with NaN or infinity, or with a normal,
+        wo or wi of length zero, returns 0. A row's result does not depend on the batch or on the
+        number of threads, to the bit.
 
         Raises:
             QueryError: an argument is not an (n, 3) float32 array, or they differ in n; `out`
-                cannot be written as it is.
+                is not writable or not contiguous.
 
         Examples:
             >>> asset = load("toy.rna")
@@ -76,10 +75,10 @@ class SurfaceAsset(AssetPart):
         return self._evaluate(positions, normals, _NO_OFFSETS, wo, wi, out)
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
-        """Radiance that surface points send towards wo with no light on the asset, W/(m^2 sr).
+        """Radiance emitted by surface points towards wo, without incident light, W/(m^2 sr).
 
-        The arguments as those of `evaluate`. Returns (n, 3) float32 linear RGB, finite and never
-        negative: 0 where the part does not emit, and in rows for which transport is 0.
+        Arguments as for `evaluate`. Returns (n, 3) float32 linear RGB, finite and non-negative: 0
+        where the part does not emit, and in rows with invalid arguments, as for `evaluate`.
 
         Raises:
             QueryError: an argument is not an (n, 3) float32 array, or they differ in n.

@@ -1,4 +1,4 @@
-"""Which of a package's tiers to evaluate."""
+"""Selection of one of a package's tiers."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ def choose_tier(
     max_error: float | None = None,
     pixels: float | None = None,
 ) -> Tier:
-    """The tier of this name; or the cheapest within a limit; or the first.
+    """The tier of this name; or the cheapest within a limit; or, with neither, the first.
 
-    min_psnr: dB. max_error: largest mean FLIP, as `expected_error` has it for `pixels`. Cheapest
-    is fewest multiply-adds per query, which no machine or load changes, those of an int8 decoder
-    counted half; among equals the package's order decides. A tier without a recorded validation
-    reaches no limit, and one without a recorded cost counts as dearest.
+    min_psnr: smallest recorded PSNR, dB. max_error: largest mean FLIP, as `expected_error` for
+    `pixels`. Cheapest is fewest multiply-adds per query, those of int8 decoders counted half, so
+    that the choice is the same on all machines; ties go to the package's first. A tier without a
+    recorded validation meets no limit; one without a recorded cost is chosen last.
 
     Raises:
-        QueryError: more than one choice is given, no tier is as asked, or a limit is no number.
+        QueryError: more than one criterion is given, no tier meets it, or a limit is not a number.
 
     Examples:
         >>> with Package.open("toy.rna") as package:
@@ -58,14 +58,14 @@ def choose_tier(
 
 
 def expected_error(tier: Tier, pixels: float | None = None) -> float:
-    """Mean FLIP of the tier where its asset is `pixels` high in the image; inf if not recorded.
+    """Mean FLIP of the tier for an asset that is `pixels` high in the image; inf if not recorded.
 
-    pixels: the height of the sphere about the package's bounds; None, or more than the validation
-    images have, stands for their full height. Between recorded heights the error is linear in the
-    logarithm of the height; below the smallest it stays.
+    pixels: height of the sphere about the package's bounds; None, or more than the validation
+    images have, means their full height. Between recorded heights the error is interpolated
+    linearly in the logarithm of the height; below the smallest it is constant.
 
     Raises:
-        QueryError: `pixels` is no number of at least 0.
+        QueryError: `pixels` is negative or not a number.
 
     Examples:
         >>> tier = load("toy.rna").tier
@@ -84,7 +84,7 @@ def expected_error(tier: Tier, pixels: float | None = None) -> float:
 
 
 def is_no_worse(tier: Tier, other: Tier) -> bool:
-    """Whether the tier's recorded PSNR is that of the other, to within 0.1 dB, or more.
+    """Whether the tier's recorded PSNR is at least that of the other, to within 0.1 dB.
 
     Examples:
         >>> tier = load("toy.rna").tier
@@ -130,7 +130,7 @@ def _number(name: str, value: object, unit: str) -> float:
 
 
 def image_height(pixels: float | None) -> float:
-    """`pixels` as it is, infinity for None. Raises QueryError: no number of at least 0."""
+    """`pixels`, infinity for None. Raises QueryError: negative or not a number."""
     if pixels is None or pixels == math.inf:
         return math.inf
     if not _number("pixels", pixels, "pixels") >= 0.0:

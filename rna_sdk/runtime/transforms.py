@@ -1,4 +1,4 @@
-"""Between an asset's object space and world space."""
+"""Transforms between an asset's object space and world space."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from rna_sdk.arrays import vectors
 from rna_sdk.errors import QueryError
 
 _TOLERANCE = 1e-5
-"""Largest departure from a rotation, of its entries; matrices often come from float32."""
+"""Largest deviation of an entry from a rotation's; matrices often come from float32."""
 
 
 class Transform:
     """A rotation, a uniform scale and a translation from object space to world space.
 
-    Transport is measured in the asset's own size and shape, which no shear, mirror or uneven
-    scale keeps; so those are refused. Scale changes no radiance: a point moves, directions turn.
+    Transport is captured for the asset's own shape, so shear, mirroring and non-uniform scale are
+    refused. Uniform scale does not change radiance: points move and directions rotate.
 
     Attributes:
         matrix: (4, 4) float64, read-only; columns are the object's axes and origin in the world.
-        scale: world lengths over object lengths.
+        scale: ratio of world to object lengths.
 
     Examples:
         >>> matrix = np.eye(4)
@@ -36,7 +36,7 @@ class Transform:
         """matrix: (4, 4), object to world, acting on column vectors; the last row is 0 0 0 1.
 
         Raises:
-            QueryError: it is anything but a rotation, a uniform scale and a translation.
+            QueryError: it is not a rotation with uniform scale and translation.
         """
         self.matrix = _as_matrix(matrix)
         linear = self.matrix[:3, :3]
@@ -55,27 +55,27 @@ class Transform:
         self._origin = np.ascontiguousarray(self.matrix[:3, 3])
 
     def to_world_points(self, points: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Points of object space in world space; both (n, 3) float32."""
+        """Points from object to world space; both (n, 3) float32."""
         return _mapped(points, self._to_world, np.zeros(3), self._origin)
 
     def to_object_points(self, points: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Points of world space in object space; both (n, 3) float32."""
+        """Points from world to object space; both (n, 3) float32."""
         return _mapped(points, self._to_object, self._origin, np.zeros(3))
 
     def to_world_directions(self, directions: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Directions of object space in world space, as long as before; both (n, 3) float32."""
+        """Directions from object to world space, length unchanged; both (n, 3) float32."""
         return _mapped(directions, self._rotate, np.zeros(3), np.zeros(3))
 
     def to_object_directions(self, directions: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Directions of world space in object space, as long as before; both (n, 3) float32."""
+        """Directions from world to object space, length unchanged; both (n, 3) float32."""
         return _mapped(directions, self._rotate_back, np.zeros(3), np.zeros(3))
 
     def to_world_normals(self, normals: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Normals of object space in world space: as directions, since scale is uniform."""
+        """Normals from object to world space: as directions, since scale is uniform."""
         return self.to_world_directions(normals)
 
     def to_object_normals(self, normals: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Normals of world space in object space: as directions, since scale is uniform."""
+        """Normals from world to object space: as directions, since scale is uniform."""
         return self.to_object_directions(normals)
 
 

@@ -1,6 +1,6 @@
-"""How much light goes straight through a triangle: spec/RNA.md, 4.4, in numpy.
+"""Transmittance of holes and thin glass: spec/RNA.md, 4.4, in numpy.
 
-For tests, tools and readers in Python; renderers have kernels of their own with the same formula.
+For tests, tools and readers in Python; renderers have their own kernels for the same formula.
 """
 
 from __future__ import annotations
@@ -23,11 +23,13 @@ def transmittance(
     v: NDArray[np.floating],
     direction: NDArray[np.floating],
 ) -> NDArray[np.float32]:
-    """(n, 3) RGB from 0 to 1 of rays that meet triangles of a part; 0 where it is opaque.
+    """Fraction of light that passes straight through a mesh at ray hits; 0 where it is opaque.
 
-    records: of the part (`asset.parts[k].transmittance_records`). triangle: (n,) which of the
-    mesh's. u, v: (n,) barycentric coordinates of its second and third corner. direction: (n, 3)
-    of the rays, object space, of length 1.
+    records: the part's (`asset.parts[k].transmittance_records`). triangle: (n,) indices of the hit
+    triangles. u, v: (n,) barycentric coordinates of the second and third corner. direction: (n, 3)
+    unit ray directions, object space.
+
+    Returns (n, 3) float32 RGB, 0 to 1.
 
     Examples:
         >>> asset = load("toy.rna")  # opaque
