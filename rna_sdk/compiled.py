@@ -100,7 +100,7 @@ class _ParallelCache(_SourcesCache):
 
 
 def _digest_of_sources(kernel: FunctionType) -> str:
-    """Of the files of all functions that `kernel` reaches, of the constants they name, of this."""
+    """Digest of this file and of the files and constants of all functions `kernel` reaches."""
     reached, pending = {kernel}, [kernel]
     parts = {_digest_of_file(__file__)}
     while pending:
@@ -148,6 +148,6 @@ def _named_values(function: FunctionType) -> Iterator[tuple[str, object]]:
 
 
 def _names(code: CodeType) -> set[str]:
-    """Of globals and attributes, in this code and in the functions defined inside it."""
+    """Names of globals and attributes used in this code and in nested functions."""
     inside = [constant for constant in code.co_consts if isinstance(constant, CodeType)]
     return set(code.co_names).union(*map(_names, inside))

@@ -10,5 +10,5 @@ from rna_export.training.validation import Scores, score, shade
 
 
 def scores_of(model: NeuralAsset, views: Sequence[ValidationView]) -> Scores:
-    """Of all views together, as `rna-train` reports them."""
+    """Scores of all views together, as `rna-train` reports them."""
     return score([shade(model, view) for view in views], views)

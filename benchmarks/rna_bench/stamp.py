@@ -43,7 +43,7 @@ def stamp(arguments: Sequence[str]) -> dict[str, Any]:
 
 
 def commit(root: Path) -> str:
-    """Of the checkout, with "+changes" if it has any; "unknown" without git."""
+    """Commit of the checkout, with "+changes" if it is modified; "unknown" without git."""
     try:
         head = _git(root, "rev-parse", "--short=12", "HEAD")
         return head + ("+changes" if _git(root, "status", "--porcelain") else "")

@@ -6,7 +6,7 @@ from . import sdk, set_up
 
 
 class Preferences(bpy.types.AddonPreferences):
-    """Of the extension"""
+    """Preferences of the extension"""
 
     bl_idname = __package__
 

@@ -22,7 +22,7 @@ def _tier_names(self, context, text):
 
 
 class RnaPackage(bpy.types.PropertyGroup):
-    """Of a mesh or hair data-block: what it shows. Objects with the same data share it."""
+    """Package of a mesh or hair data-block, shared by objects with the same data."""
 
     path: bpy.props.StringProperty(name="Package", description="The .rna file", subtype="FILE_PATH")
     part: bpy.props.IntProperty(
@@ -33,7 +33,7 @@ class RnaPackage(bpy.types.PropertyGroup):
 
 
 class RnaInstance(bpy.types.PropertyGroup):
-    """Of an object: how its package is rendered."""
+    """Render settings of an object's package."""
 
     tier: bpy.props.StringProperty(
         name="Tier",
@@ -46,7 +46,7 @@ class RnaInstance(bpy.types.PropertyGroup):
 
 
 class RnaRenderSettings(bpy.types.PropertyGroup):
-    """Of a scene: the options of a render."""
+    """Render settings of a scene."""
 
     samples: bpy.props.IntProperty(
         name="Samples", description="Samples a pixel", default=64, min=1, max=1 << 20
@@ -91,7 +91,7 @@ class RnaRenderSettings(bpy.types.PropertyGroup):
 
 
 class RnaPasses(bpy.types.PropertyGroup):
-    """Of a view layer: passes that Blender has no option for."""
+    """Passes of a view layer for which Blender has no option."""
 
     asset_index: bpy.props.BoolProperty(
         name="Asset Index", description="Place of the thing in the scene file, from 1; assets first"

@@ -57,11 +57,11 @@ def is_set_up():
 
 
 def version():
-    """Of the SDK that the extension brings: a digest of its files; empty if it brings none."""
+    """Digest of the files of the bundled SDK; empty if none is bundled."""
     path = SOURCE / "version"
     return path.read_text() if path.is_file() else ""
 
 
 def python_in(folder):
-    """Of a virtual environment; whether there is one is another question."""
+    """Path of the interpreter in a virtual environment, which need not exist."""
     return folder / "Scripts" / "python.exe" if os.name == "nt" else folder / "bin" / "python"

@@ -48,7 +48,7 @@ class Brightness:
 
 
 def brightness(rows: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray]]) -> Brightness:
-    """Of images as (radiance (n, 3), reference (n, 3), visible (n,) or (n, 3)) each.
+    """Brightness over images of (radiance (n, 3), reference (n, 3), visible (n,) or (n, 3)).
 
     What counts as lit: see `is_lit`.
     """

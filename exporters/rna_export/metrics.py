@@ -57,7 +57,7 @@ class NoiselessPsnr:
 
     @classmethod
     def of_error(cls, error: float, margin: float) -> NoiselessPsnr:
-        """Of an estimated mean squared error and the half width of its 95% interval."""
+        """From an estimated mean squared error and the half width of its 95% interval."""
         low = _decibels(max(error, 0.0) + margin)
         if error <= margin:
             return cls(low, low, None)

@@ -43,7 +43,7 @@ DEFAULT_DOMAINS = frozenset({"", "ai.onnx"})
 _PROBES = (0.0, 1.0, -1.0, 1e4, -1e4, float(np.finfo(np.float32).max), -3.4e38)
 _RANDOM_ROWS = 17
 _INT8_SHARE = 0.75
-"""Of the rows of an int8 decoder that must be the same in another order, and alone."""
+"""Fraction of an int8 decoder's rows that must be identical in another order, and alone."""
 
 
 def check_decoder(data: memoryview, form: DecoderForm) -> list[Issue]:

@@ -31,13 +31,13 @@ class DecoderForm:
 
 
 def transport_form(part: TierPart) -> DecoderForm:
-    """Of the decoder that gives visible and shadowed RGB."""
+    """The form of the transport decoder, with outputs visible and shadowed RGB."""
     columns, precision = part.query_width, part.decoder_precision
     return DecoderForm(part.decoder, columns, TRANSPORT, TRANSPORT_WIDTH, precision)
 
 
 def emission_form(part: TierPart) -> DecoderForm | None:
-    """Of the decoder that gives emitted RGB, if the part has one."""
+    """The form of the emission decoder, with output RGB; None if the part does not emit."""
     own = part.emission
     if own is None:
         return None

@@ -119,7 +119,7 @@ class _Walk:
 
     @property
     def _operator(self) -> str:
-        """Of the node that comes next."""
+        """Operator of the next node."""
         return self._chain[self._at].operator if self._at < len(self._chain) else "nothing"
 
     def _take(self, operator: str, *operands: _Operand) -> Node:

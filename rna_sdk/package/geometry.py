@@ -15,7 +15,7 @@ from rna_sdk.package.quantised_mesh import quantise_mesh
 Geometry = Mesh | Curves
 
 QUANTISED_VERSION = "1.1"
-"""Of the format, the first with quantised geometry."""
+"""First version of the format with quantised geometry."""
 
 CLASSES: dict[Kind, type[Geometry]] = {"surface": Mesh, "fiber": Curves}
 

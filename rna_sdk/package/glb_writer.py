@@ -97,7 +97,7 @@ def _exact(mesh: Mesh) -> list[_Array]:
 
 
 def _quantised(mesh: QuantisedMesh) -> list[_Array]:
-    """The like of `_exact`."""
+    """The arrays of a quantised mesh, as `_exact`."""
     stride: gltf.Stride = gltf.QUANTISED_STRIDE
     vertices = [
         _Array(mesh.positions, stride=stride, with_range=True),

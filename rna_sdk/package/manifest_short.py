@@ -21,7 +21,7 @@ from rna_sdk.package.manifest_tiers import (
 from rna_sdk.package.strict_json import pointer
 
 PART_NAME = "asset"
-"""Of the one part of a file in the short form."""
+"""Name of the only part of a file in the short form."""
 
 
 class ShortTier(TierPartFields):

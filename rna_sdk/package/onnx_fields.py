@@ -90,7 +90,7 @@ class DimensionProto:
 
 
 class DataType:
-    """Of elements of a tensor."""
+    """Element type of a tensor."""
 
     FLOAT = 1
     UINT8 = 2
@@ -102,7 +102,7 @@ class DataType:
 
 
 class AttributeType:
-    """Of the value of an attribute."""
+    """Type of an attribute's value."""
 
     INT = 2
     INTS = 7

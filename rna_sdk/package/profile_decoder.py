@@ -123,7 +123,7 @@ class _Reader:
         )
 
     def _operands(self, place: int) -> list[NDArray[Any]]:
-        """Of a node in the chain, behind the value."""
+        """Constant operands of a node in the chain, after its input."""
         return [self._constants[name] for name in self._chain[place].inputs[1:]]
 
     def _layer(self, place: int, names: list[str]) -> ProfileLayer:

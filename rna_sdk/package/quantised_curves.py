@@ -16,7 +16,7 @@ MAX_STEPS = 2**31
 
 _STEPS_A_RADIUS = 51
 _FLOAT32_STEPS = 2**22
-"""Of the largest coordinate; two points a step apart are never rounded to one."""
+"""Most steps up to the largest coordinate: float32 keeps points one step apart distinct."""
 
 _LEAST_RADIUS_UNITS = 50
 """A radius of so many units and more is off by 1% at most."""

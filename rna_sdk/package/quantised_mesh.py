@@ -88,7 +88,7 @@ def _rounded(values: NDArray[np.float64], dtype: type) -> NDArray[Any]:
 
 
 def _unit(normals: NDArray[np.int16]) -> NDArray[np.float32]:
-    """Of length 1 but for rounding; (0, 0, 0) stays."""
+    """Normals scaled to unit length; (0, 0, 0) is unchanged."""
     x, y, z = stored_normals(normals).T
     lengths = np.sqrt(x * x + y * y + z * z)
     lengths[lengths == 0] = 1.0

@@ -199,7 +199,7 @@ class _Textures:
         return self._read(record.texture, has_cutoff, lambda data: texture_from_bytes(data, record))
 
     def of_normals(self, record: NormalMapRecord) -> Texture | None:
-        """Likewise."""
+        """The normal map of a record, or None if it is invalid."""
         return self._read(
             record.texture, False, lambda data: NORMALS.from_bytes(data, record.texture)
         )

@@ -176,7 +176,7 @@ def _fiber_lobes(t: Float, h: Float, wo: Float, wi: Float) -> Float:
 
 
 def _cosine(sine: Float) -> Float:
-    """Of an angle within 90 degrees."""
+    """Cosine of an angle within 90 degrees."""
     return np.sqrt(np.maximum(0, 1 - sine**2))
 
 

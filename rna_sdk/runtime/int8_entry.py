@@ -36,7 +36,7 @@ class Entry:
 
     @property
     def columns(self) -> int:
-        """Of the uint8 array: those of the queries, or more to fill up, which are 0."""
+        """Number of columns of the uint8 array: those of the queries, zero-padded."""
         return -(-len(self.gain) // _COLUMN_STEP) * _COLUMN_STEP
 
     def quantized(self, queries: NDArray[np.float32]) -> NDArray[np.uint8]:

@@ -31,7 +31,7 @@ _ELEMENTS: dict[types.Float, ir.Type] = {
 
 
 _BITS = {types.float32: (32, 23, 0x3F3504F3), types.float64: (64, 52, 0x3FE6A09E667F3BCD)}
-"""Of a float: its bits, those of its fraction, and sqrt(1/2) as an integer."""
+"""For each float type: bits, bits of the fraction, and sqrt(1/2) as an integer."""
 
 
 class LanesType(types.Type):

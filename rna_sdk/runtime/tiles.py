@@ -50,7 +50,7 @@ class QueryFiller:
         self._kernel = query_kernel(kind, part.channels, part.plane_precision)
 
     def laying_out(self, inputs: tuple[str, ...]) -> QueryFiller:
-        """The like of it for other input blocks, on the same planes."""
+        """A filler for other input blocks, on the same planes."""
         other = copy(self)
         other._columns = block_columns(inputs, self._channels)
         return other

@@ -37,7 +37,7 @@ class Bindings:
         self.scene = device.layout(*[_READ] * 5)
 
     def pipeline(self, name: str, *layouts: Any, file: str = "") -> Any:
-        """Of an entry point of wgsl/render/; file: its composition, if it has another name."""
+        """Pipeline of an entry point of wgsl/render/. file: its composition, if named otherwise."""
         source = _lobes() + compose({}, f"render/{file or name}")
         return self._device.pipeline(source, name, [self.path, *layouts])
 

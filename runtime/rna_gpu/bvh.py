@@ -21,7 +21,7 @@ HALVED_FROM = 24
 Box = NDArray[np.float32] | NDArray[np.float64]
 """Corners, (2, 3)."""
 Centres = NDArray[np.float32]
-"""Of the primitives' boxes, (n, 3)."""
+"""Centres of the primitives' boxes, (n, 3)."""
 Order = NDArray[np.int64]
 """Numbers of the primitives, (n,); a set is a range of it."""
 

@@ -65,7 +65,7 @@ class Images:
         return len(self.textures) - 1
 
     def _place(self, texels: NDArray[np.uint8]) -> int:
-        """Of the texels, once for those added before; one channel stands for three."""
+        """Offset of the texels, which are stored once; a single channel represents grey."""
         if id(texels) not in self._kept:
             channels = texels.shape[2]
             words = np.zeros((*texels.shape[:2], 4), np.uint8)

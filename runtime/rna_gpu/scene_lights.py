@@ -99,7 +99,7 @@ def _numbers(address: np.uint64, count: int) -> NDArray[np.float64]:
 
 
 def _shining_triangles(thing: Any) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Of an object or an asset: places among its primitives, and areas in object space."""
+    """Emitting triangles of an object or asset: primitive indices, and areas in object space."""
     if isinstance(thing, MeshObject):
         return np.arange(len(thing.triangles)), _areas(thing)
     numbers, areas, start = [], [], 0

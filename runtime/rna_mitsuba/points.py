@@ -15,7 +15,7 @@ from rna_mitsuba.vectors import length, unit
 from rna_sdk.package import Curves, Mesh, NormalMap, Transmittance
 
 _ROUNDING = 1e-3
-"""Of a strand's radius: what float32 coordinates of an asset leave of it."""
+"""Rounding error of float32 coordinates, as a fraction of a strand's radius."""
 _SMOOTH_BELOW = 0.1  # cosine of 7.1, where rays begin to start on the smooth surface
 
 

@@ -108,21 +108,21 @@ class World:
         return points, wo, fiber
 
     def to_world_points(self, instance: mi.UInt32, x: mi.Point3f) -> mi.Point3f:
-        """Of the instances."""
+        """Points from the object space of their instances to world space."""
         result = mi.Point3f(0)
         for k, place in enumerate(self._places):
             result = dr.select(instance == k, place.point(x), result)
         return result
 
     def to_world_directions(self, instance: mi.UInt32, d: mi.Vector3f) -> mi.Vector3f:
-        """Of the instances."""
+        """Directions from the object space of their instances to world space."""
         result = mi.Vector3f(0, 0, 1)
         for k, place in enumerate(self._places):
             result = dr.select(instance == k, place.direction(d), result)
         return result
 
     def to_object_directions(self, instance: mi.UInt32, d: mi.Vector3f) -> mi.Vector3f:
-        """Of the instances."""
+        """Directions from world space to the object space of their instances."""
         result = mi.Vector3f(0, 0, 1)
         for k, place in enumerate(self._places):
             result = dr.select(instance == k, place.object_direction(d), result)

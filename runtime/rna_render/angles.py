@@ -26,7 +26,7 @@ _EIGHTH = np.sqrt(2.0) - 1.0  # tan(pi/8)
 
 @compiled(fastmath=())
 def sine_and_cosine(turns: float) -> tuple[float, float]:
-    """Of an angle in turns, from -1 to 2: float64, to 1e-12."""
+    """Sine and cosine of an angle in turns, from -1 to 2: float64, to 1e-12."""
     quarter = np.floor(4.0 * turns + 0.5)
     x = (turns - 0.25 * quarter) * (2.0 * np.pi)
     x2 = x * x

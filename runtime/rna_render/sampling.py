@@ -112,7 +112,7 @@ def square_point(key: np.uint32, number: int) -> tuple[float, float]:
 
 @compiled(fastmath=())
 def _first_coordinate(key: Bits, index: Bits) -> float:
-    """Of the point of a scrambled number."""
+    """First coordinate of the point with a scrambled index."""
     return _owen_scramble(_reverse_bits(index), hash_bits(key + np.uint32(1))) * 2.0**-32
 
 

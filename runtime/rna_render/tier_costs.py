@@ -12,7 +12,7 @@ from rna_sdk.package import Package
 from rna_sdk.runtime import Asset, is_no_worse, load
 
 _FASTER = 0.9
-"""Of the cost; a tier above that is not worth a note."""
+"""Largest relative cost of another tier that is worth a note."""
 
 
 def cost_lines(scene_file: SceneFile, world: World) -> Iterator[str]:
@@ -31,7 +31,7 @@ def cost_lines(scene_file: SceneFile, world: World) -> Iterator[str]:
 
 
 def loaded_assets(scene_file: SceneFile, world: World) -> list[Asset]:
-    """Of the scene's packages, in its order: they are the first of the world's things."""
+    """The scene's assets, in its order: the first of the world's things."""
     return cast(list[Asset], world.things[: len(scene_file.scene.assets)])
 
 

@@ -233,7 +233,7 @@ def _met_by(thing: Thing) -> int:
 
 
 def _radius(centres: np.ndarray, sizes: np.ndarray, counts: list[bool]) -> float:
-    """Of a sphere about balls that count, or about all if none does; a fair bound."""
+    """Radius of a sphere about the counted balls, or about all if none counts; approximate."""
     chosen = np.array(counts) if any(counts) else np.ones(len(counts), bool)
     centre = centres[chosen].mean(axis=0)
     return float((np.linalg.norm(centres[chosen] - centre, axis=1) + sizes[chosen]).max())

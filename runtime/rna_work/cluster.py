@@ -153,7 +153,7 @@ def node_name(node: dict[str, Any]) -> str:
 
 
 def first_line(error: BaseException) -> str:
-    """Of its message, and the next one that is no detail: there Ray says why an actor died."""
+    """First line of the message, and the next unindented one: Ray's reason for an actor's death."""
     lines = str(error).strip().splitlines() or [type(error).__name__]
     more = (line for line in lines[1:] if line and not line[0].isspace())
     return f"{lines[0]} {next(more, '')}".strip()

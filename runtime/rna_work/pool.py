@@ -158,7 +158,7 @@ class Pool(Generic[Item, Result]):
             self._tell(member, None, member.slot.ready)
 
     def _next_outcomes(self, feed: _Feed) -> list[tuple[int, Outcome[Item, Result]]]:
-        """Of the next event; none if it was of another kind, or if none came for a while."""
+        """Outcomes of the next event; empty if it is of another kind, or on timeout."""
         try:
             member, job, future = self._events.get(timeout=_LOOK)
         except Empty:

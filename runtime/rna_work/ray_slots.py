@@ -47,7 +47,7 @@ class RayWorkers:
         return RaySlot(self.options(), max(1, int(self.needs.cpus)), make, name)
 
     def options(self) -> dict[str, Any]:
-        """Of an actor."""
+        """Options of a Ray actor."""
         wanted = self._wanted()
         own = {"CPU": "num_cpus", "GPU": "num_gpus", "memory": "memory"}
         named = {own[name]: need for name, need in wanted.items() if name in own}

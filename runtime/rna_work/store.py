@@ -66,7 +66,7 @@ class Store:
             raise self._failed(name, error) from error
 
     def names(self) -> set[str]:
-        """Of all files."""
+        """Names of all files."""
         system, root = self._opened()
         try:
             system.invalidate_cache()

@@ -40,7 +40,7 @@ class StoredFolder:
 
     @property
     def sha256(self) -> str:
-        """Of all names and contents."""
+        """Hash of all names and contents."""
         whole = "".join(f"{name}\0{sha}\0" for name, sha in self.hashes.items())
         return hashlib.sha256(whole.encode()).hexdigest()
 

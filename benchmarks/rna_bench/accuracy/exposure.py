@@ -42,7 +42,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def scores(view: ValidationView, shaded: np.ndarray) -> dict[str, Any]:
-    """Of radiance (n, 3) of a view's rows. `exposure` multiplies what is displayed."""
+    """Scores of radiance (n, 3) of a view's rows. `exposure` scales the displayed image."""
     halves = np.stack([view.image(half) for half in view.halves])
     in_scene = Beside.of(halves, view.image(np.ones_like(shaded))[..., 0] > 0.0)
     return {

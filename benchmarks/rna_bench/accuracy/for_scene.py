@@ -63,7 +63,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def share(region: Region) -> float:
-    """Of all directions."""
+    """Fraction of all directions."""
     spread = np.array([light_direction(k, 0, "sphere") for k in range(20_000)])
     return float(in_region(region, spread).mean())
 

@@ -41,7 +41,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def measured(path: Path, tier: str | None) -> dict[str, Any]:
-    """Of one package: at each height the figures of each level."""
+    """Figures of one package, by height and level."""
     with tempfile.TemporaryDirectory() as folder:
         levels = [_surface(level) for level in level_packages(path, tier, Path(folder))]
     with Package.open(path) as package:

@@ -49,7 +49,7 @@ def memory_mb() -> float:
 
 
 def cpu_seconds() -> float:
-    """Of this process, all threads."""
+    """CPU time of this process, all threads."""
     used = resource.getrusage(resource.RUSAGE_SELF)
     return used.ru_utime + used.ru_stime
 

@@ -22,7 +22,7 @@ ERRORS = {
     "flip": "mean FLIP",
     "p99": "99th percentile of the relative error",
 }
-"""Likewise; less is better but for PSNR."""
+"""Errors of the chart; smaller is better, except for PSNR."""
 
 
 def points_of(records: list[Record], costs: Costs | None) -> list[dict[str, Any]]:

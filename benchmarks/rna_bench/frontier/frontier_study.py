@@ -63,11 +63,11 @@ class Study:
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew, args.stamp)
 
     def folder(self, trial: Trial) -> Path:
-        """Of a trial's checkpoint, packages and record."""
+        """Folder of a trial's checkpoint, packages and record."""
         return self.out / "trials" / trial.name
 
     def records(self) -> list[Record]:
-        """Of the finished trials, in the grid's order."""
+        """Records of the finished trials, in the grid's order."""
         source = self.dataset.manifest.source_sha256
         found = [read_record(self.folder(trial), trial, source) for trial in self.trials]
         return [record for record in found if record is not None]
@@ -120,7 +120,7 @@ class Study:
         write_atomically(self.out / "costs.json", timings.model_dump_json(indent=1).encode())
 
     def package(self, trial: Trial, precision: str) -> Path:
-        """Of a finished trial."""
+        """Package of a finished trial."""
         return self.folder(trial) / f"{precision}.rna"
 
     def render_cycles(self, source: Path) -> None:

@@ -134,7 +134,7 @@ def blocks(image: np.ndarray) -> np.ndarray:
 
 
 def compared(images: dict[str, np.ndarray]) -> dict[str, float]:
-    """Of the engine's picture: its brightness over the others', and PSNR against Cycles."""
+    """The engine's brightness relative to the other renders, and PSNR against Cycles."""
     ours, run, cycles = images["engine"], images["rna-run"], images["cycles"]
     return {
         "largest difference from rna-run": float(np.abs(ours - run).max()),

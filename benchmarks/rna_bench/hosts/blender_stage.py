@@ -86,7 +86,7 @@ def dress(scene, order):
 
 
 def use_nodes(block):
-    """Of a world or a material; newer versions of Blender always do, and warn when told to."""
+    """Gives a world or material a node tree; newer Blender versions always have one, and warn."""
     if not block.node_tree:
         block.use_nodes = True
 

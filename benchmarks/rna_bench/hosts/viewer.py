@@ -95,7 +95,7 @@ def in_chromium(scene: Path, api: str, resolution: tuple[int, int]) -> dict[str,
 
 
 def samples_per_second(scene: Any, integrator: Integrator) -> float:
-    """Of rna-run: the second of two, since the first one compiles."""
+    """Samples per second of rna-run: of the second of two runs, since the first compiles."""
     for _ in range(2):
         begun = time.perf_counter()
         render(scene, integrator)

@@ -44,7 +44,7 @@ class Beside:
         return self.halves.mean(axis=0, dtype=np.float32)
 
     def psnr(self, image: np.ndarray, where: np.ndarray | None = None) -> NoiselessPsnr:
-        """Of the image as displayed, without the references' noise, over the asset or `where`."""
+        """PSNR of the displayed image over the asset or `where`, without the references' noise."""
         rows = self.asset if where is None else where
         ours = display(self._shown(image)) / IRRADIANCE  # its own noise is an error, as displayed
         return psnr_without_noise(ours[rows], *(self._shown(h)[rows] for h in self.halves))

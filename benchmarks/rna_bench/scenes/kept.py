@@ -45,7 +45,7 @@ class Kept:
         return load_file(path)
 
     def record(self, name: str, make: Callable[[], dict[str, Any]]) -> dict[str, Any]:
-        """Likewise, of what JSON can hold."""
+        """As `arrays`, for JSON values."""
         path = self._folder / f"{name}.json"
         if not path.is_file():
             write_atomically(path, json.dumps(make(), indent=1).encode())

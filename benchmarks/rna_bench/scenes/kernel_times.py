@@ -85,6 +85,6 @@ def _timed(
 
 
 def _rows(arguments: tuple[Any, ...]) -> int:
-    """Of the longest table in the arguments: each row is a query or a ray."""
+    """Rows of the longest array in the arguments: queries or rays."""
     parts = (part for a in arguments for part in (a if isinstance(a, tuple) else (a,)))
     return max((len(a) for a in parts if isinstance(a, np.ndarray) and a.ndim == 2), default=0)

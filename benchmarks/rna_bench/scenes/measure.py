@@ -42,7 +42,7 @@ class Plan:
 
     @property
     def shown(self) -> int:
-        """Of ours, the one whose pictures are shown and whose kernels are timed."""
+        """Samples of our render that is shown and whose kernels are timed."""
         return self.samples[len(self.samples) // 2]
 
 

@@ -84,14 +84,14 @@ class Workshop:
 
     @property
     def kind(self) -> str | None:
-        """Of the given asset, if there is one."""
+        """Kind of the given asset, if there is one."""
         if self.subject.dataset is not None:
             return self.subject.dataset.kind
         return self.asset.kind if self.subject.package is not None else None
 
     @property
     def name(self) -> str:
-        """Of the given asset, or of the suite's own."""
+        """Name of the given asset, or of the suite's own assets."""
         given = self.subject.package or (self.subject.dataset and self.subject.dataset.folder)
         return given.stem if given else "the suite's own assets"
 

@@ -190,7 +190,7 @@ class RnaOriginal(bpy.types.PropertyGroup):
 
 
 class RnaBake(bpy.types.PropertyGroup):
-    """Of an object: its bake."""
+    """Bake of an object."""
 
     out: bpy.props.StringProperty(
         name="Package",

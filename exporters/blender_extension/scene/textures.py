@@ -9,7 +9,7 @@ _ELSEWHERE = "is made of nodes that glTF does not have: its value is rendered in
 
 
 class Textures:
-    """Of one material.
+    """Textures of one material.
 
     material: its name. glb: takes the textures. notes: takes what cannot be said.
     """

@@ -62,7 +62,7 @@ def tier_facts(tier):
 
 
 def geometry(part):
-    """Of a part, with the colour of each vertex or point."""
+    """Geometry of a part, with a colour per vertex or point."""
     if part.kind == "surface":
         mesh = part.mesh
         arrays = {"positions": mesh.positions, "normals": mesh.normals, "triangles": mesh.triangles}

@@ -60,7 +60,7 @@ def _add_of_scenes(p: argparse.ArgumentParser) -> None:
 
 
 def _add_of_material(p: argparse.ArgumentParser) -> None:
-    """Of Principled Hair, for strands without a material of their own."""
+    """Options of Principled Hair, for strands without a material."""
     p.add_argument("--melanin", type=float, default=0.3, help="0 white, 1 black")
     p.add_argument("--redness", type=float, default=0.5, help="redness of the melanin")
     p.add_argument("--colour", type=float, nargs=3, help="linear RGB colour, replaces melanin")

@@ -56,7 +56,7 @@ def hair_material(args: argparse.Namespace) -> bpy.types.Material:
 
 
 def half_diagonal(points: np.ndarray) -> float:
-    """Of the box around points (p, 3)."""
+    """Half the diagonal of the bounding box of points (p, 3)."""
     return 0.5 * float(np.linalg.norm(np.ptp(points, axis=0)))
 
 

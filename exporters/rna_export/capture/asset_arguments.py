@@ -9,7 +9,7 @@ import numpy as np
 
 
 class SurfaceArguments(NamedTuple):
-    """Of `SurfaceAsset.evaluate`: (n, 3) float32 each, object space."""
+    """Arguments of `SurfaceAsset.evaluate`: (n, 3) float32 each, object space."""
 
     position: np.ndarray
     normal: np.ndarray
@@ -18,7 +18,7 @@ class SurfaceArguments(NamedTuple):
 
 
 class FiberArguments(NamedTuple):
-    """Of `FiberAsset.evaluate`: h (n,), the others (n, 3), float32, object space."""
+    """Arguments of `FiberAsset.evaluate`: h (n,), the others (n, 3), float32, object space."""
 
     position: np.ndarray
     tangent: np.ndarray
@@ -28,7 +28,7 @@ class FiberArguments(NamedTuple):
 
 
 class SurfaceEmissionArguments(NamedTuple):
-    """Of `SurfaceAsset.emission`."""
+    """Arguments of `SurfaceAsset.emission`."""
 
     position: np.ndarray
     normal: np.ndarray
@@ -36,7 +36,7 @@ class SurfaceEmissionArguments(NamedTuple):
 
 
 class FiberEmissionArguments(NamedTuple):
-    """Of `FiberAsset.emission`."""
+    """Arguments of `FiberAsset.emission`."""
 
     position: np.ndarray
     tangent: np.ndarray
@@ -61,6 +61,6 @@ def rows_of(arguments: Arguments, rows: np.ndarray) -> Arguments:
 def emission_arguments(
     fields: Mapping[str, np.ndarray],
 ) -> SurfaceEmissionArguments | FiberEmissionArguments:
-    """Likewise, for samples that know of no light."""
+    """Arguments of `emission`, from samples without a light direction."""
     form = FiberEmissionArguments if "tangent" in fields else SurfaceEmissionArguments
     return form(**{name: fields[name] for name in form._fields})

@@ -84,7 +84,7 @@ class Piece(DatasetPart):
         return self._near(self._whole.training_samples(shards))
 
     def emission_samples(self) -> dict[str, np.ndarray]:
-        """Likewise."""
+        """Emission samples in the piece's bounds."""
         return self._near(self._whole.emission_samples())
 
     def _near(self, samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -100,7 +100,7 @@ class Piece(DatasetPart):
         return self._on_piece(self._whole.view(index))
 
     def emission_views(self) -> list[EmissionView]:
-        """Likewise."""
+        """The rows of emission views that lie on the piece itself."""
         return [self._on_piece(view) for view in self._whole.emission_views()]
 
     def _on_piece(self, view: View) -> View:

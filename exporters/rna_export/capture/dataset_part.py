@@ -45,12 +45,12 @@ class DatasetPart:
 
     @property
     def folder(self) -> Path:
-        """Of the dataset."""
+        """Folder of the dataset."""
         return self.dataset.folder
 
     @property
     def manifest(self) -> CaptureManifest:
-        """Of the dataset."""
+        """Manifest of the dataset."""
         return self.dataset.manifest
 
     def geometry(self) -> Mesh | Curves:

@@ -48,7 +48,7 @@ class ExportedParts:
         )
 
     def transmittances(self) -> list[tuple[Transmittance, ...]]:
-        """Of each part, with the textures."""
+        """Transmittance records of each part, with their textures."""
         return [
             tuple(
                 Transmittance(*r.triangles, self.textures[r.texture], r.cutoff, r.ior)
@@ -58,7 +58,7 @@ class ExportedParts:
         ]
 
     def normal_maps(self) -> list[tuple[NormalMap, ...]]:
-        """Of each part, with the textures."""
+        """Normal maps of each part, with their textures."""
         return [
             tuple(
                 NormalMap(*r.triangles, self.textures[r.texture])

@@ -262,7 +262,7 @@ def _domain_line(manifest: CaptureManifest) -> str:
 
 
 def _share(region: Region) -> str:
-    """Of the sphere, counted on evenly spread directions."""
+    """Fraction of the sphere, counted on evenly spread directions."""
     spread = np.array([light_direction(k, 0, "sphere") for k in range(_COUNTED)])
     return f"{in_region(region, spread).mean():.1%}"
 

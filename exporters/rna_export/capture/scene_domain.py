@@ -78,7 +78,7 @@ class _Instance:
 
 
 def _light_radius(light: LightModel) -> float:
-    """Of a sphere about the light's position that holds it, world units."""
+    """Radius of a sphere about the light's position that contains it, world units."""
     if isinstance(light, RectangleModel):
         return float(np.hypot(*light.size)) / 2.0
     return light.radius if isinstance(light, DiskModel | SphereModel) else 0.0

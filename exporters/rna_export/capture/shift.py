@@ -94,7 +94,7 @@ class CaptureWorker:
 
 
 def stored_name(task: Task, dataset: Dataset) -> str:
-    """Of the task's file, from the dataset's folder on."""
+    """Name of the task's file, relative to the dataset's folder."""
     return task.path(dataset).relative_to(dataset.folder).as_posix()
 
 

@@ -63,7 +63,7 @@ class ValidationView:
         return queries_of(self.samples)
 
     def pick(self, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
-        """Of a model's two outputs, (n, 3) each, what each row's visibility calls for."""
+        """A model's two outputs, (n, 3) each, blended by each row's visibility."""
         return picked(self.samples["visible"], visible, shadowed)
 
     def shaded_by(self, asset: SurfaceAsset | FiberAsset) -> np.ndarray:
@@ -128,7 +128,7 @@ def _image(resolution: int, pixel: np.ndarray, values: np.ndarray) -> np.ndarray
 
 
 def picked(v: np.ndarray, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:
-    """Of two outputs (n, 3) that which visibility calls for: (n,) bool or integer, or (n, 3)."""
+    """Two outputs (n, 3), blended by visibility v: (n,) bool or integer, or (n, 3)."""
     if v.ndim == 1:
         return np.where(v.astype(bool)[:, None], visible, shadowed)
     mixed: np.ndarray = v * visible + (1.0 - v) * shadowed

@@ -83,7 +83,7 @@ def _mixed(n: int, draw: _Draw, kinds: list[_Found], rng: np.random.Generator) -
 
 
 def _part_shares(scene: AssetScene, wo: Region, rng: np.random.Generator) -> np.ndarray:
-    """Of the view rays, for each part: half of them as it is seen, half as any other part."""
+    """Fraction of the view rays for each part: half by visible area, half equally."""
     parts = len(scene.shapes)
     if parts == 1:
         return np.ones(1)

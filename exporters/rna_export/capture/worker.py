@@ -175,7 +175,7 @@ class BlenderWorker:
 
     @property
     def kind(self) -> str:
-        """Of the opened source's parts: "surface", "fiber" or "both"."""
+        """Kind of the opened source's parts: "surface", "fiber" or "both"."""
         kinds = {part.kind for part in self.parts}
         return kinds.pop() if len(kinds) == 1 else "both"
 

@@ -65,7 +65,7 @@ class Phase:
 
 
 def phase_folder(work: Path, preset: str, number: int | None) -> Path:
-    """Of a preset's phase: that of a round, from 0 on, or its last one."""
+    """Folder of a preset's phase: of a round, counted from 0, or its last phase."""
     name = "last" if number is None else f"round-{number + 1:02d}"
     return work / "runs" / preset / name
 
@@ -77,7 +77,7 @@ def trained_in(folder: Path, dataset: Dataset) -> list[Trained]:
 
 
 def score(trained: Sequence[Trained], dataset: Dataset) -> Score:
-    """Of the models of all parts, over the whole validation images."""
+    """Score of the models of all parts, over the whole validation images."""
     views = dataset.whole_views()
     radiance = [
         np.concatenate([shade(one.model, p) for one, p in zip(trained, view.parts, strict=True)])

@@ -23,7 +23,7 @@ _EXPORT_SECONDS, _EXPORT_SHARE = 30.0, 0.05  # kept for the package, a tier: the
 
 
 class Length(BaseModel):
-    """Of a training: one of the two at most; neither: the preset's steps."""
+    """Length of a training: at most one of the two; with neither, the preset's steps."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -127,7 +127,7 @@ class TimedPlan:
         return _minutes(self._usable(left) * share)
 
     def last_phase(self, left: float, models: int) -> Length:
-        """Of a model, with `models` to train, this one among them."""
+        """Length of a model's last phase, with `models` left to train, itself included."""
         return _minutes(self._usable(left) / models)
 
     def _usable(self, left: float) -> float:

@@ -90,7 +90,7 @@ class _Part:
         self._bar.set_postfix(refresh=False, **shown)
 
     def set_postfix_str(self, shown: str, refresh: bool = True) -> None:
-        """Likewise."""
+        """Text after the bar."""
         self._bar.set_postfix_str(shown, refresh)
 
 

@@ -31,7 +31,7 @@ def open_rays(order: Order, begun: float) -> Dataset:
 
 
 def rays_folder(order: Order) -> Path:
-    """Of the dataset."""
+    """Folder of the dataset."""
     return order.work / "rays"
 
 

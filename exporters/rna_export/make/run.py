@@ -167,7 +167,7 @@ class Make:
         return self._plan.end if captured == self._plan.rounds else None
 
     def _best_folder(self, preset: str) -> Path:
-        """Of the phase with the least error."""
+        """Folder of the phase with the smallest error."""
         found: dict[int | None, Score | None] = {}
         if preset == self._lead:
             found |= {k: r.score for k, r in enumerate(self._state.rounds)}
@@ -189,7 +189,7 @@ class Make:
         self._state.save(self._order.work)
 
     def _known_weight(self) -> float:
-        """Of all stages that are known to come."""
+        """Total weight of all known stages."""
         rounds = self._plan.rounds or max(len(self._state.rounds), 1)
         phases = rounds if self._plan.rounds is None else rounds - 1
         return _RAYS * (1 + rounds) + _PHASE * phases + _LAST * len(self._by_cost)

@@ -32,7 +32,7 @@ class Asked(BaseModel):
 
 
 class Score(BaseModel):
-    """Of the validation images, all parts together."""
+    """Score over the validation images, all parts together."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 

@@ -22,7 +22,7 @@ class Curves:
 
     @property
     def best_psnr(self) -> float:
-        """Of all rows; minus infinity of none."""
+        """Best PSNR of all rows; minus infinity if there are none."""
         return max((row["psnr"] for row in self.rows), default=float("-inf"))
 
     def add(self, row: dict[str, float]) -> None:

@@ -32,7 +32,7 @@ class EmissionBatches:
         return cls(table, iter(table))
 
     def loss(self, emission: EmissionDecoder, triplane: Triplane, blur: float) -> Tensor:
-        """Of the next batch; relative, so that noise does not bias it."""
+        """Loss of the next batch; relative, so that noise does not bias it."""
         at = columns(next(self.rows), self.table.fields)
         y = emission(triplane, at, blur)
         return unbiased_l2(y, at["radiance"], emission.unit)

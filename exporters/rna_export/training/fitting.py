@@ -79,11 +79,11 @@ class Fitting:
 
     @property
     def learning_rate(self) -> float:
-        """Of the decoder, in the last step."""
+        """Learning rate of the decoder in the last step."""
         return float(self._optimizers[0].param_groups[0]["lr"])
 
     def loss(self, rows: Tensor, progress: float) -> Tensor:
-        """Of a batch, and of the next one of emission."""
+        """Loss of a batch, plus that of the next emission batch."""
         # From `blur` texels to 1 over the first fifth: the paper, section 4.2.
         blur = 1.0 + (self._config.blur - 1.0) * max(0.0, 1.0 - 5.0 * progress)
         at = columns(rows, self._fields)
@@ -121,7 +121,7 @@ def rate(config: TrainingConfig, progress: float) -> float:
 
 
 def _optimizers(model: NeuralAsset, config: TrainingConfig) -> list[torch.optim.Optimizer]:
-    """Of the decoders and of the features."""
+    """Optimizers of the decoders and of the features."""
     decoders = [*model.decoder.parameters()]
     if model.emission is not None:
         decoders += model.emission.parameters()

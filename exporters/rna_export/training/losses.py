@@ -33,7 +33,7 @@ def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") 
 
 
 def _of_visibility(y: Tensor, at: Points, config: ModelConfig) -> Tensor:
-    """Of outputs for visible and shadowed light, (k, 2, 3), what each sample's hint calls for."""
+    """Outputs (k, 2, 3) for visible and shadowed light, blended by each sample's hint."""
     if not config.visibility_hint:
         return y[:, 0]
     v = at["visible"]

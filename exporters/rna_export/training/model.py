@@ -68,7 +68,7 @@ class NeuralAsset(nn.Module):
 
     @property
     def multiply_adds(self) -> int:
-        """Of all matrix products of a query, without the emission decoder."""
+        """Multiply-adds of all matrix products of a query, without the emission decoder."""
         layers = [*self.decoder, *self.triplane.modules()]
         return sum(m.weight.numel() for m in layers if isinstance(m, nn.Linear))
 

@@ -144,7 +144,7 @@ def padded_bounds(dataset: DatasetPart) -> torch.Tensor:
 
 
 def _pace(run: Run, begun: float, saved: dict[str, Any] | None) -> Pace:
-    """Of the run, or of what is left of it."""
+    """Pace of the run, or of its remainder."""
     if run.minutes is not None:
         return TimePace(60.0 * run.minutes, begun, saved["pace"] if saved else None)
     return StepPace(run.preset.training.steps, saved["step"] if saved else 0)

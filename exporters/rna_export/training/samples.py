@@ -51,7 +51,7 @@ class SampleTable(IterableDataset[Tensor]):
 
     @cached_property
     def largest_radiance(self) -> float:
-        """Of all samples and channels."""
+        """Maximum over all samples and channels."""
         return float(columns(self.rows, self.fields)["radiance"].max())
 
     @cached_property

@@ -81,13 +81,13 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
 
 
 def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
-    """Of shaded rows against the captured ones: the score that costs the least."""
+    """Mean PSNR of shaded rows against the captured ones: the cheapest score."""
     pairs = zip(radiance, views, strict=True)
     return float(np.mean([psnr(shaded, view.reference) for shaded, view in pairs]))
 
 
 def mean_flip(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
-    """Of shaded rows against the captured ones."""
+    """Mean FLIP of shaded rows against the captured ones."""
     pairs = zip(radiance, views, strict=True)
     return float(np.mean([flip(v.image(r), v.image(v.reference))[0] for r, v in pairs]))
 

@@ -8,7 +8,7 @@ from rna_export.training.presets import PRESETS, Preset
 from rna_export.trials.trial import Family, Trial, name_of
 
 FULL_STEPS, SHORT_STEPS = 40_000, 5_000
-"""Of each training: those of our presets, and what ends within 40 minutes on 2 cores."""
+"""Steps per training: those of our presets, and what takes 40 minutes on 2 cores."""
 
 PAPER_ARCHITECTURES = (
     *((4, width) for width in (16, 32, 64, 128, 256)),

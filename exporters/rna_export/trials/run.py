@@ -76,7 +76,7 @@ def run_trial(
 
 
 def missing_precisions(record: Record) -> tuple[str, ...]:
-    """Of TRIAL_PRECISIONS, those that were not measured; none of a model that no package holds."""
+    """The TRIAL_PRECISIONS not yet measured; none for a model that cannot be packaged."""
     if not record.trial.packageable:
         return ()
     return tuple(p for p in TRIAL_PRECISIONS if p not in record.points)
@@ -121,7 +121,7 @@ def _finish(run: Run, table: SampleTable | None) -> float:
 
 
 def steps_done(folder: Path) -> int:
-    """Of a training that was stopped, or not; 0 where none was begun."""
+    """Steps done by a training, finished or stopped; 0 if there is none."""
     path = folder / "last.ckpt"
     if not path.is_file():
         return 0

@@ -22,7 +22,7 @@ from rna_export.metrics import (
 
 
 class ViewScores(BaseModel):
-    """Of one validation image."""
+    """Scores of one validation image."""
 
     model_config = ConfigDict(frozen=True)
 

@@ -41,7 +41,7 @@ class Job:
             Mirror(self.folder, self.store).fetch()
 
     def last_words(self) -> str:
-        """Of the trial's log, for an error."""
+        """The last lines of the trial's log, for an error message."""
         log = self.folder / "log.txt"
         text = log.read_text(errors="replace") if log.is_file() else ""
         lines = [line.strip() for line in text.splitlines() if line.strip()]

@@ -40,7 +40,7 @@ class Mesh(Protocol):
 
 
 class NormalMaps(Protocol):
-    """Of a mesh: rna_render.bodies.normal_maps.NormalMaps."""
+    """Normal maps of a mesh: rna_render.bodies.normal_maps.NormalMaps."""
 
     def at(
         self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray

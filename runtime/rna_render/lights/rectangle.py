@@ -64,7 +64,7 @@ def _edge_angle(x: float, y: float, sign: float, height: float) -> float:
 
 @compiled(fastmath=())
 def _solid_angle(x0: float, x1: float, y0: float, y1: float, height: float) -> tuple[float, float]:
-    """Of the rectangle, and the sum k of section 5: 2 pi less the two angles at x0."""
+    """Solid angle of the rectangle, and k of section 5: 2 pi minus the two angles at x0."""
     k = 2.0 * np.pi - _edge_angle(x0, y1, 1.0, height) - _edge_angle(x0, y0, -1.0, height)
     right = _edge_angle(x1, y0, 1.0, height) + _edge_angle(x1, y1, -1.0, height)
     return right - k, k

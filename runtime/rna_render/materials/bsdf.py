@@ -70,7 +70,7 @@ Point = tuple[Vector, float, float, float, float, float, float, float]
 """What `bsdf_point` returns."""
 
 Parameters = tuple[np.ndarray, ...]
-"""Of Scattering: an array for each number of a point, and `ggx.albedo_addresses`."""
+"""Parameters of Scattering: an array per value of a point, and `ggx.albedo_addresses`."""
 
 
 @compiled(inline=True, fastmath=())

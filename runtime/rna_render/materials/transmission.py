@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def object_transmittance(mesh: MeshObject) -> Transmittance | None:
-    """Of all its triangles; None if they are all opaque."""
+    """Transmittance of all triangles of an object; None if all are opaque."""
     used = np.unique(mesh.material_numbers)
     if mesh.catches_shadows or all(transmitted_by(mesh.materials[k]) is None for k in used):
         return None

@@ -70,7 +70,7 @@ def integral(
     wo: np.ndarray,
     rng: np.random.Generator,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Of T over all wi for each point, (n, 3), and which share of them is visible, (n,)."""
+    """Integral of T over all wi for each point, (n, 3), and the fraction that is visible, (n,)."""
     n = len(wo)
     total, seen = np.zeros((n, 3)), np.zeros(n)
     fields = {name: np.ascontiguousarray(v) for name, v in points.on[0].fields.items()}

@@ -54,7 +54,7 @@ def capture(workshop: Workshop, angle_deg: float, lights: int, rays: int) -> Dat
 
 
 def errors(models: dict[str, Answers], dataset: Dataset, angle_deg: float) -> list[Row]:
-    """Of each part, and of both, in the images of a pose.
+    """Errors of each part, and of both, in the images of a pose.
 
     Whether light is visible is traced against the parts where they are now: the images say it.
     """
