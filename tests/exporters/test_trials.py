@@ -7,11 +7,13 @@ from pathlib import Path
 
 import pytest
 
+from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.export.build import build_package
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.run import train
 from rna_export.trials import run as run_module
+from rna_export.trials.grid import nrhints
 from rna_export.trials.packages import TRIAL_PRECISIONS, USUAL
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import read_record
@@ -19,7 +21,9 @@ from rna_export.trials.run import run_trial
 from rna_export.trials.trial import Trial
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load
+from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.two_parts import make, spikes
 
 CPU = Crew(workers=1, threads=1, device="cpu")
 
@@ -31,6 +35,12 @@ def trial(name: str = "tiny", **training: object) -> Trial:
 @pytest.fixture(scope="module")
 def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
     return make_dataset(tmp_path_factory.mktemp("data") / "ball.rays")
+
+
+@pytest.fixture(scope="module")
+def two_parts(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
+    both = {"surface": sphere(4), "hair": spikes(60, radius=0.03)}
+    return make(tmp_path_factory.mktemp("two") / "two.rays", both)
 
 
 @pytest.fixture(scope="module")
@@ -59,6 +69,16 @@ def test_record_is_what_the_exporter_says_of_the_package(
         assert len(point.scores.views) == 2
         assert (finished / f"{name}-flip.png").is_file()
     assert record.points["int8-int8"].bytes < record.points[USUAL].bytes
+
+
+@pytest.mark.parametrize("part", ["surface", "hair"])
+def test_nrhints_is_trained_on_any_kind(part: str, two_parts: Dataset, tmp_path: Path) -> None:
+    dataset = two_parts.part(part)
+    whole = nrhints(dataset.kind)
+    short = whole.model_copy(update={"preset": whole.preset.with_training(steps=12, batch=128)})
+    record = run_trial(short, dataset, tmp_path, "cpu")
+    (point,) = record.points.values()
+    assert point.bytes is None and point.scores.psnr > 0.0
 
 
 def test_finished_trial_is_not_trained_again(

@@ -46,7 +46,7 @@ def run_trial(
     if record is not None and not missing_precisions(record):
         return record
     folder.mkdir(parents=True, exist_ok=True)
-    if not trial.packageable:
+    if trial.preset.model.texture == "uv":
         dataset, table = UnwrappedPart(dataset), None
     seconds = (
         record.seconds
