@@ -52,7 +52,6 @@ class PageServer(ThreadingHTTPServer):
             super().__init__((host, port), _Handler)
         except OSError as error:
             raise ViewError(f"cannot listen on {host}:{port}: {error.strerror}") from error
-        self._host = host
         self.is_local = host in ("127.0.0.1", "localhost")
         names = ("127.0.0.1", "localhost")
         self.hosts = {f"{name}:{self.server_port}" for name in names} if self.is_local else None
@@ -60,7 +59,8 @@ class PageServer(ThreadingHTTPServer):
     @property
     def url(self) -> str:
         """The page's address."""
-        return f"http://{self._host}:{self.server_port}/"
+        host = str(self.server_address[0])
+        return f"http://{host}:{self.server_port}/"
 
     def handle_error(self, request: object, client_address: object) -> None:
         """A page that was closed is no error."""

@@ -17,15 +17,13 @@ from rna_export.training.curves import Curves
 from rna_export.training.part_runs import shared_minutes
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
-from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import tiny
-from tests.exporters.two_parts import make, spikes
+from tests.exporters.two_parts import hairy_ball
 
 
 @pytest.fixture(scope="module")
 def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
-    both = {"surface": sphere(4), "hair": spikes(60, radius=0.03)}
-    return make(tmp_path_factory.mktemp("two") / "two.rays", both)
+    return hairy_ball(tmp_path_factory.mktemp("two") / "two.rays")
 
 
 @pytest.fixture(autouse=True)

@@ -21,9 +21,8 @@ from rna_export.trials.run import run_trial
 from rna_export.trials.trial import Trial
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load
-from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import make_dataset, tiny
-from tests.exporters.two_parts import make, spikes
+from tests.exporters.two_parts import hairy_ball
 
 CPU = Crew(workers=1, threads=1, device="cpu")
 
@@ -39,8 +38,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> DatasetPart:
 
 @pytest.fixture(scope="module")
 def two_parts(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
-    both = {"surface": sphere(4), "hair": spikes(60, radius=0.03)}
-    return make(tmp_path_factory.mktemp("two") / "two.rays", both)
+    return hairy_ball(tmp_path_factory.mktemp("two") / "two.rays")
 
 
 @pytest.fixture(scope="module")

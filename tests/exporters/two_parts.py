@@ -13,6 +13,7 @@ from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import all_tasks
 from rna_export.capture.worker import RenderedRays
 from rna_sdk.package import Curves, Mesh
+from tests.exporters.meshes import sphere
 from tests.render.assets import unit_vectors
 
 
@@ -32,6 +33,11 @@ class Teacher:
     def render_rays(self, origins, directions, wi, samples, seed, reach=None):
         radiance = np.abs(directions) + np.float32(0.1)
         return RenderedRays(radiance, np.ones(len(origins)), origins, radiance / 2)
+
+
+def hairy_ball(folder: Path) -> Dataset:
+    """A ball with 60 thick strands: the parts `surface` and `hair`."""
+    return make(folder, {"surface": sphere(4), "hair": spikes(60, radius=0.03)})
 
 
 def make(folder: Path, geometries: dict[str, Mesh | Curves]) -> Dataset:
