@@ -20,7 +20,6 @@ from rna_gpu.wavefront import Wavefront
 from rna_render.domain_watch import WatchedAsset
 from rna_render.film import Layers
 from rna_render.indirect_clamp import indirect_clamp
-from rna_render.materials import MeshObject
 from rna_render.render import all_lights
 from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
@@ -92,7 +91,9 @@ class GpuRenderer:
         scene, world = self._scene_file.scene, self._world
         every = all_lights(scene, world, self._scene_file.resolve)
         clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
-        lights = every if _has_catcher(world) else [light.beside_rays() for light in every]
+        # Shadow catchers find light by samples of lights alone, which have to find all of it.
+        catches = world.catches_shadows.any()
+        lights = every if catches else [light.beside_rays() for light in every]
         tables, device = scene_tables(world, lights), self._open()
         parts = _parts(self._scene_file, world, tables.parts, device)
         self._gpu = Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
@@ -127,11 +128,6 @@ _DEVICE = _OpenDevice()
 _Loaded = dict[tuple[Path, str], GpuSurface | GpuFiber | GpuAsset]
 _LOADED: WeakKeyDictionary[World, tuple[Device, _Loaded]] = WeakKeyDictionary()
 """The assets of worlds of which several images are rendered."""
-
-
-def _has_catcher(world: World) -> bool:
-    """Shadow catchers find light by samples of lights alone, which then have to find all of it."""
-    return any(isinstance(x, MeshObject) and x.catches_shadows for x in world.things)
 
 
 def _parts(

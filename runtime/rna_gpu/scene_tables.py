@@ -16,12 +16,10 @@ from rna_gpu.scene_images import NONE, Images
 from rna_gpu.scene_lights import light_rows
 from rna_gpu.scene_surfaces import Surfaces
 from rna_render.bodies.surface import OFFSET
-from rna_render.embree.instances import ALL_RAYS, CAMERA_RAY
 from rna_render.lights import Light
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.materials.ggx import albedo_table
-from rna_render.placements import Placement
 from rna_render.world import World
 from rna_sdk.runtime import Asset
 
@@ -65,7 +63,7 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
             place = int(world.number[k]) - 1
             bodies.append(surfaces.add(placement.thing, place, len(bodies)))
         body = numbers[id(placement.thing)]
-        placed.append(Placed(body, placement.world_from_object, _met_by(placement)))
+        placed.append(Placed(body, placement.world_from_object, world.met_by[k]))
         kept.append(k)
     geometry = _BUILT.get(world) or build_geometry(bodies, placed)
     _BUILT[world] = geometry
@@ -106,12 +104,6 @@ def asset_at(world: World, place: int) -> Asset:
     return cast(Asset, world.things[place])
 
 
-def _met_by(placement: Placement) -> int:
-    thing = placement.thing
-    catches = isinstance(thing, MeshObject) and thing.catches_shadows
-    return CAMERA_RAY if catches else ALL_RAYS
-
-
 def _things(
     world: World, kept: Sequence[int], geometry: Geometry, placed: Sequence[Placed]
 ) -> NDArray[np.float32]:
@@ -124,7 +116,7 @@ def _things(
         size = world.scale[k] * np.sqrt(3.0) * geometry.extents[placed[stored].body]
         reach = np.abs(matrix[:3, 3]).max() + size
         step = OFFSET * reach if is_object else 0.0
-        catches = isinstance(thing, MeshObject) and thing.catches_shadows
+        catches = world.catches_shadows[k]
         row[:] = world.number[k], float(catches), step, float(not is_object)
     return rows
 

@@ -72,6 +72,8 @@ class World:
         light: (k,) int32, for each instance its place in `lights`; -1 if it does not shine.
         own_light: (k,) int32, the same where what the light throws on the instance itself is part
             of its transport; else -1.
+        met_by: for each instance the sorts of rays that meet it, as in Instance.
+        catches_shadows: (k,) bool, for each instance whether it shows nothing but shadows on it.
         one_sided: (k,) bool, for each instance whether it sends to the viewer nothing of light that
             comes from the other side of its surface than the viewer is on.
         radius: of a sphere about the scene, without what is boundless; world units.
@@ -100,12 +102,10 @@ class World:
         self._turned = not (self._rotations == np.eye(3)).all()
         self._placed = not (self._matrices == np.eye(4)).all()
         bodies = [self._bodies[b] for b in self._order.body]
-        self.scene = InstanceScene(
-            [
-                Instance(body.scene, matrix, _met_by(placement.thing))
-                for body, matrix, placement in zip(bodies, self._matrices, ordered, strict=True)
-            ]
-        )
+        self.met_by = [_met_by(placement.thing) for placement in ordered]
+        scenes = [body.scene for body in bodies]
+        placed = zip(scenes, self._matrices, self.met_by, strict=True)
+        self.scene = InstanceScene([Instance(*instance) for instance in placed])
         self.lights = [placement.light for placement in ordered if placement.light is not None]
         shines = np.array([placement.light is not None for placement in ordered])
         self.light = np.where(shines, np.cumsum(shines) - 1, -1).astype(np.int32)
@@ -113,6 +113,7 @@ class World:
         self.own_light = np.where(passes, self.light, -1).astype(np.int32)
         self.one_sided = np.array([body.one_sided for body in bodies])
         self._has_role = {role: np.array([body.role is role for body in bodies]) for role in Role}
+        self.catches_shadows = self._has_role[Role.CATCH_SHADOWS]
         self._passes = passes
         size = scale * np.sqrt(3.0) * [body.scene.extent for body in bodies]
         reach = np.abs(self._matrices[:, :3, 3]).max(axis=1) + size
