@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+import gc
+import weakref
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,6 +19,7 @@ from rna_export.training.cli import main
 from rna_export.training.curves import Curves
 from rna_export.training.fitting import Fitting
 from rna_export.training.run import Run, padded_bounds, train
+from rna_export.training.samples import SampleTable
 from rna_export.training.validation import score, shade
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
@@ -166,6 +169,22 @@ def test_a_run_has_exactly_the_steps_asked_for(dataset: DatasetPart, tmp_path: P
     train(plan(dataset, tmp_path, steps=21))
     saved = torch.load(tmp_path / "last.ckpt", weights_only=True)
     assert saved["progress"]["step"] == saved["record"]["steps"] == 21
+
+
+def test_a_finished_run_frees_its_samples(
+    dataset: DatasetPart, tmp_path: Path, monkeypatch
+) -> None:
+    monkeypatch.undo()  # draws: matplotlib leaves cycles
+    table = SampleTable(dataset.training_samples())
+    held = weakref.ref(table.rows)
+    gc.collect()
+    gc.disable()
+    try:
+        train(plan(dataset, tmp_path, steps=21), table)
+        del table
+        assert held() is None
+    finally:
+        gc.enable()
 
 
 def test_the_ceiling_is_above_all_that_was_seen(trained: Path, dataset: DatasetPart) -> None:

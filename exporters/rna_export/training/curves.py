@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import gc
 import io
 from pathlib import Path
 
@@ -49,6 +50,7 @@ class Curves:
         right.set(xlabel="step", ylabel="validation PSNR (dB, irradiance pi, [0, 1])")
         figure.savefig(self._folder / "curves.png", dpi=100)
         plt.close(figure)
+        gc.collect()  # matplotlib's reference cycles hold all callers' frames, and their samples
 
 
 def read_curves(folder: Path) -> list[dict[str, float]]:
