@@ -39,7 +39,7 @@ def launch_kernel_threads() -> None:
 
 
 def kernel_threads() -> int:
-    """How many threads a parallel kernel takes that is called from this thread.
+    """Number of threads of a parallel kernel that is called from this thread.
 
     Raises:
         RnaError: as `launch_kernel_threads`.

@@ -11,7 +11,7 @@ OnePart = SurfaceAsset | FiberAsset
 
 
 def load_one_part(path: Path, tier: str | None = None, threads: int | None = None) -> OnePart:
-    """As `rna_sdk.runtime.load`. Raises QueryError where the package has several parts."""
+    """Loads a package of one part, as `rna_sdk.runtime.load`; QueryError for several parts."""
     parts = load(path, tier, threads).parts
     if len(parts) > 1:
         raise QueryError(f"{path}: found {len(parts)} parts, expected one")

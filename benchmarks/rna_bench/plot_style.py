@@ -38,5 +38,5 @@ def figure(width: float, height: float) -> Figure:
 
 
 def save_chart(chart: Figure, path: Path) -> None:
-    """As SVG, the same bytes for the same chart, or as PNG, by the name."""
+    """Writes SVG (the same bytes for the same chart) or PNG, chosen by the suffix."""
     chart.savefig(path, dpi=110, metadata={"Date": None} if path.suffix == ".svg" else None)

@@ -89,7 +89,7 @@ class Twig:
 
     @classmethod
     def grown(cls, start, towards, length, radius, rng, points=14):
-        """From `start`, rising a little and crooked."""
+        """A crooked twig from `start` that rises slightly."""
         heading = np.asarray(towards, float) / np.linalg.norm(towards)
         path = [np.asarray(start, float)]
         for _ in range(points - 1):

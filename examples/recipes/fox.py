@@ -36,7 +36,7 @@ def ring(angles_deg, radii, heights, thick, count=40):
 
 
 def head():
-    """In axes of its own: it looks along -x, its ears along +z."""
+    """The head in its own axes: it looks along -x, its ears point along +z."""
     skull = shapes.ball((0.045, 0.042, 0.036), 40)
     cheeks = shapes.ball((0.030, 0.050, 0.024), 40).placed((-0.008, 0.0, -0.012))
     snout = shapes.tube(
@@ -75,7 +75,7 @@ def fox():
 
 
 def melted(shape, material):
-    """All of it as one smooth skin: a mesh whose triangles are as large everywhere."""
+    """The shape remeshed as one smooth surface with triangles of uniform size."""
     item = shapes.add(shape, "rough", material, smooth_deg=180.0)
     item.modifiers.new("skin", "REMESH").voxel_size = VOXEL
     smooth = item.modifiers.new("smooth", "SMOOTH")

@@ -77,7 +77,7 @@ def add_face():
 
 
 def mane_guides(rng, count=700):
-    """From a band around the head, outwards and back, drooping; not over the face."""
+    """Guides from a band around the head, outwards and back, drooping; none over the face."""
     turn = rng.uniform(0.0, 2.0 * np.pi, count)
     back = rng.uniform(-0.42, 0.62, count)  # along y, of the skull's depth
     ring = np.sqrt(1.0 - back**2)

@@ -86,7 +86,7 @@ def apart(points, count):
 
 
 def combed(roots, normals):
-    """Where strands set out: away from the parting and back, down behind the crown."""
+    """Initial directions of strands: away from the parting and back, down behind the crown."""
     forwards = (MIDDLE[2] - roots[:, 2]) / 0.1
     side = np.clip((roots[:, 0] - PARTING) / 0.012, -1.0, 1.0)
     front = np.clip(forwards + 0.6, 0.0, 1.0)
@@ -121,7 +121,7 @@ def fall(skin, roots, rng, step=0.009, steps=44):
 
 
 def aside_of_face(points):
-    """What draws hair in front of the face outwards and back."""
+    """Displacement that moves hair in front of the face outwards and back."""
     forwards = MIDDLE[2] - points[:, 2]
     before = np.clip((forwards - 0.035) / 0.05, 0.0, 1.0) * np.clip(
         (0.395 - points[:, 1]) / 0.04, 0, 1

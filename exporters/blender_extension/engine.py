@@ -144,7 +144,7 @@ def _film_exposure(scene):
 
 
 def _region(render, size):
-    """What of the image is wanted: left, bottom, width, height in pixels."""
+    """The render region: left, bottom, width, height in pixels."""
     if not render.use_border:
         return 0, 0, *size
     edges = (

@@ -86,7 +86,7 @@ def _add_colours(data, rgb):
 
 
 def _material(name, standin):
-    """For viewports and other engines: each point's own colour, with the package's roughness."""
+    """Stand-in material for viewports, other engines: vertex colours, the package's roughness."""
     material = bpy.data.materials.new(f"{name} stand-in")
     if material.node_tree is None:  # before Blender 5
         material.use_nodes = True

@@ -44,7 +44,7 @@ class Channels:
 
     @property
     def samples(self):
-        """How many are in it."""
+        """Number of samples accumulated."""
         return int(str(self._arrays["rnaSamples"]))
 
     def pass_(self, name):

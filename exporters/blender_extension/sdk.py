@@ -14,7 +14,7 @@ DONE = "installed"
 
 
 class SdkError(Exception):
-    """There is no environment of the SDK, or a command in it failed; one clear line."""
+    """The SDK's environment is missing, or a command in it failed."""
 
 
 def find_python():
@@ -40,12 +40,12 @@ def find_python():
 
 
 def preferences():
-    """Those of the extension."""
+    """The extension's preferences."""
     return bpy.context.preferences.addons[__package__].preferences
 
 
 def default_folder():
-    """Where the extension puts an environment."""
+    """Default folder of the SDK's environment."""
     cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
     return cache / "rna-sdk" / "sdk"
 

@@ -13,7 +13,7 @@ _running = None  # the Command
 
 
 def last_line():
-    """What the set-up that is running has said last, or None."""
+    """Last line printed by the running set-up, or None."""
     if _running is None or not _running.is_running():
         return None
     return (_running.lines() or ["starting"])[-1]

@@ -31,7 +31,7 @@ class Brightness:
 
     @property
     def faults(self) -> list[str]:
-        """What is off by more than `LIT` or `SHADOWED`, a line each."""
+        """Channels whose brightness is off by more than `LIT` or `SHADOWED`, one line each."""
         lines = []
         counts = self.shadow_share > _LEAST_SHARE
         for where, ratio, most, judged in (

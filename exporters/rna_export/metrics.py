@@ -57,7 +57,7 @@ class NoiselessPsnr:
 
     @classmethod
     def of_error(cls, error: float, margin: float) -> NoiselessPsnr:
-        """From an estimated mean squared error and the half width of its 95% interval."""
+        """The PSNR of an estimated mean squared error with the half width of its 95% interval."""
         low = _decibels(max(error, 0.0) + margin)
         if error <= margin:
             return cls(low, low, None)

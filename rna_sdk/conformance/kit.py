@@ -20,7 +20,7 @@ LEVELS = ("evaluate", "visibility", "normals", "validate")
 
 @dataclass(frozen=True)
 class RowClass:
-    """What rows `first` to `first + rows - 1` have in common."""
+    """Class of rows `first` to `first + rows - 1`."""
 
     name: str
     first: int

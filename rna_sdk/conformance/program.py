@@ -17,7 +17,7 @@ from rna_sdk.errors import ConformanceError
 
 @dataclass(frozen=True)
 class Answer:
-    """How a run of a program ended."""
+    """Exit status and output of a program."""
 
     status: int
     stdout: str
@@ -102,7 +102,7 @@ def normals(program: Program, package: Path, hits: Path) -> NDArray[np.float64]:
 
 
 def _results(program: Program, rows: int, columns: int, *call: str) -> NDArray[np.float64]:
-    """What the program writes to a file that is named behind these arguments."""
+    """Values that the program writes to a file, whose name is its last argument."""
     with tempfile.TemporaryDirectory() as folder:
         results = Path(folder) / "results.f32"
         _checked(program.run(*call, str(results)), call[0])

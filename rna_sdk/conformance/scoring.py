@@ -22,7 +22,7 @@ from rna_sdk.errors import ConformanceError
 
 @dataclass(frozen=True)
 class Score:
-    """How a case went.
+    """Score of a case.
 
     Attributes:
         level, package, tier: which case; tier is "" where there is none, and has the part, and
@@ -55,7 +55,7 @@ def cases(kit: Kit, level: str) -> list[Case]:
 
 
 def score(program: Program, kit: Kit, case: Case) -> Score:
-    """How the reader did; one that fails, or answers what cannot be read, has no row right."""
+    """Score of the reader; if it fails or its output cannot be read, no row is right."""
     try:
         if isinstance(case, EvaluateCase):
             return _evaluate(program, case, kit.int8_share)

@@ -68,7 +68,7 @@ class Container:
         return self._decoded[name] if name in self._decoded else self.stored(name)
 
     def put_decoded(self, name: str, data: bytes) -> None:
-        """From now on the bytes that `view` gives for a coded entry."""
+        """Stores the decoded bytes of a coded entry, which `view` returns from now on."""
         self._decoded[name] = memoryview(data)
 
     def stored(self, name: str) -> memoryview:

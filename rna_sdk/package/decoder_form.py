@@ -14,7 +14,7 @@ TRANSPORT, EMISSION = "transport", "emission"
 
 @dataclass(frozen=True)
 class DecoderForm:
-    """What the manifest says of the decoder in an entry.
+    """A decoder's form by the manifest.
 
     Attributes:
         entry: its name.

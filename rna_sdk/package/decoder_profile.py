@@ -24,7 +24,7 @@ class _Outside(Exception):
 
 
 def outside_profile(model: Model) -> str | None:
-    """Where the model leaves the decoder profile, in words; None if it keeps to it."""
+    """Why the model is outside the decoder profile; None if it is inside."""
     try:
         _Walk(model).check()
     except _Outside as reason:

@@ -31,7 +31,7 @@ class Extension(Record):
 
 
 class Coding(Record):
-    """How an entry is coded, and what it decodes to."""
+    """Coding of an entry, and size and hash of the decoded bytes."""
 
     element_size: ElementSize = Field(description="Bytes.")
     distance: int = Field(ge=0, le=MAX_INTEGER, description="Elements, to the one taken away.")

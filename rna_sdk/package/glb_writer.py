@@ -89,7 +89,7 @@ def pack_glb(document: bytes, blob: bytes) -> bytes:
 
 
 def _exact(mesh: Mesh) -> list[_Array]:
-    """In the order of the accessors."""
+    """Arrays of an unquantised mesh in the order of the accessors."""
     vertices = [_Array(mesh.positions, with_range=True), _Array(mesh.normals)]
     if mesh.uvs is not None:
         vertices.append(_Array(mesh.uvs))

@@ -173,7 +173,7 @@ class Issue:
 
 
 def _shown(value: object) -> str:
-    """As text of at most 200 characters that any terminal may get: others are escaped."""
+    """Text of at most 200 characters, with unprintable ones escaped."""
     text = str(value)[:200]
     if text.isprintable():
         return text

@@ -79,7 +79,7 @@ class EntryRecord(Record):
 
 
 class Provenance(Record):
-    """Where the asset comes from."""
+    """Origin of the asset."""
 
     source: str = Field(description="The original model: name, author, address.")
     tool: str = Field(description="What made the training data, with its version.")
@@ -88,7 +88,7 @@ class Provenance(Record):
 
 
 class ManifestFields(Record):
-    """What both forms of the file have in common."""
+    """Fields that both forms of the file share."""
 
     format: Literal["rna"] = "rna"
     version: Version = Field(default="1.0", description="Version of the format it follows.")

@@ -28,7 +28,7 @@ def manifest_issues(manifest: Manifest, places: Places) -> list[Issue]:
 
 
 def manifest_warnings(manifest: Manifest) -> list[Issue]:
-    """What a reader should tell about a manifest that it accepts."""
+    """Warnings about an accepted manifest."""
     return [
         Issue.of(Code.EXTENSION_UNKNOWN, pointer("extensionsUsed", i), name, "a known extension")
         for i, name in enumerate(manifest.extensions_used)

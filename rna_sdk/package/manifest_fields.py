@@ -131,7 +131,7 @@ Region = Annotated[
 
 
 class Domain(Record):
-    """Where directions were trained, object space."""
+    """Trained directions, object space."""
 
     wo: Region = Field(description="View directions, from the surface to the eye.")
     wi: Region = Field(description="Light directions, from the surface to the light.")
@@ -166,13 +166,13 @@ FIRST_WITH_PARTS = (1, 1)
 
 
 def version_number(version: str) -> tuple[int, int]:
-    """What versions are compared by: 1.10 is greater than 1.9."""
+    """Sort key of a version: 1.10 is greater than 1.9."""
     major, minor = version.split(".")
     return int(major), int(minor)
 
 
 class NotNull:
-    """For a member that may be left out, and is None then, but is not null in a file."""
+    """Marks an optional member: None if absent, never null in a file."""
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
@@ -183,7 +183,7 @@ class NotNull:
 
 
 class NotEmpty:
-    """For an array that may be left out, and is empty then, but is not empty in a file."""
+    """Marks an optional array: empty if absent, never empty in a file."""
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler

@@ -45,7 +45,7 @@ def parse_manifest(data: bytes) -> tuple[Manifest, Places]:
 
 
 def _check_readable(raw: dict[str, Any]) -> None:
-    """What must hold before the fields of this version mean anything."""
+    """Checks format and version, before any other field is read."""
     if raw.get("format") != "rna":
         refuse(Code.FORMAT_UNKNOWN, "/format", json.dumps(raw.get("format")), '"rna"')
     version = raw.get("minReaderVersion")

@@ -105,9 +105,9 @@ class Places:
     short: bool
 
     def part(self, part: int, *path: str | int) -> str:
-        """To a part, or to something in it."""
+        """Pointer to a part, or to a member of it."""
         return pointer(*(() if self.short else ("parts", part)), *path)
 
     def tier_part(self, tier: int, part: int, *path: str | int) -> str:
-        """To a part of a tier, or to something in it."""
+        """Pointer to a part of a tier, or to a member of it."""
         return pointer("tiers", tier, *(() if self.short else ("parts", part)), *path)

@@ -72,7 +72,7 @@ class Agreement(Record):
 
 
 class TierEmission(SparseRecord):
-    """What a part emits: a decoder of its own, asked with features of the same planes."""
+    """Emission of a part: a separate decoder on features of the same planes."""
 
     decoder: EntryPath = Field(description="Entry with the ONNX decoder of emission.")
     inputs: Inputs
@@ -81,7 +81,7 @@ class TierEmission(SparseRecord):
 
 
 class TierPartFields(Record):
-    """What a tier of one part in short and a tier part have in common."""
+    """Fields that a tier of the short form and a tier part share."""
 
     planes: EntryPath = Field(description="Entry with the triplane.")
     decoder: EntryPath = Field(description="Entry with the ONNX decoder.")
@@ -96,7 +96,7 @@ class TierPartFields(Record):
 
 
 class TierPart(TierPartFields, SparseRecord):
-    """What one part is evaluated with: planes and a decoder, and a decoder of emission."""
+    """Planes and decoders of one part: of transport, and optionally of emission."""
 
     emission: Annotated[TierEmission | None, NotNull()] = None
 

@@ -143,7 +143,7 @@ class Model:
 
     @cached_property
     def readers(self) -> Counter[str]:
-        """How often each value is read: by nodes, and by whoever runs the graph."""
+        """Number of readers of each value: nodes, and 1 for an output of the graph."""
         read = Counter(name for node in self.nodes for name in node.inputs)
         read.update(value.name for value in self.outputs)
         return read

@@ -66,7 +66,7 @@ class Unpacked:
         return write_entries(path, self.manifest, self.entries)
 
     def with_poster(self, png: bytes) -> Unpacked:
-        """With this PNG as its poster, instead of another.
+        """A copy with this PNG as its poster, which replaces any other.
 
         Raises:
             PackageError: POSTER_IMAGE, where the bytes are no PNG.
@@ -78,7 +78,7 @@ class Unpacked:
         return self.with_extension(data, {name: png})
 
     def with_proxies(self, proxies: list[list[tuple[Geometry, int]]]) -> Unpacked:
-        """With coarser geometry for each part (none: an empty list), each with its height."""
+        """A copy with these proxies of each part (an empty list for none), each with its height."""
         entries, parts = {}, []
         for part, levels in zip(self.manifest.parts, proxies, strict=True):
             records: list[JsonValue] = []
@@ -91,7 +91,7 @@ class Unpacked:
         return self.with_extension(Proxy.model_validate({"parts": parts}), entries)
 
     def with_extension(self, data: Extension, entries: Mapping[str, bytes]) -> Unpacked:
-        """With this data of an extension and these entries of it, instead of others."""
+        """A copy with this data of an extension and its entries, which replace any others."""
         bare = self._without(type(data))
         manifest = bare.manifest
         changed = manifest.model_copy(
@@ -106,7 +106,7 @@ class Unpacked:
         return replace(bare, manifest=changed, entries={**bare.entries, **entries})
 
     def deflated(self) -> Unpacked:
-        """With every entry coded that gets smaller by it (RNA_deflate)."""
+        """A copy in which every entry that becomes smaller is coded (RNA_deflate)."""
         distances = {
             part.planes: part.channels for tier in self.manifest.tiers for part in tier.parts
         }

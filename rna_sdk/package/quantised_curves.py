@@ -24,7 +24,7 @@ _LEAST_RADIUS_UNITS = 50
 
 @dataclass(frozen=True, eq=False)
 class QuantisedCurves:
-    """What the file of quantised curves holds.
+    """Contents of a file of quantised curves.
 
     Attributes:
         scales: (2,) float32: metres a step, metres a unit of the radii; greater than 0.

@@ -17,7 +17,7 @@ UV_STEPS = 65535
 
 @dataclass(frozen=True, eq=False)
 class QuantisedMesh:
-    """What the file of a quantised mesh holds (glTF's KHR_mesh_quantization).
+    """Contents of a file of a quantised mesh (glTF's KHR_mesh_quantization).
 
     Attributes:
         translation: (3,) float64, metres.

@@ -37,7 +37,7 @@ _NAMES = {written: name for name, written in _DTYPES.items()}
 
 @dataclass(frozen=True)
 class TensorForm:
-    """What a tensor must be: numpy's name of its dtype, or several, and its dimensions.
+    """Required form of a tensor: numpy's name of its dtype, or several, and its dimensions.
 
     A dimension is an int, or the range of those allowed.
     """

@@ -36,7 +36,7 @@ _OUTSIDE_TOLERANCE = 1e-4
 
 @dataclass
 class Inspection:
-    """What a full check of a file gave.
+    """Result of a full check of a file.
 
     Attributes:
         container, manifest: None where the file is too broken to have one.

@@ -90,7 +90,7 @@ def write_package(
 def write_entries(
     path: str | PathLike[str], manifest: Manifest, contents: Mapping[str, bytes]
 ) -> Manifest:
-    """As `write_package`, from serialized entries, name -> data."""
+    """Like `write_package`, from serialized entries, name -> data."""
     records = {
         name: EntryRecord(size=len(value), sha256=hashlib.sha256(value).hexdigest())
         for name, value in contents.items()

@@ -97,7 +97,7 @@ class CompositeAsset(Asset):
 
 
 class AssetPart(Asset):
-    """What a `SurfaceAsset` and a `FiberAsset` have in common.
+    """Common base of `SurfaceAsset` and `FiberAsset`.
 
     Attributes:
         kind: "surface" or "fiber".

@@ -103,7 +103,7 @@ class Graph:
 
 
 def _fast_form(original: bytes, largest_query: float) -> Graph | CompiledDecoder | None:
-    """What runs faster than onnxruntime on the graph as it is; None where nothing does."""
+    """A decoder that is faster than onnxruntime on the original graph; None if there is none."""
     if outside_profile(read_model(memoryview(original))) is None:
         decoder = read_profile_decoder(original, "decoder")
         if not decoder.is_int8 and decoder.width <= COMPILED_WIDTH:

@@ -10,7 +10,7 @@ from rna_sdk.package.manifest_fields import Region
 
 
 def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Which directions lie in a region of a package's domain: (n,) bool.
+    """Whether directions lie in a region of a package's domain: (n,) bool.
 
     region: `wo` or `wi` of `Asset.domain`. directions: (n, 3) float32, unit, object space.
 

@@ -55,7 +55,7 @@ def fuse_int8_layers(data: bytes) -> tuple[bytes, Entry | None]:
 
 
 def _entry(model: Model, first: Int8Layer) -> Entry | None:
-    """How queries become the first layer's input, if nothing else reads that."""
+    """The graph's entry from queries to the first layer's input; None if other nodes read that."""
     source = first.input[0]
     others = (node for k, node in enumerate(model.nodes) if k not in first.places)
     if any(source in node.inputs for node in others):

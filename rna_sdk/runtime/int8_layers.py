@@ -48,7 +48,7 @@ def find_int8_layers(model: Model) -> list[Int8Layer]:
 
 @dataclass(frozen=True)
 class _Quantized:
-    """What a DequantizeLinear reads: names, and values where they are constants."""
+    """Inputs of a DequantizeLinear: names, and values of constants."""
 
     place: int
     names: tuple[str, ...]

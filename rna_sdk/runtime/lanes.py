@@ -156,7 +156,7 @@ def where(typing_context: Any, mask: Any, a: Any, b: Any) -> Any:
 
 @operation
 def both(typing_context: Any, a: Any, b: Any) -> Any:
-    """Where both masks hold."""
+    """Logical and of two masks."""
 
     def generate(context: Any, builder: ir.IRBuilder, signed: Any, values: Any) -> Any:
         return builder.and_(*values)

@@ -130,7 +130,7 @@ def _store(
 
 
 def _register(builder: ir.IRBuilder, vector: ir.VectorType, row: ir.Value, number: int) -> ir.Value:
-    """Where a register of a panel's row is."""
+    """Address of a register of a panel's row."""
     address = builder.gep(row, [_WORD(number * vector.count)])
     return builder.bitcast(address, vector.as_pointer())
 

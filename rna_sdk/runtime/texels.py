@@ -57,7 +57,7 @@ def store_footprints(
     weights: NDArray[np.float32],
     slot: int,
 ) -> None:
-    """Where the four texels around p start on each plane, and their bilinear weights.
+    """Stores the indices of the four texels around p on each plane, and their bilinear weights.
 
     The planes are XY, YZ and ZX: the first axis runs along a row of texels. Plane by plane of a
     slot: texels[slot, plane, lane] counts texels of all planes; weights[slot, plane, corner, lane]
@@ -207,7 +207,7 @@ class _Footprint:
 
 
 def _data(context: Any, builder: ir.IRBuilder, signed: Any, arguments: Any, k: int) -> ir.Value:
-    """Where argument k, an array, starts."""
+    """Address of the data of argument k, an array."""
     return context.make_array(signed.args[k])(context, builder, arguments[k]).data
 
 

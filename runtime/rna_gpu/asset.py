@@ -83,11 +83,11 @@ class GpuSurface(GpuPart):
     """A part whose geometry is a mesh."""
 
     def evaluate(self, positions: Rows, normals: Rows, wo: Rows, wi: Rows) -> tuple[Rows, Rows]:
-        """As `rna_sdk.runtime.SurfaceAsset.evaluate`, within the tolerance of the spec (8.2)."""
+        """Like `rna_sdk.runtime.SurfaceAsset.evaluate`, within the tolerance of the spec (8.2)."""
         return self._evaluate(positions, normals, 0, wo, wi)
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
-        """As `rna_sdk.runtime.SurfaceAsset.emission`."""
+        """Like `rna_sdk.runtime.SurfaceAsset.emission`."""
         return self._emission(positions, normals, 0, wo)
 
 
@@ -97,11 +97,11 @@ class GpuFiber(GpuPart):
     def evaluate(
         self, positions: Rows, tangents: Rows, h: Rows, wo: Rows, wi: Rows
     ) -> tuple[Rows, Rows]:
-        """As `rna_sdk.runtime.FiberAsset.evaluate`, within the tolerance of the spec (8.2)."""
+        """Like `rna_sdk.runtime.FiberAsset.evaluate`, within the tolerance of the spec (8.2)."""
         return self._evaluate(positions, tangents, h, wo, wi)
 
     def emission(self, positions: Rows, tangents: Rows, h: Rows, wo: Rows) -> Rows:
-        """As `rna_sdk.runtime.FiberAsset.emission`."""
+        """Like `rna_sdk.runtime.FiberAsset.emission`."""
         return self._emission(positions, tangents, h, wo)
 
 

@@ -103,7 +103,7 @@ def _check(decoder: ProfileDecoder, name: str) -> None:
 def _spread(
     inputs: tuple[str, ...], channels: int
 ) -> tuple[NDArray[np.intp], tuple[int, ...], int]:
-    """Where each column of the queries goes, the blocks' first groups, and all groups."""
+    """Padded index of each query column, first group of each block, and number of groups."""
     places: list[NDArray[np.intp]] = []
     slots, group = dict.fromkeys(INPUT_BLOCKS, NONE), 0
     for name in inputs:

@@ -6,7 +6,7 @@ from rna_sdk.errors import RnaError
 
 
 class GpuError(RnaError):
-    """No usable GPU, out of its memory or limits, or a failed call."""
+    """No usable GPU, its memory or limits exceeded, or a failed call."""
 
 
 class DeviceLostError(GpuError):

@@ -89,7 +89,7 @@ class Evaluator:
             self._device.wgpu.queue.submit([encoder.finish()])
 
     def bind(self, rows: GpuRows) -> Any:
-        """What `record` takes: group 1 of the shader."""
+        """Bind group 1 of the shader, for `record`."""
         return self._bind(1, [rows.rows, rows.results, rows.count])
 
     def record(self, step: Any, bound: Any, most: int) -> None:

@@ -55,7 +55,7 @@ class Placed:
 
 @dataclass(frozen=True, eq=False)
 class Geometry:
-    """What the bindings of group 2 hold, and the points' normals.
+    """Contents of the bindings of group 2, and the points' normals.
 
     Attributes:
         nodes: of dtype NODE. primitives: (p, 4) uint32. points, normals: (v, 4) float32; their

@@ -95,7 +95,7 @@ class Probe:
 
 
 def _parts(path: str | PathLike[str]) -> list[Any]:
-    """What `Surfaces` asks of the parts of an asset; count: of primitives."""
+    """The members of an asset's parts that `Surfaces` reads; count: of primitives."""
     parts = []
     with Package.open(path) as package:
         for number in range(len(package.manifest.parts)):

@@ -119,7 +119,7 @@ class _OpenDevice:
         return self._device
 
     def forget(self) -> None:
-        """It was lost."""
+        """Drops a lost device."""
         self._device = None
 
 

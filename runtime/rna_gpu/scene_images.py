@@ -17,7 +17,7 @@ TEXTURE_SIZE = 3  # vec4f, as in wgsl/render/textures.wgsl
 
 
 class Images:
-    """What the binding `images` holds, and the textures in it.
+    """Contents of the binding `images`, and records of its textures.
 
     Attributes:
         textures: the records of wgsl/render/textures.wgsl, (TEXTURE_SIZE, 4) float32 each.
@@ -74,5 +74,5 @@ class Images:
         return self._kept[id(texels)][0]
 
     def whole(self) -> NDArray[np.uint32]:
-        """All of them."""
+        """All images in one array."""
         return np.concatenate(self._arrays)

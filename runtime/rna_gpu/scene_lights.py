@@ -62,7 +62,7 @@ def light_rows(
 
 
 class _Triangles:
-    """Where the triangles of things that shine stand in the images; instances share them."""
+    """Positions of emissive things' triangles in the images; instances share them."""
 
     def __init__(self, images: Images, geometry: Geometry, bodies: dict[int, int]) -> None:
         self._images, self._geometry, self._bodies = images, geometry, bodies
@@ -93,7 +93,7 @@ class _Triangles:
 
 
 def _numbers(address: np.uint64, count: int) -> NDArray[np.float64]:
-    """What a light's row has the address of."""
+    """View of the float64 array at an address in a light's row."""
     pointer = ctypes.cast(int(address), ctypes.POINTER(ctypes.c_double))
     return np.ctypeslib.as_array(pointer, (count,))
 

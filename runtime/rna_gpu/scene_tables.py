@@ -26,7 +26,7 @@ from rna_sdk.runtime import Asset
 
 @dataclass
 class SceneTables:
-    """What the shaders read of a scene.
+    """A scene as the shaders read it.
 
     Attributes:
         geometry: bodies and instances.

@@ -42,7 +42,7 @@ class Points:
             setattr(self, name, kind(value))
 
     def origin(self, wi: mi.Vector3f, step: float) -> mi.Point3f:
-        """Where rays along wi leave; step: 2^-18 of the largest coordinate of the asset."""
+        """Origins of rays along wi; step: 2^-18 of the largest coordinate of the asset."""
         cosine = dr.dot(self.ng, wi)
         smooth = (cosine < _SMOOTH_BELOW) & (dr.dot(self.n, wi) > 0) & (dr.dot(self.n, self.ng) > 0)
         share = dr.select(smooth, 1 - dr.maximum(cosine, 0) / _SMOOTH_BELOW, 0)
@@ -71,7 +71,7 @@ class MeshGeometry:
         self.transmits = bool(transmittance)
 
     def shape(self) -> mi.Shape:
-        """For rays, in object space."""
+        """Shape for ray tracing, in object space."""
         shape = mi.Mesh("part", len(self.mesh.positions), len(self.mesh.triangles))
         parameters = mi.traverse(shape)
         parameters["vertex_positions"] = self._positions
@@ -146,7 +146,7 @@ class FiberGeometry:
         self._strand = mi.UInt32(np.repeat(np.arange(len(counts)), counts).astype(np.uint32))
 
     def shape(self) -> mi.Shape:
-        """For rays, in object space. Mitsuba takes curves from a file alone."""
+        """Shape for ray tracing, in object space, through a file: Mitsuba reads no other curves."""
         ends = self.curves.offsets[1:-1].astype(np.int64)
         rows = np.column_stack([self.curves.points, self.curves.radii])
         strands = [

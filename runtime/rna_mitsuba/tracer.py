@@ -41,7 +41,7 @@ class Path:
 
 
 class Vertex:
-    """Where paths are: on Mitsuba's shapes (si) or on assets (points, wo in object space)."""
+    """Path vertices: on Mitsuba's shapes (si) or on assets (points, wo in object space)."""
 
     def __init__(self, world: World, state: Path) -> None:
         self.hits = state.hits
@@ -100,7 +100,7 @@ class Tracer:
         return plain, hits, weight
 
     def _emitted(self, state: Path, at: Vertex) -> mi.Color3f:
-        """By Mitsuba's emitters, weighted against sampling them, and by assets."""
+        """Radiance emitted by Mitsuba's emitters, with MIS weights, and by assets."""
         emitter = at.si.emitter(self._scene, at.on_plain)
         ds = mi.DirectionSample3f(self._scene, at.si, state.before)
         asked = at.on_plain & ~state.is_delta

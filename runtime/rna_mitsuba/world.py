@@ -131,7 +131,7 @@ class World:
     def origins(
         self, hits: AssetHits, points: Points, wi: mi.Vector3f
     ) -> tuple[mi.Point3f, mi.Point3f]:
-        """Where rays along wi (object space) leave: in object space, and in the world."""
+        """Origins of rays along wi (object space), in object space and in the world."""
         step, origin_world = mi.Float(0), mi.Point3f(0)
         for k, shape in enumerate(self._shapes):
             step = dr.select(hits.instance == k, shape.loaded.scene.step, step)
@@ -179,7 +179,7 @@ class World:
         return total
 
     def transmittance(self, ray: mi.Ray3f, own: mi.UInt32, active: mi.Bool) -> mi.Color3f:
-        """What all instances but `own` leave of the light along shadow rays."""
+        """Transmittance of all instances but `own` along shadow rays."""
         result = mi.Color3f(1)
         for k, (shape, place) in enumerate(zip(self._shapes, self._places, strict=True)):
             o, d = place.object_point(ray.o), place.object_direction(ray.d)

@@ -45,7 +45,7 @@ class Camera:
         return result
 
     def heights(self, centres: np.ndarray, radii: np.ndarray) -> np.ndarray:
-        """How high spheres are in the image, (n,) pixels: 0 outside it, inf around the camera.
+        """Heights of spheres in the image, (n,) pixels: 0 outside it, inf around the camera.
 
         centres: (n, 3), world space. radii: (n,).
         """

@@ -26,7 +26,7 @@ class OpenRenderer(Protocol):
     def __call__(
         self, scene_file: SceneFile, world: World, on_first_hits: Callable[[], None]
     ) -> BandRenderer:
-        """What renders `scene_file.scene`, whose things are in `world`.
+        """Renderer of `scene_file.scene`, whose things are in `world`.
 
         on_first_hits: called once, when the first camera rays have been traced. Raises RnaError
         for what the device does not know or have room for.
@@ -40,7 +40,7 @@ def open_renderer(
     world: World,
     on_first_hits: Callable[[], None] = lambda: None,
 ) -> BandRenderer:
-    """What renders the scene on a device: "cpu", or one that a package offers.
+    """Renderer of the scene on a device: "cpu", or one that a package offers.
 
     Raises:
         SceneError: no installed package offers it, or what it needs is not installed.
@@ -52,7 +52,7 @@ def open_renderer(
 
 
 def find_device(name: str) -> OpenRenderer:
-    """What opens a device that is not the CPU.
+    """Function that opens a device other than the CPU.
 
     Raises:
         SceneError: no installed package offers it, or what it needs is not installed.

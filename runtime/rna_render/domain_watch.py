@@ -50,7 +50,7 @@ class WatchedAsset:
             self._outside += outside
 
     def complaint(self) -> str | None:
-        """What part of the queries was outside, if any was; once."""
+        """Warning about the share of queries outside the domain, once; None if there were none."""
         if self._told or not self._outside:
             return None
         self._told = True
@@ -74,7 +74,7 @@ class _WatchedPart:
         return getattr(self._part, name)
 
     def evaluate(self, *arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """As the part's own; wo and wi are the last two arguments."""
+        """Like the part's own; wo and wi are the last two arguments."""
         self._watched.count(*arguments[-2:])
         evaluate: Callable[..., tuple[np.ndarray, np.ndarray]] = self._part.evaluate
         return evaluate(*arguments)

@@ -106,7 +106,7 @@ class Film:
         self.samples = part.samples
 
     def arrays(self) -> dict[str, np.ndarray]:
-        """What a film of the same pixels is made of again: see `of_arrays`."""
+        """State from which `of_arrays` restores a film of the same pixels."""
         layers = {field.name: getattr(self._sum, field.name) for field in fields(Layers)}
         return {**layers, "squares": self._squares, "samples": np.array([self.samples])}
 
@@ -160,7 +160,7 @@ class Film:
         return lit
 
     def _shadows(self, lit: np.ndarray) -> np.ndarray:
-        """What shadow catchers add to the sum of beauty: background, darkened, with alpha."""
+        """Contribution of shadow catchers to the sum of beauty: darkened background and alpha."""
         result: np.ndarray = self._sum.behind_catcher * lit[:, None]
         result[:, 3] += (1.0 - lit) * self._sum.catcher
         return result

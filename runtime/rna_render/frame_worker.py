@@ -38,7 +38,7 @@ class Frame:
 
 @dataclass(frozen=True)
 class FrameFiles:
-    """What came of a frame. seconds: without loading the scene."""
+    """Files of a rendered frame. seconds: without loading the scene."""
 
     paths: list[Path]
     warnings: list[str]
@@ -47,7 +47,7 @@ class FrameFiles:
 
 @dataclass(frozen=True)
 class FrameJob:
-    """What a worker needs, wherever it is.
+    """Data that a worker needs on any machine.
 
     files: the scene file and all that it names. numbers: of all frames, whose tiers are chosen
     together. output: names with a place for the number. started: when the command was, as

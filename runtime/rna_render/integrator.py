@@ -307,7 +307,7 @@ class Integrator:
     def _catch_shadows(
         self, band: Layers, rays: _Rays, pixels: np.ndarray, sampler: Sampler
     ) -> None:
-        """What shadow catchers receive, and what shows behind them."""
+        """Records the light that shadow catchers receive, and the radiance behind them."""
         vertices = self._vertices(Role.CATCH_SHADOWS, rays)
         if not len(vertices):
             return

@@ -21,7 +21,7 @@ def make_integrator(
     resolve: Callable[[Path], Path] = Path,
     branches: int = BRANCHES,
 ) -> Integrator:
-    """What renders `scene`, once its things are in `world`.
+    """Integrator of `scene`, whose things are in `world`.
 
     resolve: finds files that the scene names. branches: as of Integrator. Raises
     SceneError for an environment's image that cannot be used.
@@ -35,6 +35,6 @@ def make_integrator(
 
 
 def all_lights(scene: Scene, world: World, resolve: Callable[[Path], Path] = Path) -> list[Light]:
-    """Those of the world, then those without a shape; errors as of `make_integrator`."""
+    """Lights of the world, then those without a shape; errors as of `make_integrator`."""
     without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
     return [*world.lights, *(make_light(model, resolve) for model in without_shape)]

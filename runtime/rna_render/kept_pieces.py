@@ -25,7 +25,7 @@ class Piece:
 
     @property
     def pixels(self) -> int:
-        """How many."""
+        """Number of pixels."""
         return self.stop - self.start
 
     def __str__(self) -> str:
@@ -43,7 +43,7 @@ class KeptPieces:
     key: str
 
     def found(self) -> Iterator[tuple[Piece, Film]]:
-        """Those of this very image, by their first pixels."""
+        """Kept pieces of this very image, in order; others are deleted."""
         for path in sorted(self.folder.glob("*.safetensors")):
             film = self._read(path)
             if film is None:
@@ -80,7 +80,7 @@ class KeptPieces:
 
 
 def missing_pieces(count: int, there: list[Piece]) -> Iterator[Piece]:
-    """What is left of `count` pixels beside pieces that are in order and apart."""
+    """Gaps between ordered, disjoint pieces of `count` pixels."""
     start = 0
     for piece in there:
         if piece.start > start:

@@ -90,7 +90,7 @@ class LightSampling:
 
     @property
     def delta(self) -> np.ndarray:
-        """Which lights no ray can meet: (k,) bool."""
+        """Whether no ray can hit each light: (k,) bool."""
         return self._delta
 
     def kept(
@@ -101,7 +101,7 @@ class LightSampling:
         distance: np.ndarray,
         own: np.ndarray | None,
     ) -> np.ndarray:
-        """What is left of light along wi by all that stands between the rows and the lights.
+        """Transmittance of the scene between the rows and the lights along wi.
 
         Returns (k, 3) float32; (k, 1), 0 or 1, where nothing in the scene lets light through.
         wi_world, distance: (k, 3) and (k,) float32, as in LightSamples. own: (k,) int32, the

@@ -15,7 +15,7 @@ from rna_render.scene_model import Scene
 
 @dataclass(frozen=True)
 class Output:
-    """Where images go, and what is done to them first.
+    """Paths of the images, and the denoiser that is applied first.
 
     linear: the .exr or .npz file, or for a sequence a name with one `%d` or `%04d`. png: likewise,
     or None. denoiser: None to keep the noise.

@@ -32,7 +32,7 @@ class PathNumbers:
     number: np.ndarray | None = None
 
     def take(self, row: np.ndarray) -> PathNumbers:
-        """Those of some of the paths."""
+        """The numbers of some of the paths."""
         number = None if self.number is None else self.number[row]
         return PathNumbers(self.sampler, self.pixels[row], self.depth, number)
 

@@ -48,12 +48,12 @@ def place_asset(
 
 
 def emission_of(asset: Asset) -> AssetEmission | None:
-    """What an asset shines with, if it does."""
+    """Emission of an asset; None if it has none."""
     return AssetEmission(asset) if any(part.emits for part in asset.parts) else None
 
 
 def mesh_light(thing: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
-    """What an object shines with, if it does."""
+    """Emission of an object; None if it has none."""
     if not thing.is_emissive:
         return None
     linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]

@@ -98,7 +98,7 @@ def _second_sobol_dimension(index: Bits) -> np.uint32:
 
 @compiled(fastmath=())
 def square_key(seed: int, dimension: int, pixel: Bits) -> np.uint32:
-    """What `square_point` has of a dimension of a pixel."""
+    """Key of a dimension of a pixel for `square_point`."""
     image_key = hash_bits(hash_bits(seed) + np.uint32(dimension))
     return hash_bits(image_key ^ hash_bits(np.uint32(pixel) + np.uint32(1)))
 

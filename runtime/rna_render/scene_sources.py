@@ -44,7 +44,7 @@ def scene_key(scene_file: SceneFile) -> str:
 
 
 def _files(scene_file: SceneFile) -> tuple[list[Path], list[Path]]:
-    """What the scene reads, by paths that are relative to it, and by absolute ones."""
+    """Files of the scene: those named relative to it, and those by absolute paths."""
     relative: list[Path] = []
     absolute: list[Path] = []
     for path in set(named_paths(scene_file.scene)):

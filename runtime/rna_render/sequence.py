@@ -115,7 +115,7 @@ def _told(outcome: Outcome[Frame, FrameFiles], frame: FrameFiles) -> str:
 
 
 def _last_change(scene_file: SceneFile) -> float:
-    """When the newest of the files that the scene names was changed; for ever if one is missing."""
+    """Latest modification time of the files that the scene names; infinity if one is missing."""
     paths = (scene_file.resolve(path) for path in named_paths(scene_file.scene))
     try:
         return max((path.stat().st_mtime for path in paths), default=0.0)

@@ -23,7 +23,7 @@ from rna_sdk.runtime import choose_tier, expected_error
 
 
 class Choice(NamedTuple):
-    """What an asset of a scene is loaded with.
+    """Tier and proxy of an asset in a scene.
 
     tier: its name; None: the package's first. pixels: as `rna_sdk.runtime.load` has it, to
     choose a proxy; the same for all sizes that have the same one. None: no proxy. indirect: the

@@ -39,7 +39,7 @@ def in_time(
 
 
 def seconds_a_sample(renderer: BandRenderer, count: int) -> float:
-    """How long one sample of an image of `count` pixels takes, measured on some of them."""
+    """Time of one sample per pixel of an image of `count` pixels, measured on some of them."""
     chosen = np.linspace(0, count - 1, min(count, _MEASURED)).astype(np.uint32)
     sparse = SomePixels(renderer, chosen)
     _seconds(sparse, min(len(chosen), 256))  # compiles, and warms caches

@@ -23,7 +23,7 @@ _MAX_RADIANCE = 1e9
 
 
 def to_display(rgb: np.ndarray, view: str, exposure: float = 0.0) -> np.ndarray:
-    """What a screen shows of linear radiance times 2^exposure: sRGB values in [0, 1].
+    """Display values of linear radiance times 2^exposure: sRGB in [0, 1].
 
     rgb: (..., 3) float. view: `srgb` clamps to [0, 1]; `filmic` has a toe and a shoulder, with
     middle grey at 0.18 as in `srgb`, and white, with all three at 1, from 18 on.

@@ -30,7 +30,7 @@ class Tried:
     own: np.ndarray
 
     def where_kept(self, kept: np.ndarray) -> tuple[Tried, np.ndarray]:
-        """Those that something is left of, and what is: (j, 1) or (j, 3) float32.
+        """Samples that are not fully blocked, and their transmittance: (j, 1) or (j, 3) float32.
 
         kept: (k, 1) or (k, 3) float32, as of LightSampling.kept.
         """
@@ -168,7 +168,7 @@ def weigh_met(
     row: np.ndarray,
     beta: np.ndarray,
 ) -> np.ndarray:
-    """What paths bring of the radiance that their rays met: (k, 3) float32.
+    """Contribution of radiance that rays of paths hit, with MIS weights: (k, 3) float32.
 
     radiance: (k, 3) float32. pdf: (k,) float32, density with which `probability` samples find the
     light there. own_pdf: (n,) float32, of all rays; None if rays alone find light. row: (k,) which

@@ -152,7 +152,7 @@ class World:
         )
 
     def origins(self, vertices: Vertices, row: np.ndarray, wi_world: np.ndarray) -> np.ndarray:
-        """Where rays from the given rows along wi start: (k, 3) float32.
+        """Origins of rays from the given rows along wi: (k, 3) float32.
 
         On bodies that they must not hit at once, a step off the surface towards wi; see
         surface.leaving_origins for how long it is.

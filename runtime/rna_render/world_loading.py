@@ -70,7 +70,7 @@ def _world_in_time(
     seconds: float,
     make: Callable[[SceneFile, World], BandRenderer],
 ) -> World:
-    """With the first of the choices that leaves time for enough samples, or the last."""
+    """The world with the first of the choices that leaves time for enough samples, or the last."""
     scene = scene_file.scene
     enough = min(ENOUGH_SAMPLES, scene.samples)
     for tiers in choices:

@@ -46,7 +46,7 @@ def _sun(light: DirectionalModel) -> dict[str, Any]:
 
 
 def _environment(scene_file: SceneFile, site: Site) -> dict[str, Any]:
-    """What the page takes for the scene's environment, the first one."""
+    """The scene's first environment as the page reads it."""
     found = [light for light in scene_file.scene.lights if isinstance(light, EnvironmentModel)]
     if not found:
         return {"strength": 0}

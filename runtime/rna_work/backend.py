@@ -27,7 +27,7 @@ class Slot(Protocol):
 
 
 class Backend(Protocol):
-    """Where workers are.
+    """A place where workers run.
 
     Attributes:
         losses: how often an item may lose its worker before it counts as failed.
@@ -36,7 +36,7 @@ class Backend(Protocol):
     losses: int
 
     def width(self) -> int:
-        """How many workers there is room for now."""
+        """Number of workers there is room for now."""
 
     def slot(self, make: MakeWorker, name: str) -> Slot:
         """Start a worker."""

@@ -33,7 +33,7 @@ def _make(folder: Path, write: Callable[[Path], None]) -> None:
 
 
 def cache_folder() -> Path:
-    """Where a machine keeps sources and datasets."""
+    """Folder in which a machine keeps sources and datasets."""
     cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
     return cache / "rna-sdk" / "sources"
 

@@ -142,7 +142,7 @@ def alive_nodes() -> list[dict[str, Any]]:
 
 
 def nodes_with(resource: str | None) -> list[dict[str, Any]]:
-    """Those that have a resource, if any has it; else all that can work."""
+    """Nodes with a resource; all usable nodes if none has it."""
     nodes = alive_nodes()
     return [node for node in nodes if resource in node["Resources"]] or nodes
 

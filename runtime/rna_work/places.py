@@ -19,7 +19,7 @@ Answer = TypeVar("Answer")
 
 @dataclass(frozen=True)
 class Needs:
-    """What a worker takes of a machine.
+    """Resources of a worker.
 
     local: what holds it there, where there is no cluster.
     """
@@ -49,7 +49,7 @@ class Place(Protocol):
         """Room for workers; at most `count`, or None for as many as there is room for."""
 
     def gpus(self) -> float:
-        """How many GPUs there are."""
+        """Number of GPUs."""
 
     def whole_machines(
         self,
@@ -74,7 +74,7 @@ class Place(Protocol):
     def on_every_node(
         self, do: Callable[[], Answer], resource: str | None = None
     ) -> dict[str, Answer]:
-        """What `do`, which can be pickled, returns on each machine, by its name.
+        """Result of `do`, which can be pickled, by the name of each machine.
 
         resource: as of `Needs`. Raises what it raises, with the name of the machine.
         """
@@ -120,7 +120,7 @@ def this_machine() -> ThisMachine:
 
 
 def place(address: str | None) -> AbstractContextManager[Place]:
-    """Where work runs, as `--cluster` says; a context. Raises WorkError if it cannot be used."""
+    """Context with the place that `--cluster` names. Raises WorkError if it cannot be used."""
     if address is None:
         return nullcontext(this_machine())
     from rna_work.cluster import connected

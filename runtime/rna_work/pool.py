@@ -82,7 +82,7 @@ class Pool(Generic[Item, Result]):
         self._ready.clear()
 
     def nodes(self) -> Counter[str]:
-        """How many workers each node has."""
+        """Number of workers by node."""
         return Counter(member.node for member in self._ready)
 
     def run(
@@ -117,7 +117,7 @@ class Pool(Generic[Item, Result]):
                     wanted = next(following)
 
     def _window(self) -> int:
-        """How far results in order may be behind the last item given: bounds those held back."""
+        """Maximum distance of ordered results behind the last item; bounds how many are held."""
         return self._most * max(1, len(self._ready))
 
     def _under_way(self) -> bool:
@@ -303,6 +303,6 @@ class _Feed:
         return self.most_left() == 0
 
     def most_left(self) -> float:
-        """How many may be left."""
+        """Upper bound of the remaining items."""
         new = inf if self._total is None else self._total - self._taken
         return len(self._back) + (0 if self._ended else new)

@@ -92,7 +92,7 @@ def _how(status: int | None) -> str:
 
 
 def _serve(pipe: Connection, make: MakeWorker, name: str) -> None:
-    """What a process does: enter the worker, run items; it ends with the one that started it."""
+    """Main function of a worker process: enter the worker, run items; ends with the parent."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the one that started it
     threading.Thread(target=_end_with_parent, daemon=True).start()
     try:

@@ -59,7 +59,7 @@ class Progress:
 
 
 def who(nodes: dict[str, int]) -> str:
-    """How many workers there are, and where the most are."""
+    """Number of workers, and the nodes with the most."""
     named = sorted(nodes.items(), key=lambda pair: -pair[1])
     shown = ", ".join(f"{node}: {count}" for node, count in named[:3])
     more = f", and {len(named) - 3} more nodes" if len(named) > 3 else ""

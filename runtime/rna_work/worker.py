@@ -41,7 +41,7 @@ class TimedOut(WorkError):
 
 @dataclass(frozen=True)
 class Outcome(Generic[Item, Result]):
-    """What came of an item.
+    """Outcome of an item.
 
     result: None if it failed. failure: of the last attempt. worker, node: who ran it, and where.
     seconds: of the last attempt.

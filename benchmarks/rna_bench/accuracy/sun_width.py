@@ -44,7 +44,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def _brightness(worker: BlenderWorker, args: argparse.Namespace) -> dict[str, float]:
-    """By width of the sun, over that of the widest; means over three suns, seen from the front."""
+    """Mean brightness for each width of the sun over that for the widest; three suns, front."""
     meshes = [weld(worker.export_corners(part.owner)) for part in worker.parts]
     front = shots(meshes, args.resolution, 0.0)[:3]
     means = {

@@ -79,7 +79,7 @@ def last_tenth(curve: Sequence[tuple[int, float]], steps: int) -> float | None:
 
 
 def front(points: list[dict[str, Any]], cost: str, error: str) -> list[dict[str, Any]]:
-    """Those that no other beats at its cost: cheapest first, ablations left out."""
+    """Pareto front of cost and error without ablations, cheapest point first."""
     sign = -1.0 if error == "psnr" else 1.0
     known = [p for p in points if p["family"] != "ablation" and p[cost] is not None]
     best, found = float("inf"), []

@@ -37,7 +37,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def _compare(goal: Goal, grid: list[dict[str, Any]], args: argparse.Namespace) -> dict[str, Any]:
-    """What the search chose beside the best that the grid has."""
+    """Compares the chosen model with the best of the grid."""
     ours = [p for p in grid if p["family"] == "ours" and p["ns"] is not None]
     records = {p["name"]: _record(args.grid / "trials" / p["name"]) for p in ours}
     good = [p for p in ours if goal.met_by(records[p["name"]].points[p["precision"]].scores)]

@@ -52,7 +52,7 @@ class Study:
 
     @classmethod
     def of(cls, args: argparse.Namespace, where: Place) -> Study:
-        """As the options say, to be trained there.
+        """The study that the options describe.
 
         Raises `TrainingError` for names that are not in the grid.
         """
@@ -186,7 +186,7 @@ def _read(path: Path, model: type[Model]) -> Model | None:
 
 
 def _chosen(trials: list[Trial], names: list[str] | None) -> list[Trial]:
-    """Those of these names, families and tables; all for None."""
+    """Selects trials by name, family or table; None selects all."""
     if names is None:
         return trials
     groups = list(dict.fromkeys(g for trial in trials for g in (trial.family, *trial.tables)))

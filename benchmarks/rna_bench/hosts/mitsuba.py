@@ -88,7 +88,7 @@ def render_in_turn(
 def record(
     images: list[np.ndarray], seconds: tuple[list[float], list[float]], first: list[float]
 ) -> dict[str, Any]:
-    """What goes into the JSON of a scene."""
+    """The JSON record of a scene."""
     ours, theirs = images
     medians = [statistics.median(of) for of in seconds]
     return {

@@ -158,7 +158,7 @@ def _sky(d: np.ndarray) -> np.ndarray:
 
 
 def _write_sky(path: Path) -> None:
-    """As rna-run reads images: the middle is -z, the upper edge +y, the right half towards +x."""
+    """Writes a sky in rna-run's layout: the middle is -z, the upper edge +y, the right half +x."""
     height = 128
     theta = np.pi * (np.arange(height) + 0.5) / height
     phi = 2 * np.pi * ((np.arange(2 * height) + 0.5) / (2 * height) - 0.5)
@@ -171,7 +171,7 @@ def _write_sky(path: Path) -> None:
 
 
 def _mitsuba_directions(height: int) -> np.ndarray:
-    """Where Mitsuba's texels lie: its rows reach from pole to pole."""
+    """Directions of Mitsuba's texels; its rows reach from pole to pole."""
     theta = np.pi * np.arange(height) / (height - 1)
     phi = 2 * np.pi * (np.arange(2 * height) + 0.5) / (2 * height)
     theta, phi = np.meshgrid(theta, phi, indexing="ij")
@@ -233,7 +233,7 @@ class Theirs:
 
 
 def _plain(value: Any) -> Any:
-    """What YAML can write."""
+    """Converts tuples and mappings to types that YAML can write."""
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):

@@ -76,7 +76,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def in_chromium(scene: Path, api: str, resolution: tuple[int, int]) -> dict[str, float]:
-    """What the page measures of itself; it is opened twice, the second time from the cache."""
+    """The page's own measurements; it is opened twice, the second time from the cache."""
     chromium = find_chromium()
     if chromium is None:
         raise RnaError(INSTALL)

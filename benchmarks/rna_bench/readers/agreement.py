@@ -47,7 +47,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def asked(program: Program, case: EvaluateCase) -> NDArray[np.float64]:
-    """What the reader says to the case's queries."""
+    """The reader's results for the case's queries."""
     ask = emission if case.output == "emission" else evaluate
     return ask(program, case.package, case.tier, case.part, case.queries)
 

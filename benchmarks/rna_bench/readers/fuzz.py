@@ -40,7 +40,7 @@ _SHOWN = 20
 
 @dataclass
 class Verdicts:
-    """What the validator said, and where the C host says otherwise.
+    """Results of the validator, and its disagreements with the C host.
 
     Attributes:
         failures: "SEED: exception" where it raised, or took too long.

@@ -73,7 +73,7 @@ class Beside:
         return np.concatenate(shown, axis=1)
 
     def _shown(self, image: np.ndarray) -> np.ndarray:
-        """As `metrics` takes images, which show radiance times IRRADIANCE."""
+        """The exposed image, divided by IRRADIANCE, by which `metrics` multiplies radiance."""
         return (image * (self.exposure / IRRADIANCE)).astype(np.float32)
 
 

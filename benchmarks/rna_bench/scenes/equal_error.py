@@ -32,5 +32,5 @@ def equal_error(ours: Row, cycles: Sequence[Row]) -> dict[str, Any]:
 
 
 def equal_time(seconds: float, images: Sequence[Row]) -> int:
-    """Which of the images took the time nearest to this one, by its ratio."""
+    """Index of the image whose time has the ratio nearest to 1 with the given one."""
     return int(np.argmin([abs(np.log(row["seconds"] / seconds)) for row in images]))

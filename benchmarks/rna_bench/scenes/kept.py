@@ -38,14 +38,14 @@ class Kept:
         write_atomically(path, json.dumps(settings, indent=1).encode())
 
     def arrays(self, name: str, make: Callable[[], Arrays]) -> Arrays:
-        """What `make` gives, or gave before."""
+        """The result of `make`, or the stored result of an earlier call."""
         path = self._folder / f"{name}.safetensors"
         if not path.is_file():
             write_arrays(path, make())
         return load_file(path)
 
     def record(self, name: str, make: Callable[[], dict[str, Any]]) -> dict[str, Any]:
-        """As `arrays`, for JSON values."""
+        """The same for JSON values."""
         path = self._folder / f"{name}.json"
         if not path.is_file():
             write_atomically(path, json.dumps(make(), indent=1).encode())

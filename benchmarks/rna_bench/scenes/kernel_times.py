@@ -30,7 +30,7 @@ _PLACES: tuple[tuple[str, Any, str], ...] = (
 
 @dataclass
 class KernelTimes:
-    """What a render took; complete when the `with` statement is left.
+    """CPU time of a render by kernel; complete when the `with` statement is left.
 
     seconds: CPU seconds of all threads, by KERNELS. rows: queries and rays that were handed over.
     """

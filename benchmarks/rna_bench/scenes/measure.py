@@ -26,7 +26,7 @@ _FLOOR_SEED = 1
 
 @dataclass(frozen=True)
 class Plan:
-    """How much is rendered, in samples a pixel.
+    """Samples per pixel of all renders.
 
     samples: ours whose time counts. cycles_samples: Cycles' likewise. reference_samples: of Cycles,
     half of them in each of two independent renders. floor_samples: ours, for the package's own

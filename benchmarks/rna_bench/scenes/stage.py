@@ -74,7 +74,7 @@ class Stage:
 
     @property
     def wall_normal(self) -> np.ndarray:
-        """Where the wall faces to."""
+        """Normal of the wall."""
         return self.direction(_WALL_AZIMUTH, 0.0)
 
     def row_of_assets(self, distance: float, count: int, first_turn: float) -> list[dict[str, Any]]:

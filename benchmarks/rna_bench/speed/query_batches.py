@@ -14,7 +14,7 @@ Arrays = tuple[Any, ...]
 
 
 def arguments_of(asset: OnePart, points: Arrays) -> Arrays:
-    """What `evaluate` takes, from surface points; fibers get the normals for tangents, random h."""
+    """Arguments of `evaluate` from surface points; fibers use the normals as tangents, random h."""
     if asset.kind == "surface":
         return points
     positions, normals, wo, wi = points

@@ -37,6 +37,6 @@ def rows_of(samples: Samples, rows: np.ndarray) -> Samples:
 
 
 def light_numbers(samples: Samples) -> np.ndarray:
-    """Which light each sample is of, (n,) int64: samples of one light follow one another."""
+    """Number of each sample's light, (n,) int64; samples of one light are consecutive."""
     changed = np.any(samples["wi"][1:] != samples["wi"][:-1], axis=1)
     return np.concatenate([[0], np.cumsum(changed)])

@@ -55,7 +55,7 @@ CASES: tuple[Case, ...] = tuple(
 
 @dataclass(frozen=True)
 class Result:
-    """What a case gave: rows, or why there are none."""
+    """Result of a case: rows, or the reason why it was skipped."""
 
     case: Case
     rows: list[Row]
@@ -73,7 +73,7 @@ class Result:
 
     @property
     def found(self) -> str:
-        """What decides, or why it was skipped."""
+        """The decisive measurement, or the reason why the case was skipped."""
         return self.skipped or self.case.judge(self.rows).found
 
     @property

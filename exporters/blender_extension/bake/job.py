@@ -58,7 +58,7 @@ class Job:
         _started[self._key()] = command
 
     def stop(self):
-        """As Ctrl-C; what is finished stays."""
+        """Interrupts the job, as Ctrl-C does; finished work is kept."""
         if self.is_running():
             os.killpg(int(self._pid.read_text()), signal.SIGINT)
 

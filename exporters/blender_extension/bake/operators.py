@@ -84,7 +84,7 @@ def _begin(context, item, job):
 
 
 def _package_path(item):
-    """Where the package goes: what was asked for, or beside the .blend file."""
+    """Path of the package: the given one, or beside the .blend file."""
     asked = item.rna_bake.out or f"//{bpy.path.clean_name(item.name)}.rna"
     if asked.startswith("//") and not bpy.data.filepath:
         raise SdkError("save the .blend file first, or name the package to write")

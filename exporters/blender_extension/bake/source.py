@@ -5,7 +5,7 @@ import mathutils
 
 
 def frame_of(item):
-    """Where the asset's own space stands: the object's place and turn, without its scale."""
+    """Transform of the asset's object space: the object's translation and rotation, no scale."""
     translation, turn, _ = item.matrix_world.decompose()
     return mathutils.Matrix.LocRotScale(translation, turn, None)
 
@@ -47,7 +47,7 @@ def write_source(path, scene, items, frame):
 
 
 def _placed_copy(item, copies, frame):
-    """With the same data; below its parent's copy, or by itself where it stands now."""
+    """Copies an object, sharing its data: below its parent's copy, or with its world transform."""
     copy = item.copy()
     if item.parent in copies:
         copy.parent = copies[item.parent]

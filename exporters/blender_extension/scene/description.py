@@ -149,7 +149,7 @@ def write_scene(depsgraph, folder, resolution):
 
 
 def _is_shown(instance):
-    """Not what is hidden from renders, nor what is shown only where its parent instances it."""
+    """Whether renders show it: neither hidden nor shown only as instances of its parent."""
     item = instance.object.original
     if not instance.show_self or (item.hide_render and not instance.is_instance):
         return False

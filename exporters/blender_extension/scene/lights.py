@@ -25,7 +25,7 @@ def describe_light(item, matrix, notes):
 
 
 class _Placed:
-    """Where an instance of a lamp stands; `axes_of` asks it as it asks an object."""
+    """An instance of a lamp, with the members of an object that `axes_of` reads."""
 
     def __init__(self, item, matrix):
         self.name, self.matrix_world = item.name, matrix
@@ -50,7 +50,7 @@ def _colour(item, lamp, notes):
 
 
 def _grouped(item, light, notes):
-    """With the light group as the scene file can name it."""
+    """Adds the light group, renamed to what the scene file allows."""
     group = re.sub(r"[^A-Za-z0-9_]", "_", item.lightgroup)
     return {**light, "group": group} if group else light
 

@@ -29,7 +29,7 @@ def transform(matrix):
 
 
 def nearest_similarity(matrix):
-    """With the mean of the three scales, and no shear."""
+    """The transform with the geometric mean of its three scales, and without shear."""
     translation, turn, scale = matrix.decompose()
     mean = abs(scale.x * scale.y * scale.z) ** (1.0 / 3.0)
     return mathutils.Matrix.LocRotScale(translation, turn, (mean,) * 3)

@@ -58,7 +58,7 @@ def _image_light(node, strength, folder, notes):
 
 
 def _turn(socket, notes):
-    """By what the image is turned about Blender's +z; a mapping turns what is looked up, back."""
+    """Rotation of the image about Blender's +z, the inverse of the mapping node's rotation."""
     if not socket.is_linked:
         return 0.0
     node = socket.links[0].from_node

@@ -37,7 +37,7 @@ def main():
 
 
 def facts(manifest):
-    """What Blender's panels show, and its stand-in materials."""
+    """Properties for Blender's panels and stand-in materials."""
     standin = manifest.extensions.get("RNA_standin")
     return {
         "name": manifest.name,

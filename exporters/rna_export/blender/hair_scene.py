@@ -85,7 +85,7 @@ def _convert(emitter: bpy.types.Object) -> None:
 
 
 def _show_as_rendered(settings: bpy.types.ParticleSettings) -> None:
-    """What Python can read is the viewport's hair."""
+    """Makes the viewport's hair, which is all that Python can read, the rendered one."""
     settings.display_method = "RENDER"
     settings.display_percentage = 100
     settings.display_step = settings.render_step
@@ -114,7 +114,7 @@ def _add_curves_of(emitter: bpy.types.Object, name: str) -> bpy.types.Object:
 
 
 def _set_radii(curves: bpy.types.Curves, settings: bpy.types.ParticleSettings) -> None:
-    """As Cycles gives particle hair its radii (`shaperadius` in its Blender add-on's source)."""
+    """Sets the radii that Cycles uses for particle hair (`shaperadius` in its add-on's source)."""
     root = 0.5 * settings.root_radius * settings.radius_scale
     tip = 0.5 * settings.tip_radius * settings.radius_scale
     offsets = np.empty(len(curves.curves) + 1, np.int32)

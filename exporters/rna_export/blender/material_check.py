@@ -16,7 +16,7 @@ _NAMED = 3
 
 
 def problems() -> list[str]:
-    """What is wrong, one sentence each, with the name of the material."""
+    """Problems of the materials, one sentence each, with the name of the material."""
     found, bare = [], []
     for material, item in _shown_materials():
         if material is None:

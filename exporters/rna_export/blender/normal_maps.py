@@ -68,7 +68,7 @@ def _map_of(
 
 
 def _normal_socket(surface: bpy.types.NodeSocket) -> bpy.types.NodeSocket | None:
-    """What the first shader with a normal of its own gets it from; None where none has one."""
+    """Source of the first shader's linked normal input; None if no shader has one."""
     for node, _ in upstream(surface):
         socket = node.inputs.get("Normal")
         if node.type.startswith("BSDF_") and socket is not None and socket.is_linked:

@@ -22,7 +22,7 @@ class Part(TypedDict):
 
 
 def find_parts(how: str) -> list[Part]:
-    """What to export; kinds are "surface" and "fiber".
+    """The parts to export; their kinds are "surface" and "fiber".
 
     how: "kinds": all surfaces are a part, and so is all hair; "objects": each top object is one.
     """
@@ -57,7 +57,7 @@ def _of_objects() -> list[Part]:
 
 
 def _free_name(name: str, mark: str, taken: set[str]) -> str:
-    """What a package can call it: letters, digits, dots, dashes; case does not tell names apart."""
+    """An unused part name of letters, digits, dots and dashes, unique regardless of case."""
     plain = re.sub(r"[^A-Za-z0-9._-]+", "_", name).strip("._-")[:40] or "part"
     count, result = 1, plain + mark
     while result.lower() in taken:

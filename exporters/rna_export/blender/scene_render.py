@@ -18,7 +18,7 @@ _BOUNCES = ("max_bounces", "diffuse_bounces", "glossy_bounces", "transmission_bo
 
 
 class _State:
-    """What of the Blender file is ours, and which scene it shows."""
+    """The objects that were added to the Blender file, and the scene it currently shows."""
 
     def __init__(self) -> None:
         scene = bpy.context.scene

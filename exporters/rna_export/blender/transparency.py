@@ -32,7 +32,7 @@ class Transparency:
 
 @dataclass
 class _Reading:
-    """What was found on the way through the nodes of a material."""
+    """Findings while the nodes of a material are traversed."""
 
     cutoff: float | None = None
     ior: tuple[float, float] | None = None

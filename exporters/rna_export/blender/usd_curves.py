@@ -53,7 +53,7 @@ def up_is_z(source: str) -> bool:
 
 
 def _make_uninstanced(stage: Usd.Stage, usd: Any, geom: Any) -> None:
-    """What is below an instance cannot be changed."""
+    """Makes instances with curves editable: prims below an instance cannot be changed."""
     for prim in list(stage.TraverseAll()):
         below = usd.PrimRange(prim, usd.TraverseInstanceProxies()) if prim.IsInstance() else ()
         if any(p.IsA(geom.Curves) for p in below):

@@ -13,7 +13,7 @@ _BASES = {  # rows of weights of four points, by powers of t from t^0 to t^3
 
 
 class Spline:
-    """How `n` points of one curve, or what goes with them, are interpolated.
+    """Interpolates the `n` points of a curve, or values given at them.
 
     kind: "linear" or "cubic"; basis: of a cubic curve; wrap: "nonperiodic", "periodic", "pinned".
     samples: points of the polyline, 0 where there are too few points for a piece.

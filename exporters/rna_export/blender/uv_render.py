@@ -51,7 +51,7 @@ def upstream(socket: bpy.types.NodeSocket) -> Iterator[tuple[bpy.types.Node, bpy
 def _nodes_of(
     socket: bpy.types.NodeSocket,
 ) -> Iterator[tuple[bpy.types.Node, bpy.types.NodeSocket]]:
-    """As `_upstream`, the insides of groups too."""
+    """Nodes upstream of a socket, including those inside groups."""
     for node, output in upstream(socket):
         yield node, output
         if node.type == "GROUP" and node.node_tree is not None:
@@ -59,7 +59,7 @@ def _nodes_of(
 
 
 def not_of_uv(colour: bpy.types.NodeSocket) -> list[str]:
-    """What makes the colour depend on more than the UV coordinates, by name."""
+    """Names of the nodes that make the colour depend on more than the UV coordinates."""
     return [
         f"the node {node.bl_label!r}"
         for node, output in _nodes_of(colour)

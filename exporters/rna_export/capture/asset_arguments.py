@@ -48,7 +48,7 @@ Arguments = SurfaceArguments | FiberArguments
 
 
 def evaluate_arguments(fields: Mapping[str, np.ndarray]) -> Arguments:
-    """Those of a part's samples by name, whatever their order; other fields are left out."""
+    """Arguments of `evaluate` from a part's samples by name; other fields are ignored."""
     form = FiberArguments if "tangent" in fields else SurfaceArguments
     return form(**{name: fields[name] for name in form._fields})
 

@@ -23,7 +23,7 @@ _MOST_PASS = 0.75  # the share of rays that go on behind, at most: thin layers a
 
 @dataclass(frozen=True)
 class PartRows:
-    """Where rays met one part.
+    """Ray hits on one part.
 
     rows: (k,) int64, which of the rays. points: (k) of them. fields: what a sample records of the
     point, but for its directions: name -> (k,) or (k, c) rows.
@@ -36,7 +36,7 @@ class PartRows:
 
 @dataclass(frozen=True)
 class ShadePoints:
-    """Where rays met the asset; arrays have one row a ray, rows without a hit are zero."""
+    """Ray hits on the asset; arrays have one row per ray, zero for misses."""
 
     part: np.ndarray  # (n,) int32, place of the part; -1 for a miss
     position: np.ndarray  # (n, 3) float32
@@ -95,15 +95,15 @@ class AssetScene:
         self._by_area = area / area.sum()
 
     def distance(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        """How far rays (n, 3) go before they meet the asset, (n,); inf: never."""
+        """Distance to the asset along rays (n, 3): (n,), inf for misses."""
         return self._solid_hits(origins, directions)[0].t
 
     def part_hit(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        """Which part each ray meets first, (n,) int32; -1: none."""
+        """Part hit first by each ray, (n,) int32; -1 for misses."""
         return self._solid_hits(origins, directions)[0].part
 
     def free_distance(self, points: np.ndarray, normals: np.ndarray, wo: np.ndarray) -> np.ndarray:
-        """How far a ray leaves points (n, 3) along wo before it meets the asset; inf: never."""
+        """Distance to the asset from points (n, 3) along wo: (n,), inf for misses."""
         return self.distance(points + np.float32(1e-4 * self.radius) * normals, wo)
 
     def _solid_hits(

@@ -19,7 +19,7 @@ VARIABLE = "RNA_BLENDER_PYTHON"
 
 
 def default_folder() -> Path:
-    """Where `--setup-blender` puts the environment."""
+    """Default folder of the environment of `--setup-blender`."""
     cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
     return cache / "rna-sdk" / f"blender-{BPY_VERSION}"
 

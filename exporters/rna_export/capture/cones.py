@@ -84,7 +84,7 @@ def around_both(a: Cap, b: Cap) -> Cap:
 
 
 def _with_one_less(caps: list[Cap]) -> list[Cap]:
-    """With the two that merge into the smallest one merged."""
+    """The cones with one pair merged: the one with the smallest enclosing cone."""
     pairs = [(around_both(a, b), a, b) for a, b in combinations(caps, 2)]
     smallest, first, second = min(pairs, key=lambda pair: pair[0].half_angle)
     rest = [cap for cap in caps if cap is not first and cap is not second]

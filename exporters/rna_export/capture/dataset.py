@@ -101,7 +101,7 @@ class Dataset:
         return [WholeView(tuple(p.view(k) for p in self.parts)) for k in self.finished_views()]
 
     def lights_finished(self) -> int:
-        """From the first one on, without a gap."""
+        """Number of captured lights before the first gap."""
         settings = self.manifest.settings
         shards = 0
         while shards < self.manifest.shards and self.train_path(shards).is_file():

@@ -62,7 +62,7 @@ class DatasetPart:
             raise CaptureError(DAMAGED.format(path, error)) from error
 
     def transmittance(self) -> tuple[Transmittance, ...]:
-        """What its triangles let through; none of an opaque part."""
+        """Transmittance of its triangles; empty for an opaque part."""
         return tuple(
             Transmittance(*record.triangles, self._texture(record), record.cutoff, record.ior)
             for record in self.captured.transmittance
@@ -75,7 +75,7 @@ class DatasetPart:
         )
 
     def textures(self) -> dict[str, np.ndarray]:
-        """Those of both, by the names that the records have for them."""
+        """Textures of transmittance and normal maps, by the names in their records."""
         found = {record.texture: self._texture(record) for record in self.captured.transmittance}
         maps = {record.texture: self._map(record) for record in self.captured.normal_maps}
         return {**found, **maps}

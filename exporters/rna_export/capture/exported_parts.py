@@ -34,7 +34,7 @@ class ExportedParts:
     notes: list[str] = field(default_factory=list)
 
     def captured(self) -> tuple[CapturedPart, ...]:
-        """As the dataset's manifest has them."""
+        """The parts as records of the dataset's manifest."""
         return tuple(self._captured(part) for part in self.parts)
 
     def _captured(self, part: ScenePart) -> CapturedPart:

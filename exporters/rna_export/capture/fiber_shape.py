@@ -34,7 +34,7 @@ class FiberShape:
         return float(apart.max())
 
     def sample_fields(self, points: PartPoints, directions: np.ndarray) -> dict[str, np.ndarray]:
-        """What a sample records of points, but for its directions.
+        """Fields of a sample that describe points, without directions.
 
         h: (k,) float32, offset of the ray, which came along `directions`, from the axis, in radii.
         """

@@ -34,7 +34,7 @@ _OF_A_LIGHT = ("wi", "direct", "visible")
 
 
 def emission_fields(kind: str) -> dict[str, int]:
-    """What a sample of emission holds, likewise."""
+    """The same for samples of emission."""
     return {name: n for name, n in SAMPLE_FIELDS[kind].items() if name not in _OF_A_LIGHT}
 
 
@@ -99,7 +99,7 @@ class CaptureManifest(DatasetModel):
 
     @property
     def emission_shards(self) -> int:
-        """As many rays each as a training shard, so that emission is a part of the capture."""
+        """Number of shards of emission, each with as many rays as a training shard."""
         return max(1, round(EMISSION_SHARE * self.shards)) if self.emitters else 0
 
     @property
@@ -108,7 +108,7 @@ class CaptureManifest(DatasetModel):
         return max(1, self.settings.validation_views // 4) if self.emitters else 0
 
     def fields(self, kind: str) -> dict[str, int]:
-        """What a sample of a kind of part holds: see SAMPLE_FIELDS.
+        """Fields of a sample of a kind of part: see SAMPLE_FIELDS.
 
         Where rays pass through parts, the visibility has a colour: 255 times it.
         """
@@ -116,6 +116,6 @@ class CaptureManifest(DatasetModel):
         return {**fields, "visible": 3} if self.transmits else fields
 
     def write(self, path: Path) -> None:
-        """As JSON; the file is written atomically."""
+        """Writes JSON atomically."""
         text = json.dumps(self.model_dump(mode="json", by_alias=True), indent=1) + "\n"
         write_atomically(path, text.encode())

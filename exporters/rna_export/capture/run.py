@@ -254,7 +254,7 @@ def _widest(dataset: Dataset) -> int:
 
 
 def _domain_line(manifest: CaptureManifest) -> str:
-    """What --for made of the scene; nothing without it."""
+    """The remaining share of directions with --for; empty without it."""
     if manifest.scene_domain is None:
         return ""
     domain = manifest.scene_domain

@@ -111,7 +111,7 @@ def _has_emitters(scene: Scene) -> bool:
 
 
 def _materials(scene: Scene) -> Iterator[MaterialModel | None]:
-    """Those of the ground and the objects; None: an object's own."""
+    """Materials of the ground and the objects; None for an object's own."""
     things: list[GroundModel | ObjectModel] = [*scene.objects]
     things += [scene.ground] if scene.ground is not None else []
     return (thing.material for thing in things)

@@ -26,7 +26,7 @@ _opening = threading.Lock()
 
 @dataclass(frozen=True)
 class CaptureJob:
-    """What a worker needs, wherever it is.
+    """Data that a worker needs on any machine.
 
     dataset: the manifest of the dataset, with its geometry. store: where finished files go; None
     for the dataset's own folder. files: the source, and what it reads. scratch: for ray images;

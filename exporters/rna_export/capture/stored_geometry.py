@@ -12,7 +12,7 @@ from rna_sdk.package.quantised_mesh import QuantisedMesh
 
 
 def geometry_arrays(geometry: Mesh | Curves) -> dict[str, np.ndarray]:
-    """By name; those of quantised geometry restore it to the bit, and its package's entry too."""
+    """Arrays of the geometry by name; quantised ones restore it and its package entry exactly."""
     stored = geometry if geometry.quantised is None else geometry.quantised
     return {k: v for k, v in vars(stored).items() if isinstance(v, np.ndarray)}
 

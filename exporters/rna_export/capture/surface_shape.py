@@ -38,7 +38,7 @@ class SurfaceShape:
         return float(np.linalg.norm(self.points - centre, axis=1).max())
 
     def sample_fields(self, points: PartPoints, _: np.ndarray) -> dict[str, np.ndarray]:
-        """What a sample records of points, but for its directions."""
+        """Fields of a sample that describe points, without directions."""
         assert isinstance(points, SurfacePoints)
         return {"position": points.x, "normal": points.mapped}
 

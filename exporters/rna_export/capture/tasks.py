@@ -201,7 +201,7 @@ def _fields(part: DatasetPart, wi: np.ndarray | None) -> Iterable[str]:
 def _starts(
     scene: AssetScene, points: ShadePoints, rays: ViewRays
 ) -> tuple[np.ndarray, float | None]:
-    """Where Cycles' rays start, and how far they go.
+    """Origins of Cycles' rays, and their length.
 
     At assets that transmit, close before the points and close behind them: what lies before a point
     on its ray has let the ray pass, and what lies behind it is not seen.
@@ -216,7 +216,7 @@ def _starts(
 def _of_light(
     scene: AssetScene, points: ShadePoints, wi: np.ndarray | None
 ) -> dict[str, np.ndarray]:
-    """What samples of a light record of it; nothing for the asset's own light."""
+    """Fields of samples that describe their light; none for the asset's emission."""
     if wi is None:
         return {}
     rows = np.ascontiguousarray(np.broadcast_to(wi.astype(np.float32), points.position.shape))
@@ -267,7 +267,7 @@ def _validation_camera(
 
 
 def _camera_region(wo: Region) -> tuple[Region, float]:
-    """Where the axes of validation cameras lie, and their angle of view.
+    """Region of the validation cameras' axes, and their field of view.
 
     Of cones, so that what the images see of the asset is seen from inside: half of a cone's angle
     is the axis's, the other half the image's.

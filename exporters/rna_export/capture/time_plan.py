@@ -58,7 +58,7 @@ def planned(
 
 
 def shrunk(before: CaptureSettings, after: CaptureSettings) -> str | None:
-    """What became of the validation images, for the user; None if they are as they were."""
+    """Note about reduced validation images; None if they are unchanged."""
     if before.validation_paths == after.validation_paths:
         return None
     return (

@@ -15,7 +15,7 @@ _NO_QUERY = ("radiance", "direct", "visible", "pixel")
 
 
 class CapturedImage(Protocol):
-    """What a model's answers are scored against."""
+    """A reference image that a model is scored against."""
 
     @property
     def index(self) -> int:
@@ -54,12 +54,12 @@ class ValidationView:
 
     @property
     def visible(self) -> np.ndarray:
-        """How much of the light the asset lets through, (n,) or (n, 3)."""
+        """Visibility of the light through the asset, (n,) or (n, 3)."""
         return self.samples["visible"]
 
     @property
     def queries(self) -> dict[str, np.ndarray]:
-        """What a model is asked, by name."""
+        """The model's queries, by name."""
         return queries_of(self.samples)
 
     def pick(self, visible: np.ndarray, shadowed: np.ndarray) -> np.ndarray:

@@ -24,7 +24,7 @@ _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
 
 @dataclass(frozen=True)
 class Source:
-    """What is captured and how Cycles is set; enough to open a worker again."""
+    """The source model and its Cycles settings; enough to open a worker again."""
 
     path: Path
     arguments: tuple[str, ...] = ()
@@ -43,7 +43,7 @@ class Source:
 
 @dataclass(frozen=True)
 class ScenePart:
-    """What of an opened source becomes a part of the asset."""
+    """The objects of an opened source that become a part of the asset."""
 
     name: str
     kind: str  # "surface" or "fiber"
@@ -52,7 +52,7 @@ class ScenePart:
 
 @dataclass(frozen=True)
 class SeeThrough:
-    """What a material lets through without bending it; as in rna_sdk.package.Transmittance."""
+    """Transmittance of a material without refraction; as in rna_sdk.package.Transmittance."""
 
     texture: np.ndarray  # (h, w, 1 or 3) uint8
     cutoff: float | None
@@ -197,7 +197,7 @@ class BlenderWorker:
         return corners
 
     def export_transparency(self) -> tuple[dict[str, SeeThrough], list[str]]:
-        """What lets light through, by material, and notes for the user."""
+        """Transmittance by material, and notes for the user."""
         textures, answer = self._exported("exportTransparency")
         found = {
             record["material"]: SeeThrough(textures[str(k)], record["cutoff"], record["ior"])
@@ -231,7 +231,7 @@ class BlenderWorker:
         seed: int,
         reach: float | None = None,
     ) -> RenderedRays:
-        """What comes along rays, the asset lit from `wi` with irradiance 1, or by itself alone.
+        """Radiance along rays: the asset lit from `wi` with irradiance 1, or its emission alone.
 
         `origins`, `directions`: (n, 3) float32, object space, +Y up; `wi`: (3,) towards the light,
         or None for what the asset emits. `reach`: how far the rays go.

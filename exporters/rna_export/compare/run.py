@@ -19,7 +19,7 @@ from rna_sdk.runtime import Asset
 
 @dataclass(frozen=True)
 class Timed:
-    """What was rendered, and how long that took."""
+    """An image and its render time."""
 
     pixels: np.ndarray
     seconds: float
@@ -89,7 +89,7 @@ def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) 
 
 
 def judge(shot: Shot, ours: Timed, cycles: Timed) -> Pair:
-    """What `render_ours` gave beside what `render_cycles` gave."""
+    """Compares the images of `render_ours` and `render_cycles`."""
     image, halves = ours.pixels, cycles.pixels
     mean = halves.mean(axis=0, dtype=np.float32)
     covered = (image[..., 3] > 0.0) & (mean[..., 3] > 0.0)

@@ -90,7 +90,7 @@ def _parts(model: TrainedTier, dataset: Dataset) -> tuple[Part, ...]:
 
 
 def _textured(part: CapturedPart) -> dict[str, Any]:
-    """What of a part's materials the package has, by members of `Part`."""
+    """Textures of a part's materials in the package, by member of `Part`."""
     members = {"transmittance": part.transmittance, "normal_maps": part.normal_maps}
     return {name: records for name, records in members.items() if records}
 
@@ -128,7 +128,7 @@ def _provenance(models: list[TrainedTier], dataset: Dataset, source: str | None)
 
 
 def _runs(model: TrainedTier) -> dict[str, Any]:
-    """How the tier was trained; of several parts, by their names."""
+    """Training settings of the tier; by part if there are several."""
     runs = {
         one.part: {"steps": one.steps, "seed": one.seed, **one.preset.model_dump(mode="json")}
         for one in model.parts

@@ -31,7 +31,7 @@ class EmissionModel:
         self.ceiling, self.unit = emission.ceiling, emission.unit
 
     def queries(self, at: Points) -> Tensor:
-        """What the decoder is asked, (k, K)."""
+        """The decoder's queries, (k, K)."""
         return self._emission.queries(self.triplane, at)
 
     def transport(self, y: Tensor) -> Tensor:

@@ -26,7 +26,7 @@ _CLIPS = torch.linspace(0.3, 1.0, 36)
 
 @dataclass(frozen=True)
 class TorchInt8Layer:
-    """What a layer multiplies: sum = weight @ q + bias, in units of input_scale * weight_scale.
+    """An int8 layer: sum = weight @ q + bias, in units of input_scale * weight_scale.
 
     Attributes:
         weight: (outputs, inputs) int8; inputs 2k and 2k + 1 of one sign add up to PAIR_LIMIT at
@@ -119,7 +119,7 @@ def int8_decoder(
 
 
 def _sums(weights: list[Tensor], biases: list[Tensor], queries: Tensor) -> list[Tensor]:
-    """What each layer gives before its ReLU, (n, outputs)."""
+    """Sums of each layer before its ReLU, (n, outputs)."""
     values, every = queries, []
     for weight, bias in zip(weights, biases, strict=True):
         every.append(values @ weight.T + bias)

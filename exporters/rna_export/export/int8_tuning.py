@@ -22,7 +22,7 @@ _STEPS, _BATCH, _RATE = 300, 2048, 1e-3
 
 @dataclass(frozen=True)
 class Calibration:
-    """What the decoder is asked at samples of the training data.
+    """The decoder's queries at samples of the training data.
 
     Attributes:
         queries: (n, K) float32.

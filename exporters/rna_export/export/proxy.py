@@ -38,7 +38,7 @@ def proxy_of(mesh: Mesh, pixels: int) -> Mesh | None:
 
 
 def _shaded(points: np.ndarray, faces: np.ndarray) -> Mesh:
-    """With normals of corners, smooth but for creases."""
+    """A mesh with corner normals, smooth except at creases."""
     crosses = trimesh.triangles.cross(points[faces])
     units = crosses / np.linalg.norm(crosses, axis=1, keepdims=True)
     corners, face_of = faces.reshape(-1), np.repeat(np.arange(len(faces)), 3)

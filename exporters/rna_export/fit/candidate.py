@@ -44,5 +44,5 @@ class Candidate:
 
 
 def _octaves(few: int, many: int) -> int:
-    """How often a number of steps doubles, about."""
+    """Number of doublings from few to many steps, rounded down."""
     return max(1, (many // few).bit_length() - 1)

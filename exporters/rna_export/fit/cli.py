@@ -82,7 +82,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def goal_of(args: argparse.Namespace) -> Goal:
-    """What the options ask for."""
+    """The goal that the options set."""
     from rna_export.fit.goal import Goal
 
     if args.max_error is not None:

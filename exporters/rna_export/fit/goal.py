@@ -8,7 +8,7 @@ from typing import Literal, Protocol
 
 
 class Scored(Protocol):
-    """What a goal looks at: PSNR in dB and mean FLIP of the validation images."""
+    """The errors that goals use: PSNR in dB and mean FLIP of the validation images."""
 
     @property
     def psnr(self) -> float: ...
@@ -41,7 +41,7 @@ class Goal:
 
     @property
     def limit_db(self) -> float:
-        """What `error_db` may be at most; infinity where the cost is limited instead."""
+        """Largest allowed `error_db`; infinity if the cost is limited instead."""
         if self.metric == "max_error":
             return 10.0 * log10(self.value)
         return -self.value if self.metric == "min_psnr" else float("inf")

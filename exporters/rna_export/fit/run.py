@@ -28,7 +28,7 @@ from rna_sdk.errors import TrainingError
 
 @dataclass
 class Fit:
-    """What a fit did."""
+    """Result of a fit."""
 
     goal: Goal
     steps: int

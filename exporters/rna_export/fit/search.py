@@ -48,7 +48,7 @@ def search(
 def _until_one_suffices(
     candidates: list[Candidate], goal: Goal, steps: int, train: Train, width: int
 ) -> list[Candidate]:
-    """Those trained on the first rung, from the cheapest on: up to one that meets the limit."""
+    """Trains candidates on the first rung, cheapest first, until one meets the limit."""
     ordered = sorted(candidates, key=lambda c: c.ns)
     for k in range(0, len(ordered), width):
         train(ordered[k : k + width], steps)
@@ -123,7 +123,7 @@ class _Range:
 
 
 def _near_front(candidates: list[Candidate], goal: Goal, steps: int) -> list[Candidate]:
-    """Those that no cheaper one beats by more than the tolerance, cheapest first."""
+    """Candidates that no cheaper one beats by more than the tolerance, cheapest first."""
     best, kept = float("inf"), []
     leader = None
     for candidate in sorted(candidates, key=lambda c: (c.ns, goal.error_db(c.scores[steps]))):

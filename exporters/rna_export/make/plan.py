@@ -50,7 +50,7 @@ class OpenPlan:
         return in_shards(before + more, before, self.shard)
 
     def capture_seconds(self, round_: int, left: float) -> float | None:
-        """That a round's capture may take: no limit."""
+        """Time limit of a round's capture: none."""
 
     def phase(self, round_: int, left: float) -> Length:
         """A round's training."""
@@ -74,14 +74,14 @@ class FixedPlan:
     end: ClassVar[Verdict] = "lights used up"
 
     def lights_of(self, round_: int, before: int) -> int:
-        """All of them."""
+        """Lights after the only round: all."""
         return self.lights
 
     def capture_seconds(self, round_: int, left: float) -> float | None:
-        """That the capture may take: no limit."""
+        """Time limit of the capture: none."""
 
     def phase(self, round_: int, left: float) -> Length | None:
-        """No training but the last."""
+        """No training between captures."""
 
     def last_phase(self, left: float, models: int) -> Length:
         """The one of a model."""
@@ -111,11 +111,11 @@ class TimedPlan:
         return _SHORT_ROUNDS if self.seconds < _SHORT_SECONDS else _TIMED_ROUNDS
 
     def lights_of(self, round_: int, before: int) -> int:
-        """More than there may be time for."""
+        """Lights after a round, more than there may be time for."""
         return in_shards(before + _SLACK * self.lights / self.rounds, before, self.shard)
 
     def capture_seconds(self, round_: int, left: float) -> float:
-        """That a round's capture may take."""
+        """Time limit of a round's capture."""
         own = CAPTURE / self.rounds
         return self._usable(left) * own / self._ahead(round_)
 

@@ -24,7 +24,7 @@ class Progress:
         self._begun = 0.0  # where the stage began
 
     def more(self, weight: float) -> None:
-        """There are more stages than were known."""
+        """Adds the weight of stages that were not known before."""
         self._bar.total += _UNITS * weight
 
     def stage(self, label: str, weight: float) -> Stage:
@@ -38,7 +38,7 @@ class Progress:
         self._bar.write(line)
 
     def close(self) -> None:
-        """No more."""
+        """Closes the bar."""
         self._bar.close()
 
 
@@ -59,7 +59,7 @@ class Stage:
 
 
 class _Part:
-    """What captures and trainings use of a `tqdm`."""
+    """The subset of `tqdm`'s interface that captures and trainings use."""
 
     def __init__(self, bar: tqdm, begun: float, units: float, **options: Any):
         self._bar, self._begun, self._units = bar, begun, units

@@ -17,7 +17,7 @@ MARGIN_DB = 0.1  # that a package may lose against the model in training
 
 
 def verdict(errors_db: Sequence[float], limit_db: float) -> Verdict | None:
-    """What the validation errors of the rounds so far say; None: go on.
+    """Why to stop, by the validation errors of the rounds so far; None: go on.
 
     errors_db: as `Goal.error_db` has them, in order. limit_db: minus infinity without a goal.
     """

@@ -39,7 +39,7 @@ class EmissionDecoder(nn.Module):
         self.register_buffer("unit", torch.tensor(1.0))
 
     def queries(self, triplane: Triplane, at: Points, blur: float = 1.0) -> Tensor:
-        """What the decoder is asked, (k, K)."""
+        """The decoder's queries, (k, K)."""
         position = at["position"]
         p = ((position - triplane.low) / (triplane.high - triplane.low)).clamp(0.0, 1.0)
         return assemble(self.inputs, triplane(position, blur), p, at)

@@ -94,7 +94,7 @@ class Fitting:
         return loss + self._emission.loss(*self.model.emitting, blur)
 
     def state(self) -> dict[str, Any]:
-        """For a checkpoint: of model and optimizers."""
+        """State of model and optimizers for a checkpoint."""
         return {
             "model": self.model.state_dict(),
             "optimizers": [optimizer.state_dict() for optimizer in self._optimizers],

@@ -88,7 +88,7 @@ class NeuralAsset(nn.Module):
         return self.multiplies_in_bfloat16 and torch.is_grad_enabled()
 
     def queries(self, at: Points, blur: float = 1.0) -> Tensor:
-        """What the decoder is asked, (k, K)."""
+        """The decoder's queries, (k, K)."""
         grid, position = self.triplane, at["position"]
         p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
         if self.config.texture == "network":

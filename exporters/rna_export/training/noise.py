@@ -12,7 +12,7 @@ MOST_DARKENED = 0.05
 
 
 def darkening(dataset: DatasetPart, unit: float) -> float:
-    """By what part the log loss would learn the asset too dark, to second order in the noise.
+    """Relative darkening that the log loss would cause, to second order in the noise.
 
     The mean of log(x / unit + 1) over noisy x is lower than that of their mean, by half their
     variance over (x + unit)^2. The variance of a training sample follows from both halves of the

@@ -26,7 +26,7 @@ class StepPace:
         """A validation is done, with all that it wrote."""
 
     def state(self) -> dict[str, float]:
-        """For a checkpoint; the number of its steps says the rest."""
+        """State for a checkpoint: none, since the number of steps suffices."""
         return {}
 
 
@@ -69,7 +69,7 @@ class TimePace:
         self._validation = max(self._validation, monotonic() - self._last)
 
     def state(self) -> dict[str, float]:
-        """For a checkpoint."""
+        """State for a checkpoint."""
         spent = self._spent + monotonic() - self._last
         return {"spent": spent, "progress": self._progress, "validation": self._validation}
 
@@ -78,5 +78,5 @@ Pace = StepPace | TimePace
 
 
 def length(minutes: float | None, steps: int) -> str:
-    """What a run was asked to take."""
+    """The requested length of a run, as text."""
     return f"{steps} steps" if minutes is None else f"{minutes:g} minutes"

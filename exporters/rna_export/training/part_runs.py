@@ -29,5 +29,5 @@ def shared_minutes(minutes: float | None, parts: Sequence[DatasetPart]) -> dict[
 
 
 def part_folder(folder: Path, dataset: Dataset, part: str) -> Path:
-    """Where a part's checkpoints are in the folder of a training: in it, if it is the only one."""
+    """Folder of a part's checkpoints: that of the training itself if it is the only part."""
     return folder if len(dataset.parts) == 1 else folder / part

@@ -15,7 +15,7 @@ _BETAS, _EPSILON = (0.9, 0.999), 1e-8
 
 
 class PlaneAdam(torch.optim.Optimizer):
-    """As `torch.optim.Adam` of one float32 CPU tensor; `step` also clears its gradient.
+    """Like `torch.optim.Adam` for one float32 CPU tensor; `step` also clears its gradient.
 
     The gradient is one tensor for the whole training, which backward passes add to.
     """

@@ -36,7 +36,7 @@ def _first_texel(coordinate: np.float32, resolution: int) -> tuple[int, np.float
 def footprints(
     p: Floats, kernel: Floats, normalisation: Floats, first: NDArray[np.int32], weights: Floats
 ) -> None:
-    """What a bilinear lookup in blurred planes weighs the texels with, along each axis.
+    """Weights of texels, along each axis, in a bilinear lookup in blurred planes.
 
     p: (n, 3) in [0, 1]. kernel: (2 r + 1,) float32 of the blur; [1] is none. normalisation: (R,)
     float32, 1 / what of the kernel lies inside the plane. Written: first (n, 3) int32, and

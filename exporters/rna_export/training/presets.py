@@ -49,14 +49,14 @@ class ModelConfig(BaseModel):
 
     @property
     def colour_sums(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """Which of the decoder's colours add up to the visible and to the shadowed transport."""
+        """Weights of the decoder's colours in the visible and in the shadowed transport."""
         if self.separates_direct:
             return ((1, 1, 0), (0, 0, 1)) if self.visibility_hint else ((1, 1), (1, 1))
         return ((1, 0), (0, 1)) if self.visibility_hint else ((1,), (1,))
 
 
 class TrainingConfig(BaseModel):
-    """How a model is fitted."""
+    """Settings of a training."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 

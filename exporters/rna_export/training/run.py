@@ -124,7 +124,7 @@ def _fit(
 
 
 def _validations(run: Run, pace: Pace) -> int:
-    """That are due by now."""
+    """Number of validations due by now."""
     return int(pace.progress * run.validations + _ROUNDING)
 
 
@@ -151,7 +151,7 @@ def _pace(run: Run, begun: float, saved: dict[str, Any] | None) -> Pace:
 
 
 def _record(run: Run, done: int) -> dict[str, Any]:
-    """What a checkpoint says of its run: enough to repeat it."""
+    """Record of a run in its checkpoints, enough to repeat it."""
     return {
         "preset": run.preset.model_dump(mode="json"),
         "preset_name": run.preset_name,

@@ -56,7 +56,7 @@ class SampleTable(IterableDataset[Tensor]):
 
     @cached_property
     def usual_radiance(self) -> float:
-        """What is usual where the light is seen: highlights are far above it, shadows below.
+        """Typical radiance of lit points: highlights are far above it, shadows below.
 
         The median; of scattered light, where that is told apart, the mean: most of it is 0. Of
         emission a part of the mean: what a lamp's light makes of its stand counts, too.

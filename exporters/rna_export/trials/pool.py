@@ -111,7 +111,7 @@ class TrialPool:
         self._pool.__exit__(*exception)
 
     def nodes(self) -> Counter[str]:
-        """How many workers each node has."""
+        """Number of workers by node."""
         return self._pool.nodes()
 
     def run(self, trials: list[tuple[Trial, Path]]) -> Iterator[Record]:
@@ -143,7 +143,7 @@ class TrialPool:
 
 
 def largest_first(trials: list[Trial]) -> list[Trial]:
-    """In an order that keeps all processes busy to the end."""
+    """The trials by decreasing cost, which keeps all processes busy to the end."""
 
     def numbers(trial: Trial) -> int:
         m = trial.preset.model

@@ -12,7 +12,7 @@ Family = Literal["ours", "paper", "opponent", "ablation"]
 
 
 class Trial(BaseModel):
-    """What to train, and what it stands for in a comparison."""
+    """A model to train, and its role in a comparison."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 

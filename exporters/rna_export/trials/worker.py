@@ -105,7 +105,7 @@ def _nothing() -> None:
 
 @contextmanager
 def _log(path: Path) -> Iterator[None]:
-    """What is printed inside, and the traceback of a failure, goes to a file."""
+    """Redirects output, and the traceback of a failure, to a file."""
     with path.open("a") as file, redirect_stdout(file), redirect_stderr(file):
         try:
             yield

@@ -86,12 +86,12 @@ class Asset(Protocol):
 
 
 def part_geometry(part: AssetPart) -> Mesh | Curves:
-    """What rays meet of a part."""
+    """Geometry of a part for ray tracing."""
     return part.curves if part.kind == "fiber" else part.mesh
 
 
 def part_transmittance(part: AssetPart) -> Transmittance | None:
-    """What a part lets through; None where it is opaque."""
+    """Transmittance of a part; None if it is opaque."""
     if part.kind == "fiber":
         return None
     return mesh_transmittance(part.mesh, part.transmittance_records)
@@ -105,7 +105,7 @@ def part_normal_maps(part: AssetPart) -> NormalMaps | None:
 
 
 def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:
-    """What a mesh with the given records lets through; None if there are none."""
+    """Transmittance of a mesh with the given records; None if there are none."""
     if not records:
         return None
     number = texture_numbers(mesh, records)

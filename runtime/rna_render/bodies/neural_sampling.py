@@ -157,7 +157,7 @@ def _cone_pdf(sine: float, middle: float, scale: float) -> float:
 
 @compiled(inline=True, fastmath=())
 def lobe_frame(n: Vector, tangent: Vector, o: Vector) -> Frame:
-    """What the functions below take for a point: viewer, normal turned to it, tangent, and mirror
+    """Frame of a point for the functions below: viewer, normal turned to it, tangent, and mirror
     direction."""
     up = (0.0, 1.0, 0.0)
     normal = _unit_or(n[0], n[1], n[2], up)

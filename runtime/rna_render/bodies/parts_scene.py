@@ -121,7 +121,7 @@ class PartsScene(GeometryScene):
         return SurfacePoints.of(geometry, primitive, u, v, self._normal_maps[part])
 
     def hit_transmittance(self, hits: PartHits, directions: np.ndarray) -> np.ndarray:
-        """What each hit lets through, along rays (n, 3) float32: (n, 3) float32; 1 for misses."""
+        """Transmittance of each hit along rays (n, 3) float32: (n, 3) float32; 1 for misses."""
         result = np.where((hits.part < 0)[:, None], np.float32(1.0), np.zeros((1, 3), np.float32))
         facing = np.sum(directions * hits.normals, axis=1) < 0.0
         for part, table in enumerate(self._transmittance):
@@ -181,7 +181,7 @@ class PartsScene(GeometryScene):
 
 
 def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:
-    """For each part the strand of each segment, (m,) uint32, counted on over all parts."""
+    """Strand of each segment by part, (m,) uint32, numbered across all parts."""
     result, start = [], 0
     for geometry in geometries:
         offsets = geometry.offsets if isinstance(geometry, Curves) else np.zeros(1, np.uint32)

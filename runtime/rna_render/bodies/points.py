@@ -46,17 +46,17 @@ class Points(ABC):
     def transport_and_pdf(
         self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """What `transport` and `pdf` return, for bodies that have both at the price of one."""
+        """Results of `transport` and `pdf`, for bodies that have both at the price of one."""
         return *self.transport(row, wi, distance), self.pdf(row, wi)
 
     def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """What `sample` returns, and its density."""
+        """Result of `sample`, and its density."""
         wi = self.sample(row, u)
         return wi, self.pdf(row, wi)
 
 
 class Role(Enum):
-    """What a body does in the scene."""
+    """Role of a body in the scene."""
 
     SCATTER = auto()
     CATCH_SHADOWS = auto()  # shows the shadows that fall on it to the camera, and nothing else

@@ -27,7 +27,7 @@ SMOOTH_BELOW = 0.1
 
 
 class Mesh(Protocol):
-    """What is read of a mesh; arrays as in rna_sdk.package.Mesh."""
+    """The members of a mesh that are read; arrays as in rna_sdk.package.Mesh."""
 
     @property
     def positions(self) -> np.ndarray: ...
@@ -199,7 +199,7 @@ def mixed_at(values: np.ndarray, corners: np.ndarray, u: float, v: float) -> Vec
 def lift_at(
     positions: np.ndarray, normals: np.ndarray, corners: np.ndarray, x: tuple[float, float, Vector]
 ) -> Vector:
-    """From a point at (u, v) onto the smooth surface that the triangles stand for: three float64.
+    """Offset from a point at (u, v) to the smooth surface that the mesh stands for: three float64.
 
     x: u, v, and the point. The mean, by barycentrics, of the ways onto the tangent planes of the
     corners that the point is below; zero on flat shaded triangles. Hanika, "Hacking the Shadow
@@ -218,7 +218,7 @@ def lift_at(
 
 @compiled(fastmath=())
 def smooth_share(n: Vector, ng: Vector, d: Vector) -> tuple[float, bool]:
-    """How much of its lift a ray along d starts with, and whether its step is along ng: see
+    """Fraction of the lift applied to a ray along d, and whether its step is along ng: see
     `leaving_origins`."""
     above_plane = dot(ng, d)
     if above_plane < SMOOTH_BELOW and dot(n, d) > 0.0 and dot(n, ng) > 0.0:
@@ -272,7 +272,7 @@ def _points_at_hits(
     ng: np.ndarray,
     lift: np.ndarray,
 ) -> None:
-    """What the functions above give, in one pass over the hits."""
+    """Results of the functions above, in one pass over the hits."""
     for i in prange(len(triangle)):
         corners = triangles[triangle[i]]
         fu, fv = np.float64(u[i]), np.float64(v[i])

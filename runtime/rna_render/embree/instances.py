@@ -133,7 +133,7 @@ class InstanceScene:
         tfar: np.ndarray | float = np.inf,
         own: np.ndarray | None = None,
     ) -> np.ndarray:
-        """What each shadow ray keeps of its light: (n, 3) float32, 0 where it is blocked.
+        """Transmittance along each shadow ray: (n, 3) float32, 0 where it is blocked.
 
         Arguments and errors are those of `occluded`, which knows nothing of transmittance.
         """

@@ -44,7 +44,7 @@ class ClosestHits:
 
 @dataclass(frozen=True, slots=True)
 class Passing:
-    """What rays pass through.
+    """Geometry that rays pass through.
 
     arguments: address of the arguments of an embree_filter, or 0. ray_id: (n,) or (1,) uint32,
     what the filter refuses hits on. mask: (n,) or (1,) uint32; rays meet instances that share one
@@ -105,7 +105,7 @@ class GeometryScene:
         tnear: np.ndarray | float = 0.0,
         tfar: np.ndarray | float = np.inf,
     ) -> np.ndarray:
-        """What each ray keeps between tnear and tfar: (n, 3) float32, 0 where it is blocked.
+        """Transmittance of each ray between tnear and tfar: (n, 3) float32, 0 where it is blocked.
 
         Arguments and errors are those of `occluded`.
         """
@@ -161,7 +161,7 @@ def transmitted(
     ray_id: np.ndarray | None = None,
     mask: np.ndarray = NOTHING.mask,
 ) -> np.ndarray:
-    """What rays keep of their light in any Embree scene: (n, 3) float32.
+    """Transmittance along rays in any Embree scene: (n, 3) float32.
 
     arguments: of a transmittance filter. ray_id: (n,) or (1,) uint32, the instance or the strand
     that rays pass through, as the filter has it; NO_OWN if None. mask: as in Passing. The rest,

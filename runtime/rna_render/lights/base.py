@@ -61,7 +61,7 @@ class Light(ABC):
 
     @property
     def samples(self) -> int:
-        """How many samples pay at a point that the camera sees, beside one camera ray.
+        """Samples of the light per camera ray at points that the camera sees.
 
         Under lamps a third takes more time than it saves.
         """

@@ -82,7 +82,7 @@ class EquirectangularImage:
 
     @property
     def tables(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """What directions are chosen with, for other devices: texels (h, w, 3) float32, heights of
+        """Sampling tables, for other devices: texels (h, w, 3) float32, heights of
         rows (h + 1,), running sums of rows (h + 2,) and of each row's cells (h + 1, w + 1)."""
         texels, heights, rows, _, columns, _ = self._held
         return texels, heights, rows, columns

@@ -38,14 +38,14 @@ def interval_near(cumulative: np.ndarray, near: int, value: float) -> int:
 
 @compiled(fastmath=())
 def place_within(cumulative: np.ndarray, interval: int, value: float) -> float:
-    """Where in its interval a value is, in [0, 1)."""
+    """Relative position of a value in its interval, in [0, 1)."""
     length = cumulative[interval + 1] - cumulative[interval]
     place = (value - cumulative[interval]) / length if length > 0.0 else 0.0
     return min(max(place, 0.0), 1.0 - 1e-16)
 
 
 def guide_of(cumulative: np.ndarray, fineness: int) -> np.ndarray:
-    """For each row of sums, (r, k + 1), an interval near i / count of the last sum, for i < count.
+    """For each row of sums (r, k + 1) an interval near i / count of the last sum, for i < count.
 
     Returns (r, count) int32; count is `fineness` times k. From `guide_entry` of a u the interval of
     u is few steps away: Chen and Asau, On Generating Random Variates from an Empirical Distribution

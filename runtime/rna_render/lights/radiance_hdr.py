@@ -55,7 +55,7 @@ def read_hdr(path: Path) -> np.ndarray:
 
 
 def _read_header(path: Path, data: bytes) -> tuple[int, int, int, float]:
-    """Where the pixels start, width, height and exposure."""
+    """Offset of the pixels, width, height and exposure."""
 
     def error(message: str) -> SceneError:
         return SceneError(f"broken HDR image: {message}", file=path)

@@ -21,7 +21,7 @@ MIN_SOLID_ANGLE = 1e-7
 
 
 class RectangleLight(AreaLight):
-    """In its own space it faces +z, with its middle at the origin and its height along +y."""
+    """A rectangle that faces +z in its own space, centred at the origin, its height along +y."""
 
     def __init__(self, model: RectangleModel) -> None:
         width, height = model.size

@@ -84,7 +84,7 @@ def bsdf_point(
     clear: float,
     clear_alpha: float,
 ) -> Point:
-    """What the functions below take for a point of a material: base colour, three float64; alpha,
+    """Parameters of a point for the functions below: base colour, three float64; alpha,
     metallic, F0; weights of coat and diffuse part; weight and alpha of the clear coat."""
     coat = coat if coat_f0 > 0.0 else 0.0
     alpha, clear_alpha = max(alpha, MIN_ALPHA), max(clear_alpha, MIN_ALPHA)

@@ -90,7 +90,7 @@ def schlick(cosine: float) -> float:
 
 @cache
 def albedo_table() -> tuple[np.ndarray, np.ndarray]:
-    """What the surface reflects in all directions, of light along wo: r0 * A + B.
+    """Terms A and B of the directional albedo for light along wo: r0 * A + B.
 
     r0 is the reflectance straight on, and Schlick's Fresnel term makes it 1 at grazing angles.
 
@@ -112,7 +112,7 @@ def albedo_table() -> tuple[np.ndarray, np.ndarray]:
 
 @cache
 def albedo_addresses() -> np.ndarray:
-    """Where the arrays of `albedo_table` lie, (2,) uint64, for `albedo_views`."""
+    """Addresses of the arrays of `albedo_table`, (2,) uint64, for `albedo_views`."""
     return np.array([array.ctypes.data for array in albedo_table()], np.uint64)
 
 

@@ -121,7 +121,7 @@ class GltfMaterials:
         }
 
     def _glass(self, material: Material, data: Json) -> Material:
-        """With KHR_materials_transmission, as far as thin smooth walls show it."""
+        """Adds KHR_materials_transmission, as far as thin smooth walls show it."""
         if any(material.emission):
             self.left_out.add("transmission of what shines")
             return material

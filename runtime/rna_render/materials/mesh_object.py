@@ -101,13 +101,13 @@ class MeshObject:
 
     @cached_property
     def transmittance(self) -> Transmittance | None:
-        """What its triangles let through; None if they are all opaque."""
+        """Transmittance of its triangles; None if they are all opaque."""
         return object_transmittance(self)
 
     def own_share(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, ng: np.ndarray, wo: np.ndarray
     ) -> np.ndarray | None:
-        """By what to divide what is scattered at hits, since rays end there only so often:
+        """Probability that rays end at hits, by which scattered light is divided:
         (n, 3) float32, or None for 1.
 
         Less than 1 on thin glass, which scatters all the more of what does not go through; see

@@ -34,7 +34,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MeshFile:
-    """What a file holds, and what of its look is left out: one phrase each."""
+    """Contents of a mesh file, and unsupported features of its materials, one phrase each."""
 
     parts: Sequence[Part]
     materials: Sequence[Material]
@@ -74,7 +74,7 @@ def join_parts(
 def _joined(
     values: Sequence[np.ndarray | None], parts: Sequence[Part], width: int
 ) -> np.ndarray | None:
-    """What some parts have, 0 for the others, who have no use for it; None if none has any."""
+    """Attribute of all parts, 0 for those without it; None if no part has it."""
     if all(value is None for value in values):
         return None
     zeros = (np.zeros((len(part.positions), width), np.float32) for part in parts)
@@ -130,7 +130,7 @@ def _checked_uvs(path: Path, uvs: np.ndarray | None) -> np.ndarray | None:
 
 
 def _unit_tangents(tangents: np.ndarray) -> np.ndarray:
-    """With the sign of the bitangent, and 0 for tangents that are of no use."""
+    """Unit tangents with the sign of the bitangent; 0 for degenerate tangents."""
     unit = _unit(tangents[:, :3])
     sign = np.where(tangents[:, 3:] < 0, -1, 1) * unit.any(axis=1, keepdims=True)
     return np.column_stack([unit, sign]).astype(np.float32)

@@ -51,12 +51,12 @@ def read_obj(path: Path, with_materials: bool) -> MeshFile:
 
 
 def _names(text: str, statement: str) -> list[str]:
-    """What comes after each such statement."""
+    """Arguments of all statements with this keyword."""
     return re.findall(rf"^[ \t]*{statement}[ \t]+(.*?)[ \t\r]*$", text, re.MULTILINE)
 
 
 def _geometry(text: str, used: Iterable[str]) -> list[dict[str, Any]]:
-    """What trimesh finds: for each material the arguments of a mesh."""
+    """Geometry as read by trimesh: for each material the arguments of a mesh."""
     from trimesh.exchange.obj import load_obj
 
     # Without a library that has a material, trimesh forgets that the faces use it.

@@ -106,7 +106,7 @@ class Scattering:
         wi: np.ndarray,
         row: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """What `evaluate` and `pdf` return, in one pass."""
+        """Results of `evaluate` and `pdf`, in one pass."""
         result, density = np.empty((len(wi), 3), np.float32), np.empty(len(wi), np.float32)
         at = _rows(row, wo), n, ng, wo, wi
         bsdf.evaluate_with_pdf(self._parameters(), *at, result, density)
@@ -120,7 +120,7 @@ class Scattering:
         u: np.ndarray,
         row: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """What `sample` returns and its `pdf`, in one pass."""
+        """Results of `sample` and its `pdf`, in one pass."""
         wi, density = np.empty((len(u), 3), np.float32), np.empty(len(u), np.float32)
         at = _rows(row, wo), n, ng, wo, u
         bsdf.sample_with_pdf(self._parameters(), *at, wi, density)

@@ -48,7 +48,7 @@ def object_transmittance(mesh: MeshObject) -> Transmittance | None:
 
 
 def transmitted_by(material: Material) -> TransmittanceTexture | None:
-    """What a material lets through, over the coordinates of its image; None if it is opaque."""
+    """Transmittance of a material over its texture coordinates; None if it is opaque."""
     if material.transmission > 0:
         return _glass(material)
     return _coverage(material)

@@ -43,7 +43,7 @@ def preview(
 
 
 def _denoiser(threads: int) -> Denoiser | None:
-    """Where one is installed."""
+    """The preview's denoiser; None if none is installed."""
     if find_spec("pyoidn") is None:
         return None
     try:

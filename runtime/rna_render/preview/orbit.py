@@ -56,7 +56,7 @@ class Orbit:
         )
 
     def dollied(self, factor: float) -> Orbit:
-        """At `factor` times the distance."""
+        """The orbit at `factor` times the distance."""
         distance = float(np.clip(self.distance * factor, MIN_DISTANCE, MAX_DISTANCE))
         return replace(self, distance=distance)
 

@@ -21,7 +21,7 @@ JPEG_QUALITY = 92
 
 @dataclass(frozen=True)
 class Label:
-    """What there is to say of a picture.
+    """Metadata of a picture.
 
     serial: later pictures have higher ones. revision: of the view that it shows. samples: how
     many it is the mean of, 0 for a first look with fewer pixels. sample_ms: time of the last

@@ -38,7 +38,7 @@ COARSEST = 16
 
 @dataclass(frozen=True)
 class View:
-    """What is shown: from where, lit by what, how bright, with or without noise."""
+    """What the preview shows: camera, lighting, exposure, denoising."""
 
     orbit: Orbit
     lighting: str
@@ -116,7 +116,7 @@ class Session:
             return self._state()
 
     def state(self) -> dict[str, object]:
-        """What the page's controls show, as JSON."""
+        """State of the page's controls, as JSON."""
         with self._changed:
             return self._state()
 
@@ -156,7 +156,7 @@ class Session:
         }
 
     def _picture_of(self, label: Label, picture: np.ndarray | None) -> Picture:
-        """As the view has it; it is denoised when it is encoded."""
+        """The picture with the view's exposure and denoiser, applied when it is encoded."""
         wanted = self._denoise if self._denoiser is not None and self._view.denoise else None
         return Picture(label, picture, self._view.exposure, self._scene_file.scene.view, wanted)
 
@@ -214,7 +214,7 @@ class Session:
         return scene.model_copy(update={"camera": view.orbit.camera()})
 
     def _divisors(self, resolution: tuple[int, int]) -> Iterator[int]:
-        """By what to divide the sides of the image: from a first look's to 1, halving."""
+        """Divisors of the image's sides: from that of the first look down to 1, by halves."""
         divisor = 1
         while divisor < COARSEST and self._expected_ms(resolution, divisor) > FIRST_LOOK_MS:
             divisor *= 2

@@ -51,7 +51,7 @@ def measure(workshop: Workshop) -> list[Row]:
 
 
 def in_float64(path: Path, asset: Asset, queries: Queries) -> tuple[np.ndarray, np.ndarray]:
-    """What the planes and the decoder of the asset's tier give in double precision."""
+    """Output of the tier's planes and decoder in double precision."""
     tier = asset.tier
     with Package.open(path) as package:
         planes, decoder = float_planes(package.planes(tier.name)), package.decoder(tier.name)

@@ -53,7 +53,7 @@ def by_elevation(answers: Answers, samples: Samples, halves: np.ndarray) -> list
 
 
 def anywhere(answers: Answers, samples: Samples, count: int) -> Row:
-    """What the model says in random directions, those from inside the asset too."""
+    """Statistics of the output in random directions, including those from inside the asset."""
     rng = np.random.default_rng(5)
     chosen = rows_of(samples, rng.integers(len(samples["visible"]), size=count))
     queries = queries_of(chosen) | {name: sphere(rng.random((count, 2))) for name in ("wo", "wi")}
