@@ -32,5 +32,5 @@ def write_atomically(path: Path, data: bytes) -> None:
 
 
 def temporary_path(path: Path) -> Path:
-    """A new name beside `path` for what is not finished."""
+    """A new temporary name beside `path`."""
     return path.with_name(f".{path.name}.{os.urandom(6).hex()}.part")

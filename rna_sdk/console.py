@@ -43,7 +43,7 @@ def split_script_arguments(arguments: Sequence[str] | None) -> tuple[list[str], 
 def run_command(
     command: Callable[[], int | None], debug: bool, when_stopped: str, extra: str | None = None
 ) -> int:
-    """The exit status of `command`: what it returns, or 0 for None.
+    """Runs `command`; returns its exit status, 0 for None.
 
     1 after an RnaError, which is printed as one line, or with its traceback if `debug`;
     INTERRUPTED after Ctrl-C, where `when_stopped` is printed. A warning is one line, too.

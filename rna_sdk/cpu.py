@@ -14,7 +14,7 @@ def processor() -> str:
 
 @cache
 def processor_key() -> str:
-    """Differs between processors of one name whose instructions differ."""
+    """A key that differs between processors of the same name with different instructions."""
     flags = " ".join(sorted(_cpuinfo("flags").split()))
     return f"{processor()}, {sha256(flags.encode()).hexdigest()[:12]}"
 

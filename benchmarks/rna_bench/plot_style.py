@@ -33,7 +33,7 @@ matplotlib.rcParams.update(
 
 
 def figure(width: float, height: float) -> Figure:
-    """An empty one of so many inches."""
+    """An empty figure of the given size in inches."""
     return Figure(figsize=(width, height), layout="constrained")
 
 

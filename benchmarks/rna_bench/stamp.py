@@ -52,7 +52,7 @@ def commit(root: Path) -> str:
 
 
 def cpu_features() -> list[str]:
-    """The vector instructions that this process sees, of those that decide its speed."""
+    """Vector instruction sets of the CPU that decide the speed."""
     from llvmlite import binding
 
     if restricted := os.environ.get("NUMBA_CPU_NAME"):  # as by tests/avx2

@@ -56,7 +56,7 @@ class Command:
         return log_lines(self._log, self._from)
 
     def check(self):
-        """Raises SdkError with what it said if it has failed."""
+        """Raises SdkError with the command's output if it has failed."""
         if self.process.returncode:
             raise SdkError(failure(self.lines(), self.process.returncode))
 
@@ -69,7 +69,7 @@ def run(arguments, log):
 
 
 def log_lines(path, start=0):
-    """Lines of a log from a byte on; of those that were drawn over, the last."""
+    """Lines of a log from a byte offset; of overdrawn lines the last state."""
     with open(path, "rb") as file:
         file.seek(start)
         text = file.read().decode("utf-8", "replace")

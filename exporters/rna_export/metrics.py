@@ -65,7 +65,7 @@ class NoiselessPsnr:
 
     @classmethod
     def mean(cls, images: Sequence[NoiselessPsnr]) -> NoiselessPsnr:
-        """The mean of the decibels of images whose noise is independent."""
+        """Mean of the decibels of images with independent noise."""
         db = math.fsum(i.db for i in images) / len(images)
         low = db - math.hypot(*(i.db - i.low for i in images)) / len(images)
         above = [i.high - i.db for i in images if i.high is not None]

@@ -85,7 +85,7 @@ def _print_report(path: str, found: Inspection) -> None:
 
 @dataclass(frozen=True)
 class _Part:
-    """A part as `rna-info` shows it; has: "transmittance", "normal maps", "emission"."""
+    """A part as `rna-validate` shows it; has: "transmittance", "normal maps", "emission"."""
 
     name: str
     kind: str

@@ -173,7 +173,7 @@ def _check_name(raw: bytes, offset: int) -> str:
 def _read_local(
     data: memoryview, central: z.CentralHeader, name: str, directory_offset: int
 ) -> Entry:
-    """The entry whose local header the central one names, once the two agree."""
+    """The entry at a central header, after checking that the local header agrees."""
     start = central.offset
     if start + z.LOCAL.size > directory_offset:
         refuse(Code.ZIP_TRUNCATED, start, f"{name}: a header cut short", "a local header")

@@ -47,7 +47,7 @@ _INT8_SHARE = 0.75
 
 
 def check_decoder(data: memoryview, form: DecoderForm) -> list[Issue]:
-    """Check the entry `data` against what it must be; returns warnings.
+    """Check the entry `data` against the spec; returns warnings.
 
     The inference engine sees the bytes only after the structure has passed.
 

@@ -69,7 +69,7 @@ def _split(data: bytes | memoryview, element_size: int) -> tuple[NDArray[Any], b
 
 
 def _summed(differences: NDArray[Any], distance: int) -> NDArray[Any]:
-    """Each element from `distance` on plus the one so many places before, modulo its range."""
+    """Cumulative sums with a stride of `distance`, modulo the range of the dtype."""
     count = len(differences)
     padded = np.zeros(-(-count // distance) * distance, differences.dtype)
     padded[:count] = differences

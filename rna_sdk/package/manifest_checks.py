@@ -15,7 +15,7 @@ from rna_sdk.package.strict_json import pointer
 
 
 def manifest_issues(manifest: Manifest, places: Places) -> list[Issue]:
-    """The errors of a manifest whose members are each as they should be."""
+    """Errors in the relations between members that are each valid."""
     differing = list(_differing_parts(manifest, places))
     return differing or [
         *_version_issues(manifest, places),

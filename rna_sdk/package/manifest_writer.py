@@ -35,7 +35,7 @@ def manifest_to_json(manifest: Manifest) -> bytes:
 
 
 def with_versions(manifest: Manifest, needs: str = "1.0") -> Manifest:
-    """The manifest with the versions that it needs, no older than what it says itself.
+    """The manifest with the versions that it needs, not lowered.
 
     needs: version of the format that the data needs.
     """

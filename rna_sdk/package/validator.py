@@ -121,7 +121,7 @@ def _check_entries(result: Inspection, container: Container, manifest: Manifest)
 def _decode_entries(
     result: Inspection, container: Container, manifest: Manifest, intact: set[str]
 ) -> None:
-    """Have the container give coded entries decoded; those that fail leave `intact`."""
+    """Decode coded entries in the container; entries that fail are removed from `intact`."""
     data = extension(manifest, Deflate)
     for name, coding in (data.entries if data else {}).items():
         if name in intact:

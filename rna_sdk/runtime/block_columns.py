@@ -86,7 +86,7 @@ def put_fiber(
 
 @compiled()
 def first_three(features: Rows, first: Any, stride: Any, channels: int) -> Any:
-    """The first three features of LANES rows, 0 for what is missing of three.
+    """The first three features of LANES rows, 0 for missing ones.
 
     first: where the first row's are in `features`, seen as flat; stride: from row to row.
     """

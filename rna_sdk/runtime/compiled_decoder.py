@@ -39,7 +39,7 @@ _LARGEST_EXPONENT = 100.0
 
 
 class CompiledDecoder:
-    """Runs such a decoder, whose layers are not in int8; threads may share it.
+    """Runs a decoder with float32 layers; thread-safe.
 
     Attributes:
         columns: of the queries.
@@ -74,7 +74,7 @@ class CompiledDecoder:
 
 @cache
 def decoder_kernel(lanes: int) -> Callable[..., None]:
-    """The kernel for registers of so many float32.
+    """The kernel for registers of the given number of float32.
 
     Its arguments: queries (n, K), n a multiple of LANES; weights, those of all layers behind one
     another; sizes (2, layers): inputs, and outputs in whole blocks; relus: layers with a Relu; the

@@ -71,7 +71,7 @@ class Decoder:
 
 
 class Graph:
-    """A graph in a session, and what it wants its queries to be."""
+    """A graph in a session, and the required form of its queries."""
 
     def __init__(self, model: bytes, entry: Entry | None = None, optimized: bool = True) -> None:
         """entry: what makes the graph's input of queries, where that is not queries themselves."""
@@ -113,7 +113,7 @@ def _fast_form(original: bytes, largest_query: float) -> Graph | CompiledDecoder
 
 
 def _agree(fast: Graph | CompiledDecoder, original: bytes, largest_query: float) -> bool:
-    """Whether the fast form gives what the graph of the package gives, on fixed queries."""
+    """Whether the fast form agrees with the package's graph on fixed queries."""
     graph = Graph(original, optimized=False)
     queries = np.zeros((_CHECKED_ROWS, max(fast.columns, graph.columns)), np.float32)
     rng = np.random.default_rng(0)

@@ -36,7 +36,7 @@ class GraphRewriting:
         attributes: pb.Attributes | None = None,
         domain: str = "",
     ) -> None:
-        """Put a node behind what is at a place of the model's nodes."""
+        """Insert a node after a position in the model's nodes."""
         self._nodes[place].append(pb.node(operator, inputs, output, attributes, domain))
 
     def constant(self, name: str, values: NDArray[Any]) -> str:

@@ -200,7 +200,7 @@ class _Footprint:
         return found
 
     def _load(self, array: ir.Value, groups: int, group: int) -> ir.Value:
-        """array[slot, group, lane], of so many groups a slot."""
+        """Value of array[slot, group, lane] with the given number of groups per slot."""
         builder = self._builder
         first = builder.add(builder.mul(self._slot, _WORD(groups * LANES)), self._lane)
         return builder.load(builder.gep(array, [builder.add(first, _WORD(group * LANES))]))

@@ -46,7 +46,7 @@ def visibility(package: str, records: bytes) -> Rows:
 
 
 def normals(package: str, records: bytes) -> Rows:
-    """(n, 3): the normals that n hits of meshes are asked with."""
+    """Shading normals of queries at n hits on meshes, (n, 3)."""
     return _probe(package).normals(np.frombuffer(records, "<u4").reshape(-1, 8))
 
 

@@ -122,7 +122,7 @@ class _Pieces:
         self._length = 0
 
     def add(self, values: NDArray[np.float32]) -> int:
-        """Place of the values, whose number is a multiple of 4."""
+        """Stores the values, a multiple of 4; returns their position."""
         place = self._length
         self.arrays.append(values.reshape(-1, _GROUP).astype(np.float32))
         self._length += len(self.arrays[-1])

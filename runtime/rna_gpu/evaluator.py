@@ -100,7 +100,7 @@ class Evaluator:
         step.dispatch_workgroups(*self._device.groups(most))
 
     def new_rows(self, capacity: int) -> GpuRows:
-        """Buffers for so many rows.
+        """Buffers for the given number of rows.
 
         Raises:
             GpuError: they do not fit.

@@ -50,7 +50,7 @@ class Probe:
         self._scene = upload_geometry(device, geometry)
 
     def visibility(self, records: NDArray[np.uint32]) -> NDArray[np.float32]:
-        """(n, 3) float32: what the asset leaves of light at (n, 8) hit records of the kit."""
+        """Visibility of light, (n, 3) float32, at (n, 8) hit records of the kit."""
         return self._run("visibility", self._hits(records))
 
     def normals(self, records: NDArray[np.uint32]) -> NDArray[np.float32]:

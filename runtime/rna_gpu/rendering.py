@@ -109,7 +109,7 @@ class GpuRenderer:
 
 
 class _OpenDevice:
-    """The fastest device, opened once: images of one process share what it has compiled."""
+    """The fastest device, opened once, so that images of one process share compiled shaders."""
 
     def __init__(self) -> None:
         self._device: Device | None = None

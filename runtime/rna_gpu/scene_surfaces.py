@@ -132,7 +132,7 @@ class Surfaces:
         return self._add(record)
 
     def _let_through(self, record: Record, through: TransmittanceTexture, image: Any) -> None:
-        """image: the texture whose coordinates count; None for the mesh's own."""
+        """image: the texture that has the coordinates; None for the mesh's own."""
         form = through.wrap[0] | through.wrap[1] << 2 | (image.uv_set << 5 if image else 0)
         transform = [image.transform] if image is not None else []
         texture = self.images.add_texels(through.texels, form, *transform)

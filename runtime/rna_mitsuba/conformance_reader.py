@@ -64,7 +64,7 @@ def visibility(package: str, records: bytes) -> np.ndarray:
 
 
 def normals(package: str, records: bytes) -> np.ndarray:
-    """(n, 3) float32: the normals that n hits of meshes are asked with."""
+    """Shading normals of queries at n hits on meshes, (n, 3) float32."""
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
     numbers, found = words.view("<f4").astype(np.float32), np.empty((len(words), 3), np.float32)
     with Package.open(package) as opened:

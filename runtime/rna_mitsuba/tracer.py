@@ -82,7 +82,7 @@ class Tracer:
         return state
 
     def step(self, state: Path) -> Path:
-        """Add what is emitted where the ray ended, and what emitters send there; go on."""
+        """Add emission and direct light at the hits, then continue the paths."""
         at = Vertex(self._world, state)
         state.L += state.beta * self._emitted(state, at)
         met = at.on_asset | (at.on_plain & at.si.is_valid())

@@ -199,7 +199,7 @@ def _closest(
     sampler: mi.Sampler,
     active: mi.Bool,
 ) -> tuple[Hits, mi.Color3f]:
-    """The first hit that a ray does not pass, in object space; the weight of what it passed."""
+    """First hit that stops a ray, in object space, and the transmittance of those before it."""
     scene = shape.loaded.scene
     if scene.is_plain:
         return scene.closest(o, d, far, active), mi.Color3f(1)

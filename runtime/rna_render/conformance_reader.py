@@ -46,7 +46,7 @@ def visibility(package: str, records: bytes) -> np.ndarray:
 
 
 def normals(package: str, records: bytes) -> np.ndarray:
-    """(n, 3) float32: the normals that n hits of meshes are asked with."""
+    """Shading normals of queries at n hits on meshes, (n, 3) float32."""
     from rna_render.bodies.normal_maps import NormalMaps
     from rna_render.bodies.surface import SurfacePoints
 

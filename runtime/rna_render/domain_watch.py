@@ -36,7 +36,7 @@ class WatchedAsset:
         return getattr(self._asset, name)
 
     def count(self, wo: np.ndarray, wi: np.ndarray) -> None:
-        """Count queries that a part is asked, directions (n, 3) float32 in object space."""
+        """Count the queries of a part, directions (n, 3) float32 in object space."""
         seen = in_region(self._asset.domain.wo, wo)
         lit = in_region(self._asset.domain.wi, wi)
         self.add(len(wo), *(int(np.count_nonzero(~x)) for x in (seen, lit, seen & lit)))

@@ -162,7 +162,7 @@ class Integrator:
         return self._world.vertices(role, rays.hits, rays.direction, seen=rays.pdf is None)
 
     def _describe(self, band: Layers, vertices: Vertices) -> None:
-        """The AOVs of what the camera sees."""
+        """Write the AOVs of the first hits."""
         band.beauty[vertices.ray, 3] = band.hit[vertices.ray] = 1.0
         band.normal_world[vertices.ray] = vertices.n_world
         band.position_world[vertices.ray] = vertices.x_world

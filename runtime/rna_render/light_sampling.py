@@ -90,7 +90,7 @@ class LightSampling:
 
     @property
     def delta(self) -> np.ndarray:
-        """Whether no ray can hit each light: (k,) bool."""
+        """Lights that no ray can hit: (k,) bool."""
         return self._delta
 
     def kept(

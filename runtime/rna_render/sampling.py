@@ -105,7 +105,7 @@ def square_key(seed: int, dimension: int, pixel: Bits) -> np.uint32:
 
 @compiled(fastmath=())
 def square_point(key: np.uint32, number: int) -> tuple[float, float]:
-    """A point of the unit square: the `number`-th of those that belong to a key."""
+    """The `number`-th point of the unit square in the sequence of a key."""
     index = _owen_scramble(np.uint32(number), key)
     return _first_coordinate(key, index), _second_coordinate(key, index)
 

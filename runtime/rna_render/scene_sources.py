@@ -69,7 +69,7 @@ def named_paths(value: object) -> Iterator[Path]:
 
 
 def read_with(path: Path) -> list[Path]:
-    """Files that a mesh file reads beside itself, those that are there."""
+    """Existing files that a mesh file refers to."""
     read = {".gltf": _of_gltf, ".obj": _of_obj}.get(path.suffix.lower())
     names = read(path) if read is not None else []
     return [file for name in names if (file := path.parent / name).is_file()]

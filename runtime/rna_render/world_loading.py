@@ -112,7 +112,7 @@ def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
 
 
 class _AssetLoader:
-    """Loads each tier and proxy of a package once, and what it emits."""
+    """Loads each tier, proxy and emission of a package once."""
 
     def __init__(self) -> None:
         self._loaded: dict[tuple[Path, str | None, float | None], Asset] = {}

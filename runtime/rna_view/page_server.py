@@ -137,7 +137,7 @@ class _Handler(BaseHTTPRequestHandler):
 
 
 def _span(asked: str | None, size: int) -> tuple[int, int] | None:
-    """First byte and end of what a Range header asks for; all without one; None for no bytes.
+    """First byte and end of a Range header's range; all without one; None for an empty range.
 
     A header of another form, such as one of several ranges, is one that this server does not
     know, and gets all.

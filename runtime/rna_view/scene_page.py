@@ -16,7 +16,7 @@ SCENE = "scene.json"
 
 
 def scene_site(path: Path) -> Site:
-    """The page for a scene; `notes` say what of it the page leaves out."""
+    """The page for a scene; `notes` name what the page does not show."""
     scene_file = read_scene(path)
     scene = scene_file.scene
     if not scene.assets:

@@ -30,7 +30,7 @@ class Site:
     notes: list[str] = field(default_factory=list)
 
     def index(self) -> bytes:
-        """index.html, which opens what the site is for."""
+        """index.html, which opens the site's scene or package."""
         page = viewer_file("index.html").decode()
         asked = escape(urlencode(self.query, quote_via=quote))
         return page.replace("<body>", f'<body data-query="{asked}">', 1).encode()

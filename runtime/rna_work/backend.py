@@ -23,7 +23,7 @@ class Slot(Protocol):
         """Run an item after those given before. The future raises WorkerLost if the worker ends."""
 
     def close(self, kill: bool) -> None:
-        """End the worker, at once or after what it was given, and wait until it has ended."""
+        """End the worker, at once or after its items, and wait until it has ended."""
 
 
 class Backend(Protocol):

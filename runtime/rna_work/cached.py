@@ -13,7 +13,7 @@ from rna_work.locks import locked
 
 
 def cached(name: str, write: Callable[[Path], None]) -> Path:
-    """The folder of a name, which says what is in it; `write` fills it where it is missing."""
+    """The folder named by its contents; `write` fills it if it is missing."""
     folder = cache_folder() / name
     if not folder.is_dir():
         with locked(folder.with_name(f"{name}.lock")):

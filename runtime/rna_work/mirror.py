@@ -24,7 +24,7 @@ class Mirror:
             self._sent[name] = _state(self._folder / name)
 
     def send(self) -> None:
-        """Send what has changed, oldest first, then remove what is gone. Raises WorkError."""
+        """Send changed files, oldest first, then remove deleted ones. Raises WorkError."""
         now = {
             path.relative_to(self._folder).as_posix(): _state(path)
             for path in self._folder.rglob("*")

@@ -24,7 +24,7 @@ class Patience:
     _rates: list[float] = field(default_factory=list)  # seconds a unit of cost, sorted
 
     def learn(self, item: Any, seconds: float) -> None:
-        """An item was finished in so many seconds."""
+        """Record the duration of a finished item, in seconds."""
         if len(self._rates) < _REMEMBERED:
             insort(self._rates, seconds / max(self.cost(item), 1e-9))
 

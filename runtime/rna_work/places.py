@@ -46,7 +46,7 @@ class Place(Protocol):
     far: bool
 
     def workers(self, needs: Needs, count: int | None) -> Backend:
-        """Room for workers; at most `count`, or None for as many as there is room for."""
+        """Slots for workers: at most `count`, or as many as fit for None."""
 
     def gpus(self) -> float:
         """Number of GPUs."""
@@ -57,7 +57,7 @@ class Place(Protocol):
         local: Literal["threads", "caller"] = "threads",
         needs_gpu: bool = False,
     ) -> tuple[Backend, int]:
-        """Room for workers of so many threads, None for all of a machine, and how many they are.
+        """Slots for workers with the given threads (None: all of a machine), and their number.
 
         local: what holds the only one on this machine, if that is the place: a thread of its own,
         or the one that takes the outcomes. needs_gpu: machines of a cluster with a GPU alone;

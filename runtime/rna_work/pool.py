@@ -34,7 +34,7 @@ class _Job:
 
 @dataclass(eq=False)
 class _Member:
-    """A slot and what it was given, oldest first."""
+    """A slot and its items, oldest first."""
 
     slot: Slot
     node: str = ""
@@ -236,7 +236,7 @@ class Pool(Generic[Item, Result]):
         return job.losses < self._backend.losses
 
     def _out_of_time(self, feed: _Feed) -> list[tuple[int, Outcome[Item, Result]]]:
-        """End workers whose items take too long; outcomes of those that may not be run again."""
+        """End workers that exceed the time limit; returns outcomes of items without retries."""
         if self._patience is None:
             return []
         found = []
@@ -260,7 +260,7 @@ class Pool(Generic[Item, Result]):
         self._tell_user(f"{job.item} runs again; {who}: {failure}")
 
     def _give_up(self, member: _Member, feed: _Feed) -> None:
-        """Do without a worker; what it has not begun goes to others."""
+        """Drop a worker; its unstarted items go to others."""
         del self._ready[member]
         feed.put_back(member.jobs)
         member.jobs.clear()
@@ -274,7 +274,7 @@ class Pool(Generic[Item, Result]):
 
 
 class _Feed:
-    """Items that nobody has: first those that came back, then new ones."""
+    """Unassigned items: first returned ones, then new ones."""
 
     def __init__(self, items: Iterable[Any]) -> None:
         self._new = iter(items)

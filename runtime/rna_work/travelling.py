@@ -15,7 +15,7 @@ from rna_work.cached import cached, content_hash
 
 @dataclass(frozen=True)
 class Travelling:
-    """Files with their places to one another, whose contents are in Ray's object store.
+    """Files with their relative paths, and contents in Ray's object store.
 
     names: of all files, from the deepest folder on that they share; the first is the one that is
     asked for.

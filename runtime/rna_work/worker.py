@@ -22,7 +22,7 @@ class Worker(Protocol):
         """The result of one item. What it raises is the item's failure."""
 
     def kill(self) -> None:
-        """Called from another thread, perhaps more than once: end what the worker is doing."""
+        """Stop the worker's current item; called from another thread, possibly more than once."""
 
 
 class MakeWorker(Protocol):

@@ -24,7 +24,7 @@ _SHARD_SECONDS = 60.0  # what a shard of a capture takes, about
 
 
 class StandIn:
-    """Answers with so many bytes."""
+    """A worker that returns a given number of bytes."""
 
     def __init__(self, size: int, name: str) -> None:
         self._answer = bytes(size)
@@ -43,7 +43,7 @@ class StandIn:
 
 
 def memory_mb() -> float:
-    """This process's own; without Ray's shared memory, of which it sees what it reads."""
+    """Memory of this process without Ray's shared memory, MB."""
     status = Path("/proc/self/status").read_text()
     return int(next(x.split()[1] for x in status.splitlines() if x.startswith("RssAnon"))) / 1e3
 

@@ -46,7 +46,7 @@ class CyclesCurve(BaseModel):
 
 
 def render_curve(dataset: DatasetPart, source: Path, seconds: float, folder: Path) -> CyclesCurve:
-    """Render the validation images with 1, 2, 4, ... paths a pixel, for about so many seconds.
+    """Render the validation images with 1, 2, 4, ... paths per pixel, for about the given time.
 
     The original is opened with the arguments of the capture. Writes the pictures as
     `cycles-<samples>-render.png` and `-flip.png` into `folder`. Raises `CaptureError` when

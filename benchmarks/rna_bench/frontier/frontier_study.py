@@ -159,7 +159,7 @@ class Study:
         }
 
     def write(self) -> None:
-        """Write `frontier.json`, `frontier.svg`, `tables.png`, `index.html` of what is there."""
+        """Write `frontier.json`, `frontier.svg`, `tables.png`, `index.html` of finished trials."""
         report = self.report()
         path = self.out / "frontier.json"
         write_results(path, self.stamp, report)

@@ -74,7 +74,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def rendered(name: str, folder: Path, extension: Path, args: Any) -> dict[str, np.ndarray]:
-    """Radiance by who rendered it: (h, w, 3)."""
+    """Radiance by renderer: (h, w, 3)."""
     asset, scene = ASSETS[name], folder / name
     order = {
         **asset,
@@ -120,7 +120,7 @@ def sheet(rows: list[np.ndarray]) -> Image.Image:
 
 
 def row(images: dict[str, np.ndarray]) -> np.ndarray:
-    """8-bit pictures side by side; the difference of blocks of pixels, whose noise is less."""
+    """8-bit images side by side, and their difference over blocks of pixels, for less noise."""
     difference = 4.0 * np.abs(blocks(images["engine"]) - blocks(images["cycles"]))
     enlarged = difference.repeat(BLOCK, axis=0).repeat(BLOCK, axis=1)
     shown = [to_display(image, "srgb") for image in (*images.values(), enlarged)]

@@ -58,7 +58,7 @@ def _measured(checkpoint: Path) -> dict[str, Any]:
 
 
 def _record(manifest: Manifest, tier: Tier) -> dict[str, Any]:
-    """The tier's errors, and what it loses against the first one."""
+    """The tier's errors, and its loss against the first tier."""
     first, own = manifest.tiers[0].validation, tier.validation
     assert first is not None and own is not None  # the exporter validates every tier
     return {

@@ -90,7 +90,7 @@ def run(args: argparse.Namespace) -> int:
 def run_c_host(
     program: Path, packages: list[Path], folder: Path, chunk: tuple[int, int]
 ) -> dict[str, Any]:
-    """The program's tally of these mutations; `report`: what a sanitizer said, or None."""
+    """The program's tally of these mutations, and the report of a sanitizer, or None."""
     first, count = chunk
     command = [str(program), str(first), str(count), *map(str, packages)]
     command += ["--verdicts", str(folder / f"{first}.txt")]

@@ -79,7 +79,7 @@ def _shown(beside: Beside, caption: str, image: np.ndarray) -> Shown:
 
 
 def _of_equal_time(measured: MeasuredScene, seconds: float, denoised: bool) -> tuple[int, Timed]:
-    """Cycles' image whose time is nearest."""
+    """Cycles' image with the nearest render time."""
     counts = measured.plan.cycles_samples
     images = [image_of(measured.images, label_of(CYCLES, n, denoised)) for n in counts]
     known = [(n, image) for n, image in zip(counts, images, strict=True) if image is not None]

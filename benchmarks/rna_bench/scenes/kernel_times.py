@@ -44,7 +44,7 @@ class KernelTimes:
         return sum(self.seconds.values())
 
     def as_json(self) -> dict[str, Any]:
-        """Seconds by kernel, and ns a row of those that have rows."""
+        """Seconds by kernel, and ns per row where rows are counted."""
         ns = {k: 1e9 * self.seconds[k] / n for k, n in self.rows.items() if n}
         return {
             "cpu_seconds": {k: round(self.seconds[k], 4) for k in KERNELS},

@@ -94,7 +94,7 @@ class MeasuredScene:
         return self._measured.record(f"{self.name}-kernels", self._told("kernels", self._kernels))
 
     def record(self, name: str, make: Callable[[BlenderWorker], dict[str, Any]]) -> dict[str, Any]:
-        """Something else that is measured of this scene alone, kept likewise."""
+        """A further measurement of this scene, kept in the same way."""
         told = self._told(name, lambda: make(self._worker()))
         return self._measured.record(f"{self.name}-{name}", told)
 

@@ -79,7 +79,7 @@ def add_options(p: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> None:
-    """Measure what is not measured yet, and write."""
+    """Make the missing measurements, and write the results."""
     from rna_bench.scenes.scenes_study import study
 
     study(args)

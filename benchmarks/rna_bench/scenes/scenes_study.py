@@ -99,7 +99,7 @@ def _plan(args: argparse.Namespace) -> Plan:
 
 
 def _kept(args: argparse.Namespace, stage: Stage, environments: list[Path]) -> tuple[Kept, Kept]:
-    """Cycles' references, which depend on little; and what is measured, on one commit and CPU."""
+    """Stores of Cycles' references, and of measurements on one commit and CPU."""
     shared: dict[str, Any] = {
         "source": _digest(args.source),
         "script_arguments": list(args.script_arguments),

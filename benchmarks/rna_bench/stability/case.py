@@ -53,5 +53,5 @@ class Case:
 
 
 def values(rows: list[Row], name: str, **where: Any) -> list[Any]:
-    """The column `name` of the rows whose other columns are as `where` says."""
+    """Column `name` of the rows whose columns match `where`."""
     return [row[name] for row in rows if all(row[k] == v for k, v in where.items())]

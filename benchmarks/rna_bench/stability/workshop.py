@@ -54,7 +54,7 @@ class Subject:
 
 
 class Workshop:
-    """A folder of captures, runs and references; what is finished there is not made again.
+    """A folder of captures, runs and references; finished ones are reused.
 
     Attributes:
         subject: the given asset.
@@ -70,7 +70,7 @@ class Workshop:
         self._folder, self._workers = folder, workers
 
     def with_workers(self, workers: int) -> Workshop:
-        """The same with so many Blender processes, for another machine; nothing is loaded yet."""
+        """A copy with a number of Blender processes, for another machine; nothing is loaded yet."""
         steps = self.steps * _SHORT if self.short else self.steps
         return Workshop(self._folder, self.subject, steps, workers, self.short)
 

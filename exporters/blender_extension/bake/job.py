@@ -42,7 +42,7 @@ class Job:
         return self._order.is_file()
 
     def begin(self, out, options):
-        """Say what is to be made; `source` is there. options: of rna-make."""
+        """Store the job's options for rna-make; `source` exists already."""
         order = {"source": str(self.source), "out": str(out), "folder": str(self.folder)}
         self._order.write_text(json.dumps({**order, "options": options}, indent=1))
 

@@ -71,7 +71,7 @@ class Bake(bpy.types.Operator):
 
 
 def _begin(context, item, job):
-    """Write what is to be baked: the selected objects, and all below them."""
+    """Write the selected objects and their children to a file for baking."""
     selected = [*context.selected_objects] if item in context.selected_objects else [item]
     items = with_children(selected)
     own = item.rna_bake

@@ -66,7 +66,7 @@ def _of_material(material: bpy.types.Material) -> list[str]:
 
 
 def _nodes_before(output: bpy.types.Node) -> Iterator[bpy.types.Node]:
-    """All nodes whose values reach a node, those inside groups too; without muted ones."""
+    """All nodes that a node depends on, including those inside groups, without muted ones."""
     todo, seen = [output], set()
     while todo:
         node = todo.pop()

@@ -8,7 +8,7 @@ import bpy
 
 
 def instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
-    """Depsgraph instances that renders show; each is good until the next one is asked for."""
+    """Depsgraph instances that renders show; each is valid until the next one is requested."""
     for instance in bpy.context.evaluated_depsgraph_get().object_instances:
         item = instance.object.original
         if instance.show_self and not item.hide_render:

@@ -59,7 +59,7 @@ def _open(source: str, suffix: str, arguments: list[str]) -> None:
 
 
 def _check_libraries() -> None:
-    """Refuse a file whose linked parts are not there; Blender shows nothing in their place."""
+    """Refuse a file with missing libraries; Blender would show nothing in their place."""
     kinds = "objects collections meshes hair_curves curves materials node_groups images".split()
     missing = [item for kind in kinds for item in getattr(bpy.data, kind) if item.is_missing]
     if not missing:
@@ -132,7 +132,7 @@ def _hide_what_no_package_holds() -> list[str]:
 
 
 def _show_what_is_rendered() -> None:
-    """Give the viewport, whose geometry is what Python can read, the settings of renders."""
+    """Set the viewport, whose geometry Python can read, to the settings of renders."""
     scene, layer = bpy.context.scene, bpy.context.view_layer
     scene.render.simplify_subdivision = scene.render.simplify_subdivision_render
     collections = [layer.layer_collection]

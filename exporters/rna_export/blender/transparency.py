@@ -170,7 +170,7 @@ def _of_mix(
 def _of_threshold(
     tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, reading: _Reading, negate: bool
 ) -> bpy.types.NodeSocket:
-    """A factor's value; behind a threshold, what it is compared with the threshold for.
+    """Value of a factor; for a threshold node, the value that is compared.
 
     negate: whether the transmittance is 1 - factor. The cutoff is that of the transmittance.
     """

@@ -109,7 +109,7 @@ class AssetScene:
     def _solid_hits(
         self, origins: np.ndarray, directions: np.ndarray, rng: np.random.Generator | None = None
     ) -> tuple[PartHits, np.ndarray]:
-        """Closest hits of rays (n, 3), and what each lets through, (n, 3) float32; holes are none.
+        """Closest hits of rays (n, 3), without holes, and their transmittance, (n, 3) float32.
 
         rng: where a hit lets a part of the light through, the ray goes on as often; None: never.
         """

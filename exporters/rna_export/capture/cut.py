@@ -25,7 +25,7 @@ _STEP = 1e-3  # of the asset's size, from a point towards its viewer
 
 
 class CutDataset(Dataset):
-    """The same captured rays; each surface is so many parts, NAME_0 and so on.
+    """The same captured rays; each surface is cut into parts NAME_0, NAME_1, ...
 
     Raises `CaptureError` for more parts than a package holds, or fewer triangles than pieces.
     """
@@ -64,7 +64,7 @@ class CutDataset(Dataset):
 
 
 def as_cut(dataset: Dataset, pieces: int) -> Dataset:
-    """The dataset with its surfaces in so many pieces; itself for 1."""
+    """The dataset with its surfaces cut into the given number of pieces; itself for 1."""
     return dataset if pieces == 1 else CutDataset(dataset, pieces)
 
 

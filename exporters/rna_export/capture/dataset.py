@@ -109,7 +109,7 @@ class Dataset:
         return min(shards * settings.lights_per_shard, settings.lights)
 
     def plan_lights(self, lights: int) -> None:
-        """Make the plan one of so many lights, the first ones as they were."""
+        """Change the planned number of lights; those captured already stay the same."""
         settings = self.manifest.settings.model_copy(update={"lights": lights})
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")

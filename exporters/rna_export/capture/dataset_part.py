@@ -113,12 +113,12 @@ class DatasetPart:
         return samples
 
     def emission_samples(self) -> dict[str, np.ndarray]:
-        """The part's rows of what the asset emits, one array a field of `emission_fields`."""
+        """The part's samples of emission, one array per field of `emission_fields`."""
         paths = self.dataset.finished_emission()
         return joined([self._read(path, emission_fields(self.kind)) for path in paths])
 
     def emission_views(self) -> list[EmissionView]:
-        """The finished images of what the asset emits; the part may have no row there."""
+        """The finished images of emission; the part may have no row in them."""
         fields = emission_fields(self.kind)
         return [
             self._view(EmissionView, index, self.dataset.emission_image_path, fields)

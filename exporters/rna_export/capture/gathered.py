@@ -30,7 +30,7 @@ class Gathered:
 
     @classmethod
     def of(cls, dataset: Dataset, place: Place, store: Store | None) -> Gathered:
-        """Raises WorkError where a machine cannot write what is finished."""
+        """Raises WorkError if a machine cannot write finished files."""
         if store is None:
             check_shared(place, dataset.folder)
             return cls(dataset, place, None)
@@ -50,7 +50,7 @@ class Gathered:
         return self.place.carry(folder / "manifest.json", others)
 
     def fetch(self, missing: list[Task]) -> list[Task]:
-        """Get what the store has already; returns the tasks of which it has nothing."""
+        """Fetch the finished files of the store; returns the tasks without one."""
         there = set() if self.store is None else self.store.names()
         left = [task for task in missing if stored_name(task, self.dataset) not in there]
         for task in missing:

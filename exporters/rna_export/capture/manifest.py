@@ -39,7 +39,7 @@ def emission_fields(kind: str) -> dict[str, int]:
 
 
 def what_is_wrong(error: ValidationError) -> str:
-    """The first of the errors in one line: where it is, what is wrong."""
+    """The first error in one line: its location and cause."""
     first = error.errors()[0]
     where = ".".join(map(str, first["loc"]))
     return f"{where}: {first['msg']}" if where else str(first["msg"])
@@ -104,7 +104,7 @@ class CaptureManifest(DatasetModel):
 
     @property
     def emission_images(self) -> int:
-        """Images of what the asset emits, kept from training."""
+        """Number of images of emission, which are not used in training."""
         return max(1, self.settings.validation_views // 4) if self.emitters else 0
 
     def fields(self, kind: str) -> dict[str, int]:

@@ -67,7 +67,7 @@ class CaptureCrew:
         return BlenderWorker(self.python, source, self.scratch, threads=1, name="probe")
 
     def carried(self, source: Source) -> Carried:
-        """The source for workers; what it reads beside itself is found by opening it here."""
+        """The source for workers, with the other files that it reads, found by opening it here."""
         if not self.place.far:
             return self.place.carry(source.path)
         with self.probe(source) as worker:

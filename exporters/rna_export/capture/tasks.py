@@ -109,7 +109,7 @@ class ValidationHalf:
 
 @dataclass(frozen=True)
 class EmissionShard:
-    """Samples of what the asset emits, as many as in a training shard."""
+    """Samples of emission, as many as in a training shard."""
 
     index: int
 

@@ -77,7 +77,7 @@ class ValidationView:
 
 @dataclass(frozen=True)
 class EmissionView(ValidationView):
-    """One part in a captured image of what the asset emits; `samples` know of no light."""
+    """One part in a captured image of emission; its `samples` have no light."""
 
     def shaded_by(self, asset: SurfaceAsset | FiberAsset) -> np.ndarray:
         """Radiance of the rows, (n, 3) float32, as the runtime answers."""
@@ -106,7 +106,7 @@ class WholeView:
 
     @property
     def visible(self) -> np.ndarray:
-        """Share of the light that the asset lets through, (n,), the mean of its channels."""
+        """Mean visibility of the light over its channels, (n,)."""
         return np.concatenate(
             [part.visible.reshape(len(part.pixel), -1).mean(axis=1) for part in self.parts]
         )
@@ -142,7 +142,7 @@ def is_lit(visible: np.ndarray) -> np.ndarray:
 
 
 def queries_of(samples: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """The part of captured samples that is asked; the rest is what it should be answered with."""
+    """The query fields of captured samples, without the reference fields."""
     return {name: rows for name, rows in samples.items() if name not in _NO_QUERY}
 
 

@@ -75,7 +75,7 @@ def sample_view_rays(
 
 
 def _mixed(n: int, draw: _Draw, kinds: list[_Found], rng: np.random.Generator) -> ViewRays:
-    """All kinds, and outside rays at whatever part in the place of those that were not found."""
+    """Rays of all kinds; outside rays at any part replace those that were not found."""
     lacking = n - sum(len(found.rays) for found in kinds)
     rest = draw.hits(draw.seen, np.array([lacking]), tries=200)
     mixed = _joined([found.rays for found in [*kinds, rest]])
@@ -114,7 +114,7 @@ class _Draw:
     rng: np.random.Generator
 
     def seen(self, n: int, among: np.ndarray | None) -> ViewRays:
-        """Outside rays, with equal chances for all chords or among those that meet some parts."""
+        """Outside rays, uniform over all chords, or over those that hit the given parts."""
         if among is None:
             return _outside(self.scene, n, self.region, self.rng)
         return _aimed(self.scene, n, among, self.region, self.rng)

@@ -124,7 +124,7 @@ class BlenderWorker:
             raise
 
     def kill(self) -> None:
-        """End the process, if there is one: what another thread asks of it raises CaptureError."""
+        """Kill the process, if it runs: calls from other threads then raise CaptureError."""
         if self._process is not None:
             self._process.kill()
 

@@ -46,7 +46,7 @@ def dress(
 def _proxies(
     package: Package, part: int, heights: Sequence[int], say: Callable[[str], None]
 ) -> list[tuple[Geometry, int]]:
-    """The part's proxies with their heights; those that save nothing are left out."""
+    """The part's proxies with their heights, without those that save nothing."""
     record = package.manifest.parts[part]
     if not heights or record.kind != "surface":
         return []

@@ -33,7 +33,7 @@ class Precision:
         return f"features/{preset}{_mark(self.planes, 'int8')}.safetensors"
 
     def decoder_entry(self, preset: str) -> str:
-        """The package's entry with the decoder, shared likewise."""
+        """The package's entry with the decoder, shared in the same way."""
         return f"decoders/{preset}{_mark(self.decoder, 'float32')}.onnx"
 
 

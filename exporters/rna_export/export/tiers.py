@@ -81,7 +81,7 @@ class _PartExport:
         return record, TierData(planes, decoder, self._emission_decoder())
 
     def _emission(self, stem: str) -> TierEmission | None:
-        """The record of what the part emits, if it does: float32 in all precisions."""
+        """Record of the part's emission, if it has any: float32 in all precisions."""
         decoder = self._emission_decoder()
         if decoder is None:
             return None

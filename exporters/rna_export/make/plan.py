@@ -63,7 +63,7 @@ class OpenPlan:
 
 @dataclass(frozen=True)
 class FixedPlan:
-    """One capture of so many lights, then one training of each preset.
+    """One capture of a fixed number of lights, then one training of each preset.
 
     steps: of the trainings; None: each preset's own.
     """
@@ -148,7 +148,7 @@ Plan = OpenPlan | FixedPlan | TimedPlan
 
 
 def in_shards(wanted: float, before: int, shard: int) -> int:
-    """Lights in whole shards: about as many as wanted, at least one shard more than before."""
+    """Lights in whole shards: about the wanted number, at least one shard more than before."""
     return max(round(wanted / shard) * shard, before + shard)
 
 

@@ -47,7 +47,7 @@ class Rays:
         self._finish(tasks, None, stage)
 
     def capture(self, round_: Round, seconds: float | None, stage: Stage) -> None:
-        """The rays of a round, or as many as fit into the seconds; sets the round's lights."""
+        """Capture the rays of a round, or as many as the time allows; sets the round's lights."""
         self.dataset.plan_lights(round_.lights)
         limit = None if seconds is None else TimeLimit(seconds / 60.0)
         self._finish(all_tasks(self.dataset), limit, stage)

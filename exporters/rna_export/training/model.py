@@ -74,7 +74,7 @@ class NeuralAsset(nn.Module):
 
     @property
     def emitting(self) -> tuple[EmissionDecoder, Triplane]:
-        """The decoder of what the asset emits, and its planes; of a model that has one."""
+        """The decoder of emission with its planes, of a model that has one."""
         assert self.emission is not None and isinstance(self.triplane, Triplane)
         return self.emission, self.triplane
 

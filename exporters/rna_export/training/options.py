@@ -9,7 +9,7 @@ from rna_work.store import add_store_option
 
 
 def add_device(parser: argparse.ArgumentParser, what: str) -> None:
-    """`--device` for what is trained."""
+    """Add `--device` for trainings."""
     parser.add_argument(
         "--device",
         choices=("auto", "cpu", "cuda"),

@@ -8,7 +8,7 @@ _MOST_A_STEP = 0.02
 
 
 class StepPace:
-    """A run of so many steps, of which `done` are done."""
+    """A run with a given number of steps, of which `done` are done."""
 
     def __init__(self, steps: int, done: int = 0):
         self._steps, self._done = steps, done
@@ -31,7 +31,7 @@ class StepPace:
 
 
 class TimePace:
-    """A run of so many seconds, whatever its steps take.
+    """A run of a given number of seconds, whatever its steps take.
 
     All that happens between two steps counts, and time is kept for the validation at the end.
     Progress moves in proportion to the time that is left, so that it makes up for what came late;

@@ -129,7 +129,7 @@ def _validations(run: Run, pace: Pace) -> int:
 
 
 def _emission(run: Run, done: int) -> EmissionBatches | None:
-    """Batches of what the asset emits, if its model has a decoder of it."""
+    """Batches of emission, if the model has a decoder of it."""
     if not run.preset.model.emission_inputs:
         return None
     return EmissionBatches.of(run.dataset, run.preset.training.batch, run.seed, run.device, done)

@@ -99,7 +99,7 @@ def blurred(planes: Tensor, footprint: float) -> Tensor:
 
 @lru_cache(maxsize=1)
 def _blur(resolution: int, footprint: float) -> tuple[np.ndarray, np.ndarray]:
-    """The kernel of the blur, and along an axis 1 / what of it lies inside the plane; float32."""
+    """Kernel of the blur, and by texel 1 / its sum inside the plane; float32."""
     if footprint <= 1.0:
         return np.ones(1, np.float32), np.ones(resolution, np.float32)
     sigma = (footprint - 1.0) / 2.0

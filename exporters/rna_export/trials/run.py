@@ -34,7 +34,7 @@ def run_trial(
     table: SampleTable | None = None,
     after_checkpoint: Callable[[], None] = lambda: None,
 ) -> Record:
-    """Train, export and measure what is not finished yet in `folder`; returns the record.
+    """Train, export and measure, skipping finished steps in `folder`; returns the record.
 
     A finished training without some of `TRIAL_PRECISIONS` gets those alone. table: the dataset's
     samples on the device, to share between trials. after_checkpoint: called with each. Raises

@@ -36,7 +36,7 @@ class Job:
         return self.trial.name
 
     def fetch(self) -> None:
-        """Get what a worker left in the store."""
+        """Fetch a worker's files from the store."""
         if self.store is not None:
             Mirror(self.folder, self.store).fetch()
 
@@ -74,7 +74,7 @@ class TrialWorker:
         pass
 
     def run(self, job: Job) -> Record:
-        """The trial's record; resumes, and skips what is complete in its folder or store."""
+        """Run or resume the trial and return its record; complete steps are skipped."""
         if job.store is None:
             return self._trained(job.trial, job.folder, None)
         with tempfile.TemporaryDirectory(prefix="rna-trial-") as folder:

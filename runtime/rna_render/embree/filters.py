@@ -110,7 +110,7 @@ def _transmittance(arguments: Any) -> Vector:
 
 @compiled(fastmath=())
 def _chance(arguments: Any) -> float:
-    """A number in [0, 1) of the ray and the primitive, the same whenever it is asked for."""
+    """Deterministic random number in [0, 1) of a ray and a primitive."""
     ray, hit = _word(arguments, FILTER_RAY), _word(arguments, FILTER_HIT)
     state = np.uint32(0)
     for word in (FILTER_HIT_PRIMITIVE, FILTER_HIT_GEOMETRY, FILTER_HIT_INSTANCE):
@@ -152,7 +152,7 @@ def _pass_at_random(arguments: Any) -> None:
 
 @compiled(fastmath=())
 def _pass_all(arguments: Any) -> None:
-    """Refuse the hit unless it lets nothing through, and multiply by what it lets through."""
+    """Multiply the ray's transmittance by the hit's; refuse the hit unless the product is 0."""
     red, green, blue = _transmittance(arguments)
     weight = _word(arguments, FILTER_CONTEXT) + np.uint64(8 * CONTEXT_WEIGHT)
     _multiply(weight, red, green, blue)

@@ -220,7 +220,7 @@ def _query(arguments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 @compiled(fastmath=())
 def _start(context: np.ndarray) -> None:
-    """Set what a ray carries; the instance that it is in was left as it was found."""
+    """Initialise the context of a ray, except for its instance."""
     values = context.view(np.float64)
     values[CONTEXT_SHARE:CONTEXT_COLOURED] = 1.0
     values[CONTEXT_COLOURED] = 0.0
@@ -230,7 +230,7 @@ def _start(context: np.ndarray) -> None:
 def transmitted(
     function: int, scene: int, arguments: np.ndarray, rays: Rays, result: np.ndarray
 ) -> None:
-    """The product of what all hits between tnear and tfar let through.
+    """Product of the transmittance of all hits between tnear and tfar.
 
     arguments: (8,) uint64 of a transmittance filter. result: (n, 3) float32, written; 1 for a ray
     that is not finite or has no direction. The others are those of `occluded`.

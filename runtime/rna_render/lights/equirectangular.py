@@ -96,7 +96,10 @@ class EquirectangularImage:
 
     @cached_property
     def compensated(self) -> EquirectangularImage:
-        """The same image; `sample` leaves out what is no brighter than LEFT_TO_RAYS of the mean."""
+        """The same image with MIS compensation.
+
+        `sample` skips texels darker than LEFT_TO_RAYS of the mean.
+        """
         result = copy(self)
         mean = LEFT_TO_RAYS * self.total / (4.0 * np.pi)
         result._choose(mean)

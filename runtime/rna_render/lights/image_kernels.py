@@ -144,7 +144,7 @@ def _image(words: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 @compiled(fastmath=())
 def _choose_rows(words: np.ndarray, u: np.ndarray, row: np.ndarray, place: np.ndarray) -> None:
-    """Rows of cells, and in column 1 of place what is left of the second numbers."""
+    """Choose rows of cells; column 1 of place gets the remapped second random numbers."""
     h = signed(words[HEIGHT])
     rows = carray(pointer_f64(words[ROWS]), (h + 2,))
     guide = carray(pointer_i32(words[ROW_GUIDE]), (ROW_FINENESS * (h + 1),))
@@ -158,7 +158,7 @@ def _choose_rows(words: np.ndarray, u: np.ndarray, row: np.ndarray, place: np.nd
 def _choose_columns(
     words: np.ndarray, u: np.ndarray, row: np.ndarray, column: np.ndarray, place: np.ndarray
 ) -> None:
-    """Cells in their rows, and in column 0 of place what is left of the first numbers."""
+    """Choose cells in their rows; column 0 of place gets the remapped first random numbers."""
     h, w = signed(words[HEIGHT]), signed(words[WIDTH])
     columns = carray(pointer_f64(words[COLUMNS]), (h + 1, w + 1))
     guide = carray(pointer_i32(words[COLUMN_GUIDE]), (h + 1, COLUMN_FINENESS * w))

@@ -85,7 +85,7 @@ def _read_header(path: Path, data: bytes) -> tuple[int, int, int, float]:
 
 
 def _positive(text: str) -> float:
-    """0 for what is no number."""
+    """The number that the text is; 0 if it is none."""
     try:
         return float(text)
     except ValueError:

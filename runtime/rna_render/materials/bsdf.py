@@ -131,7 +131,7 @@ def _albedo(weight: float, f0: float, alpha: float, table: np.ndarray, cosine: f
 
 @compiled(fastmath=())
 def _mean_passed(point: Point, table: np.ndarray, mean: np.ndarray) -> float:
-    """The mean of what both coats let through."""
+    """Mean transmittance of both coats."""
     _, alpha, _, f0, coat, _, clear, clear_alpha = point
     if clear == 0.0:
         a, b = mean_albedo_terms(mean, alpha)

@@ -107,7 +107,7 @@ class MeshObject:
     def own_share(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, ng: np.ndarray, wo: np.ndarray
     ) -> np.ndarray | None:
-        """Probability that rays end at hits, by which scattered light is divided:
+        """Fraction of rays that end at hits, by which scattered light is divided:
         (n, 3) float32, or None for 1.
 
         Less than 1 on thin glass, which scatters all the more of what does not go through; see
@@ -148,7 +148,7 @@ class MeshObject:
     def _weights(
         self, number: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
     ) -> np.ndarray | None:
-        """Scattering.weights: of the coat, and of what is diffuse."""
+        """Weights of the coat and of the diffuse part: `Scattering.weights`."""
         if (self._factors["coat_weight"] == 1).all() and not self._factors["transmission"].any():
             return None
         coat = self._factors["coat_weight"][number]

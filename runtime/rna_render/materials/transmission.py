@@ -55,7 +55,7 @@ def transmitted_by(material: Material) -> TransmittanceTexture | None:
 
 
 def main_texture(material: Material) -> Texture | None:
-    """The texture whose coordinates count."""
+    """The texture whose coordinates are used."""
     if material.transmission > 0:
         return next(iter(_glass_textures(material)), None)
     return material.opacity_texture

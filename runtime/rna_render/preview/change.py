@@ -11,7 +11,7 @@ Shift = Annotated[float, Field(ge=-10, le=10)]
 
 
 class Change(BaseModel):
-    """A change of the view; what is left out stays. Reset comes first."""
+    """A change of the view; absent fields stay unchanged. Reset is applied first."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, strict=True)
 

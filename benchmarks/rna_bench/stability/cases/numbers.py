@@ -101,7 +101,7 @@ def odd_inputs(answers: Answers, queries: Queries) -> list[Row]:
 
 
 def checked(name: str, found: Any, expected: Any = None) -> Row:
-    """Finite and non-negative, and how far from what is expected, where that is known."""
+    """Whether values are finite and non-negative, and their error where a reference is known."""
     found = np.concatenate(found).astype(np.float64)
     row = {
         "check": name,

@@ -38,7 +38,7 @@ def measure(workshop: Workshop) -> list[Row]:
 
 
 def without_hint(samples: Samples) -> Samples:
-    """The samples, all of them called visible: what a model without the hint is told."""
+    """The samples with visibility 1, as for a model without the hint."""
     return {**samples, "visible": np.ones_like(samples["visible"])}
 
 
