@@ -117,7 +117,7 @@ def _things(
         reach = np.abs(matrix[:3, 3]).max() + size
         step = OFFSET * reach if is_object else 0.0
         catches = world.catches_shadows[k]
-        row[:] = world.number[k], float(catches), step, float(not is_object)
+        row[:] = world.number[k], catches, step, not is_object
     return rows
 
 
