@@ -16,6 +16,7 @@ from rna_export.capture.directions import directions_in, light_direction
 from rna_export.capture.manifest import emission_fields
 from rna_export.capture.sample_files import joined, write_parts
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.traced_rays import TracedRays
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import BlenderWorker
 from rna_render.camera import Camera
@@ -25,8 +26,6 @@ from rna_sdk.package.manifest_fields import Region
 
 _RAYS_A_RENDER = 65536  # of a validation image; keeps ray images small
 _VALIDATION_FOV = np.radians(40.0)
-_STEP = 1e-4  # of the asset's radius, before and behind a point
-_LEAST_OWN = 0.05  # of what is seen at a point: of less, the noise would be too much
 
 Samples = dict[str, dict[str, np.ndarray]]
 """Part -> field -> rows."""
@@ -169,48 +168,24 @@ def _capture(
     wi: towards the light; None: of what the asset emits, without a light. rng: chooses which rays
     go on behind what lets light through.
     """
-    points = scene.shade_points(rays.origins, rays.directions, rng)
-    origins, reach = _starts(scene, points, rays)
-    rendered = worker.render_rays(origins, rays.directions, wi, samples, seed, reach)
+    cutouts = dataset.manifest.opaque_cutouts
+    traced = TracedRays.of(scene, worker, rays, wi, samples, seed, rng, cutouts)
+    points = traced.points
     of_ray = {
         "wo": -rays.directions,
-        "radiance": rendered.radiance,
-        "direct": rendered.direct,
+        "radiance": traced.radiance,
+        "direct": traced.rendered.direct,
         **_of_light(scene, points, wi),
         **(extra or {}),
     }
-    # A ray along a silhouette may hit here and miss there; such a sample would be black.
-    # What lets light through has an alpha that is as noisy as its radiance.
-    thin = points.transmittance.any(axis=1)
-    seen = dataset.manifest.opaque_cutouts | thin | (rendered.alpha > 0.999)
-    keep = seen & np.isfinite(rendered.radiance).all(axis=1)
-    if scene.transmits:  # of what Cycles shows, the share that is the point's own
-        own = 1.0 - points.transmittance
-        keep &= own.max(axis=1) > _LEAST_OWN
-        of_ray["radiance"] = rendered.radiance / np.maximum(own, _LEAST_OWN)
     return {
-        part.name: _kept(on, keep, of_ray, (*_fields(part, wi), *(extra or {})))
+        part.name: _kept(on, traced.kept, of_ray, (*_fields(part, wi), *(extra or {})))
         for part, on in zip(dataset.parts, points.on, strict=True)
     }
 
 
 def _fields(part: DatasetPart, wi: np.ndarray | None) -> Iterable[str]:
     return emission_fields(part.kind) if wi is None else part.fields
-
-
-def _starts(
-    scene: AssetScene, points: ShadePoints, rays: ViewRays
-) -> tuple[np.ndarray, float | None]:
-    """Origins of Cycles' rays, and their length.
-
-    At assets that transmit, close before the points and close behind them: what lies before a point
-    on its ray has let the ray pass, and what lies behind it is not seen.
-    """
-    if not scene.transmits:
-        return rays.origins, None
-    step = np.float32(_STEP * scene.radius)
-    points_or_origins = np.where(points.hit[:, None], points.position, rays.origins)
-    return points_or_origins - step * rays.directions, float(2.0 * step)
 
 
 def _of_light(
