@@ -8,12 +8,10 @@ from typing import Any
 
 import yaml
 from pydantic import ValidationError
-from pydantic_core import ErrorDetails
 
+from rna_render.scene_messages import Key, mistakes
 from rna_render.scene_model import Scene
 from rna_sdk.errors import SceneError
-
-Key = tuple[str | int, ...]
 
 # A few lines of YAML aliases can unfold into any number of values.
 MAX_DEPTH = 16
@@ -70,7 +68,7 @@ def read_scene(path: Path) -> SceneFile:
     try:
         scene = Scene.model_validate(data)
     except ValidationError as error:
-        raise _scene_error(path, lines, error.errors()) from error
+        raise _scene_error(path, lines, error) from error
     return SceneFile(path, scene, lines)
 
 
@@ -108,43 +106,13 @@ def _collect_lines(path: Path, node: yaml.Node, key: Key, lines: dict[Key, int])
             _collect_lines(path, value, child, lines)
 
 
-def _scene_error(path: Path, lines: dict[Key, int], details: list[ErrorDetails]) -> SceneError:
+def _scene_error(path: Path, lines: dict[Key, int], error: ValidationError) -> SceneError:
     """The first of pydantic's errors, in the order of the file."""
-    found = []
-    for detail in details:
-        key = _file_key(lines, detail)
-        found.append((_line(lines, key), key, _message(detail)))
-    line, key, message = min(found, key=lambda error: error[0])
+    found = mistakes(Scene, error.errors())
+    first = min(found, key=lambda mistake: _line(lines, mistake.key))
     more = f" ({len(found) - 1} more after this)" if len(found) > 1 else ""
-    return SceneError(message + more, file=path, line=line, key=_dotted(key) or None)
-
-
-def _file_key(lines: dict[Key, int], detail: ErrorDetails) -> Key:
-    """The key of the file that an error is about; pydantic adds the tags of unions to it."""
-    key: Key = ()
-    for part in detail["loc"]:
-        if (*key, part) in lines:
-            key = (*key, part)
-    return (*key, detail["loc"][-1]) if detail["type"] == "missing" else key
-
-
-def _message(detail: ErrorDetails) -> str:
-    if detail["type"] == "missing":
-        return "is missing"
-    if detail["type"] == "extra_forbidden":
-        return "is not a known key"
-    message = detail["msg"].removeprefix("Value error, ").replace("Input should be", "must be")
-    bounds = [value for value in detail.get("ctx", {}).values() if isinstance(value, float)]
-    if bounds and detail["type"] in _BOUNDS:  # pydantic writes 1e18 with all its zeros
-        message = f"must be {_BOUNDS[detail['type']]} {bounds[0]:g}"
-    simple = isinstance(detail["input"], str | int | float)
-    return f"{message}, found {detail['input']!r}" if simple else message
-
-
-_BOUNDS = {
-    "greater_than_equal": "greater than or equal to",
-    "less_than_equal": "less than or equal to",
-}
+    line, key = _line(lines, first.key), _dotted(first.key) or None
+    return SceneError(first.message + more, file=path, line=line, key=key)
 
 
 def _line(lines: dict[Key, int], key: Key) -> int:
