@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 import sys
 import traceback
 import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from rna_sdk.command_parser import CommandParser
 from rna_sdk.errors import RnaError
 
 INTERRUPTED = 130
@@ -22,12 +24,18 @@ def command_parser(
 
     options: further arguments of ArgumentParser, such as usage or epilog.
     """
-    return argparse.ArgumentParser(
+    return CommandParser(
         prog=prog,
+        example=example,
         description=f"{sentence}\n\n  {example}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
         **options,
     )
+
+
+def command_line(*words: object) -> str:
+    """A command as a shell reads it: names with spaces or quotes are quoted."""
+    return shlex.join(map(str, words))
 
 
 def split_script_arguments(arguments: Sequence[str] | None) -> tuple[list[str], tuple[str, ...]]:

@@ -10,6 +10,7 @@ from importlib import import_module
 from rna_bench.commands import COMMANDS, GROUPS, Command
 from rna_bench.options import OptionHelp
 from rna_bench.stamp import stamp
+from rna_sdk.command_parser import CommandParser
 from rna_sdk.console import command_parser, run_command, split_script_arguments
 
 _EXAMPLE = "rna-bench scenes toy.rna --source toy.py --out bench/toy"
@@ -35,7 +36,7 @@ def parser() -> argparse.ArgumentParser:
 def parser_of(command: Command) -> argparse.ArgumentParser:
     """The parser of one command's own arguments; imports its module."""
     module = import_module(f"rna_bench.{command.module}")
-    p = argparse.ArgumentParser(
+    p = CommandParser(
         prog=f"rna-bench {command.name}",
         description=(module.__doc__ or "").replace("%", "%%"),
         formatter_class=OptionHelp,

@@ -1,5 +1,6 @@
 """File > Export > RNA Scene: the scene file that a render would be given."""
 
+import shlex
 from pathlib import Path
 
 import bpy
@@ -28,7 +29,8 @@ class ExportScene(bpy.types.Operator, ExportHelper):
             return {"CANCELLED"}
         for line in described.notes:
             self.report({"WARNING"}, line)
-        self.report({"INFO"}, f"wrote {described.path}; next: rna-run {described.path} --preview")
+        preview = shlex.join(["rna-run", str(described.path), "--preview"])
+        self.report({"INFO"}, f"wrote {described.path}; next: {preview}")
         return {"FINISHED"}
 
 

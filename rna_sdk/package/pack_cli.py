@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from rna_sdk.console import command_parser, run_command
+from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import RnaError
 from rna_sdk.package.packing import Unpacked
 
@@ -55,7 +55,7 @@ def _run(args: argparse.Namespace) -> None:
     size = args.out.stat().st_size
     print(
         f"wrote {args.out}, {size / 1e6:.2f} MB ({args.package}: {before / 1e6:.2f} MB)\n"
-        f"next: rna-validate {args.out}"
+        f"next: {command_line('rna-validate', args.out)}"
     )
 
 

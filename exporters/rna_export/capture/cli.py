@@ -19,7 +19,7 @@ from rna_export.capture.orientation import AXES, joined_axes
 from rna_export.capture.settings import CaptureSettings
 from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
-from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
 from rna_work.cluster_option import add_cluster_option
 from rna_work.places import place
@@ -217,9 +217,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             finish(dataset, source, crew, limit)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
-    print(
-        f"wrote {args.out}\nnext: rna-train {args.out} --preset small --out runs/{args.source.stem}"
-    )
+    train = "rna-train", args.out, "--preset", "small", "--out", Path("runs", args.source.stem)
+    print(f"wrote {args.out}\nnext: {command_line(*train)}")
 
 
 def check_source(source: Path) -> None:

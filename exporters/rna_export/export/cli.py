@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rna_export.export.credit import add_credit
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
-from rna_sdk.console import command_parser, run_command
+from rna_sdk.console import command_line, command_parser, run_command
 
 
 def parser() -> argparse.ArgumentParser:
@@ -103,7 +103,7 @@ def _run(args: argparse.Namespace) -> None:
     proxies = sorted(set(args.proxies), reverse=True)
     dress(args.out, dataset, args.poster, proxies, args.coding == "deflate", print)
     size = args.out.stat().st_size / 1e6
-    print(f"wrote {args.out}, {size:.2f} MB\nnext: rna-validate {args.out}")
+    print(f"wrote {args.out}, {size:.2f} MB\nnext: {command_line('rna-validate', args.out)}")
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from rna_export.export.credit import add_credit
 from rna_export.training.options import add_trainings
-from rna_sdk.console import command_parser, run_command
+from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_work.places import Place, place
 
@@ -130,7 +130,8 @@ def _run(args: argparse.Namespace, where: Place) -> None:
     print(
         f"chosen: {found.chosen.name}, {found.chosen.ns:.0f} ns/query; "
         f"{found.seconds:.0f} s of training in total\n"
-        f"wrote {args.out}, {work / 'index.html'}\nnext: rna-validate {args.out}"
+        f"wrote {args.out}, {work / 'index.html'}\n"
+        f"next: {command_line('rna-validate', args.out)}"
     )
 
 

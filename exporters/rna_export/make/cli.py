@@ -24,7 +24,7 @@ from rna_export.export.credit import add_credit
 from rna_export.export.precision import add_precision, precisions_of
 from rna_export.training.options import add_device
 from rna_export.training.presets import PRESETS
-from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_work.places import place
 
 if TYPE_CHECKING:
@@ -212,7 +212,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     print(_outcome(made, manifest, goal))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB{f', {work}' if args.keep else ''}")
-    print(f"next: rna-compare {args.out} {args.model} --out {args.out.stem}-compare")
+    compare = "rna-compare", args.out, args.model, "--out", f"{args.out.stem}-compare"
+    print(f"next: {command_line(*compare)}")
 
 
 def _goal(args: argparse.Namespace) -> Goal | None:

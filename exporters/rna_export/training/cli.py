@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rna_export.training.options import add_device
 from rna_export.training.presets import LOSSES, PRESETS, Preset
-from rna_sdk.console import command_parser, run_command
+from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_sdk.package.blocks import INPUT_BLOCKS, blocks_for
 
@@ -136,7 +136,8 @@ def _run(args: argparse.Namespace) -> None:
         written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'validation'}")
         begun = monotonic()
     print("\n".join(written))
-    print(f"next: rna-export {_to_export(args.out, dataset)} --out {dataset.manifest.name}.rna")
+    package = f"{dataset.manifest.name}.rna"
+    print(f"next: {command_line('rna-export', _to_export(args.out, dataset), '--out', package)}")
 
 
 def _to_export(out: Path, dataset: Dataset) -> Path:

@@ -1,0 +1,43 @@
+"""The parser of every command: --version, and errors of usage in two lines."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from difflib import get_close_matches
+from typing import Any, NoReturn
+
+from rna_sdk import __version__
+
+
+class CommandParser(argparse.ArgumentParser):
+    """An ArgumentParser with --version, whose errors show an example in place of all options.
+
+    example: a command to copy; None for none.
+    """
+
+    def __init__(self, *, example: str | None = None, **options: Any) -> None:
+        super().__init__(**options)
+        self._example = example
+        self.add_argument(
+            "--version",
+            action="version",
+            version=f"{self.prog} {__version__}",
+            help="show the version and exit (default: off)",
+        )
+
+    def error(self, message: str) -> NoReturn:
+        """Prints the example, the message and what an unknown option may have meant; exits."""
+        usage = f"usage: {self._example or f'{self.prog} ...'}"
+        print(f"{usage}    ({self.prog} --help lists all options)", file=sys.stderr)
+        self.exit(2, f"{self.prog}: error: {message}{self._hint(message)}\n")
+
+    def _hint(self, message: str) -> str:
+        if not message.startswith("unrecognized arguments:"):
+            return ""
+        unknown = re.findall(r"(?<=\s)--[\w-]+", message)
+        known = [name for name in self._option_string_actions if name.startswith("--")]
+        close = [get_close_matches(name, known, n=1) for name in unknown]
+        names = [found[0] for found in close if found]
+        return f"; did you mean {' and '.join(names)}?" if names else ""
