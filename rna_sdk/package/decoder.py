@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.errors import PackageError
+from rna_sdk.package.decoder_bounds import check_bounds
 from rna_sdk.package.decoder_form import INPUT_NAME, DecoderForm
 from rna_sdk.package.decoder_profile import outside_profile, saturating_weights
 from rna_sdk.package.issues import Code, Issue, refuse
@@ -19,7 +20,7 @@ from rna_sdk.package.limits import (
     OPSET_VERSIONS,
 )
 from rna_sdk.package.onnx_fields import DataType
-from rna_sdk.package.onnx_model import FLOAT, Model, Node, Tensor, Value, read_model
+from rna_sdk.package.onnx_model import FLOAT, Model, Value, read_model
 from rna_sdk.package.protobuf import WireError
 from rna_sdk.package.saturation import PAIR_LIMIT
 
@@ -27,8 +28,8 @@ Rows = NDArray[np.float32]
 
 QUANTIZERS = frozenset({"QuantizeLinear", "DequantizeLinear"})
 
-# Operators whose row i of the result depends on row i of the queries alone, and whose
-# dimensions do not grow, Concat aside (so that a small file cannot ask for much memory).
+# Operators whose row i of the result can depend on row i of the queries alone, and whose
+# dimensions do not grow beyond the bounds of decoder_bounds.py.
 OPERATORS = QUANTIZERS | frozenset(
     "Abs Add And Atan Cast Ceil Clip Concat Constant Cos Div Elu Equal Erf Exp Floor Gelu Gemm "
     "Greater GreaterOrEqual HardSigmoid HardSwish Identity IsInf IsNaN LayerNormalization "
@@ -65,7 +66,7 @@ def check_decoder(data: memoryview, form: DecoderForm) -> list[Issue]:
     _check_interface(model, form)
     _check_nodes(model, form)
     _check_tensors(model, form.entry)
-    _check_widths(model, form)
+    check_bounds(model, form)
     _check_results(bytes(data), form)
     return _warnings(model, form.entry)
 
@@ -137,47 +138,11 @@ def _check_tensors(model: Model, name: str) -> None:
         where = f"{name}#{tensor.name}"
         if tensor.external:
             refuse(Code.DECODER_EXTERNAL, where, "external data", "data in the file")
-        small = len(tensor.dims) <= 2 and _width(tensor) <= MAX_DECODER_WIDTH
+        small = len(tensor.dims) <= 2 and max(tensor.dims, default=1) <= MAX_DECODER_WIDTH
         if tensor.dtype not in TENSOR_TYPES or not small:
             found = f"type {tensor.dtype} {list(tensor.dims)}"
             expected = f"at most 2 dimensions of at most {MAX_DECODER_WIDTH}"
             refuse(Code.DECODER_TENSOR, where, found, expected)
-
-
-def _width(tensor: Tensor) -> int:
-    return max(tensor.dims, default=1)
-
-
-def _check_widths(model: Model, form: DecoderForm) -> None:
-    """Every input is made before it is used, and no tensor can grow past the limit.
-
-    The bound needs no shape inference: no operator here gives a larger dimension than its
-    operands have, but for Concat, whose result is at most their sum.
-    """
-    bounds = {"": 1, INPUT_NAME: form.columns}
-    for tensor in model.initializers:
-        if tensor.name in bounds:
-            where = f"{form.entry}#{tensor.name}"
-            refuse(Code.DECODER_GRAPH, where, "a name made twice", "each value made once")
-        bounds[tensor.name] = _width(tensor)
-    for i, node in enumerate(model.nodes):
-        where = f"{form.entry}#/graph/node/{i}"
-        missing = [name for name in node.inputs if name not in bounds]
-        twice = [name for name in node.outputs if name and name in bounds]
-        if missing or twice:
-            found = f"{missing} not made before, {twice} made again"
-            refuse(Code.DECODER_GRAPH, where, found, "each value made once, before its use")
-        bound = _bound(node, [bounds[name] for name in node.inputs])
-        if bound > MAX_DECODER_WIDTH:
-            refuse(Code.DECODER_TENSOR, where, f"width {bound}", f"at most {MAX_DECODER_WIDTH}")
-        bounds.update((name, bound) for name in node.outputs if name)
-    if form.output not in bounds:
-        refuse(Code.DECODER_GRAPH, f"{form.entry}#/graph/output", "nothing makes it", form.output)
-
-
-def _bound(node: Node, widths: list[int]) -> int:
-    own = max([node.longest_list, *map(_width, node.tensors)])
-    return max(own, sum(widths) if node.operator == "Concat" else max(widths, default=1))
 
 
 def _check_results(data: bytes, form: DecoderForm) -> None:

@@ -133,6 +133,8 @@ class Code(Enum):
     DECODER_INPUT = (Severity.ERROR, "The inputs are not exactly `queries` float32 [N, K].")
     DECODER_OUTPUT = (Severity.ERROR, "The outputs are not exactly the required one.")
     DECODER_GRAPH = (Severity.ERROR, "The graph is not a list of nodes in order of use.")
+    DECODER_ROWS = (Severity.ERROR, "A product or Concat is not of whole rows of queries.")
+    DECODER_COST = (Severity.ERROR, "Constants, or a query's memory or work, exceed the limits.")
     DECODER_PRECISION = (Severity.ERROR, "The decoder's arithmetic is not the tier's precision.")
     DECODER_LOAD = (Severity.ERROR, "The inference engine refuses the decoder.")
     DECODER_RESULT = (Severity.ERROR, "The decoder breaks the output contract on a test query.")

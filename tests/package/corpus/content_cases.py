@@ -468,6 +468,94 @@ def decoder_that_doubles_its_width(entries: Entries) -> bytes:
     return with_decoder(entries, edit)
 
 
+def with_nodes(
+    entries: Entries, constants: dict[str, np.ndarray], *nodes: onnx.NodeProto
+) -> bytes:
+    """The package with constants and nodes that its decoder's output does not use."""
+
+    def edit(model: onnx.ModelProto) -> None:
+        tensors = [numpy_helper.from_array(value, name) for name, value in constants.items()]
+        model.graph.initializer.extend(tensors)
+        model.graph.node.extend(nodes)
+
+    return with_decoder(entries, edit)
+
+
+def sides(rows: int, columns: int, dtype: type = np.uint8) -> dict[str, np.ndarray]:
+    """Two small constants, whose product or sum is large."""
+    return {"column": np.ones((rows, 1), dtype), "row": np.ones((1, columns), dtype)}
+
+
+@case("DECODER_ROWS")
+def decoder_with_an_outer_product(entries: Entries) -> bytes:
+    node = helper.make_node("MatMul", ["column", "row"], ["outer"])
+    return with_nodes(entries, sides(4096, 4096, np.float32), node)
+
+
+@case("DECODER_ROWS")
+def decoder_with_products_of_all_pairs_of_queries(entries: Entries) -> bytes:
+    node = helper.make_node("Gemm", ["queries", "queries"], ["pairs"], transB=1)
+    return with_nodes(entries, {}, node)
+
+
+@case("DECODER_ROWS")
+def decoder_with_transposed_queries(entries: Entries) -> bytes:
+    node = helper.make_node("Gemm", ["queries", "row"], ["turned"], transA=1)
+    return with_nodes(entries, sides(1, 8, np.float32), node)
+
+
+@case("DECODER_ROWS")
+def decoder_that_repeats_its_queries(entries: Entries) -> bytes:
+    node = helper.make_node("Concat", ["queries", "queries"], ["twice"], axis=0)
+    return with_nodes(entries, {}, node)
+
+
+@case("DECODER_ROWS")
+def decoder_with_a_product_of_one_number_a_query(entries: Entries) -> bytes:
+    """Of one dimension, [N], which [N, 1] would make [N, N]."""
+    weights = {"weights": np.ones(18, np.float32)}
+    return with_nodes(entries, weights, helper.make_node("MatMul", ["queries", "weights"], ["sum"]))
+
+
+@case("DECODER_COST")
+def decoder_with_a_constant_that_grows(entries: Entries) -> bytes:
+    node = helper.make_node("Add", ["column", "row"], ["table"])
+    return with_nodes(entries, sides(4100, 4100), node)
+
+
+@case("DECODER_COST")
+def decoder_with_many_large_constants(entries: Entries) -> bytes:
+    names = [f"table{i}" for i in range(33)]
+    nodes = [helper.make_node("Add", ["column", "row"], [name]) for name in names]
+    return with_nodes(entries, sides(64, 8192), *nodes)
+
+
+@case("DECODER_COST")
+def decoder_of_many_wide_layers(entries: Entries) -> bytes:
+    """The first column of the queries plus 4,096 numbers, again and again."""
+    constants = sides(18, 4096, np.float32)
+    first = helper.make_node("MatMul", ["queries", "column"], ["wide0"])
+    names = [f"wide{i}" for i in range(18)]
+    nodes = [helper.make_node("Add", [old, "row"], [new]) for old, new in pairwise(names)]
+    return with_nodes(entries, constants, first, *nodes)
+
+
+@case("DECODER_COST")
+def decoder_of_many_multiply_adds(entries: Entries) -> bytes:
+    """Three layers of 2,048 by 4,096, whose weights are made of 6,144 numbers."""
+    sums = {"ones": np.ones((18, 1), np.float32)}
+    return with_nodes(
+        entries,
+        sides(2048, 4096, np.float32) | sums,
+        helper.make_node("Add", ["column", "row"], ["weights"]),
+        helper.make_node("MatMul", ["queries", "ones"], ["sum"]),
+        helper.make_node("Add", ["sum", "row"], ["wide0"]),
+        helper.make_node("Gemm", ["wide0", "weights"], ["narrow0"], transB=1),
+        helper.make_node("Gemm", ["narrow0", "weights"], ["wide1"]),
+        helper.make_node("Gemm", ["wide1", "weights"], ["narrow1"], transB=1),
+    )
+
+
 @case("DECODER_INPUT")
 def decoder_with_other_columns(entries: Entries) -> bytes:
     return with_model(entries, columns=17)

@@ -42,6 +42,9 @@ enum {
     MAX_DECODER = 1 << 26,
     MAX_NODES = 4096,
     MAX_WIDTH = 8192,
+    MAX_CONSTANTS = 1 << 24, /* values of a decoder's constants, also of those that nodes make */
+    MAX_QUERY_VALUES = 1 << 16, /* made by all nodes together */
+    MAX_QUERY_WORK = 1 << 24, /* multiply-adds */
     MAX_WIRE_ITEMS = 1 << 18
 };
 

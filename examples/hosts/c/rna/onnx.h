@@ -22,9 +22,10 @@ typedef struct OnnxNode {
     Span operator, domain;
     size_t first_name;      /* in OnnxModel.names: the inputs, then the outputs */
     size_t inputs, outputs; /* how many */
-    uint64_t widest;        /* of the lists and tensors in its attributes */
+    size_t first_tensor, tensors; /* in OnnxModel.tensors: those in its attributes */
+    uint64_t longest_list;        /* in its attributes */
     size_t attributes;
-    bool nested, has_axis;
+    bool nested, has_axis, transposes_first, transposes_second;
     int64_t axis;
 } OnnxNode;
 
@@ -103,6 +104,7 @@ static void read_tensor(Wire *wire, Span message, OnnxModel *model) {
 
 static void read_attribute(Wire *wire, Span message, OnnxModel *model, OnnxNode *node) {
     uint64_t floats = 0, integers = 0, strings = 0, value = 0, item, seen = 0;
+    bool has_value = false;
     Span name = {0};
     Field field;
     while (next_field(wire, &message, &field)) switch (field.number) {
@@ -110,7 +112,7 @@ static void read_attribute(Wire *wire, Span message, OnnxModel *model, OnnxNode 
             if (once(wire, &seen, &field)) need_text(wire, &field, &name);
             break;
         case 3:
-            if (once(wire, &seen, &field)) need_integer(wire, &field, &value);
+            if (once(wire, &seen, &field)) has_value = need_integer(wire, &field, &value);
             break;
         case 5:
         case 10: {
@@ -118,8 +120,7 @@ static void read_attribute(Wire *wire, Span message, OnnxModel *model, OnnxNode 
             if (!need_bytes(wire, &field, &tensor)) return;
             read_tensor(wire, tensor, model);
             if (wire->broken) return;
-            uint64_t widest = model->tensors.at[model->tensors.count - 1].widest;
-            if (widest > node->widest) node->widest = widest;
+            node->tensors++;
             break;
         }
         case 7: floats += field.is_integer ? 0 : field.bytes.size / 4; break;
@@ -142,8 +143,11 @@ static void read_attribute(Wire *wire, Span message, OnnxModel *model, OnnxNode 
         }
     uint64_t longest = floats > integers ? floats : integers;
     longest = longest > strings ? longest : strings;
-    if (longest > node->widest) node->widest = longest;
-    if (span_is(name, "axis")) node->has_axis = true, node->axis = (int64_t)value;
+    if (longest > node->longest_list) node->longest_list = longest;
+    if (span_is(name, "axis")) node->has_axis = true;
+    if (span_is(name, "axis") && has_value) node->axis = (int64_t)value;
+    if (span_is(name, "transA") && has_value) node->transposes_first = value != 0;
+    if (span_is(name, "transB") && has_value) node->transposes_second = value != 0;
 }
 
 /* The names in fields `number` of a node; how many there are. */
@@ -160,7 +164,7 @@ static size_t read_names(Wire *wire, Span message, uint64_t number, OnnxModel *m
 }
 
 static void read_node(Wire *wire, Span message, OnnxModel *model) {
-    OnnxNode node = {.first_name = model->names.count};
+    OnnxNode node = {.first_name = model->names.count, .first_tensor = model->tensors.count};
     Span rest = message;
     uint64_t seen = 0;
     Field field;

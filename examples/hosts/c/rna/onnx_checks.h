@@ -2,34 +2,7 @@
 #ifndef RNA_ONNX_CHECKS_H
 #define RNA_ONNX_CHECKS_H
 
-#include "onnx.h"
-#include "rules.h"
-
-/* Values by name: what is known of each before the node at hand. */
-typedef struct Value {
-    Span name;
-    bool known;
-    uint64_t bound; /* on its width */
-    int tensor;     /* of an initializer, else -1 */
-    int node;       /* that made it, else -1 */
-} Value;
-
-typedef struct ValueTable {
-    Value *at;
-    size_t mask;
-} ValueTable;
-
-static Value *find_value(const ValueTable *table, Span name) {
-    uint32_t hash = 2166136261u; /* FNV-1a */
-    for (size_t i = 0; i < name.size; i++) hash = (hash ^ name.at[i]) * 16777619u;
-    size_t i = hash & table->mask;
-    while (table->at[i].known && !same_span(table->at[i].name, name)) i = (i + 1) & table->mask;
-    return &table->at[i];
-}
-
-static void set_value(ValueTable *table, Span name, uint64_t bound, int tensor, int node) {
-    *find_value(table, name) = (Value){name, true, bound, tensor, node};
-}
+#include "onnx_bounds.h"
 
 static const Span QUERIES = {(const uint8_t *)"queries", 7};
 
@@ -83,36 +56,6 @@ static bool check_onnx_tensors(const OnnxModel *model, const char *entry, RnaRep
     return true;
 }
 
-/* Each value is made once and before its use, and no width can pass the limit. */
-static bool check_widths(const OnnxModel *model, ValueTable *values, const char *output,
-                         const char *entry, RnaReport *report) {
-    for (size_t i = 0; i < model->nodes.count; i++) {
-        const OnnxNode *node = &model->nodes.at[i];
-        const Span *names = model->names.at ? model->names.at + node->first_name : NULL;
-        uint64_t sum = 0, most = node->inputs ? 0 : 1;
-        for (size_t k = 0; k < node->inputs; k++) {
-            const Value *value = find_value(values, names[k]);
-            if (!value->known)
-                return refuse(report, "DECODER_GRAPH", entry, "values made before their use",
-                              "node %zu", i);
-            sum += value->bound;
-            most = value->bound > most ? value->bound : most;
-        }
-        uint64_t bound = span_is(node->operator, "Concat") ? sum : most;
-        if (node->widest > bound) bound = node->widest;
-        for (size_t k = node->inputs; k < node->inputs + node->outputs; k++)
-            if (names[k].size && find_value(values, names[k])->known)
-                return refuse(report, "DECODER_GRAPH", entry, "each value made once", "node %zu", i);
-        if (bound > MAX_WIDTH)
-            return refuse(report, "DECODER_TENSOR", entry, "a width of at most 8192", "%llu",
-                          (unsigned long long)bound);
-        for (size_t k = node->inputs; k < node->inputs + node->outputs; k++)
-            if (names[k].size) set_value(values, names[k], bound, -1, (int)i);
-    }
-    return find_value(values, text_span(output))->known ||
-           refuse(report, "DECODER_GRAPH", entry, "a value of the output's name", "nothing makes it");
-}
-
 static bool is_interface(const OnnxValue *value, size_t count, Span name, int width) {
     return count == 1 && same_span(value->name, name) && value->type == ONNX_FLOAT && value->rank == 2 &&
            value->symbolic[0] && !value->symbolic[1] && value->dims[1] == (uint64_t)width;
@@ -143,15 +86,7 @@ static bool check_onnx(Span data, const Interface *interface, OnnxModel *model, 
     *values = (ValueTable){calloc(room, sizeof(Value)), room - 1};
     if (!values->at)
         return refuse(report, "DECODER_LOAD", entry, "memory for its values", "not enough");
-    set_value(values, (Span){0}, 1, -1, -1);
-    set_value(values, QUERIES, (uint64_t)interface->columns, -1, -1);
-    for (size_t i = 0; i < model->initializers; i++) {
-        const OnnxTensor *tensor = &model->tensors.at[i];
-        if (find_value(values, tensor->name)->known)
-            return refuse(report, "DECODER_GRAPH", entry, "each value made once", "a name made twice");
-        set_value(values, tensor->name, tensor->widest, (int)i, -1);
-    }
-    return check_widths(model, values, interface->output, entry, report);
+    return check_bounds(model, values, QUERIES, interface->columns, interface->output, entry, report);
 }
 
 #endif

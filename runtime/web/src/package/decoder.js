@@ -3,6 +3,8 @@ import { fail, NotSupported } from "./errors.js";
 import { readOnnx } from "./onnx.js";
 
 const FLOAT = 1, UINT8 = 2, INT8 = 3, INT32 = 6;
+// Limits of the spec (6.2): values of constants, values and multiply-adds of a query.
+const MOST_CONSTANTS = 2 ** 24, MOST_VALUES = 2 ** 16, MOST_WORK = 2 ** 24;
 
 /**
  * { low, high, gain, offset, layers, top, unit or matrix, int8, columns, outputs }: gain and offset of
@@ -50,6 +52,10 @@ class Walk {
     const isConstant = ({ operator, inputs }) => operator === "DequantizeLinear" && constants.has(inputs[0]);
     this.dequantizers = new Map(nodes.filter(isConstant).map((node) => [node.outputs[0], node]));
     this.chain = nodes.filter((node) => !isConstant(node));
+    this.values = this.work = 0;
+    const sizes = [...constants.values(), ...[...this.dequantizers.values()].map(({ inputs }) => constants.get(inputs[0]))];
+    const count = sizes.reduce((sum, { dims }) => sum + dims.reduce((product, side) => product * side, 1), 0);
+    if (count > MOST_CONSTANTS) fail("DECODER_COST", where, `${count} values of constants; at most ${MOST_CONSTANTS}`);
     this.readers = new Map();
     for (const name of nodes.flatMap((node) => node.inputs)) this.readers.set(name, (this.readers.get(name) ?? 0) + 1);
   }
@@ -77,6 +83,15 @@ class Walk {
     return node.inputs.slice(1);
   }
 
+  /** Counts a node whose result has `columns`, of products with one of `rows`. */
+  spend(columns, rows = 1) {
+    this.values += columns;
+    this.work += rows * columns;
+    if (this.values > MOST_VALUES || this.work > MOST_WORK) {
+      fail("DECODER_COST", this.where, `a query takes ${this.values} values and ${this.work} multiply-adds, or more; at most ${MOST_VALUES} and ${MOST_WORK}`);
+    }
+  }
+
   constant(name, type, dims) {
     const tensor = this.constants.get(name);
     if (!tensor?.values || tensor.type !== type || tensor.dims.join() !== dims.join()) {
@@ -87,6 +102,8 @@ class Walk {
 
   take(operator, ...operands) {
     const names = this.next(operator);
+    if (operator === "MatMul") this.spend(this.outputs, this.width);
+    else this.spend(this.width);
     if (names.length !== operands.length) this.outside(`${operator} of ${names.length + 1} operands`);
     return operands.map(([type, dims], k) => this.constant(names[k], type, dims));
   }
@@ -137,6 +154,7 @@ class Walk {
     const rows = this.width;
     if (!this.int8) {
       const columns = columnsOf(names[0]);
+      this.spend(columns, rows);
       this.width = columns;
       return {
         weight: this.fitting(names[0], FLOAT, rows, columns), bias: this.constant(names[1], FLOAT, [columns]), rows, columns,
@@ -144,6 +162,7 @@ class Walk {
     }
     const [weightName, scaleName] = this.dequantized(names[0], 1), [biasName, biasScale] = this.dequantized(names[1], 0);
     const columns = columnsOf(weightName);
+    this.spend(columns, rows);
     const scales = this.constant(scaleName, FLOAT, [columns]), products = this.constant(biasScale, FLOAT, [columns]);
     if (products.some((value, k) => value !== Math.fround(step * scales[k]))) this.outside("a bias with a scale of its own");
     this.width = columns;
