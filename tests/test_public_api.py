@@ -20,9 +20,17 @@ PUBLIC = {
 """Modules for everybody; of those with `__all__`, the names in it."""
 OUR_TOOLS = {
     f"rna_sdk.{name}"
-    for name in ("arrays", "atomic_file", "compiled", "console", "cpu", "kernel_threads")
+    for name in (
+        "arrays",
+        "atomic_file",
+        "compiled",
+        "console",
+        "cpu",
+        "kernel_threads",
+        "regular_file",
+    )
 }
-"""How our own commands check arrays, write, are compiled, threaded and talk: nothing of assets."""
+"""How our own commands check arrays, read, write, are compiled, threaded and talk."""
 RENDERERS = {"rna_render": OUR_TOOLS, "rna_mitsuba": set()}
 
 

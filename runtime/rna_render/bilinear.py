@@ -11,7 +11,9 @@ REPEAT, CLAMP, MIRROR = 0, 1, 2
 
 @compiled(fastmath=())
 def _wrapped(x: float, wrap: int) -> float:
-    """A coordinate within [0, 1]."""
+    """A coordinate within [0, 1]; 0 for one that is not finite."""
+    if not -np.inf < x < np.inf:
+        return 0.0
     if wrap == REPEAT:
         inside: float = x - np.floor(x)
         return inside
@@ -23,7 +25,7 @@ def _wrapped(x: float, wrap: int) -> float:
 
 @compiled(fastmath=())
 def texels_around(x: float, size: int, wrap: int) -> tuple[int, int, float]:
-    """The two texels whose centres x is between, and its place between them."""
+    """The two texels whose centres x is between, both in [0, size), and its place between them."""
     place = _wrapped(x, wrap) * size - 0.5
     first = int(np.floor(place))
     rest = place - first

@@ -9,3 +9,21 @@ MAX_FRAMES = 100_000
 # Of places, lengths and light: light and places are carried in float32, which holds their squares.
 MAX_NUMBER = 1e18
 MIN_LENGTH = 1e-18
+
+# Of an image: 16384 x 8192. A few bytes of run-length code may stand for any number of pixels.
+MAX_IMAGE_PIXELS = 1 << 27
+# Of an EXR, the values of all channels of all parts: the decoder reads each of them.
+MAX_IMAGE_VALUES = 1 << 29
+# Radiance of more bytes than this, as float32 RGB, has to be at most so many times its file.
+MAX_FREE_BYTES = 1 << 29
+MAX_EXPANSION = 256
+
+# Of the mesh that a file becomes, with a copy for each node that shows a glTF mesh.
+MAX_VERTICES = 1 << 26
+MAX_TRIANGLES = 1 << 26
+# Of a glTF accessor without data in the file: all zero, or sparse.
+MAX_ZERO_ITEMS = 1 << 20
+
+# Of a path in a scene file, bytes: PATH_MAX and NAME_MAX of Linux.
+MAX_PATH_BYTES = 4095
+MAX_NAME_BYTES = 255

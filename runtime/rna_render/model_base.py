@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import os
+from pathlib import Path
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
 
-from rna_render.limits import MAX_NUMBER, MIN_LENGTH
+from rna_render.limits import MAX_NAME_BYTES, MAX_NUMBER, MAX_PATH_BYTES, MIN_LENGTH
 
 Number = Annotated[float, Field(ge=-MAX_NUMBER, le=MAX_NUMBER)]
 Vector = tuple[Number, Number, Number]
@@ -18,6 +20,21 @@ Length = Annotated[float, Field(ge=MIN_LENGTH, le=MAX_NUMBER)]
 Share = Annotated[float, Field(ge=0, le=1)]
 Rgb = tuple[Nonnegative, Nonnegative, Nonnegative]
 Albedo = tuple[Share, Share, Share]
+
+
+def _possible(path: Path) -> Path:
+    """The path, if a file can have it: else asking whether it is there raises OSError."""
+    if "\0" in str(path):
+        raise ValueError("must not contain a NUL character")
+    names = [len(os.fsencode(name)) for name in path.parts]
+    if max(names, default=0) > MAX_NAME_BYTES or len(os.fsencode(path)) > MAX_PATH_BYTES:
+        raise ValueError(
+            f"is too long: at most {MAX_PATH_BYTES} bytes, and {MAX_NAME_BYTES} a name"
+        )
+    return path
+
+
+FilePath = Annotated[Path, AfterValidator(_possible)]
 
 
 def is_short(vector: tuple[float, ...]) -> bool:

@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from rna_render.scene_messages import Key, mistakes
 from rna_render.scene_model import Scene
 from rna_sdk.errors import SceneError
+from rna_sdk.regular_file import check_regular, read_regular
 
 # A few lines of YAML aliases can unfold into any number of values.
 MAX_DEPTH = 16
@@ -40,8 +41,13 @@ class SceneFile:
     def asset_path(self, index: int) -> Path:
         """The package of one of the scene's assets. Raises SceneError if there is no such file."""
         path = self.resolve(self.scene.assets[index].path)
-        if not path.is_file():
-            raise self.error(("assets", index, "path"), f"no such file: {path}")
+        try:
+            check_regular(path)
+        except FileNotFoundError as error:
+            raise self.error(("assets", index, "path"), f"no such file: {path}") from error
+        except OSError as error:
+            message = f"{error.strerror}: {path}"
+            raise self.error(("assets", index, "path"), message) from error
         return path
 
     def with_changes(self, tier: str | None = None, **changes: Any) -> SceneFile:
@@ -60,7 +66,7 @@ def read_scene(path: Path) -> SceneFile:
     fit rna_render.scene_model.Scene.
     """
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_regular(path).decode("utf-8")
     except (OSError, UnicodeDecodeError) as error:
         reason = getattr(error, "strerror", None) or "is not UTF-8 text"
         raise SceneError(reason, file=path) from error
@@ -84,6 +90,8 @@ def _parse(path: Path, text: str) -> tuple[object, dict[Key, int]]:
     except yaml.MarkedYAMLError as error:
         line = error.problem_mark.line + 1 if error.problem_mark else None
         raise SceneError(f"not YAML: {error.problem}", file=path, line=line) from error
+    except RecursionError as error:
+        raise SceneError("too deep for a scene", file=path) from error
     except (yaml.YAMLError, ValueError) as error:
         raise SceneError(f"not YAML: {' '.join(str(error).split())}", file=path) from error
 

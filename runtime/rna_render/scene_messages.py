@@ -214,6 +214,13 @@ _WORDS = {
 
 def _shown(value: object) -> str:
     """A value that was found, short enough for a line."""
+    try:
+        return _short(value)
+    except ValueError:  # YAML reads 1:1:1 in base 60, and Python writes no number of any length
+        return "a number of thousands of digits"
+
+
+def _short(value: object) -> str:
     match value:
         case None:
             return "nothing"

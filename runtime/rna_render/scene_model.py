@@ -5,7 +5,6 @@ World space is right-handed with +Y up, in metres. Colours are linear RGB.
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
@@ -15,6 +14,7 @@ from rna_render.lights.models import LightModel
 from rna_render.limits import MAX_DEPTH, MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
 from rna_render.materials.models import DiffuseModel, MaterialModel
 from rna_render.model_base import (
+    FilePath,
     Length,
     Model,
     Nonnegative,
@@ -31,7 +31,7 @@ PixelCount = Annotated[int, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
 class AssetModel(Model):
     """One instance of a package; instances of the same package share its memory."""
 
-    path: Path = Field(description="The .rna file, relative to the scene file.")
+    path: FilePath = Field(description="The .rna file, relative to the scene file.")
     tier: str | None = Field(
         default=None, description="Tier of the package; its first tier if omitted."
     )
@@ -65,7 +65,9 @@ class CameraModel(Model):
 class ObjectModel(Model):
     """A conventional mesh: a glTF, OBJ or PLY file."""
 
-    path: Path = Field(description="A .glb, .gltf, .obj or .ply file, relative to the scene file.")
+    path: FilePath = Field(
+        description="A .glb, .gltf, .obj or .ply file, relative to the scene file."
+    )
     transform: TransformModel = Field(
         default=TransformModel(), description="Placement in the world; identity if omitted."
     )

@@ -14,6 +14,7 @@ from pydantic import BaseModel
 
 import rna_sdk
 from rna_render.scene_file import SceneFile
+from rna_sdk.regular_file import check_regular, read_regular
 from rna_work.places import Place
 from rna_work.sources import Carried
 
@@ -49,8 +50,10 @@ def _files(scene_file: SceneFile) -> tuple[list[Path], list[Path]]:
     absolute: list[Path] = []
     for path in set(named_paths(scene_file.scene)):
         file = scene_file.resolve(path)
-        if not file.is_file():
-            raise scene_file.error((), f"no such file: {file}")
+        try:
+            check_regular(file)
+        except OSError as error:
+            raise scene_file.error((), f"{error.strerror}: {file}") from error
         files = [scene_file.path.parent / path, *read_with(scene_file.path.parent / path)]
         (absolute if path.is_absolute() else relative).extend(files)
     return relative, absolute
@@ -71,15 +74,15 @@ def named_paths(value: object) -> Iterator[Path]:
 def read_with(path: Path) -> list[Path]:
     """Existing files that a mesh file refers to."""
     read = {".gltf": _of_gltf, ".obj": _of_obj}.get(path.suffix.lower())
-    names = read(path) if read is not None else []
-    return [file for name in names if (file := path.parent / name).is_file()]
+    try:
+        names = read(path) if read is not None else []
+        return [file for name in names if (file := path.parent / name).is_file()]
+    except Exception:  # whatever a broken file raises: who reads its mesh says what is wrong
+        return []
 
 
 def _of_gltf(path: Path) -> list[str]:
-    try:
-        data: dict[str, Any] = json.loads(path.read_bytes())
-    except ValueError:
-        return []  # the worker that reads it says what is wrong
+    data: dict[str, Any] = json.loads(read_regular(path))
     entries = [*data.get("buffers", []), *data.get("images", [])]
     uris = [entry.get("uri", "data:") for entry in entries]
     return [unquote(uri) for uri in uris if not uri.startswith("data:")]

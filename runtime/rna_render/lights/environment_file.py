@@ -12,6 +12,7 @@ from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.radiance_hdr import HDR_MAGIC, read_hdr
 from rna_render.limits import MAX_NUMBER
 from rna_sdk.errors import SceneError
+from rna_sdk.regular_file import check_regular
 
 # First bytes of the file: OpenEXR file layout, "Magic Number".
 EXR_MAGIC = bytes([0x76, 0x2F, 0x31, 0x01])
@@ -23,7 +24,7 @@ def environment_image(path: Path) -> EquirectangularImage:
     Errors are those of `read_environment`.
     """
     try:
-        state = path.stat()
+        state = check_regular(path)
     except OSError as error:
         raise SceneError(f"cannot read the image: {error.strerror}", file=path) from error
     return _kept_image(path, state.st_mtime_ns, state.st_size)
@@ -41,6 +42,7 @@ def read_environment(path: Path) -> np.ndarray:
     nor HDR, has no R, G and B (or Y), or has texels that are not finite.
     """
     try:
+        check_regular(path)
         with path.open("rb") as file:
             start = file.read(4)
     except OSError as error:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import Field, field_validator, model_validator
 
 from rna_render.limits import MIN_LENGTH
-from rna_render.model_base import Length, Model, Number, Rgb, Vector, is_short
+from rna_render.model_base import FilePath, Length, Model, Number, Rgb, Vector, is_short
 
 Angle = Annotated[float, Field(ge=0, le=180)]
 
@@ -146,7 +145,7 @@ class EnvironmentModel(_LightModel):
     radiance: Rgb = Field(
         default=(1.0, 1.0, 1.0), description="Radiance, W/(m^2 sr); scales the image, if any."
     )
-    path: Path | None = Field(
+    path: FilePath | None = Field(
         default=None,
         description="Equirectangular image, EXR or HDR, relative to the scene file. Its centre is "
         "direction -z, its top edge +y, its right half +x. Negative values are clamped to 0; "

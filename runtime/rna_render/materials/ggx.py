@@ -126,9 +126,9 @@ def albedo_views(addresses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 @compiled(fastmath=())
 def _place(value: float, size: int) -> tuple[int, float]:
-    """Cell of a table's axis, and the place in it; value in [0, 1]."""
+    """Cell of a table's axis, and the place in it; value in [0, 1], or not a number."""
     place = value * (size - 1)
-    cell = min(int(place), size - 2)
+    cell = min(int(place), size - 2) if place > 0.0 else 0
     return cell, place - cell
 
 

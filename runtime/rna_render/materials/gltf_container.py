@@ -16,7 +16,9 @@ from urllib.parse import unquote
 
 import numpy as np
 
+from rna_render.limits import MAX_ZERO_ITEMS
 from rna_sdk.errors import SceneError
+from rna_sdk.regular_file import read_regular
 
 # glTF 2.0, section 3.6.2.2: component types, and the divisors of normalised ones.
 DTYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -40,9 +42,16 @@ class GltfContainer:
         accessor = self._item("accessors", number)
         dtype, width = np.dtype(DTYPES[accessor["componentType"]]), WIDTHS[accessor["type"]]
         count = accessor["count"]
+        if not isinstance(count, int) or count < 0:
+            raise ValueError(f"accessor {number} has a count of {count!r}")
         if accessor.get("bufferView") is not None:
             values = self._rows(accessor, dtype, width, count)
         else:
+            if count > MAX_ZERO_ITEMS:
+                raise ValueError(
+                    f"accessor {number} has {count} items and no buffer view; "
+                    f"at most {MAX_ZERO_ITEMS} can be without one"
+                )
             values = np.zeros((count, width), dtype)
         if sparse := accessor.get("sparse"):
             values = values.copy()
@@ -52,6 +61,11 @@ class GltfContainer:
         if accessor.get("normalized", False):
             return np.maximum(values / np.float32(np.iinfo(dtype).max), np.float32(-1))
         return values
+
+    def count(self, number: int) -> int:
+        """Items of an accessor, as the file says."""
+        count: int = self._item("accessors", number)["count"]
+        return count
 
     def image(self, number: int) -> tuple[Path | bytes, object]:
         """An image's file or bytes, and what to call it."""
@@ -108,7 +122,7 @@ class GltfContainer:
             return _data_uri(uri)
         path = self._beside(uri)
         try:
-            return path.read_bytes()
+            return read_regular(path)
         except OSError as error:
             raise SceneError(error.strerror or str(error), file=path) from error
 
@@ -118,7 +132,7 @@ class GltfContainer:
 
 def open_gltf(path: Path) -> GltfContainer:
     """A .gltf or .glb file; OSError or ValueError if it is not there or is none."""
-    data, binary = path.read_bytes(), None
+    data, binary = read_regular(path), None
     if path.suffix.lower() == ".glb":
         data, binary = _glb_chunks(data)
     try:

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from rna_render.limits import MAX_NUMBER
 from rna_render.materials.gltf_container import GltfContainer, open_gltf
 from rna_render.materials.gltf_materials import GltfMaterials
 from rna_render.materials.material import Material
-from rna_render.materials.mesh_parts import MeshFile, Part
+from rna_render.materials.mesh_parts import MeshFile, Part, check_mesh_size
 from rna_render.transforms import quaternion_rotation
 
 # Section 3.7.2.1: modes of primitives.
@@ -40,6 +41,7 @@ def read_gltf(path: Path, with_materials: bool) -> MeshFile:
         )
     left_out: set[str] = set()
     primitives = list(_primitives(container, left_out))
+    _check_size(container, primitives)
     if not with_materials:
         parts = [part for part, _ in (_part(container, *item, 0) for item in primitives)]
         return MeshFile(parts, [Material()], sorted(left_out))
@@ -87,6 +89,18 @@ def _primitives(
                 yield matrix, primitive
 
 
+def _check_size(
+    container: GltfContainer, primitives: list[tuple[np.ndarray, dict[str, Any]]]
+) -> None:
+    """Refuses a mesh that is too large once its nodes are baked, before any of it is."""
+    vertices, corners = 0, 0
+    for _, data in primitives:
+        count = container.count(data["attributes"]["POSITION"])
+        vertices += count
+        corners += container.count(data["indices"]) if "indices" in data else count
+    check_mesh_size(vertices, corners // 3)
+
+
 def _roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
     """The root nodes of the default scene, or of the file if it has no scenes."""
     if "scenes" in document:
@@ -98,11 +112,17 @@ def _roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
 def _local_matrix(node: dict[str, Any]) -> np.ndarray:
     """Section 3.5.3: a column-major matrix, or translation * rotation * scale."""
     if "matrix" in node:
-        return np.array(node["matrix"], np.float64).reshape(4, 4).T
+        return _finite(np.array(node["matrix"], np.float64).reshape(4, 4).T)
     rotation = quaternion_rotation(node.get("rotation", (0.0, 0.0, 0.0, 1.0)))
     matrix = np.eye(4)
     matrix[:3, :3] = rotation * np.array(node.get("scale", (1, 1, 1)), np.float64)
     matrix[:3, 3] = node.get("translation", (0, 0, 0))
+    return _finite(matrix)
+
+
+def _finite(matrix: np.ndarray) -> np.ndarray:
+    if not (np.abs(matrix) <= MAX_NUMBER).all():
+        raise ValueError(f"a node's transform has numbers that are not at most {MAX_NUMBER:g}")
     return matrix
 
 
@@ -126,7 +146,10 @@ def _part(
         if values.shape != shape:
             raise ValueError(f"an attribute has shape {values.shape}, not {shape}")
     if "indices" in data:
-        corners = container.accessor(data["indices"])[:, 0].astype(np.int64)
+        numbers = container.accessor(data["indices"])[:, 0]
+        if numbers.dtype.kind != "u":  # a float may be no number at all
+            raise ValueError(f"indices are of type {numbers.dtype}, not unsigned integers")
+        corners = numbers.astype(np.int64)
     else:
         corners = np.arange(len(positions))
     triangles = _triangles(corners, data.get("mode", TRIANGLES))

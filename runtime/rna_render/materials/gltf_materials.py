@@ -184,14 +184,17 @@ def _uv_transform(data: Json) -> np.ndarray:
     if not data:
         return IDENTITY
     (x, y), (sx, sy) = data.get("offset", (0, 0)), data.get("scale", (1, 1))
-    cosine, sine = np.cos(data.get("rotation", 0)), np.sin(data.get("rotation", 0))
+    numbers = np.array([x, y, sx, sy, data.get("rotation", 0)], np.float64)
+    if not (np.abs(numbers) <= MAX_NUMBER).all():
+        raise ValueError(f"a texture transform has numbers that are not at most {MAX_NUMBER:g}")
+    cosine, sine = np.cos(numbers[4]), np.sin(numbers[4])
     return np.array([[cosine * sx, sine * sy, x], [-sine * sx, cosine * sy, y]], np.float64)
 
 
 def _check(material: Material) -> None:
     coats = material.coat_weight, material.clear_coat, material.clear_coat_roughness
     more = material.metallic, material.roughness, material.opacity, material.transmission
-    shares = np.array([*material.base_color, *coats, *more])
+    shares = np.array([*material.base_color, *coats, *more, material.coat_f0])
     if not (np.all(shares >= 0) and np.all(shares <= 1)):
         raise ValueError("a material has a factor outside [0, 1]")
     emission = np.array(material.emission)

@@ -7,13 +7,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 from rna_render.materials.gltf_file import read_gltf
-from rna_render.materials.material import make_material
+from rna_render.materials.material import Material, make_material
 from rna_render.materials.mesh_object import MeshObject
 from rna_render.materials.mesh_parts import MeshFile, join_parts
 from rna_render.materials.models import MaterialModel, ShadowCatcherModel
 from rna_render.materials.obj_file import read_obj
 from rna_render.materials.ply_file import read_ply
 from rna_sdk.errors import SceneError
+from rna_sdk.regular_file import check_regular
 
 _READERS: dict[str, Callable[[Path, bool], MeshFile]] = {
     ".glb": read_gltf,
@@ -47,23 +48,29 @@ def read_mesh_object(
     if reader is None:
         known = ", ".join(_READERS)
         raise SceneError(f"expected a file that ends with one of {known}", file=path)
-    if not path.is_file():
-        raise SceneError("no such file", file=path)
-    file = _read(reader, path, with_materials=material is None)
-    materials = file.materials if material is None else [make_material(material, resolve)]
-    catches = isinstance(material, ShadowCatcherModel)
-    mesh = join_parts(path, file.parts, materials, catches)
+    own = None if material is None else [make_material(material, resolve)]
+    file, mesh = _read(reader, path, own, isinstance(material, ShadowCatcherModel))
     if file.left_out:
         message = f"{path}: not shown: {', '.join(file.left_out)}"
         warnings.warn(message, MeshFileWarning, stacklevel=2)
     return mesh
 
 
-def _read(reader: Callable[[Path, bool], MeshFile], path: Path, with_materials: bool) -> MeshFile:
+def _read(
+    reader: Callable[[Path, bool], MeshFile],
+    path: Path,
+    materials: list[Material] | None,
+    catches_shadows: bool,
+) -> tuple[MeshFile, MeshObject]:
     try:
-        return reader(path, with_materials)
+        check_regular(path)
+        file = reader(path, materials is None)
+        used = file.materials if materials is None else materials
+        return file, join_parts(path, file.parts, used, catches_shadows)
     except SceneError:
         raise
+    except FileNotFoundError as error:
+        raise SceneError("no such file", file=path) from error
     except OSError as error:
         raise SceneError(error.strerror or str(error), file=path) from error
     except Exception as error:  # whatever a broken file makes trimesh or json raise

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.limits import MAX_NUMBER
+from rna_render.limits import MAX_NUMBER, MAX_TRIANGLES, MAX_VERTICES
 from rna_render.materials.material import Material
 from rna_render.materials.mesh_object import MeshObject
 from rna_sdk.errors import SceneError
@@ -49,12 +49,13 @@ def join_parts(
     Raises SceneError, which names the file, where there are no triangles, numbers that are not
     finite, triangles of vertices that are not there, or textures but no texture coordinates.
     """
+    check_mesh_size(
+        sum(len(part.positions) for part in parts), sum(len(part.triangles) for part in parts)
+    )
     parts = [_checked(path, part, materials) for part in parts if len(part.triangles)]
     if not parts:
         raise SceneError("there are no triangles in it", file=path)
     starts = np.cumsum([0] + [len(part.positions) for part in parts[:-1]])
-    if starts[-1] + len(parts[-1].positions) >= 2**32:
-        raise SceneError("there are too many vertices in it", file=path)
     triangles = [part.triangles + start for part, start in zip(parts, starts, strict=True)]
     return MeshObject(
         positions=np.concatenate([part.positions for part in parts]),
@@ -69,6 +70,15 @@ def join_parts(
         second_uvs=_joined([part.second_uvs for part in parts], parts, 2),
         tangents=_joined([part.tangents for part in parts], parts, 4),
     )
+
+
+def check_mesh_size(vertices: int, triangles: int) -> None:
+    """ValueError if a mesh has more than the limits allow."""
+    if vertices > MAX_VERTICES or triangles > MAX_TRIANGLES:
+        raise ValueError(
+            f"{vertices} vertices and {triangles} triangles; "
+            f"at most {MAX_VERTICES} and {MAX_TRIANGLES}"
+        )
 
 
 def _joined(
@@ -97,20 +107,24 @@ def flat_normals(positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 def _checked(path: Path, part: Part, materials: Sequence[Material]) -> Part:
     """The part with the dtypes of MeshObject, and normals."""
     triangles = np.asarray(part.triangles, np.int64)
-    with np.errstate(over="ignore"):
-        positions = np.ascontiguousarray(part.positions, np.float32)
+    positions = _numbers(part.positions, len(part.positions), 3, "positions")
     count = len(positions)
     if triangles.min() < 0 or triangles.max() >= count:
         raise SceneError(f"a triangle has a vertex outside [0, {count})", file=path)
     if not (np.abs(positions) <= MAX_NUMBER).all():
         raise SceneError(f"positions must be finite and at most {MAX_NUMBER:g}", file=path)
-    uvs = [_checked_uvs(path, values) for values in (part.uvs, part.second_uvs)]
+    uvs = [
+        None if values is None else _checked_uvs(path, _numbers(values, count, 2, "coordinates"))
+        for values in (part.uvs, part.second_uvs)
+    ]
     for texture in materials[part.material].textures:
         if uvs[texture.uv_set] is None:
             raise SceneError("a texture needs texture coordinates, but there are none", file=path)
     if part.normals is not None:
-        tangents = None if part.tangents is None else _unit_tangents(part.tangents)
-        normals = _unit(part.normals)
+        tangents = None
+        if part.tangents is not None:
+            tangents = _unit_tangents(_numbers(part.tangents, count, 4, "tangents"))
+        normals = _unit(_numbers(part.normals, count, 3, "normals"))
         return Part(positions, normals, uvs[0], triangles, part.material, uvs[1], tangents)
     corners = triangles.ravel()
     normals = np.repeat(flat_normals(positions, triangles), 3, axis=0).astype(np.float32)
@@ -119,13 +133,18 @@ def _checked(path: Path, part: Part, materials: Sequence[Material]) -> Part:
     return Part(positions[corners], normals, uvs[0], apart, part.material, uvs[1])
 
 
-def _checked_uvs(path: Path, uvs: np.ndarray | None) -> np.ndarray | None:
-    if uvs is None:
-        return None
+def _numbers(values: np.ndarray, count: int, width: int, name: str) -> np.ndarray:
+    """An attribute as (count, width) float32; ValueError if it has another shape."""
+    if np.shape(values) != (count, width):  # trimesh leaves rows of different lengths as objects
+        raise ValueError(f"{name} have shape {np.shape(values)}, not {(count, width)}")
     with np.errstate(over="ignore"):
-        uvs = np.asarray(uvs, np.float32)
-    if not np.isfinite(uvs).all():
-        raise SceneError("texture coordinates must be finite in float32", file=path)
+        return np.ascontiguousarray(values, np.float32)
+
+
+def _checked_uvs(path: Path, uvs: np.ndarray) -> np.ndarray:
+    if not (np.abs(uvs) <= MAX_NUMBER).all():
+        message = f"texture coordinates must be finite and at most {MAX_NUMBER:g}"
+        raise SceneError(message, file=path)
     return uvs
 
 

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rna_render.model_base import Albedo, Model, Rgb, Share
+from rna_render.model_base import Albedo, FilePath, Model, Rgb, Share
 
 
 class _ColouredModel(Model):
     color: Albedo = Field(
         default=(0.8, 0.8, 0.8), description="Base colour, linear; multiplies the texture."
     )
-    texture: Path | None = Field(
+    texture: FilePath | None = Field(
         default=None,
         description="Base colour texture, sRGB, relative to the scene file; needs UVs.",
     )

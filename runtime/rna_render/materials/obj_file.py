@@ -131,7 +131,7 @@ def _material(path: Path, data: dict[str, str], left_out: set[str]) -> Material:
         plain,
         metallic=min(_number(data, "pm", 0), 1.0),
         roughness=min(_number(data, "pr", 1), 1.0),
-        coat_f0=reflectance_of_ior(max(_number(data, "ni", 1.5), 1.0)),
+        coat_f0=min(reflectance_of_ior(max(_number(data, "ni", 1.5), 1.0)), 0.999),
     )
 
 

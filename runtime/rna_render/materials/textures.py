@@ -7,6 +7,7 @@ as in glTF 2.0, section 3.8.4.
 from __future__ import annotations
 
 import io
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -17,13 +18,18 @@ import numpy as np
 from numba import prange
 
 from rna_render.bilinear import REPEAT, texels_around
+from rna_render.limits import MAX_IMAGE_PIXELS
 from rna_render.srgb import decode_srgb
 from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
+from rna_sdk.regular_file import check_regular
 
 if TYPE_CHECKING:
     from PIL.ImageFile import ImageFile
+
+# Formats that are read, by PIL's names: pictures alone, no decoder that starts another program.
+FORMATS = ("PNG", "JPEG", "WEBP", "TIFF", "BMP", "TGA", "GIF", "PPM", "DDS", "JPEG2000")
 
 _LEVELS = np.arange(256) / 255.0
 LINEAR = _LEVELS.astype(np.float32)
@@ -49,7 +55,7 @@ class Texture:
     uv_set: int = 0
 
     def lookup(self, uv: np.ndarray) -> np.ndarray:
-        """Linear colours at texture coordinates (n, 2) float32, finite: (n, 3) float32."""
+        """Linear colours at texture coordinates (n, 2) float32: (n, 3) float32."""
         result = np.empty((len(uv), 3), np.float32)
         _lookup(self.texels, self.decode, *self.wrap, self.transform, uv, result)
         return result
@@ -89,7 +95,17 @@ def _opened(source: Path | bytes, name: object) -> Iterator[ImageFile]:
     from PIL import Image
 
     try:
-        with Image.open(source if isinstance(source, Path) else io.BytesIO(source)) as image:
+        if isinstance(source, Path):
+            check_regular(source)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            opened = Image.open(
+                source if isinstance(source, Path) else io.BytesIO(source), formats=FORMATS
+            )
+        with opened as image:
+            if image.width * image.height > MAX_IMAGE_PIXELS:
+                size = f"{image.width} x {image.height} pixels; at most 2^27 in all"
+                raise SceneError(f"cannot read the image: {size}", file=name)
             yield image
     except FileNotFoundError as error:
         raise SceneError("no such file", file=name) from error

@@ -468,9 +468,7 @@ def decoder_that_doubles_its_width(entries: Entries) -> bytes:
     return with_decoder(entries, edit)
 
 
-def with_nodes(
-    entries: Entries, constants: dict[str, np.ndarray], *nodes: onnx.NodeProto
-) -> bytes:
+def with_nodes(entries: Entries, constants: dict[str, np.ndarray], *nodes: onnx.NodeProto) -> bytes:
     """The package with constants and nodes that its decoder's output does not use."""
 
     def edit(model: onnx.ModelProto) -> None:
