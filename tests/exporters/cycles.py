@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.view_rays import ViewRays, sample_view_rays
+from rna_export.capture.exported_parts import ExportedParts
+from rna_export.capture.settings import SHARPEST
+from rna_export.capture.view_rays import ViewRays, outside_rays, sample_view_rays
 from rna_export.capture.weld import weld
 from rna_export.capture.worker import BlenderWorker
 from rna_render.bodies.surface import SurfacePoints
@@ -53,3 +55,42 @@ def trace(worker: BlenderWorker, wi: np.ndarray, rays: int = 2048, samples: int 
         visible[both],
         float(missed),
     )
+
+
+def assert_same_holes(
+    worker: BlenderWorker, exported: ExportedParts, rays: int = 2048, off: float = 0.005
+) -> None:
+    """Cycles' alpha and position along view rays are ours, but for a share `off` of the rays.
+
+    The alpha is that of the first hit and all behind it.
+    """
+    scene = scene_of(exported)
+    drawn = outside_rays(scene, rays, "sphere", np.random.default_rng(2))
+    alpha = 1.0 - through(scene, drawn)
+    rendered = worker.render_rays(drawn.origins, drawn.directions, unit(0.2, 1.0, 0.4), 64, seed=1)
+    # 64 samples of an alpha between 0 and 1 have a standard deviation of 0.06.
+    differs = np.abs(rendered.alpha - alpha) > 0.3
+    assert differs.mean() < off, f"{differs.mean():.1%} of the rays have another alpha"
+    solid = (alpha > 0.999) & (rendered.alpha > 0.999)
+    points = scene.shade_points(drawn.origins, drawn.directions)
+    away = np.linalg.norm(rendered.position - points.position, axis=1)[solid] / scene.radius
+    assert (away > 1e-3).mean() < off, f"{(away > 1e-3).mean():.1%} of the hits lie elsewhere"
+
+
+def scene_of(exported: ExportedParts) -> AssetScene:
+    """Embree's scene of exported parts."""
+    materials = exported.transmittances(), exported.normal_maps()
+    return AssetScene(tuple(exported.geometries.values()), SHARPEST, *materials)
+
+
+def through(scene: AssetScene, rays: ViewRays) -> np.ndarray:
+    """(n,) the share of the light that goes through the whole asset along each ray."""
+    left, near = np.ones(len(rays)), np.zeros(len(rays), np.float32)
+    parts = scene._scene
+    for _ in range(16):
+        hits = parts.intersect(rays.origins, rays.directions, near)
+        left *= parts.hit_transmittance(hits, rays.directions).mean(axis=1)
+        met = hits.part >= 0
+        near = np.where(met, np.nextafter(hits.t, np.float32(np.inf)) * np.float32(1 + 1e-6), near)
+        near = np.where(met & (left > 0.0), near, np.float32(1e30))
+    return left

@@ -102,7 +102,7 @@ def test_hair_may_have_transparency_and_colour(tmp_path: Path) -> None:
         (hair_bytes()[:-1], r"size: found 211 bytes, expected 212"),
         (hair_bytes(strand_count=2**32 - 1), r"size: found 212 bytes, expected"),
         (hair_bytes(segments=(1, 3)), r"segments: found 6 points, expected 5"),
-        (hair_bytes(segments=(0, 3)), r"segments: found a strand of 0"),
+        (hair_bytes(strand_count=5, segments=(0,) * 5), r"segments: found strands of 0 only"),
         (hair_bytes(bits=2, default=(3, 0.5)), r"default segments: found 3"),
         (hair_bytes(thickness=-1.0), r"thickness: found a negative"),
         (hair_bytes(thickness=float("nan")), r"thickness: found a negative or not finite"),
@@ -166,3 +166,12 @@ def test_a_real_groom(data_folder: Path) -> None:
     root, tip = read.points[read.offsets[:-1]], read.points[read.offsets[1:] - 1]
     assert np.mean(tip[:, 1]) < np.mean(root[:, 1]) - 40.0  # it hangs down
     assert np.all(root[:, 2] < 0.0)  # at the back of a head that looks along +z
+
+
+def test_hair_of_one_point_is_left_out_with_a_warning(tmp_path: Path) -> None:
+    path = tmp_path / "a.hair"
+    path.write_bytes(hair_bytes(strand_count=3, points=6, segments=(1, 0, 2)))
+    with pytest.warns(UserWarning, match=r"^a\.hair: 1 of 3 strands have one point"):
+        found = read_hair(path)
+    assert found.offsets.tolist() == [0, 2, 5]
+    assert np.allclose(found.points[2:], from_blender(np.arange(9, 18.0).reshape(3, 3)))

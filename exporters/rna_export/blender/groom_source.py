@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import warnings
 from pathlib import Path
 
 import bpy
@@ -12,17 +13,20 @@ from groom_options import TAPER, parser
 from rna_hair.objects import add_curves, chiang_material
 
 
-def load(source: str, arguments: list[str]) -> None:
-    """Add the groom to the scene as one curves object."""
+def load(source: str, arguments: list[str]) -> list[str]:
+    """Add the groom to the scene as one curves object; returns notes for the user."""
     path = Path(source)
     args = options(path, arguments)
     is_tfx = path.suffix.lower() == ".tfx"
-    strands = rna_hair.read_tfx(path, 1.0) if is_tfx else rna_hair.read_hair(path)
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        strands = rna_hair.read_tfx(path, 1.0) if is_tfx else rna_hair.read_hair(path)
     strands = strands.moved(args.unit, np.zeros(3))
     if not is_tfx and args.radius is None and not strands.radii.max() > 0.0:
         raise ValueError(f"{path.name}: thickness 0: give --radius")
     usual = half_diagonal(strands.points) / 2000.0 if is_tfx else None
     add_curves(shaped(strands, args, args.strands, usual), path.stem, hair_material(args))
+    return [str(warning.message) for warning in said]
 
 
 def options(path: Path, arguments: list[str]) -> argparse.Namespace:

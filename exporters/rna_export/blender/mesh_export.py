@@ -66,6 +66,9 @@ def _corners(
         triangles = len(mesh.loop_triangles)
         loops = read(mesh.loop_triangles, "loops", 3 * triangles, np.int32)
         vertices = read(mesh.loop_triangles, "vertices", 3 * triangles, np.int32)
+        if triangles and vertices.max() >= len(mesh.vertices):
+            found = f"vertex {vertices.max()} of {len(mesh.vertices)}"
+            raise ValueError(f"object {instance.object.name!r} has a face with {found}")
         positions = read(mesh.vertices, "co", 3 * len(mesh.vertices)).reshape(-1, 3)[vertices]
         normals = read(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)[loops]
         layer = next((layer for layer in mesh.uv_layers if layer.active_render), None)
@@ -87,10 +90,14 @@ def _place(
     positions: np.ndarray, normals: np.ndarray, uvs: np.ndarray, matrix: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     world = positions @ matrix[:3, :3].T + matrix[:3, 3]
-    turned = normals @ np.linalg.inv(matrix[:3, :3].astype(np.float64))
-    turned /= np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-30)
+    x, y, z = matrix[:3, :3].T.astype(np.float64)
+    mirrored = np.dot(x, np.cross(y, z)) < 0.0
+    # Cofactors, which a scale of 0 has as well: the inverse transposed, times the determinant.
+    turned = normals @ np.stack([np.cross(y, z), np.cross(z, x), np.cross(x, y)])
+    turned *= -1.0 if mirrored else 1.0
+    turned /= np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-300)
     corners = world.astype(np.float32), turned.astype(np.float32), uvs
-    if np.linalg.det(matrix[:3, :3].astype(np.float64)) < 0:  # a mirrored object keeps its outside
+    if mirrored:  # such an object keeps its outside
         a, b, c = (a.reshape(-1, 3, a.shape[1])[:, ::-1].reshape(a.shape) for a in corners)
         return a, b, c
     return corners

@@ -19,7 +19,8 @@ _FORMATS = {
 
 
 _LOBES = ("diffuse", "glossy", "transmission")
-_FAR = 1e6
+_NEAR = 1e-6  # the least that Blender allows; the ray camera takes it back
+_FAR = 1e12
 
 _lighting: dict[str, Any] = {}  # emission: of the materials; clamps: of radiance under the sun
 
@@ -72,7 +73,8 @@ def render_rays(request: dict[str, Any]) -> None:
     camera.cycles_custom["directions"] = request["directions"]
     cycles = bpy.context.scene.cycles
     cycles.pixel_filter_type, cycles.filter_width = "BOX", 0.01
-    camera.clip_end = request["reach"] or _FAR
+    camera.cycles_custom["near"] = _NEAR
+    camera.clip_end = _FAR if request["reach"] is None else _NEAR + request["reach"]
     camera.update_tag()
     _light(request["wi"])
     _render(request)
@@ -135,7 +137,7 @@ def _camera(name: str, kind: str) -> bpy.types.Camera:
     if name not in bpy.data.objects:
         data = bpy.data.cameras.new(name)
         data.type = kind
-        data.clip_start, data.clip_end = 1e-6, _FAR  # a ray counts from its very origin
+        data.clip_start, data.clip_end = _NEAR, _FAR
         scene.collection.objects.link(bpy.data.objects.new(name, data))
     scene.camera = bpy.data.objects[name]
     return scene.camera.data

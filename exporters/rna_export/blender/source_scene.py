@@ -12,6 +12,7 @@ import bpy
 import groom_source
 import hair_scene
 import material_check
+import mesh_repair
 import orientation
 import scene_import
 import shown_objects
@@ -22,24 +23,27 @@ from groom_options import ALEMBIC_AND_USD, GROOMS, USD
 _UP_IS_Z = (".blend", ".ply", ".hair", ".py")  # or no up that they say; Blender's then
 
 
-def load(source: str, arguments: list[str], front: str | None, up: str | None) -> None:
-    """Replace the current scene by `source`.
+def load(source: str, arguments: list[str], front: str | None, up: str | None) -> list[str]:
+    """Replace the current scene by `source`; returns notes for the user.
 
     `arguments` become a script's `sys.argv[1:]`, or set what a groom does not say of its hair.
     `front`, `up`: axes of the file, such as "-Y"; None for the usual ones of its kind.
     """
     suffix = Path(source).suffix.lower()
-    _open(source, suffix, arguments)
+    notes = _open(source, suffix, arguments)
+    notes += mesh_repair.repair()
     up_is_z = usd_curves.up_is_z(source) if suffix in USD else suffix in _UP_IS_Z
     orientation.turn(front, up, up_is_z)
+    return notes
 
 
-def _open(source: str, suffix: str, arguments: list[str]) -> None:
+def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
+    notes: list[str] = []  # of the import
     if suffix == ".blend":
         bpy.ops.wm.open_mainfile(filepath=source)
         _check_libraries()
         _make_local()
-        return
+        return notes
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if suffix in (".gltf", ".glb"):
         bpy.ops.import_scene.gltf(filepath=source)
@@ -50,12 +54,13 @@ def _open(source: str, suffix: str, arguments: list[str]) -> None:
     elif suffix == ".py":
         _run_script(source, arguments)
     elif suffix in GROOMS:
-        groom_source.load(source, arguments)
+        notes = groom_source.load(source, arguments)
     elif suffix in ALEMBIC_AND_USD:
         scene_import.load(source, arguments)
     else:
         kinds = ".blend, .gltf, .glb, .obj, .ply, .abc, .usd, .hair, .tfx or .py"
         raise ValueError(f"cannot load {source}: expected {kinds}")
+    return notes
 
 
 def _check_libraries() -> None:

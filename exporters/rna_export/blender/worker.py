@@ -32,17 +32,18 @@ _PR_SET_PDEATHSIG = 1  # prctl(2)
 
 def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     read_files.watch()
-    source_scene.load(request["source"], request["arguments"], request["front"], request["up"])
-    notes = source_scene.keep_only_the_asset()
+    axes = request["front"], request["up"]
+    notes = source_scene.load(request["source"], request["arguments"], *axes)
+    notes += source_scene.keep_only_the_asset()
     parts = scene_parts.find_parts(request["parts"])
     clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
     emitters = ray_render.configure(request["threads"], *clamps, separate_direct=has_hair)
     return {
         "parts": parts,
-        "notes": notes,
+        "notes": printable(notes),
         "blender": source_scene.blender_version(),
-        "emitters": emitters,
+        "emitters": printable(emitters),
         "files": read_files.files_of(request["source"]),
     }
 
@@ -57,6 +58,11 @@ HANDLERS = {
     "renderScene": scene_render.render_scene,
     "renderView": ray_render.render_view,
 }
+
+
+def printable(texts: list[str]) -> list[str]:
+    """The texts without lone surrogates: names in Blender may be bytes that are not UTF-8."""
+    return [text.encode("utf-8", "backslashreplace").decode() for text in texts]
 
 
 def reply(message: dict[str, Any]) -> None:
@@ -78,7 +84,7 @@ def main() -> None:
             reply({"ok": True, **(HANDLERS[request["op"]](request) or {})})
         except Exception as error:
             traceback.print_exc()
-            line = " ".join(str(error).split())  # Blender's are of several
+            (line,) = printable([" ".join(str(error).split())])  # Blender's are of several
             reply({"ok": False, "error": f"{type(error).__name__}: {line}"})
     os._exit(0)  # bpy may crash while it unloads; every result is already a file
 

@@ -102,6 +102,10 @@ class AssetScene:
         """Part hit first by each ray, (n,) int32; -1 for misses."""
         return self._solid_hits(origins, directions)[0].part
 
+    def meets(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Whether each ray meets a triangle or strand, holes included: (n,) bool."""
+        return np.asarray(self._scene.intersect(origins, directions).part >= 0)
+
     def free_distance(self, points: np.ndarray, normals: np.ndarray, wo: np.ndarray) -> np.ndarray:
         """Distance to the asset from points (n, 3) along wo: (n,), inf for misses."""
         return self.distance(points + np.float32(1e-4 * self.radius) * normals, wo)

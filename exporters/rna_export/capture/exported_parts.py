@@ -8,8 +8,10 @@ import numpy as np
 
 from rna_export.capture.manifest import CapturedPart
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.size_notes import size_notes, too_coarse
 from rna_export.capture.weld import weld, with_last
 from rna_export.capture.worker import BlenderWorker, ScenePart, SeeThrough
+from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, quantise
 from rna_sdk.package.manifest import NormalMapRecord, TransmittanceRecord
 from rna_sdk.package.normal_maps import NormalMap
@@ -81,9 +83,33 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
             exported.geometries[part.name] = worker.export_curves(part.owner)
         else:
             _add_surface(exported, worker, part, see_through, relief)
+    _check_not_empty(exported, worker)
     if not settings.exact_geometry:
-        exported.geometries = {name: quantise(g) for name, g in exported.geometries.items()}
+        _quantise(exported)
+    exported.notes += size_notes(exported.geometries)
     return exported
+
+
+def _check_not_empty(exported: ExportedParts, worker: BlenderWorker) -> None:
+    """Leaves parts out whose triangles all had no area; CaptureError if none is left."""
+    if not exported.geometries:
+        raise CaptureError(
+            f"{worker.source.path}: no triangles (only lines, points or triangles without area)"
+        )
+    for part in exported.parts:
+        if part.name not in exported.geometries:
+            note = f"part {part.name!r} has no triangle with an area and was left out"
+            exported.notes.append(note)
+    exported.parts = tuple(part for part in exported.parts if part.name in exported.geometries)
+
+
+def _quantise(exported: ExportedParts) -> None:
+    """Geometry in the package's steps, but for surfaces whose details are too small for them."""
+    for name, geometry in exported.geometries.items():
+        if isinstance(geometry, Mesh) and (note := too_coarse(name, geometry)):
+            exported.notes.append(note)
+        else:
+            exported.geometries[name] = quantise(geometry)
 
 
 def _add_surface(
@@ -95,6 +121,8 @@ def _add_surface(
 ) -> None:
     last = list(dict.fromkeys([*relief, *see_through]))
     corners = with_last(worker.export_corners(part.owner), last)
+    if not len(corners["material"]):
+        return
     exported.geometries[part.name] = weld(corners)
     for name in last:
         rows = np.flatnonzero(corners["material"] == name)

@@ -27,6 +27,7 @@ from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureJob, CaptureWorker, opened
 from rna_export.capture.tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
+from rna_export.capture.view_check import check_seen
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_render.scene_file import SceneFile
@@ -105,6 +106,7 @@ def begin(
         scene = AssetScene(tuple(geometries.values()), settings.sharpest, *materials)
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
+        exported.notes += check_seen(source.path, scene, geometries, domain.wo)
         rate = _paths_a_second(scene, settings, domain, worker) * crew.backend().width()
         opened = worker.opened
     if limit is not None:

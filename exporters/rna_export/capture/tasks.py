@@ -215,12 +215,17 @@ def _validation_rays(
     scene: AssetScene, settings: CaptureSettings, wo: Region, view: int, rng: np.random.Generator
 ) -> tuple[ViewRays, np.ndarray]:
     """A view's rays and which of them hit; drawn again while, as through a ring, hardly any do."""
+    best: tuple[ViewRays, np.ndarray] | None = None
     for _ in range(50):
         rays = _validation_camera(scene, settings, wo, view, rng)
         hit = np.flatnonzero(scene.part_hit(rays.origins, rays.directions) >= 0)
         if len(hit) > 0.01 * len(rays):
             return rays, hit
-    raise CaptureError(f"validation view {view}: found no camera position that sees the asset")
+        if len(hit) and (best is None or len(hit) > len(best[1])):
+            best = rays, hit
+    if best is None:
+        raise CaptureError(f"validation view {view}: found no camera position that sees the asset")
+    return best  # of a wire, which is never more than a few pixels
 
 
 def _validation_camera(

@@ -87,7 +87,7 @@ def _part_shares(scene: AssetScene, wo: Region, rng: np.random.Generator) -> np.
     parts = len(scene.shapes)
     if parts == 1:
         return np.ones(1)
-    chords = _outside(scene, _CHORDS, wo, rng)
+    chords = outside_rays(scene, _CHORDS, wo, rng)
     part = scene.part_hit(chords.origins, chords.directions)
     seen = np.bincount(part[part >= 0], minlength=parts) + 1e-6
     return np.asarray(ALIKE / parts + (1.0 - ALIKE) * seen / seen.sum())
@@ -116,7 +116,7 @@ class _Draw:
     def seen(self, n: int, among: np.ndarray | None) -> ViewRays:
         """Outside rays, uniform over all chords, or over those that hit the given parts."""
         if among is None:
-            return _outside(self.scene, n, self.region, self.rng)
+            return outside_rays(self.scene, n, self.region, self.rng)
         return _aimed(self.scene, n, among, self.region, self.rng)
 
     def close(self, n: int, among: np.ndarray | None) -> ViewRays:
@@ -152,7 +152,8 @@ class _Draw:
         return _Found(_joined(found), wanted - lacking)
 
 
-def _outside(scene: AssetScene, n: int, region: Region, rng: np.random.Generator) -> ViewRays:
+def outside_rays(scene: AssetScene, n: int, region: Region, rng: np.random.Generator) -> ViewRays:
+    """n uniform chords of the bounding sphere whose views are in the region; not all hit."""
     wo = directions_in(region, rng.random((n, 2)))
     s, t = frame(wo)
     r, phi = scene.radius * np.sqrt(rng.random(n)), 2.0 * np.pi * rng.random(n)
@@ -164,7 +165,7 @@ def _outside(scene: AssetScene, n: int, region: Region, rng: np.random.Generator
 def _aimed(
     scene: AssetScene, n: int, among: np.ndarray, region: Region, rng: np.random.Generator
 ) -> ViewRays:
-    """The chords of `_outside` that meet the parts: at points by area, the cosine's share of them.
+    """The chords of `outside_rays` that meet the parts: at points by area times the cosine.
 
     A point that something hides from outside gets none.
     """

@@ -81,7 +81,7 @@ class BlenderWorker:
     """
 
     def __init__(self, python: Path, source: Source, folder: Path, threads: int, name: str = "0"):
-        self._python, self._source, self._threads = python, source, threads
+        self._python, self.source, self._threads = python, source, threads
         self._folder, self._name = folder, name
         self._renders = 0
         self._samples: int | None = None  # of the last render
@@ -97,26 +97,27 @@ class BlenderWorker:
         self.close()
 
     def _start(self) -> None:
-        self._log = (self._folder / f"worker-{self._name}.log").open("w")
+        self._log = (self._folder / f"worker-{self._name}.log").open("w", encoding="utf-8")
         self._process = subprocess.Popen(
             [str(self._python), str(_WORKER)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._log,
-            text=True,
+            encoding="utf-8",
+            errors="replace",  # Blender prints names of files as their bytes are
             process_group=0,  # Ctrl-C is for us; half a render would look like a whole one
         )
         try:
             self.opened = self._ask(
                 op="open",
-                source=str(self._source.path.resolve()),
-                arguments=list(self._source.arguments),
+                source=str(self.source.path.resolve()),
+                arguments=list(self.source.arguments),
                 threads=self._threads,
-                clampDirect=self._source.clamp_direct,
-                clampIndirect=self._source.clamp_indirect,
-                front=self._source.front,
-                up=self._source.up,
-                parts=self._source.parts,
+                clampDirect=self.source.clamp_direct,
+                clampIndirect=self.source.clamp_indirect,
+                front=self.source.front,
+                up=self.source.up,
+                parts=self.source.parts,
             )
             self.parts = tuple(ScenePart(**part) for part in self.opened["parts"])
         except BaseException:
@@ -158,19 +159,19 @@ class BlenderWorker:
                 if line.startswith("RNA "):
                     answer: dict[str, Any] = json.loads(line[4:])
                     if not answer["ok"]:
-                        raise CaptureError(f"{self._source.path}: Blender says: {answer['error']}")
+                        raise CaptureError(f"{self.source.path}: Blender says: {answer['error']}")
                     return answer
                 self._log.write(line)
         except BrokenPipeError:
             pass
         raise CaptureError(
-            f"{self._source.path}: the Blender worker ended without an answer to "
+            f"{self.source.path}: the Blender worker ended without an answer to "
             f"{request['op']!r}; its last output: {self._last_words()}"
         )
 
     def _last_words(self) -> str:
         self._log.flush()
-        lines = Path(self._log.name).read_text(errors="replace").split("\n")
+        lines = Path(self._log.name).read_text("utf-8", errors="replace").split("\n")
         return " / ".join([line.strip() for line in lines if line.strip()][-_LINES:]) or "none"
 
     @property

@@ -11,6 +11,7 @@ a head that looks along -z there to +z, where glTF has its front. Units stay the
 from __future__ import annotations
 
 import struct
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -35,7 +36,8 @@ def read_hair(path: Path | str) -> Strands:
 
     The format does not say what its thickness is; readers take it as a width (Unreal's groom
     importer does), so the radius is half of it. Where there is no array, the default holds.
-    Transparency and colours are skipped: they belong to a material.
+    Transparency and colours are skipped: they belong to a material. Strands of one point are left
+    out, with a warning.
     """
     path = Path(path)
     data = path.read_bytes()
@@ -73,7 +75,7 @@ def read_hair(path: Path | str) -> Strands:
         segments = np.full(strands, default_segments, np.int64)
     total = int(segments.sum()) + strands
     _check(total == points, path, "segments", f"{total} points", f"{points} as in the header")
-    _check(segments.min() >= 1, path, "segments", "a strand of 0", "1 and more")
+    _check(segments.max() >= 1, path, "segments", "strands of 0 only", "1 and more")
     xyz = np.frombuffer(data, "<f4", 3 * points, at).reshape(-1, 3)
     widths = np.full(points, thickness, np.float32)
     if bits & _THICKNESS:
@@ -81,8 +83,23 @@ def read_hair(path: Path | str) -> Strands:
     _check_finite(path, "points", xyz)
     good = bool(np.isfinite(widths).all() and widths.min() >= 0.0)
     _check(good, path, "thickness", "a negative or not finite one", "0 and more")
-    offsets = np.concatenate([[0], np.cumsum(segments + 1)])
-    return Strands(z_up_to_y_up(xyz), 0.5 * widths, offsets)
+    return _without_lone_points(path, z_up_to_y_up(xyz), 0.5 * widths, segments + 1)
+
+
+def _without_lone_points(
+    path: Path, points: np.ndarray, radii: np.ndarray, counts: np.ndarray
+) -> Strands:
+    """Strands of the points, without those of one point: roots from which no hair grows."""
+    kept = counts > 1
+    if not kept.all():
+        left_out = int((~kept).sum())
+        warnings.warn(
+            f"{path.name}: {left_out:,} of {len(counts):,} strands have one point and were left "
+            "out",
+            stacklevel=3,
+        )
+    rows = np.repeat(kept, counts)
+    return Strands(points[rows], radii[rows], np.concatenate([[0], np.cumsum(counts[kept])]))
 
 
 def write_hair(path: Path | str, strands: Strands) -> None:

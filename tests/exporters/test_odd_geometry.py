@@ -1,0 +1,68 @@
+"""Geometry that files have and renders leave out: it is left out with a note, not with an error."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rna_export.capture.exported_parts import exported_parts
+from rna_export.capture.settings import CaptureSettings
+from rna_sdk.errors import CaptureError
+from rna_sdk.package import Mesh
+from tests.exporters.conftest import OpenWorker
+from tests.exporters.cycles import assert_same_holes
+
+pytestmark = pytest.mark.blender
+
+ODD = """
+import sys
+sys.stdout.buffer.write("K\\u00f6rper.png\\n".encode("latin-1"))  # as Blender prints a file's name
+sys.stdout.buffer.flush()
+add(CUBE, SIDES)
+add(CUBE, SIDES, matrix=Matrix.Diagonal((0, 0, 0, 1)))
+add(CUBE, SIDES, matrix=Matrix.Translation((4, 0, 0)) @ Matrix.Diagonal((1, 1, 0, 1)))
+broken = bpy.data.meshes.new("without points")
+broken.loops.add(3)
+broken.polygons.add(1)
+broken.polygons[0].loop_start = 0
+bpy.context.scene.collection.objects.link(bpy.data.objects.new("broken", broken))
+lines = bpy.data.meshes.new("lines")
+lines.from_pydata([(0, 0, 0), (0, 0, 1)], [(0, 1)], [])
+bpy.context.scene.collection.objects.link(bpy.data.objects.new("lines", lines))
+"""
+
+LINES = """
+lines = bpy.data.meshes.new("lines")
+lines.from_pydata([(0, 0, 0), (0, 0, 1)], [(0, 1)], [])
+bpy.context.scene.collection.objects.link(bpy.data.objects.new("lines", lines))
+add([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)])
+"""
+
+
+def test_flat_empty_and_broken_objects(open_worker: OpenWorker) -> None:
+    worker = open_worker(ODD)
+    assert [note for note in worker.opened["notes"] if "'without points' is invalid" in note]
+    exported = exported_parts(worker, CaptureSettings())
+    mesh = exported.geometries["asset"]
+    assert isinstance(mesh, Mesh) and len(mesh.triangles) == 12 + 4
+    flat = mesh.positions[:, 0] > 2.0
+    assert np.allclose(np.abs(mesh.normals[flat]), [0, 1, 0], atol=1e-4)
+    assert_same_holes(worker, exported)
+
+
+def test_lines_and_triangles_without_area_are_refused(open_worker: OpenWorker) -> None:
+    worker = open_worker(LINES)
+    with pytest.raises(CaptureError, match=r"scene0\.py: no triangles \(only lines"):
+        exported_parts(worker, CaptureSettings())
+
+
+@pytest.mark.parametrize("radius", [7e-5, 7e6])
+def test_holes_at_any_scale(open_worker: OpenWorker, radius: float) -> None:
+    """Rays begin close before a hit and end close behind it, of whatever size the asset is."""
+    script = f"""
+leaf = principled(Alpha=0.5)
+add(*square({radius / 2**0.5}), leaf)
+add(*square({radius / 4}, z={radius / 4}))
+"""
+    worker = open_worker(script)
+    assert_same_holes(worker, exported_parts(worker, CaptureSettings()))
