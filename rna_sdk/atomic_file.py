@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+
+_TEMPORARY = re.compile(r"\..+\.[0-9a-f]{12}\.part")
 
 
 @contextmanager
@@ -13,16 +16,21 @@ def atomic_file(path: Path) -> Iterator[Path]:
     """A name to write to, in the folder of `path`; it becomes `path` when the block ends.
 
     A block that raises leaves `path` as it was and no temporary file. The name ends in ".part" and
-    is one that no other process has, on this machine or on another that shares the folder.
+    is one that no other process has, on this machine or on another that shares the folder. An
+    OSError without a file name, or with the temporary one, gets that of `path`.
     """
     temporary = temporary_path(path)
     try:
         yield temporary
         temporary.replace(path)
-    except BaseException:
+    except BaseException as error:
         with suppress(OSError):
             temporary.unlink()
-        raise
+        if not isinstance(error, OSError) or error.errno is None:
+            raise
+        if error.filename not in (None, str(temporary)):
+            raise
+        raise OSError(error.errno, error.strerror, str(path)) from error
 
 
 def write_atomically(path: Path, data: bytes) -> None:
@@ -34,3 +42,8 @@ def write_atomically(path: Path, data: bytes) -> None:
 def temporary_path(path: Path) -> Path:
     """A new temporary name beside `path`."""
     return path.with_name(f".{path.name}.{os.urandom(6).hex()}.part")
+
+
+def is_temporary(path: Path) -> bool:
+    """Whether the name is one of `temporary_path`."""
+    return _TEMPORARY.fullmatch(path.name) is not None

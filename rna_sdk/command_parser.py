@@ -9,6 +9,7 @@ from difflib import get_close_matches
 from typing import Any, NoReturn
 
 from rna_sdk import __version__
+from rna_sdk.lasting_streams import lasting_streams
 
 
 class CommandParser(argparse.ArgumentParser):
@@ -26,6 +27,11 @@ class CommandParser(argparse.ArgumentParser):
             version=f"{self.prog} {__version__}",
             help="show the version and exit (default: off)",
         )
+
+    def exit(self, status: int = 0, message: str | None = None) -> NoReturn:
+        """Prints the message and exits; a reader of the help that ended early is no error."""
+        with lasting_streams():
+            super().exit(status, message)
 
     def error(self, message: str) -> NoReturn:
         """Prints the example, the message and what an unknown option may have meant; exits."""

@@ -12,6 +12,7 @@ from typing import Any
 
 from rna_sdk.command_parser import CommandParser
 from rna_sdk.errors import RnaError
+from rna_sdk.lasting_streams import lasting_streams
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C: the shell's for a program that SIGINT ended."""
@@ -53,24 +54,36 @@ def run_command(
 ) -> int:
     """Runs `command`; returns its exit status, 0 for None.
 
-    1 after an RnaError, which is printed as one line, or with its traceback if `debug`;
-    INTERRUPTED after Ctrl-C, where `when_stopped` is printed. A warning is one line, too.
+    1 after an RnaError, which is printed as one line, or with its traceback if `debug`, and so
+    after an OSError, such as a full disk; INTERRUPTED after Ctrl-C, where `when_stopped` is
+    printed. A warning is one line, too. A reader of the output that ends early, such as `head`,
+    does not end the command: the rest of the output is dropped.
 
     extra: the distribution extra that `command` needs; the error for a missing module names it.
     """
-    try:
-        with warnings.catch_warnings():
-            warnings.showwarning = _print_warning
-            return command() or 0
-    except RnaError as error:
-        return _fail(str(error), debug)
-    except ModuleNotFoundError as error:
-        if extra is None or error.name is None or error.name.startswith("rna_"):
-            raise
-        return _fail(f"no module {error.name!r}: pip install 'rna-sdk[{extra}]'", debug)
-    except KeyboardInterrupt:
-        print(f"stopped; {when_stopped}", file=sys.stderr)
-        return INTERRUPTED
+    with lasting_streams():
+        try:
+            with warnings.catch_warnings():
+                warnings.showwarning = _print_warning
+                status = command() or 0
+            sys.stdout.flush()
+            return status
+        except RnaError as error:
+            return _fail(str(error), debug)
+        except ModuleNotFoundError as error:
+            if extra is None or error.name is None or error.name.startswith("rna_"):
+                raise
+            return _fail(f"no module {error.name!r}: pip install 'rna-sdk[{extra}]'", debug)
+        except OSError as error:
+            return _fail(_told(error), debug)
+        except KeyboardInterrupt:
+            print(f"stopped; {when_stopped}", file=sys.stderr)
+            return INTERRUPTED
+
+
+def _told(error: OSError) -> str:
+    reason = error.strerror or str(error) or type(error).__name__
+    return reason if error.filename is None else f"{error.filename}: {reason}"
 
 
 def _fail(message: str, debug: bool) -> int:

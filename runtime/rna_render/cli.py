@@ -248,11 +248,12 @@ def _use_threads(count: int | None) -> int:
 def _render_still(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
     from rna_render.devices import open_renderer
     from rna_render.interim import Interim
+    from rna_render.scene_sources import files_of
     from rna_render.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
     from rna_render.world_loading import load_world
 
     scene = scene_file.scene
-    output.check()
+    output.check(files_of(scene_file))
     world = load_world(scene_file, open_renderer=partial(open_renderer, options.device))
     tell_tiers(scene_file, world)
     if options.device == "cpu":
@@ -282,21 +283,25 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
 
 
 def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
+    from rna_render.kept_pieces import is_of_pieces
     from rna_render.pieces import render_pieces
+    from rna_render.scene_sources import files_of
+    from rna_sdk.owned_folder import owned
     from rna_work.places import place
 
-    output.check()
+    output.check(files_of(scene_file))
     folder = output.linear.with_name(f"{output.linear.name}.pieces")
     try:
-        with place(options.cluster) as where:
+        with owned(folder, "rna-run", is_of_pieces) as own, place(options.cluster) as where:
             film, kept = render_pieces(scene_file, where, options.threads, folder, options.device)
+            output.write(scene_file.scene, film)
+            kept.remove()
+            own.dissolve()
     except KeyboardInterrupt:
         print(
             f"stopped; finished pieces are in {folder}; the same command goes on", file=sys.stderr
         )
         return INTERRUPTED
-    output.write(scene_file.scene, film)
-    kept.remove()
     for path in output.paths():
         print(f"wrote {path}")
     return 0

@@ -10,7 +10,7 @@ from zipfile import BadZipFile
 import numpy as np
 
 from rna_render.view_transform import to_display
-from rna_sdk.atomic_file import atomic_file, temporary_path
+from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import SceneError
 
 
@@ -117,21 +117,10 @@ def _npz_text(path: Path) -> Mapping[str, object]:
 _HEADERS = {".png": _png_text, ".npz": _npz_text}
 
 
-def check_writable(path: Path) -> None:
-    """Raise SceneError if no image can be written there."""
-    if path.is_dir():
-        raise SceneError("cannot write the image: it is a folder", file=path)
-    temporary = temporary_path(path)
-    try:
-        temporary.touch()
-        temporary.unlink()
-    except OSError as error:
-        raise SceneError(f"cannot write the image: {error.strerror}", file=path) from error
-
-
 def _write(path: Path, save: Callable[[Path], object]) -> None:
     try:
         with atomic_file(path) as temporary:
             save(temporary)
     except (OSError, RuntimeError) as error:
-        raise SceneError(f"cannot write the image: {error}", file=path) from error
+        reason = getattr(error, "strerror", None) or error
+        raise SceneError(f"cannot write the image: {reason}", file=path) from error

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +14,8 @@ from safetensors.numpy import save_file
 from rna_render.film import Film
 from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import SceneError
+
+_PIECES = f"{'[0-9]' * 10}-{'[0-9]' * 10}.safetensors"
 
 
 @dataclass(frozen=True)
@@ -44,7 +46,7 @@ class KeptPieces:
 
     def found(self) -> Iterator[tuple[Piece, Film]]:
         """Kept pieces of this very image, in order; others are deleted."""
-        for path in sorted(self.folder.glob("*.safetensors")):
+        for path in self._paths():
             film = self._read(path)
             if film is None:
                 path.unlink()
@@ -63,8 +65,14 @@ class KeptPieces:
             raise SceneError(f"cannot be written: {error}", file=path) from error
 
     def remove(self) -> None:
-        """The image is written: nothing of it is needed any more."""
-        shutil.rmtree(self.folder, ignore_errors=True)
+        """The image is written: its pieces are deleted, and the folder that had only these."""
+        for path in self._paths():
+            path.unlink()
+        with suppress(OSError):
+            self.folder.rmdir()
+
+    def _paths(self) -> list[Path]:
+        return [path for path in sorted(self.folder.glob(_PIECES)) if path.is_file()]
 
     def _read(self, path: Path) -> Film | None:
         """None for a piece of another image, and for a damaged file."""
@@ -88,6 +96,11 @@ def missing_pieces(count: int, there: list[Piece]) -> Iterator[Piece]:
         start = piece.stop
     if start < count:
         yield Piece(start, count)
+
+
+def is_of_pieces(folder: Path) -> bool:
+    """Whether a folder holds pieces alone, of any image."""
+    return all(path.match(_PIECES) for path in folder.iterdir() if not path.name.startswith("."))
 
 
 def _piece_of(path: Path) -> Piece:

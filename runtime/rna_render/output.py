@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -9,8 +10,9 @@ import numpy as np
 
 from rna_render.denoise import Denoiser
 from rna_render.film import Film
-from rna_render.images import check_writable, read_attributes, write_linear, write_png
+from rna_render.images import read_attributes, write_linear, write_png
 from rna_render.scene_model import Scene
+from rna_sdk.outputs import check_outputs
 
 
 @dataclass(frozen=True)
@@ -18,12 +20,14 @@ class Output:
     """Paths of the images, and the denoiser that is applied first.
 
     linear: the .exr or .npz file, or for a sequence a name with one `%d` or `%04d`. png: likewise,
-    or None. denoiser: None to keep the noise.
+    or None. denoiser: None to keep the noise. contents: of the files that the scene reads, by
+    `contents_key`, for images that a later command may keep; None for others.
     """
 
     linear: Path
     png: Path | None = None
     denoiser: Denoiser | None = None
+    contents: str | None = None
 
     def frame(self, number: int) -> Output:
         """The files of one frame of a sequence."""
@@ -39,18 +43,14 @@ class Output:
         """The files."""
         return [self.linear] if self.png is None else [self.linear, self.png]
 
-    def check(self) -> None:
-        """Raise SceneError if a file cannot be written, before time is spent on its image."""
-        for path in self.paths():
-            check_writable(path)
+    def check(self, inputs: Iterable[Path]) -> None:
+        """Raise RnaError, before rendering, for a file that is an input or cannot be written."""
+        check_outputs(self.paths(), inputs)
 
-    def is_there(self, scene: Scene, since: float) -> bool:
-        """Whether all files were made from this very scene, and not before `since` (seconds)."""
-        return all(
-            path.is_file()
-            and path.stat().st_mtime >= since
-            and self._is_of(scene, read_attributes(path))
-            for path in self.paths()
+    def is_there(self, scene: Scene) -> bool:
+        """Whether all files were made from this very scene and these `contents`."""
+        return self.contents is not None and all(
+            path.is_file() and self._is_of(scene, read_attributes(path)) for path in self.paths()
         )
 
     def write(self, scene: Scene, film: Film) -> None:
@@ -79,6 +79,8 @@ class Output:
         attributes = {"rnaScene": scene.model_dump_json(), "rnaSamples": str(samples)}
         if self.denoiser is not None:
             attributes["rnaDenoised"] = self.denoiser.name
+        if self.contents is not None:
+            attributes["rnaContents"] = self.contents
         return attributes
 
 

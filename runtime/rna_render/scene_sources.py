@@ -1,20 +1,20 @@
-"""The files that a scene is made of, so that they can be brought to other machines."""
+"""The files that a scene is made of: to bring them to other machines, and to tell them apart."""
 
 from __future__ import annotations
 
 import hashlib
-import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 from urllib.parse import unquote
 
 from pydantic import BaseModel
 
 import rna_sdk
+from rna_render.materials.gltf_container import open_gltf
 from rna_render.scene_file import SceneFile
 from rna_sdk.regular_file import check_regular, read_regular
+from rna_work.cached import content_hash
 from rna_work.places import Place
 from rna_work.sources import Carried
 
@@ -35,13 +35,27 @@ def scene_key(scene_file: SceneFile) -> str:
 
     Raises SceneError if a file is missing.
     """
-    relative, absolute = _files(scene_file)
-    key = hashlib.sha256(f"{rna_sdk.__version__} {scene_file.scene.model_dump_json()}".encode())
-    for file in sorted({*relative, *absolute}):
-        with file.open("rb") as stream:
-            digest = hashlib.file_digest(stream, "sha256").hexdigest()
-        key.update(f"{file.name} {digest}".encode())
+    contents = contents_key(scene_file)
+    key = f"{rna_sdk.__version__} {scene_file.scene.model_dump_json()} {contents}"
+    return hashlib.sha256(key.encode()).hexdigest()
+
+
+def contents_key(scene_file: SceneFile) -> str:
+    """The same for the same bytes alone, of all files that the scene reads, under their names.
+
+    Raises SceneError if a file is missing.
+    """
+    key = hashlib.sha256()
+    for file in sorted(set(files_of(scene_file)[1:])):
+        _check(scene_file, file)
+        key.update(f"{file.name} {content_hash(file)}\n".encode())
     return key.hexdigest()
+
+
+def files_of(scene_file: SceneFile) -> list[Path]:
+    """The scene file, the files that it names, and those existing ones that these refer to."""
+    named = [scene_file.resolve(path) for path in named_paths(scene_file.scene)]
+    return [scene_file.path, *(file for path in named for file in (path, *read_with(path)))]
 
 
 def _files(scene_file: SceneFile) -> tuple[list[Path], list[Path]]:
@@ -50,13 +64,17 @@ def _files(scene_file: SceneFile) -> tuple[list[Path], list[Path]]:
     absolute: list[Path] = []
     for path in set(named_paths(scene_file.scene)):
         file = scene_file.resolve(path)
-        try:
-            check_regular(file)
-        except OSError as error:
-            raise scene_file.error((), f"{error.strerror}: {file}") from error
+        _check(scene_file, file)
         files = [scene_file.path.parent / path, *read_with(scene_file.path.parent / path)]
         (absolute if path.is_absolute() else relative).extend(files)
     return relative, absolute
+
+
+def _check(scene_file: SceneFile, file: Path) -> None:
+    try:
+        check_regular(file)
+    except OSError as error:
+        raise scene_file.error((), f"{error.strerror}: {file}") from error
 
 
 def named_paths(value: object) -> Iterator[Path]:
@@ -73,7 +91,8 @@ def named_paths(value: object) -> Iterator[Path]:
 
 def read_with(path: Path) -> list[Path]:
     """Existing files that a mesh file refers to."""
-    read = {".gltf": _of_gltf, ".obj": _of_obj}.get(path.suffix.lower())
+    readers = {".gltf": _of_gltf, ".glb": _of_gltf, ".obj": _of_obj}
+    read = readers.get(path.suffix.lower())
     try:
         names = read(path) if read is not None else []
         return [file for name in names if (file := path.parent / name).is_file()]
@@ -82,19 +101,23 @@ def read_with(path: Path) -> list[Path]:
 
 
 def _of_gltf(path: Path) -> list[str]:
-    data: dict[str, Any] = json.loads(read_regular(path))
+    data = open_gltf(path).json
     entries = [*data.get("buffers", []), *data.get("images", [])]
     uris = [entry.get("uri", "data:") for entry in entries]
     return [unquote(uri) for uri in uris if not uri.startswith("data:")]
 
 
 def _of_obj(path: Path) -> list[str]:
-    libraries = re.findall(r"^\s*mtllib\s+(.+?)\s*$", path.read_text(errors="replace"), re.M)
+    libraries = re.findall(r"(?im)^\s*mtllib\s+(.+?)\s*$", _text(path))
     maps = []
     for name in libraries:
         file = path.parent / name
         if file.is_file():
-            lines = re.findall(r"^\s*map_\w+\s+(.+?)\s*$", file.read_text(errors="replace"), re.M)
+            lines = re.findall(r"(?im)^\s*map_\w+\s+(.+?)\s*$", _text(file))
             maps += [str(Path(name).parent / line.split()[-1]) for line in lines]
             maps += [str(Path(name).parent / line) for line in lines]
     return [*libraries, *maps]
+
+
+def _text(path: Path) -> str:
+    return read_regular(path).decode(errors="replace")

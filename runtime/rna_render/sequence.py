@@ -6,6 +6,7 @@ import sys
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing
+from dataclasses import replace
 from functools import partial
 
 from rna_render.animation import frame_scene
@@ -13,9 +14,10 @@ from rna_render.devices import CPU
 from rna_render.frame_worker import Frame, FrameFiles, FrameJob, FrameWorker
 from rna_render.output import Output
 from rna_render.scene_file import SceneFile
-from rna_render.scene_sources import carried_scene, named_paths
+from rna_render.scene_sources import carried_scene, contents_key, files_of
 from rna_render.world_loading import QualityWarning
 from rna_sdk.console import INTERRUPTED
+from rna_sdk.errors import SceneError
 from rna_work.places import Place
 from rna_work.pool import Pool
 from rna_work.progress import Progress
@@ -54,6 +56,7 @@ def render_sequence(
     started: when the program did, as perf_counter. device: of `devices`. A frame that Ctrl-C ends
     is not written.
     """
+    output = replace(output, contents=_contents(scene_file))
     missing = _missing(scene_file, numbers, output)
     if not missing:
         return 0
@@ -96,14 +99,14 @@ def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], where: Place) -> 
 
 
 def _missing(scene_file: SceneFile, numbers: range, output: Output) -> list[Frame]:
-    """The frames that are not there; raises SceneError if one of them cannot be written."""
-    changed, missing = _last_change(scene_file), []
+    """The frames that are not there; raises RnaError if one of them cannot be written."""
+    inputs, missing = files_of(scene_file), []
     for place, number in enumerate(numbers, 1):
         scene, files = frame_scene(scene_file.scene, number), output.frame(number)
-        if files.is_there(scene, changed):
+        if files.is_there(scene):
             print(f"frame {number}: is there already")
         else:
-            files.check()
+            files.check(inputs)
             missing.append(Frame(number, f"frame {number} ({place} of {len(numbers)})"))
     return missing
 
@@ -114,13 +117,12 @@ def _told(outcome: Outcome[Frame, FrameFiles], frame: FrameFiles) -> str:
     return f"{outcome.item.what}: wrote {paths} in {frame.seconds:.1f} s{on}"
 
 
-def _last_change(scene_file: SceneFile) -> float:
-    """Latest modification time of the files that the scene names; infinity if one is missing."""
-    paths = (scene_file.resolve(path) for path in named_paths(scene_file.scene))
+def _contents(scene_file: SceneFile) -> str | None:
+    """Key of the files that the scene reads; None if one is missing, which its loading tells."""
     try:
-        return max((path.stat().st_mtime for path in paths), default=0.0)
-    except OSError:
-        return float("inf")
+        return contents_key(scene_file)
+    except SceneError:
+        return None
 
 
 def _in_words(seconds: float) -> str:

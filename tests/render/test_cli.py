@@ -91,7 +91,7 @@ def test_an_image_that_cannot_be_written_is_one_line_before_the_render(folder, t
     (tmp_path / "out.exr").mkdir()
     assert run(folder / "lit.yaml", "--out", tmp_path / "out.exr") == 1
     error = capsys.readouterr().err
-    assert error == f"error: {tmp_path / 'out.exr'}: cannot write the image: it is a folder\n"
+    assert error == f"error: {tmp_path / 'out.exr'}: cannot be written: it is a folder\n"
 
 
 def test_threads_and_repetition_change_no_byte(folder, tmp_path):

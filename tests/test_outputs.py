@@ -1,0 +1,33 @@
+"""Outputs that are checked before time is spent: inputs are not replaced."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rna_sdk.errors import RnaError
+from rna_sdk.outputs import check_outputs, check_writable
+
+
+def test_an_output_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    (tmp_path / "taken.exr").mkdir()
+    with pytest.raises(RnaError, match=r"taken\.exr: cannot be written: it is a folder"):
+        check_writable(tmp_path / "taken.exr")
+    with pytest.raises(RnaError, match=r"a\.exr: cannot be written: No such file or directory"):
+        check_writable(tmp_path / "nowhere" / "a.exr")
+    check_writable(tmp_path / "new.exr")
+    assert [path.name for path in tmp_path.iterdir()] == ["taken.exr"]
+
+
+@pytest.mark.parametrize("link", [None, "symlink_to", "hardlink_to"])
+def test_an_input_is_no_output_by_any_name(tmp_path: Path, link: str | None) -> None:
+    source = output = tmp_path / "s.glb"
+    source.write_bytes(b"mine")
+    if link is not None:
+        output = tmp_path / "t.glb"
+        getattr(output, link)(source)
+    with pytest.raises(RnaError, match=r"\.glb: is an input \(.*s\.glb\); expected another"):
+        check_outputs([tmp_path / "new", output], [tmp_path / "missing", source])
+    check_outputs([tmp_path / "new"], [source])
+    assert source.read_bytes() == b"mine"
