@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -23,6 +24,7 @@ from rna_export.training.pace import Pace, StepPace, TimePace, length
 from rna_export.training.presets import Preset
 from rna_export.training.report import Report
 from rna_export.training.samples import SampleTable
+from rna_export.training.step_threads import StepThreads
 from rna_sdk.errors import TrainingError
 
 _SO_FAR = "best-so-far.ckpt"  # until the run is finished
@@ -80,15 +82,24 @@ def train(
         fitting.load(saved["fitting"])
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
-    with bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar:
-        found = _fit(run, fitting, table, pace, done, bar)
+    with (
+        bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar,
+        StepThreads.of(run.device) as threads,
+    ):
+        found = _fit(run, fitting, table, pace, done, bar, threads)
     if found is not None:
         say(str(found))
     return so_far.replace(best) if so_far.is_file() else best
 
 
 def _fit(
-    run: Run, fitting: Fitting, table: SampleTable, pace: Pace, done: int, bar: tqdm
+    run: Run,
+    fitting: Fitting,
+    table: SampleTable,
+    pace: Pace,
+    done: int,
+    bar: tqdm,
+    threads: StepThreads,
 ) -> Brightness | None:
     """All steps after the first `done`, with validations at equal parts of the run.
 
@@ -98,7 +109,7 @@ def _fit(
     batches, losses = iter(table), []
     while pace.progress < 1.0:
         validated = _validations(run, pace)
-        losses.append(fitting.step(next(batches), pace.progress))
+        losses.append(threads.run(partial(fitting.step, next(batches), pace.progress)))
         pace.advance()
         done += 1
         if run.minutes is not None:
@@ -106,7 +117,8 @@ def _fit(
         bar.update()
         if _validations(run, pace) == validated:
             continue
-        row = report.of(fitting.model, is_last=pace.progress >= 1.0)
+        with threads.all():
+            row = report.of(fitting.model, is_last=pace.progress >= 1.0)
         is_best = row["psnr"] >= curves.best_psnr
         curves.add({"step": done, "loss": float(torch.stack(losses).mean()), **row})
         losses.clear()

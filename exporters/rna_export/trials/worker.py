@@ -59,14 +59,11 @@ class TrialWorker:
         self._table: SampleTable | None = None
 
     def __enter__(self) -> TrialWorker:
-        import torch
-
         from rna_export.memory import keep_freed_memory
-        from rna_sdk.kernel_threads import limit_kernel_threads
+        from rna_export.training.step_threads import use_threads
 
         keep_freed_memory()
-        torch.set_num_threads(self._threads)
-        limit_kernel_threads(self._threads)
+        use_threads(self._threads)
         self._dataset = Dataset(self._carried.here().parent).only
         return self
 
