@@ -14,7 +14,7 @@ from typing import Any, Generic
 
 from rna_sdk.errors import WorkError
 from rna_work.backend import Backend, Slot
-from rna_work.patience import Patience
+from rna_work.patience import Patience, Watch
 from rna_work.worker import Item, MakeWorker, Outcome, Result, TimedOut, WorkerLost
 
 _FAILED_STARTS = 3  # one after the other, for what a worker itself raises
@@ -39,7 +39,7 @@ class _Member:
     slot: Slot
     node: str = ""
     jobs: deque[_Job] = field(default_factory=deque)
-    since: float = 0.0  # when its first job began
+    watch: Watch = field(default_factory=lambda: Watch(0.0, None))  # of its first job
 
 
 class Pool(Generic[Item, Result]):
@@ -139,9 +139,13 @@ class Pool(Generic[Item, Result]):
 
     def _give(self, member: _Member, job: _Job) -> None:
         if not member.jobs:
-            member.since = monotonic()
+            member.watch = self._watch(member)
         member.jobs.append(job)
         self._tell(member, job, member.slot.give(job.item))
+
+    def _watch(self, member: _Member) -> Watch:
+        """From now on."""
+        return Watch(monotonic(), member.slot.processor_seconds() if self._patience else None)
 
     def _tell(self, member: _Member, job: _Job | None, future: Future[Any]) -> None:
         """Have its end put among the events; job: None where it is the member's start."""
@@ -212,11 +216,11 @@ class Pool(Generic[Item, Result]):
         if failure is not None and not isinstance(failure, Exception):
             raise failure
         member.jobs.remove(job)  # not always the first: a cluster may tell of a later one before
-        begun, member.since = member.since, monotonic()
-        seconds = member.since - begun
+        begun, member.watch = member.watch, self._watch(member)
+        seconds = member.watch.since - begun.since
         if failure is None:
             if self._patience is not None:
-                self._patience.learn(job.item, seconds)
+                self._patience.learn(job.item, seconds, begun.used(member.watch.processor))
             return job.number, self._outcome(member, job, seconds, future.result(), None)
         if isinstance(failure, WorkerLost):
             again = self._after_loss(member, job, feed)
@@ -236,18 +240,22 @@ class Pool(Generic[Item, Result]):
         return job.losses < self._backend.losses
 
     def _out_of_time(self, feed: _Feed) -> list[tuple[int, Outcome[Item, Result]]]:
-        """End workers that exceed the time limit; returns outcomes of items without retries."""
+        """End workers that hang; returns outcomes of items without retries."""
         if self._patience is None:
             return []
         found = []
         for member in [m for m in self._ready if m.jobs]:
-            seconds, limit = monotonic() - member.since, self._patience.limit(member.jobs[0].item)
-            if seconds <= limit:
+            seconds = monotonic() - member.watch.since
+            if seconds <= self._patience.least:
+                continue
+            state = self._patience, member.jobs[0].item, monotonic()
+            fault = member.watch.fault(*state, member.slot.processor_seconds())
+            if not fault:
                 continue
             job = member.jobs.popleft()
             self._give_up(member, feed)
             job.errors += 1
-            failure = TimedOut(f"no result after {seconds:.0f} s, expected within {limit:.0f} s")
+            failure = TimedOut(fault)
             if job.errors < self._attempts:
                 self._run_again(member, job, failure, feed)
                 continue

@@ -14,6 +14,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from rna_sdk.errors import WorkError
+from rna_work.processor_time import process_seconds
 from rna_work.threads import HERE
 from rna_work.worker import MakeWorker, WorkerLost
 
@@ -55,6 +56,9 @@ class ProcessSlot:
         except OSError:
             pass  # it has ended: the listener says so
         return future
+
+    def processor_seconds(self) -> float | None:
+        return process_seconds(self._process.pid)
 
     def close(self, kill: bool) -> None:
         if kill:

@@ -79,6 +79,9 @@ class RaySlot:
     def give(self, item: Any) -> Future[Any]:
         return _settled(self._actor.run.remote(item))
 
+    def processor_seconds(self) -> None:
+        """Not known: an actor answers nothing while an item runs."""
+
     def close(self, kill: bool) -> None:
         import ray
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from queue import SimpleQueue
 from typing import Any
 
-from rna_work.worker import MakeWorker, Worker, WorkerLost
+from rna_work.processor_time import thread_seconds
+from rna_work.worker import Employer, MakeWorker, Worker, WorkerLost
 
 HERE = "this machine"
 
@@ -45,6 +46,11 @@ class ThreadSlot:
         future: Future[Any] = Future()
         self._given.put((item, future))
         return future
+
+    def processor_seconds(self) -> float | None:
+        own = thread_seconds(self._thread.native_id)
+        others = self._worker.processor_seconds() if isinstance(self._worker, Employer) else 0.0
+        return None if own is None or others is None else own + others
 
     def close(self, kill: bool) -> None:
         self._ended = self._ended or kill
@@ -104,6 +110,9 @@ class CallerSlot:
         except Exception as error:
             future.set_exception(error)
         return future
+
+    def processor_seconds(self) -> None:
+        """Not known: nobody asks while an item runs."""
 
     def close(self, kill: bool) -> None:
         self._worker.__exit__(None, None, None)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar, runtime_checkable
 
 from rna_sdk.errors import WorkError
 
@@ -23,6 +23,17 @@ class Worker(Protocol):
 
     def kill(self) -> None:
         """Stop the worker's current item; called from another thread, possibly more than once."""
+
+
+@runtime_checkable
+class Employer(Protocol):
+    """A worker that has processes of its own work for it."""
+
+    def processor_seconds(self) -> float | None:
+        """Processor time of all its processes so far, s; None where the system does not tell.
+
+        Called from another thread.
+        """
 
 
 class MakeWorker(Protocol):

@@ -68,6 +68,9 @@ class OutOfTurn:
         for item, future in reversed(given):
             future.set_result(2 * item)
 
+    def processor_seconds(self) -> None:
+        pass
+
     def close(self, kill: bool) -> None:
         pass
 
@@ -144,6 +147,20 @@ def test_what_hangs_is_ended_and_run_again(backend: Backend, tmp_path: Path) -> 
     with Pool(backend, Doubling, patience=patience()) as pool:
         hung = [o for o in pool.run([1, 2, 3, "hang"]) if o.failure is not None]
     assert len(hung) == 1 and isinstance(hung[0].failure, TimedOut)
+
+
+@pytest.mark.parametrize("backend", BACKENDS, ids=ids)
+def test_what_is_slow_beside_other_programs_is_left_to_finish(backend: Backend) -> None:
+    with Pool(backend, Doubling, patience=Patience(least=0.2)) as pool:
+        outcomes = list(pool.run([1, 2, 3, "slow"]))
+    assert [o.failure for o in outcomes] == [None] * 4
+
+
+@pytest.mark.parametrize("backend", BACKENDS, ids=ids)
+def test_what_runs_in_circles_is_ended(backend: Backend) -> None:
+    with Pool(backend, Doubling, patience=Patience(least=0.3)) as pool:
+        [failed] = [o for o in pool.run([1, 2, 3, "circles"]) if o.failure is not None]
+    assert isinstance(failed.failure, TimedOut) and "of processor time" in str(failed.failure)
 
 
 @pytest.mark.parametrize("backend", BACKENDS, ids=ids)

@@ -41,12 +41,26 @@ class Doubling:
         if item == "hang":
             self._killed.wait(60.0)
             raise ValueError("was killed")
+        if item == "slow":  # a little of the processor, for six times the limit of its test
+            for _ in range(60):
+                time.sleep(0.02)
+                _spin(0.001)
+        if item == "circles":
+            while not self._killed.is_set():
+                _spin(0.01)
         if isinstance(item, float):
             time.sleep(item)
         return item * 2
 
     def kill(self) -> None:
         self._killed.set()
+
+
+def _spin(seconds: float) -> None:
+    """Use the processor for so long, by its own time."""
+    until = time.thread_time() + seconds
+    while time.thread_time() < until:
+        pass
 
 
 class CannotStart(Doubling):

@@ -92,6 +92,10 @@ class CaptureWorker:
         if self._blender is not None:
             self._blender.kill()
 
+    def processor_seconds(self) -> float | None:
+        """See `rna_work.worker.Employer`."""
+        return 0.0 if self._blender is None else self._blender.processor_seconds()
+
 
 def stored_name(task: Task, dataset: Dataset) -> str:
     """Name of the task's file, relative to the dataset's folder."""

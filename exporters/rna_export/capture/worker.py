@@ -17,6 +17,7 @@ from rna_export.capture.axes import from_blender, to_blender
 from rna_export.capture.settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
+from rna_work.processor_time import process_seconds
 
 _LINES = 5  # of Blender's output, in an error
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
@@ -87,6 +88,7 @@ class BlenderWorker:
         self._samples: int | None = None  # of the last render
         self._holds_scene = False  # what `render_scene` made of the source
         self._process: subprocess.Popen[str] | None = None
+        self._spent = 0.0  # processor time of processes that have ended, s
 
     def __enter__(self) -> BlenderWorker:
         self._folder.mkdir(parents=True, exist_ok=True)
@@ -129,10 +131,20 @@ class BlenderWorker:
         if self._process is not None:
             self._process.kill()
 
+    def processor_seconds(self) -> float | None:
+        """Processor time of all its processes so far, s; None where the system does not tell."""
+        process = self._process
+        if process is None or process.poll() is not None:
+            return self._spent
+        now = process_seconds(process.pid)
+        return None if now is None else self._spent + now
+
     def close(self) -> None:
         """End the process; safe to call twice."""
-        self.kill()
         process = self._running()
+        if process.poll() is None:
+            self._spent += process_seconds(process.pid) or 0.0
+        self.kill()
         process.wait()
         for stream in (process.stdin, process.stdout, self._log):
             if stream is not None:
