@@ -7,12 +7,11 @@ from __future__ import annotations
 
 import os
 import re
-import sys
 from http import HTTPStatus
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from urllib.parse import unquote, urlsplit
+from urllib.parse import unquote
 
+from rna_sdk.local_server import LOOPBACK, LocalHandler, LocalServer
 from rna_view.errors import ViewError
 from rna_view.site_files import VIEWER_FILES, Site, viewer_file
 
@@ -25,6 +24,7 @@ TYPES = {
 HEADERS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self'; "
     "img-src 'self' blob: data:; connect-src 'self' blob:; base-uri 'none'; form-action 'none'",
+    "Cross-Origin-Resource-Policy": "same-origin",
     "Cache-Control": "no-cache",
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
@@ -33,46 +33,27 @@ _RANGE = re.compile(r"bytes=(\d{1,18})?-(\d{1,18})?")
 _PIECE = 1 << 20
 
 
-class PageServer(ThreadingHTTPServer):
+class PageServer(LocalServer):
     """Listens from the start, answers while `serve_forever` runs.
 
     port: 0 for any that is free. Raises ViewError if the address cannot be used.
     """
 
-    daemon_threads = True
-    block_on_close = False
-
-    def __init__(self, site: Site, host: str = "127.0.0.1", port: int = 0) -> None:
+    def __init__(self, site: Site, host: str = LOOPBACK, port: int = 0) -> None:
+        # The viewer's own files last: none of the site's takes their place.
         self.contents: dict[str, Path | bytes] = {
-            **{name: viewer_file(name) for name in VIEWER_FILES},
             **site.contents,
+            **{name: viewer_file(name) for name in VIEWER_FILES},
             "index.html": site.index(),
         }
         try:
-            super().__init__((host, port), _Handler)
+            super().__init__(host, port, _Handler)
         except OSError as error:
             raise ViewError(f"cannot listen on {host}:{port}: {error.strerror}") from error
-        self.is_local = host in ("127.0.0.1", "localhost")
-        names = ("127.0.0.1", "localhost")
-        self.hosts = {f"{name}:{self.server_port}" for name in names} if self.is_local else None
-
-    @property
-    def url(self) -> str:
-        """The page's address."""
-        host = str(self.server_address[0])
-        return f"http://{host}:{self.server_port}/"
-
-    def handle_error(self, request: object, client_address: object) -> None:
-        """A page that was closed is no error."""
-        if not isinstance(sys.exception(), ConnectionError | TimeoutError):
-            super().handle_error(request, client_address)  # type: ignore[arg-type]
 
 
-class _Handler(BaseHTTPRequestHandler):
+class _Handler(LocalHandler):
     server: PageServer
-    protocol_version = "HTTP/1.1"
-    disable_nagle_algorithm = True
-    timeout = 60.0
 
     def do_GET(self) -> None:
         self._answer(with_body=True)
@@ -83,21 +64,16 @@ class _Handler(BaseHTTPRequestHandler):
     def version_string(self) -> str:
         return "rna-view"
 
-    def log_message(self, *arguments: object) -> None:
-        """The terminal is for the address."""
-
     def _answer(self, with_body: bool) -> None:
-        # Other names for this computer would be those of other pages (DNS rebinding).
-        hosts = self.server.hosts
-        if hosts is not None and self.headers.get("Host") not in hosts:
+        if not self.is_for_this_server():
             return self._refuse(HTTPStatus.FORBIDDEN)
-        name = unquote(urlsplit(self.path).path).lstrip("/") or "index.html"
+        name = unquote(self.target()[0]).lstrip("/") or "index.html"
         content = self.server.contents.get(name)
         if content is None:
             return self._refuse(HTTPStatus.NOT_FOUND)
         try:
             self._send(name, content, with_body)
-        except FileNotFoundError:
+        except (FileNotFoundError, PermissionError):
             self._refuse(HTTPStatus.GONE)
 
     def _send(self, name: str, content: Path | bytes, with_body: bool) -> None:
@@ -127,12 +103,14 @@ class _Handler(BaseHTTPRequestHandler):
             while start < end and (piece := file.read(min(_PIECE, end - start))):
                 self.wfile.write(piece)
                 start += len(piece)
+        self.close_connection = self.close_connection or start < end  # the file has become shorter
 
     def _refuse(self, status: HTTPStatus, content_range: str | None = None) -> None:
         self.send_response(status)
         if content_range is not None:
             self.send_header("Content-Range", content_range)
         self.send_header("Content-Length", "0")
+        self.send_header("Connection", "close")  # a body that came with it is unread
         self.end_headers()
 
 

@@ -7,26 +7,30 @@ from typing import Any
 
 import numpy as np
 
+from rna_render.lights.environment_file import read_environment
 from rna_render.lights.models import DirectionalModel, EnvironmentModel
 from rna_render.scene_file import SceneFile, read_scene
+from rna_sdk.errors import PackageError, SceneError
 from rna_view.errors import ViewError
-from rna_view.site_files import Site, json_bytes
-
-SCENE = "scene.json"
+from rna_view.site_files import Site
 
 
 def scene_site(path: Path) -> Site:
-    """The page for a scene; `notes` name what the page does not show."""
+    """The page for a scene; `notes` name what it does not show, and files of other folders.
+
+    A scene file may be a stranger's: what it names becomes public with the page, so only packages
+    and images do. Raises SceneError, with the key, for a file that is neither.
+    """
     scene_file = read_scene(path)
     scene = scene_file.scene
     if not scene.assets:
         raise ViewError(f"{path}: the scene has no asset")
-    asset = scene_file.asset_path(0)
-    site = Site({asset.name: asset}, {"scene": SCENE}, _left_out(scene_file))
+    site = Site(notes=_left_out(scene_file))
+    asset = _add_asset(scene_file, site)
     if scene.assets[0].tier is not None:
         site.query["tier"] = scene.assets[0].tier
     record = {
-        "asset": asset.name,
+        "asset": asset,
         "camera": {
             "position": scene.camera.position,
             "look_at": scene.camera.look_at,
@@ -37,8 +41,18 @@ def scene_site(path: Path) -> Site:
         "ground": scene.ground is not None,
         "exposure": scene.exposure,
     }
-    site.contents[SCENE] = json_bytes(record)
+    site.query["scene"] = site.add_scene(record)
     return site
+
+
+def _add_asset(scene_file: SceneFile, site: Site) -> str:
+    """The name in the page of the scene's first asset."""
+    path = scene_file.asset_path(0)
+    _note_if_outside(scene_file, path, site)
+    try:
+        return site.add_package(path)
+    except PackageError as error:
+        raise scene_file.error(("assets", 0, "path"), str(error)) from error
 
 
 def _sun(light: DirectionalModel) -> dict[str, Any]:
@@ -47,16 +61,27 @@ def _sun(light: DirectionalModel) -> dict[str, Any]:
 
 def _environment(scene_file: SceneFile, site: Site) -> dict[str, Any]:
     """The scene's first environment as the page reads it."""
-    found = [light for light in scene_file.scene.lights if isinstance(light, EnvironmentModel)]
+    lights = enumerate(scene_file.scene.lights)
+    found = [(k, light) for k, light in lights if isinstance(light, EnvironmentModel)]
     if not found:
         return {"strength": 0}
-    light = found[0]
+    index, light = found[0]
     if light.path is None:
         return {"radiance": light.radiance, "strength": 1}
-    image = scene_file.resolve(light.path)
-    site.contents[image.name] = image
+    path = scene_file.resolve(light.path)
+    _note_if_outside(scene_file, path, site)
+    try:
+        read_environment(path)  # the whole file: what only begins as an image is none
+    except SceneError as error:
+        raise scene_file.error(("lights", index, "path"), str(error)) from error
+    image = site.add_image(path)
     strength = float(np.mean(light.radiance))
-    return {"image": image.name, "strength": strength, "rotation_deg": light.rotation_deg}
+    return {"image": image, "strength": strength, "rotation_deg": light.rotation_deg}
+
+
+def _note_if_outside(scene_file: SceneFile, path: Path, site: Site) -> None:
+    if not path.is_relative_to(scene_file.path.parent.resolve()):
+        site.notes.append(f"the page has a file from outside the scene's folder: {path}")
 
 
 def _left_out(scene_file: SceneFile) -> list[str]:

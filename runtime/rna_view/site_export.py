@@ -2,36 +2,64 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 
-from rna_sdk.atomic_file import atomic_file
+from rna_sdk.atomic_file import atomic_file, write_atomically
 from rna_view.errors import ViewError
-from rna_view.site_files import VIEWER_FILES, Site, viewer_file
+from rna_view.site_files import SITE_NAME, VIEWER_FILES, Site, viewer_file
 
 SERVE_NOTE = (
     "serve the folder over HTTPS, or on this machine: a page opened as a file cannot load the "
     "asset, and plain HTTP from another machine has no WebGPU"
 )
+MARKER = "rna-view.json"
+"""Says that a folder is an export of this command, and which of its files are the site's own."""
 
 
 def export_site(site: Site, folder: Path) -> list[Path]:
-    """Write the page; returns the files. A folder of an earlier export is written over.
+    """Write the page; returns the files. Of an earlier export, what is no longer used is removed.
 
     Raises:
         ViewError: the folder holds something else, or cannot be written.
     """
     if folder.exists() and not folder.is_dir():
         raise ViewError(f"{folder}: expected a folder")
-    if folder.is_dir() and any(folder.iterdir()) and not (folder / "viewer.js").is_file():
-        raise ViewError(f"{folder}: the folder holds other files; expected a new or empty one")
-    contents = {name: viewer_file(name) for name in VIEWER_FILES} | site.contents
+    earlier = _exported(folder)
+    if earlier is None and folder.is_dir() and any(folder.iterdir()):
+        raise ViewError(
+            f"{folder}: the folder holds other files; expected a new or empty one, or an earlier "
+            "export"
+        )
+    used = set(site.contents)
+    # The viewer's own files last: none of the site's takes their place.
+    contents = {**site.contents, **{name: viewer_file(name) for name in VIEWER_FILES}}
     contents["index.html"] = site.index()
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        return [_write(folder / name, content) for name, content in contents.items()]
+        _mark(folder, used | (earlier or set()))
+        written = [_write(folder / name, content) for name, content in contents.items()]
+        for name in (earlier or set()) - used:
+            (folder / name).unlink(missing_ok=True)
+        return [*written, _mark(folder, used)]
     except OSError as error:
         raise ViewError(f"{folder}: {error.strerror}") from error
+
+
+def _exported(folder: Path) -> set[str] | None:
+    """Names of the site's own files in an earlier export; None if the folder is none."""
+    try:
+        names = json.loads((folder / MARKER).read_bytes())["files"]
+        return {name for name in names if SITE_NAME.fullmatch(name)}
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return None
+
+
+def _mark(folder: Path, names: set[str]) -> Path:
+    record = {"generator": "rna-view", "files": sorted(names)}
+    write_atomically(folder / MARKER, json.dumps(record).encode())
+    return folder / MARKER
 
 
 def _write(path: Path, content: Path | bytes) -> Path:

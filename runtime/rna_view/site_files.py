@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
+import re
 from dataclasses import dataclass, field
 from html import escape
 from importlib.resources import files
 from pathlib import Path
 from urllib.parse import quote, urlencode
 
+from rna_sdk.package import Package
 from rna_view.errors import ViewError
 
 VIEWER_FILES = ("index.html", "viewer.js", "viewer.css")
-IMAGE_SUFFIXES = (".hdr", ".exr", ".pic")
+SCENE = "scene.json"
+SITE_NAME = re.compile(rf"[0-9a-f]{{32}}\.(rna|exr|hdr)|{re.escape(SCENE)}")
+"""Names that a page's own files can have; those of the viewer are none of them."""
+
+# First bytes of the file, as environment images are told apart everywhere.
+_IMAGE_SUFFIXES = {b"\x76\x2f\x31\x01": ".exr", b"#?": ".hdr"}
 
 
 @dataclass(frozen=True)
@@ -20,20 +28,56 @@ class Site:
     """A page.
 
     Attributes:
-        contents: by name, the file, or its bytes.
-        query: what the page's address would ask for, as `asset=toy.rna`.
+        contents: by name, the file, or its bytes. Names are hashes of what the files hold, with a
+            suffix that says what that is: a name that somebody else chose can be taken for an
+            address, or for a file of the viewer.
+        labels: what people call a file, by its name.
+        query: what the page's address would ask for, as `asset=NAME`.
         notes: what a person should know, one line each.
     """
 
-    contents: dict[str, Path | bytes]
-    query: dict[str, str]
+    contents: dict[str, Path | bytes] = field(default_factory=dict)
+    query: dict[str, str] = field(default_factory=dict)
+    labels: dict[str, str] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
+
+    def add_package(self, path: Path) -> str:
+        """Add a package; returns its name in the page. Raises PackageError for any other file."""
+        Package.open(path).close()
+        return self._add(path, ".rna")
+
+    def add_image(self, path: Path) -> str:
+        """Add an environment image, .exr or .hdr; returns its name in the page.
+
+        Raises ViewError for a file that does not begin as one.
+        """
+        with path.open("rb") as file:
+            start = file.read(4)
+        suffixes = [suffix for magic, suffix in _IMAGE_SUFFIXES.items() if start.startswith(magic)]
+        if not suffixes:
+            raise ViewError(f"{path}: expected an environment image, .hdr or .exr")
+        return self._add(path, suffixes[0])
+
+    def add_scene(self, record: object) -> str:
+        """Add what the page reads of a scene; returns its name in the page."""
+        self.contents[SCENE] = json.dumps(record).encode()
+        return SCENE
 
     def index(self) -> bytes:
         """index.html, which opens the site's scene or package."""
         page = viewer_file("index.html").decode()
         asked = escape(urlencode(self.query, quote_via=quote))
-        return page.replace("<body>", f'<body data-query="{asked}">', 1).encode()
+        labels = escape(json.dumps(self.labels))
+        body = f'<body data-query="{asked}" data-labels="{labels}">'
+        return page.replace("<body>", body, 1).encode()
+
+    def _add(self, path: Path, suffix: str) -> str:
+        with path.open("rb") as file:
+            digest = hashlib.file_digest(file, "sha256").hexdigest()
+        name = digest[:32] + suffix
+        self.contents[name] = path
+        self.labels[name] = path.name
+        return name
 
 
 def viewer_file(name: str) -> bytes:
@@ -46,7 +90,7 @@ def site_for(source: Path, tier: str | None = None, environment: Path | None = N
 
     Raises:
         ViewError: a file that is not there, or of another kind.
-        RnaError: of a scene file, what is wrong with it.
+        RnaError: of a scene file or a package, what is wrong with it.
     """
     if not source.is_file():
         raise ViewError(f"{source}: no such file")
@@ -55,23 +99,14 @@ def site_for(source: Path, tier: str | None = None, environment: Path | None = N
 
         site = scene_site(source)
     elif source.suffix == ".rna":
-        site = Site({source.name: source}, {"asset": source.name})
+        site = Site()
+        site.query["asset"] = site.add_package(source)
     else:
         raise ViewError(f"{source}: expected a .rna package or a .yaml scene file")
     if tier is not None:
         site.query["tier"] = tier
     if environment is not None:
-        _add_environment(site, environment)
+        if not environment.is_file():
+            raise ViewError(f"{environment}: no such file")
+        site.query["env"] = site.add_image(environment)
     return site
-
-
-def _add_environment(site: Site, path: Path) -> None:
-    if path.suffix.lower() not in IMAGE_SUFFIXES or not path.is_file():
-        raise ViewError(f"{path}: expected an environment image, .hdr or .exr")
-    site.contents[path.name] = path
-    site.query["env"] = path.name
-
-
-def json_bytes(value: object) -> bytes:
-    """JSON of one line."""
-    return json.dumps(value).encode()

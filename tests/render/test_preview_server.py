@@ -71,6 +71,8 @@ def test_pictures_follow_one_another(server):
     after, samples = 0, -1
     while samples < 4:
         status, headers, body = ask(server, "GET", f"/picture?after={after}")
+        if status == 204:  # kernels are compiled for long on a busy machine
+            continue
         label = json.loads(headers["Rna-Label"])
         assert status == 200 and headers["Content-Type"] == "image/jpeg"
         assert label["serial"] > after and label["revision"] == state["revision"]

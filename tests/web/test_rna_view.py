@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import subprocess
 import sys
 import urllib.error
@@ -11,12 +13,14 @@ from pathlib import Path
 
 import pytest
 
+from rna_sdk.errors import PackageError
 from rna_view.cli import main
 from rna_view.errors import ViewError
 from rna_view.page_server import PageServer
 from rna_view.scene_page import scene_site
-from rna_view.site_files import VIEWER_FILES, Site, site_for
-from tests.package.builders import make_tiny_package
+from rna_view.site_export import MARKER, export_site
+from rna_view.site_files import VIEWER_FILES, Site, site_for, viewer_file
+from tests.package.builders import make_tier, make_tiny_package
 from tests.web.pages import served
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -32,6 +36,11 @@ def fetch(url: str, **headers: str) -> tuple[int, dict[str, str], bytes]:
             return error.code, dict(error.headers), error.read()
 
 
+def name_of(path: Path) -> str:
+    """A file's name in a page: of what it holds, whatever others call it."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:32] + path.suffix
+
+
 @pytest.fixture
 def package(tmp_path) -> Path:
     return make_tiny_package(tmp_path / "a b.rna")
@@ -40,9 +49,9 @@ def package(tmp_path) -> Path:
 def test_server_gives_the_page_and_its_files_alone(package):
     with served(site_for(package)) as server:
         status, headers, page = fetch(server.url)
-        assert status == 200 and b'data-query="asset=a%20b.rna"' in page
+        assert status == 200 and f'data-query="asset={name_of(package)}"'.encode() in page
         assert "script-src 'self'" in headers["Content-Security-Policy"]
-        assert fetch(f"{server.url}a%20b.rna")[2] == package.read_bytes()
+        assert fetch(server.url + name_of(package))[2] == package.read_bytes()
         for name in ("../cli.py", "site/viewer.js", "etc/passwd", "%2e%2e/x"):
             assert fetch(server.url + name)[0] == 404
         assert fetch(server.url, Host="evil.example")[0] == 403
@@ -55,36 +64,122 @@ def test_server_gives_the_page_and_its_files_alone(package):
 def test_byte_ranges(package, asked, first, end):
     data = package.read_bytes()
     with served(site_for(package)) as server:
-        status, headers, found = fetch(f"{server.url}a%20b.rna", Range=asked)
+        status, headers, found = fetch(server.url + name_of(package), Range=asked)
         assert status == 206 and found == data[first:end]
         start = first % len(data)
         expected = f"bytes {start}-{start + len(found) - 1}/{len(data)}"
         assert headers["Content-Range"] == expected
-        assert fetch(f"{server.url}a%20b.rna", Range=f"bytes={len(data)}-")[0] == 416
-        assert fetch(f"{server.url}a%20b.rna", Range="bytes=0-1,4-5")[0] == 200
+        assert fetch(server.url + name_of(package), Range=f"bytes={len(data)}-")[0] == 416
+        assert fetch(server.url + name_of(package), Range="bytes=0-1,4-5")[0] == 200
 
 
 def test_export_writes_a_page_for_any_server(package, tmp_path, capsys):
     folder = tmp_path / "site"
     for _ in range(2):  # an earlier export is written over
         assert main([str(package), "--export", str(folder)]) == 0
-    assert {path.name for path in folder.iterdir()} == {*VIEWER_FILES, "a b.rna"}
-    assert (folder / "a b.rna").read_bytes() == package.read_bytes()
-    assert b'data-query="asset=a%20b.rna"' in (folder / "index.html").read_bytes()
+    assert {path.name for path in folder.iterdir()} == {*VIEWER_FILES, MARKER, name_of(package)}
+    assert (folder / name_of(package)).read_bytes() == package.read_bytes()
+    page = (folder / "index.html").read_text()
+    assert f'data-query="asset={name_of(package)}"' in page
+    assert 'http-equiv="Content-Security-Policy"' in page and "script-src 'self'" in page
     assert "HTTPS" in capsys.readouterr().out
-    (tmp_path / "full").mkdir()
-    (tmp_path / "full" / "mine.txt").write_text("keep")
-    assert main([str(package), "--export", str(tmp_path / "full")]) == 1
-    assert "other files" in capsys.readouterr().err
-    assert [path.name for path in (tmp_path / "full").iterdir()] == ["mine.txt"]
+
+
+def test_export_leaves_other_folders_alone(package, tmp_path, capsys):
+    for name in ("mine.txt", "viewer.js"):  # the second is no proof of an earlier export
+        folder = tmp_path / f"with {name}"
+        folder.mkdir()
+        (folder / name).write_text("keep")
+        assert main([str(package), "--export", str(folder)]) == 1
+        assert "other files" in capsys.readouterr().err
+        assert [path.name for path in folder.iterdir()] == [name]
+
+
+def test_export_removes_what_an_earlier_one_wrote_alone(package, tmp_path):
+    folder, other = tmp_path / "site", make_tiny_package(tmp_path / "other.rna", make_tier("hq"))
+    main([str(package), "--export", str(folder)])
+    (folder / "mine.txt").write_text("keep")
+    record = json.loads((folder / MARKER).read_text())
+    record["files"] += ["mine.txt", "../other.rna", "viewer.js"]  # by whoever edits it
+    (folder / MARKER).write_text(json.dumps(record))
+    main([str(other), "--export", str(folder)])
+    expected = {*VIEWER_FILES, MARKER, name_of(other), "mine.txt"}
+    assert {path.name for path in folder.iterdir()} == expected and other.is_file()
 
 
 def test_scene_becomes_camera_and_lights():
+    toy = EXAMPLES / "quickstart" / "toy.rna"
     site = scene_site(EXAMPLES / "quickstart" / "scene.yaml")
     assert site.query == {"scene": "scene.json"} and not site.notes
-    assert site.contents["toy.rna"] == EXAMPLES / "quickstart" / "toy.rna"
+    assert site.contents[name_of(toy)] == toy and site.labels == {name_of(toy): "toy.rna"}
     notes = scene_site(EXAMPLES / "scene" / "scene.yaml").notes
     assert any("objects" in note for note in notes)
+
+
+SCENE = """
+assets: [{path: "a b.rna"}]
+camera: {position: [1, 1, 1], look_at: [0, 0, 0]}
+lights: [{type: environment, path: "IMAGE"}]
+resolution: [8, 8]
+samples: 1
+"""
+HDR = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + bytes([128, 128, 128, 129] * 2)
+
+
+def scene_with(folder: Path, image: str) -> Path:
+    (folder / "scene.yaml").write_text(SCENE.replace("IMAGE", image))
+    return folder / "scene.yaml"
+
+
+def test_scene_publishes_images_alone(package, tmp_path, capsys):
+    """A scene file that names any other file: nothing of it is copied or served."""
+    (tmp_path / "private.txt").write_text("secret")
+    (tmp_path / "viewer.js").write_text("document.title = 'not ours'")
+    (tmp_path / "half.hdr").write_bytes(HDR[:-3])
+    for name in ("private.txt", "viewer.js", "half.hdr", "/etc/passwd", "a b.rna"):
+        scene = scene_with(tmp_path, name)
+        assert main([str(scene), "--export", str(tmp_path / "site")]) == 1
+        error = capsys.readouterr().err
+        assert "scene.yaml:4: lights[0].path" in error and error.count("\n") == 1
+        assert not (tmp_path / "site").exists()
+
+
+@pytest.mark.parametrize("name", [*VIEWER_FILES, "scene.json", "Sky #2 ?.hdr"])
+def test_names_in_a_page_are_ours(package, tmp_path, name):
+    """An image by the name of a viewer's file does not take its place; nor is a name an address."""
+    (tmp_path / name).write_bytes(HDR)
+    site = scene_site(scene_with(tmp_path, name))
+    image = hashlib.sha256(HDR).hexdigest()[:32] + ".hdr"
+    assert set(site.contents) == {image, "scene.json", name_of(package)}
+    assert json.loads(site.contents["scene.json"])["environment"]["image"] == image
+    assert site.labels[image] == name
+    folder = tmp_path / "site"
+    export_site(site, folder)
+    assert (folder / "viewer.js").read_bytes() == viewer_file("viewer.js")
+    with served(site) as server:
+        assert fetch(f"{server.url}viewer.js")[2] == viewer_file("viewer.js")
+
+
+def test_what_lies_outside_the_scenes_folder_is_named(package, tmp_path, capsys):
+    inner = tmp_path / "inner"
+    inner.mkdir()
+    (tmp_path / "sky.hdr").write_bytes(HDR)
+    (inner / "a b.rna").symlink_to(package)
+    scene = scene_with(inner, "../sky.hdr")
+    assert main([str(scene), "--export", str(tmp_path / "site")]) == 0
+    notes = capsys.readouterr().err
+    assert f"outside the scene's folder: {tmp_path / 'sky.hdr'}" in notes
+    assert f"outside the scene's folder: {package}" in notes
+
+
+def test_what_is_no_package_or_image_is_refused(package, tmp_path):
+    (tmp_path / "text.rna").write_text("x")
+    (tmp_path / "text.hdr").write_text("x")
+    with pytest.raises(PackageError, match=r"text\.rna"):
+        site_for(tmp_path / "text.rna")
+    for image in (tmp_path / "text.hdr", tmp_path / "none.hdr", tmp_path):
+        with pytest.raises(ViewError, match=image.name):
+            site_for(package, environment=image)
 
 
 def test_query_is_escaped(package):

@@ -15,22 +15,19 @@ whatever the browser says is from another site. Nothing here reads a path from a
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Callable
 from dataclasses import asdict
 from http import HTTPStatus
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib.resources import files
-from typing import Any
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import parse_qs
 
 from pydantic import ValidationError
 
 from rna_render.preview.change import Change
 from rna_render.preview.session import Session
 from rna_sdk.errors import PreviewError, QueryError
+from rna_sdk.local_server import LOOPBACK, LocalHandler, LocalServer
 
-ADDRESS = "127.0.0.1"
 MAX_BODY = 4096
 # Shorter than a browser or a proxy waits for an answer.
 LONG_POLL_S = 20.0
@@ -60,32 +57,19 @@ def page_file(name: str) -> bytes:
     return (files("rna_render.preview") / "site" / name).read_bytes()
 
 
-class PreviewServer(ThreadingHTTPServer):
+class PreviewServer(LocalServer):
     """Listens from the start, answers while `serve_forever` runs.
 
     port: 0 for any that is free. Raises PreviewError if it is not free.
     """
 
-    daemon_threads = True
-    block_on_close = False
-
     def __init__(self, port: int, session: Session | None = None) -> None:
         self.page = {path: (kind, page_file(name)) for path, (name, kind) in PAGE.items()}
         self.session = session
         try:
-            super().__init__((ADDRESS, port), _Handler)
+            super().__init__(LOOPBACK, port, _Handler)
         except OSError as error:
-            raise PreviewError(f"cannot listen on {ADDRESS}:{port}: {error.strerror}") from error
-        self.hosts = {f"{name}:{self.server_port}" for name in (ADDRESS, "localhost")}
-
-    @property
-    def url(self) -> str:
-        return f"http://{ADDRESS}:{self.server_port}/"
-
-    def handle_error(self, request: Any, client_address: object) -> None:
-        """A page that was closed is no error."""
-        if not isinstance(sys.exception(), ConnectionError | TimeoutError):
-            super().handle_error(request, client_address)
+            raise PreviewError(f"cannot listen on {LOOPBACK}:{port}: {error.strerror}") from error
 
 
 class _Refusal(Exception):
@@ -96,11 +80,8 @@ class _Refusal(Exception):
         self.status = status
 
 
-class _Handler(BaseHTTPRequestHandler):
+class _Handler(LocalHandler):
     server: PreviewServer
-    protocol_version = "HTTP/1.1"
-    disable_nagle_algorithm = True
-    timeout = 60.0  # for the next request on an open connection
 
     def do_GET(self) -> None:
         pages = dict.fromkeys(PAGE, self._page)
@@ -112,13 +93,10 @@ class _Handler(BaseHTTPRequestHandler):
     def version_string(self) -> str:
         return "rna-run"
 
-    def log_message(self, *arguments: object) -> None:
-        """The terminal is for the address."""
-
     def _answer(self, routes: dict[str, Callable[[], None]]) -> None:
         try:
             self._check_sender()
-            route = routes.get(urlsplit(self.path).path)
+            route = routes.get(self.target()[0])
             if route is None:
                 raise _Refusal(HTTPStatus.NOT_FOUND, "there is nothing here")
             route()
@@ -131,7 +109,7 @@ class _Handler(BaseHTTPRequestHandler):
     def _check_sender(self) -> None:
         headers = self.headers
         host, origin = headers.get("Host"), headers.get("Origin")
-        if host not in self.server.hosts or len(headers.get_all("Host", [])) != 1:
+        if not self.is_for_this_server():
             raise _Refusal(HTTPStatus.FORBIDDEN, "not a name of this server")
         if origin is not None and origin != f"http://{host}":
             raise _Refusal(HTTPStatus.FORBIDDEN, "not for other pages")
@@ -141,13 +119,13 @@ class _Handler(BaseHTTPRequestHandler):
             raise _Refusal(HTTPStatus.FORBIDDEN, "not for other pages")
 
     def _page(self) -> None:
-        self._send(HTTPStatus.OK, *self.server.page[urlsplit(self.path).path])
+        self._send(HTTPStatus.OK, *self.server.page[self.target()[0]])
 
     def _state(self) -> None:
         self._send_json(self._session().state())
 
     def _picture(self) -> None:
-        after = parse_qs(urlsplit(self.path).query).get("after", ["0"])[-1]
+        after = parse_qs(self.target()[1]).get("after", ["0"])[-1]
         if not (after.isascii() and after.isdigit() and len(after) < 16):
             raise _Refusal(HTTPStatus.BAD_REQUEST, "after: expected a whole number")
         session = self._session()

@@ -19,11 +19,11 @@ export class BlobSource {
   }
 }
 
-/** Bytes at an address; `progress(bytes)` hears how many have arrived in all. */
+/** Bytes at an address; `progress(bytes)` hears how many have arrived in all. name: for messages. */
 export class UrlSource {
-  static async open(url, progress = () => {}, signal) {
+  static async open(url, progress = () => {}, signal, name = nameOf(url)) {
     const source = new UrlSource();
-    Object.assign(source, { url, progress, signal, fetched: 0, name: nameOf(url) });
+    Object.assign(source, { url, progress, signal, fetched: 0, name });
     const answer = await source._ask({ Range: `bytes=0-${HEAD - 1}` });
     const total = /\/(\d+)$/.exec(answer.headers.get("Content-Range") ?? "");
     source.ranged = answer.status === 206 && total !== null;
@@ -85,6 +85,12 @@ export class UrlSource {
   }
 }
 
-function nameOf(url) {
-  return decodeURIComponent(new URL(url, location.href).pathname.split("/").pop()) || url;
+/** The last part of an address's path, as people read it. */
+export function nameOf(url) {
+  const last = new URL(url, location.href).pathname.split("/").pop();
+  try {
+    return decodeURIComponent(last) || url;
+  } catch {
+    return last;  // with a "%" that encodes nothing
+  }
 }

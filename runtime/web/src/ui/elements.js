@@ -6,12 +6,18 @@ export function on(id, event, action) {
   element(id).addEventListener(event, ({ target }) => action(target));
 }
 
-/** One line over the picture; null takes it away. calm: it is no error. */
-export function say(text, calm = false) {
-  const notice = element("notice");
-  notice.hidden = !text;
-  notice.textContent = text ?? "";
-  notice.classList.toggle("calm", calm);
+const notices = new Map();
+
+/**
+ * A line over the picture; null takes it away. calm: it is no error. about: lines about other things stay.
+ */
+export function say(text, calm = false, about = "page") {
+  if (text) notices.set(about, { text, calm });
+  else notices.delete(about);
+  const notice = element("notice"), lines = [...notices.values()];
+  notice.hidden = !lines.length;
+  notice.replaceChildren(...lines.map(({ text: line }) => Object.assign(document.createElement("span"), { textContent: line })));
+  notice.classList.toggle("calm", lines.every((line) => line.calm));
 }
 
 export const clamp = (x, low, high) => Math.min(Math.max(x, low), high);

@@ -12,14 +12,16 @@ import { listen } from "../ui/pointer.js";
 import { compose, sharedFiles, rayKernels } from "../webgpu/sources.js";
 import { Lighting } from "./lighting.js";
 import { Orbit } from "./orbit.js";
+import { fileAddress } from "./parameters.js";
 import { Panel } from "./panel.js";
 import { BACKDROP, Viewer } from "./viewer.js";
 
 const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of phones
 
 export class App {
-  constructor(parameters) {
-    Object.assign(this, { parameters, orbit: new Orbit(), lighting: new Lighting(), opened: null, loading: null });
+  /** parameters: of the address. labels: what people call a file of this page, by its name. */
+  constructor(parameters, labels = {}) {
+    Object.assign(this, { parameters, labels, orbit: new Orbit(), lighting: new Lighting(), opened: null, loading: null });
     this.panel = new Panel(this);
     this.places = { view: document.getElementById("view") };
     new ResizeObserver(() => this.resize()).observe(this.places.view);
@@ -29,7 +31,7 @@ export class App {
   /** The engine and an empty picture; packages that load meanwhile wait for it. */
   begin() {
     this.begun = this._begin();
-    this.begun.catch((error) => this._failed(error));
+    this.begun.catch((error) => this._failed(error, "engine"));
     return this.begun;
   }
 
@@ -43,39 +45,49 @@ export class App {
     if (this.parameters.has("rounds")) this.viewer.rounds = Number(this.parameters.get("rounds"));
     if (this.parameters.get("jitter") === "0") this.viewer.jitter = 0;
     this.viewer.addEventListener("shown", () => this.panel.showStats(this.viewer.stats));
-    this.viewer.addEventListener("failed", ({ error }) => this._failed(error));
+    this.viewer.addEventListener("failed", ({ error }) => this._failed(error, "asset"));
     performance.mark("engine");
     listen(canvas, this._actions());
     this.panel.showEngine(engine.constructor.label, reasons);
     this.resize();
   }
 
+  /** An asset is on its way: no word on how to bring one. */
+  expectAsset(coming = true) {
+    document.body.classList.toggle("expecting", coming);
+  }
+
   /** Shows the package at an address, or in a File. */
   async open(from) {
     this.loading?.abort();
     const loading = (this.loading = new AbortController());
+    this.expectAsset();
     try {
-      say(null);
+      say(null, false, "asset");
       const source = from instanceof Blob
         ? new BlobSource(from, from.name)
-        : await UrlSource.open(from, (got, all) => this.panel.showProgress(got, all), loading.signal);
+        : await UrlSource.open(from, (got, all) => this.panel.showProgress(got, all), loading.signal, this.labels[from]);
       const opened = await Package.open(source);
       if (loading.signal.aborted) return;
       await this._showPoster(opened);
       await this._show(opened, this.parameters.get("tier"), true);
     } catch (error) {
-      if (!loading.signal.aborted && error.name !== "AbortError") this._failed(error);
+      if (!loading.signal.aborted && error.name !== "AbortError") this._failed(error, "asset");
     } finally {
-      if (this.loading === loading) this.panel.showProgress(null);
+      if (this.loading === loading) {
+        this.panel.showProgress(null);
+        this.expectAsset(false);
+      }
     }
   }
 
   /** Another tier of the package that is open. */
   async switchTier(name) {
     try {
+      say(null, false, "asset");
       await this._show(this.opened, name, false);
     } catch (error) {
-      this._failed(error);
+      this._failed(error, "asset");
     } finally {
       this.panel.showProgress(null);
     }
@@ -87,24 +99,28 @@ export class App {
       const scene = JSON.parse(new TextDecoder().decode(await fetched(url)));
       const { radiance, image } = scene.environment ?? {};
       if (radiance) scene.environment.key = this.lighting.add("The scene's", evenImage(radiance));
-      if (image) scene.environment.key = this.lighting.add(image, readImage(await fetched(image), image));
+      if (image) {
+        const label = this.labels[image] ?? image;
+        scene.environment.key = this.lighting.add(label, readImage(await fetched(fileAddress(image)), image));
+      }
       await this.begun;
       this.applyScene(scene);
       return scene;
     } catch (error) {
-      this._failed(error);
+      this._failed(error, "scene");
       return null;
     }
   }
 
   async openImage(from, name) {
     try {
+      say(null, false, "light");
       const buffer = from instanceof Blob ? await from.arrayBuffer() : await fetched(from);
-      this.lighting.choice = this.lighting.add(name, readImage(buffer, name));
+      this.lighting.choice = this.lighting.add(this.labels[name] ?? name, readImage(buffer, name));
       this.panel.showLighting(this.lighting);
       this.changed();
     } catch (error) {
-      this._failed(error);
+      this._failed(error, "light");
     }
   }
 
@@ -264,7 +280,7 @@ export class App {
 
   async _recover(why) {
     const { shown, arrays } = this;
-    say(`${why}; starting again`, true);
+    say(`${why}; starting again`, true, "engine");
     this.viewer?.stop();
     this.uploaded = null;
     try {
@@ -277,16 +293,17 @@ export class App {
         this.changed();
         this.viewer.start();
       }
-      say(null);
+      say(null, false, "engine");
     } catch (error) {
-      this._failed(error);
+      this._failed(error, "engine");
     }
   }
 
-  _failed(error) {
+  /** about: what the line stands for until that works; see say. */
+  _failed(error, about = "page") {
     const known = error instanceof PackageError || error instanceof NotSupported;
     if (!known) console.error(error);
-    say(known ? error.message : `this did not work: ${error.message ?? error}`);
+    say(known ? error.message : `this did not work: ${error.message ?? error}`, false, about);
     this.failures = (this.failures ?? 0) + 1;
   }
 }

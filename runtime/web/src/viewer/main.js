@@ -1,19 +1,23 @@
 // The start of the page: what its address, or its own body, asks for.
-//   ?asset=toy.rna  &tier=small  &env=studio.hdr  &scene=scene.json  &ui=0  &bench=1
-//   &api=webgpu|webgl2  &rounds=64  &dpr=1  &jitter=0 (rays through the middles of pixels, for comparisons)
+import { nameOf } from "../package/source.js";
+import { say } from "../ui/elements.js";
 import { App } from "./app.js";
 import { runBenchmark } from "./bench.js";
+import { fileAddress, readParameters } from "./parameters.js";
 
 async function start() {
-  const parameters = new URLSearchParams(document.body.dataset.query);
-  for (const [name, value] of new URLSearchParams(location.search)) parameters.set(name, value);
+  const { query, labels } = document.body.dataset;
+  const { parameters, problems } = readParameters(query, location.search);
+  say(problems.join("; "), true, "address");
   document.body.classList.toggle("bare", parameters.get("ui") === "0");
-  const app = (globalThis.rnaViewer = new App(parameters));
+  const app = (globalThis.rnaViewer = new App(parameters, JSON.parse(labels ?? "{}")));
   app.begin();
-  const scene = parameters.get("scene") && (await app.openScene(parameters.get("scene")));
-  const env = parameters.get("env");
-  if (env) await app.openImage(env, env.split("/").pop());
-  const asset = parameters.get("asset") ?? scene?.asset;
+  const address = (name) => (parameters.has(name) ? fileAddress(parameters.get(name)) : null);
+  const given = address("asset"), scene = address("scene"), image = address("env");
+  if (given) app.expectAsset();
+  const described = scene && (await app.openScene(scene));
+  if (image) await app.openImage(image, nameOf(image));
+  const asset = given ?? (described?.asset && fileAddress(described.asset));
   if (asset) await app.open(asset);
   if (parameters.get("bench") === "1") await runBenchmark(app);
 }

@@ -69,7 +69,7 @@ export class Panel {
     element("error").textContent = validation ? `${validation.psnr.toFixed(1)} dB, FLIP ${validation.flip.toFixed(3)}` : "not recorded";
     element("cost").textContent = cost ? `${cost.multiplyAdds.toLocaleString("en")} multiply-adds` : "not recorded";
     element("size").textContent = readableBytes(own.bytesOf(tier.name));
-    if (warnings.length) say(warnings.join("; "), true);
+    if (warnings.length) say(warnings.join("; "), true, "asset");
   }
 
   showStats({ ms, rounds, scale }) {

@@ -1,0 +1,108 @@
+"""What the page's address asks for, and an exported page on any other server."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+
+import pytest
+
+from rna_view.site_export import export_site
+from rna_view.site_files import site_for
+from tests.package.builders import make_tiny_package
+from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
+from tests.web.pages import notice, wait_for_picture
+
+pytestmark = pytest.mark.chromium
+
+PATIENCE = 60.0
+QUERY = "api=webgl2&rounds=1&dpr=1"
+ODD_NAMES = ("Chair #2.rna", "50% off.rna", "ü ❤.rna", "a&b=c+d.rna")
+
+
+class _Static(SimpleHTTPRequestHandler):
+    """Any other web server: no ranges, no headers of ours."""
+
+    def log_message(self, *arguments: object) -> None:
+        """Nothing."""
+
+
+@pytest.fixture(scope="module")
+def site_url(tmp_path_factory) -> Iterator[str]:
+    """An exported page on a plain server, with packages of odd names beside it."""
+    folder = tmp_path_factory.mktemp("exported")
+    package = make_tiny_package(tmp_path_factory.mktemp("package") / "Chair #2 50% off?.rna")
+    export_site(site_for(package), folder)
+    for name in ODD_NAMES:
+        (folder / name).write_bytes(package.read_bytes())
+    handler = partial(_Static, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def chromium_page() -> Iterator[Page]:
+    chromium = find_chromium()
+    if chromium is None:
+        pytest.skip(INSTALL)
+    with open_page(chromium, 160, 100, SOFTWARE_GPU) as page:
+        yield page
+
+
+def visit(page: Page, url: str) -> None:
+    """Open an address, until its asset is shown or something failed."""
+    page.call("Page.navigate", url="about:blank")
+    page.call("Page.navigate", url=url)
+    page.wait_for("!!globalThis.rnaViewer?.viewer", PATIENCE)
+    wait_for_picture(page, 1)
+
+
+def test_an_exported_page_works_under_its_policy(chromium_page, site_url):
+    visit(chromium_page, f"{site_url}?{QUERY}")
+    assert notice(chromium_page) is None
+    chromium_page.evaluate(
+        """(() => {
+            globalThis.refused = [];
+            addEventListener("securitypolicyviolation", (e) => refused.push(e.effectiveDirective));
+            const script = document.createElement("script");
+            script.textContent = "globalThis.ran = 1";
+            document.head.append(script);
+        })()"""
+    )
+    chromium_page.wait_for("refused.length", PATIENCE)
+    assert chromium_page.evaluate("[globalThis.ran ?? 0, refused[0]]") == [0, "script-src-elem"]
+
+
+@pytest.mark.parametrize("name", ODD_NAMES)
+def test_an_asset_of_any_name(chromium_page, site_url, name):
+    chromium_page.evaluate(f"globalThis.odd = encodeURIComponent({name!r})")
+    odd = chromium_page.evaluate("odd")
+    visit(chromium_page, f"{site_url}?{QUERY}&asset={odd}")
+    assert notice(chromium_page) is None
+    assert chromium_page.evaluate("rnaViewer.opened.source.name") == name
+
+
+def test_what_the_address_cannot_have_is_told(chromium_page, site_url):
+    chromium_page.call("Page.navigate", url="about:blank")
+    asked = f"{QUERY}&rounds=many&teir=hq&fbclid=1&env=none.hdr"
+    chromium_page.call("Page.navigate", url=f"{site_url}?{asked}")
+    chromium_page.wait_for("(globalThis.rnaViewer?.viewer?.stats.rounds ?? 0) >= 1", PATIENCE)
+    told = notice(chromium_page)
+    assert "?rounds=: expected a whole number" in told and "found many" in told
+    assert "?teir= is no parameter of this page: did you mean tier=?" in told
+    assert "cannot load none.hdr: HTTP 404" in told and "fbclid" not in told
+    assert chromium_page.evaluate("rnaViewer.viewer.rounds") == 1
+
+
+def test_no_hint_while_an_asset_is_on_its_way(chromium_page, site_url):
+    hint = "getComputedStyle(document.getElementById('hint')).display"
+    chromium_page.call("Page.navigate", url="about:blank")
+    chromium_page.call("Page.navigate", url=f"{site_url}?{QUERY}")
+    chromium_page.wait_for(f"globalThis.rnaViewer && {hint} === 'none'", PATIENCE)
+    assert not chromium_page.evaluate("document.body.classList.contains('loaded')")
+    wait_for_picture(chromium_page, 1)
+    assert chromium_page.evaluate(hint) == "none"
