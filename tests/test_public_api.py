@@ -27,6 +27,8 @@ OUR_TOOLS = {
         "console",
         "cpu",
         "kernel_threads",
+        "outputs",
+        "owned_folder",
         "regular_file",
     )
 }
