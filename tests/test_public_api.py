@@ -27,12 +27,13 @@ OUR_TOOLS = {
         "console",
         "cpu",
         "kernel_threads",
+        "local_server",
         "outputs",
         "owned_folder",
         "regular_file",
     )
 }
-"""How our own commands check arrays, read, write, are compiled, threaded and talk."""
+"""How our own commands check arrays, read, write, are compiled, threaded, talk, and serve pages."""
 RENDERERS = {"rna_render": OUR_TOOLS, "rna_mitsuba": set()}
 
 
