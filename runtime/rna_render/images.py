@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile
@@ -12,6 +12,7 @@ import numpy as np
 from rna_render.view_transform import to_display
 from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import SceneError
+from rna_sdk.regular_file import check_regular
 
 
 def write_exr(path: Path, channels: Mapping[str, np.ndarray], attributes: dict[str, str]) -> None:
@@ -63,6 +64,37 @@ def read_exr(path: Path) -> tuple[dict[str, np.ndarray], dict[str, object]]:
             return channels, dict(file.header())
     except (OSError, RuntimeError, ValueError) as error:
         raise SceneError(f"cannot read the image: {error}", file=path) from error
+
+
+def read_exr_headers(path: Path) -> list[dict[str, Any]]:
+    """The headers of an EXR's parts, attributes by name; `channels` is a list.
+
+    Raises SceneError if the file cannot be read.
+    """
+    import OpenEXR
+
+    try:
+        check_regular(path)
+        with OpenEXR.File(str(path), header_only=True) as file:
+            return [dict(part.header) for part in file.parts]
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise SceneError(f"cannot read the image: {reason}", file=path) from error
+    except (RuntimeError, ValueError, TypeError, KeyError) as error:
+        raise SceneError(f"cannot read the image: {error}", file=path) from error
+
+
+def read_exr_part(path: Path, number: int, names: Iterable[str]) -> list[np.ndarray]:
+    """Channels of one part, each (height, width). Raises SceneError if they cannot be read."""
+    import OpenEXR
+
+    try:
+        with OpenEXR.File(str(path), separate_channels=True) as file:
+            # A part whose pixels are broken is left out, with a line on stderr.
+            channels = file.parts[number].channels
+            return [channels[name].pixels.copy() for name in names]
+    except (OSError, RuntimeError, ValueError, IndexError, KeyError, AttributeError) as error:
+        raise SceneError("cannot read the image: its pixels are broken", file=path) from error
 
 
 def write_png(

@@ -15,8 +15,8 @@ MAX_IMAGE_PIXELS = 1 << 27
 # Of an EXR, the values of all channels of all parts: the decoder reads each of them.
 MAX_IMAGE_VALUES = 1 << 29
 # Radiance of more bytes than this, as float32 RGB, has to be at most so many times its file.
-MAX_FREE_BYTES = 1 << 29
-MAX_EXPANSION = 256
+MAX_FREE_BYTES = 1 << 28
+MAX_EXPANSION = 1024
 
 # Of the mesh that a file becomes, with a copy for each node that shows a glTF mesh.
 MAX_VERTICES = 1 << 26

@@ -106,8 +106,8 @@ BAD = {
     "a repetition at the start": (bytes([1, 1, 1, 2]), 1, 3, "there is none before it"),
     "a repetition too long": (bytes([9, 9, 9, 9, 1, 1, 1, 3]), 1, 3, "past the line's end"),
     "shifts without end": (bytes([9] * 4 + [1, 1, 1, 0] * 40), 1, 3, "past the line's end"),
-    "no pixels": (b"", 0, 8, "0 pixels"),
-    "too wide": (b"", 1, 32769, "at most 32768 a side"),
+    "no pixels": (b"", 0, 8, "has 8 x 0 pixels"),
+    "too wide": (b"", 1, 32769, "from 1 to 32768 a side"),
     "too many": (b"", 32768, 32768, "2^27 in all"),
 }
 
@@ -116,7 +116,7 @@ BAD = {
 def test_a_broken_picture_is_refused(name, tmp_path):
     pixels, height, width, message = BAD[name]
     path = hdr(tmp_path / "bad.hdr", pixels, height, width)
-    with pytest.raises(SceneError, match=r"bad\.hdr: broken HDR image") as caught:
+    with pytest.raises(SceneError, match=r"bad\.hdr: (broken HDR image|has)") as caught:
         read_environment(path)
     assert message in str(caught.value)
 
@@ -126,10 +126,10 @@ BAD_HEADERS = {
     b"#?RADIANCE\n\n": "no header",
     b"#?RADIANCE\n" + b"A=1\n" * 30_000 + b"\n-Y 1 +X 1\n": "no header",
     b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\nabcd": "32-bit_rle_xyze",
-    b"#?RADIANCE\n\n+X 1 -Y 1\nabcd": "expected '-Y height +X width'",
-    b"#?RADIANCE\n\n-Y -1 +X 1\nabcd": "expected '-Y height +X width'",
-    b"#?RADIANCE\n\n-Y 99999999999999999999 +X 1\nabcd": "expected '-Y height +X width'",
-    b"#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\nabcd": "EXPOSURE",
+    b"#?RADIANCE\n\n+X 1 -X 1\nabcd": "expected such as '-Y height +X width'",
+    b"#?RADIANCE\n\n-Y -1 +X 1\nabcd": "expected such as '-Y height +X width'",
+    b"#?RADIANCE\n\n-Y 99999999999999999999 +X 1\nabcd": "expected such as '-Y height +X width'",
+    b"#?RADIANCE\nEXPOSURE=-1\n\n-Y 1 +X 1\nabcd": "EXPOSURE",
     b"#?RADIANCE\nEXPOSURE=nan\n\n-Y 1 +X 1\nabcd": "EXPOSURE",
     b"#?RADIANCE\nEXPOSURE=bright\n\n-Y 1 +X 1\nabcd": "EXPOSURE",
 }
@@ -206,7 +206,7 @@ def test_values_that_are_not_finite_are_refused(value, tmp_path):
 
 def test_an_exr_without_colours_is_refused(tmp_path):
     write_exr(tmp_path / "depth.exr", planes(Z=1, R=2), {})
-    with pytest.raises(SceneError, match=r"no channels R, G and B of one size; it has R, Z"):
+    with pytest.raises(SceneError, match=r"no channels R, G and B, nor Y; it has R, Z"):
         read_environment(tmp_path / "depth.exr")
 
 

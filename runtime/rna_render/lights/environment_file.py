@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.images import read_exr
+from rna_render.lights.environment_exr import read_exr_environment
 from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.radiance_hdr import HDR_MAGIC, read_hdr
 from rna_render.limits import MAX_NUMBER
@@ -39,7 +39,8 @@ def read_environment(path: Path) -> np.ndarray:
     """Radiance of the texels, (h, w, 3) float32; negative values, which filters leave, are 0.
 
     The file's first bytes say what it is. Raises SceneError if it cannot be read, is neither EXR
-    nor HDR, has no R, G and B (or Y), or has texels that are not finite.
+    nor HDR, has no picture that `read_exr_environment` or `read_hdr` know, or has texels that are
+    not finite.
     """
     try:
         check_regular(path)
@@ -48,7 +49,7 @@ def read_environment(path: Path) -> np.ndarray:
     except OSError as error:
         raise SceneError(f"cannot read the image: {error.strerror}", file=path) from error
     if start == EXR_MAGIC:
-        texels = _colours(path, read_exr(path)[0])
+        texels = read_exr_environment(path)
     elif start.startswith(HDR_MAGIC):
         texels = read_hdr(path)
     else:
@@ -61,12 +62,3 @@ def read_environment(path: Path) -> np.ndarray:
         )
     np.maximum(texels, np.float32(0.0), out=texels)
     return texels
-
-
-def _colours(path: Path, channels: dict[str, np.ndarray]) -> np.ndarray:
-    names = "RGB" if set("RGB") <= set(channels) else "YYY"
-    found = [channels[name] for name in names if name in channels]
-    if len(found) != 3 or any(plane.shape != found[0].shape for plane in found):
-        has = ", ".join(sorted(channels)) or "none"
-        raise SceneError(f"has no channels R, G and B of one size; it has {has}", file=path)
-    return np.stack(found, axis=2).astype(np.float32)

@@ -7,22 +7,24 @@ https://radsite.lbl.gov/radiance/refer/filefmts.pdf, and Real Pixels (Graphics G
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numba import prange
 
-from rna_render.limits import MAX_PIXELS_A_SIDE
+from rna_render.lights.image_size import check_image_size
 from rna_render.memory import signed
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
+from rna_sdk.regular_file import read_regular
 
 HDR_MAGIC = b"#?"
 MAX_HEADER_BYTES = 1 << 16
-# 16384 x 8192: a few bytes of old run-length code may stand for any number of pixels.
-MAX_PIXELS = 1 << 27
 # Widths that the newer code, one run-length code a component, can have.
 NEW_CODE_WIDTHS = 8, 0x7FFF
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
+SIZE = re.compile(r"([-+])([XY]) +(\d{1,9}) +([-+])([XY]) +(\d{1,9})", re.ASCII)
 
 _OK, _TRUNCATED, _OVERRUN, _EMPTY_RUN, _NOTHING_TO_REPEAT = range(5)
 _MISTAKES = {
@@ -33,63 +35,89 @@ _MISTAKES = {
 }
 
 
+@dataclass(frozen=True)
+class _Header:
+    """offset: of the pixels. lines, length: their number, and pixels of each. columns: whether
+    lines are columns. flipped: whether the axes of the stored lines and of their pixels go up, or
+    to the left. exposure: what values were multiplied by."""
+
+    offset: int
+    lines: int
+    length: int
+    columns: bool
+    flipped: tuple[bool, bool]
+    exposure: float
+
+
 def read_hdr(path: Path) -> np.ndarray:
     """The picture's values, (h, w, 3) float32, row 0 at the top.
 
-    They are divided by the header's EXPOSURE, as the format asks. Raises SceneError for a file
-    that cannot be read or is broken, for XYZE pictures and for those that start in another corner
-    than the top left.
+    They are divided by the header's EXPOSURE, as the format asks; COLORCORR and PRIMARIES are left
+    out. Raises SceneError for a file that cannot be read, is broken or too large, and for XYZE
+    pictures.
     """
     try:
-        data = path.read_bytes()
+        data = read_regular(path)
     except OSError as error:
         raise SceneError(f"cannot read the image: {error.strerror}", file=path) from error
-    start, width, height, exposure = _read_header(path, data)
-    rgbe = np.empty((height, width, 4), np.uint8)
-    mistake, row = _decode(np.frombuffer(data, np.uint8), start, rgbe)
-    if mistake != _OK:
-        raise SceneError(f"broken HDR image, line {row}: {_MISTAKES[mistake]}", file=path)
-    texels = np.empty((height, width, 3), np.float32)
-    _from_rgbe(rgbe, 1.0 / exposure, texels)
-    return texels
+    header = _read_header(path, data)
+    rgbe = _read_pixels(path, data, header)
+    texels = np.empty((header.lines, header.length, 3), np.float32)
+    _from_rgbe(rgbe, 1.0 / header.exposure, texels)
+    steps = tuple(-1 if flip else 1 for flip in header.flipped)
+    texels = texels[:: steps[0], :: steps[1]]
+    return np.ascontiguousarray(texels.swapaxes(0, 1) if header.columns else texels)
 
 
-def _read_header(path: Path, data: bytes) -> tuple[int, int, int, float]:
-    """Offset of the pixels, width, height and exposure."""
-
+def _read_header(path: Path, data: bytes) -> _Header:
     def error(message: str) -> SceneError:
         return SceneError(f"broken HDR image: {message}", file=path)
 
-    end = data.find(b"\n\n", 0, MAX_HEADER_BYTES)
-    size_end = data.find(b"\n", end + 2, MAX_HEADER_BYTES)
-    if not data.startswith(HDR_MAGIC) or end < 0 or size_end < 0:
+    lines = data[:MAX_HEADER_BYTES].split(b"\n")[:-1]
+    end = next((k for k, line in enumerate(lines) if line.rstrip(b"\r") == b""), len(lines))
+    if not data.startswith(HDR_MAGIC) or end + 1 >= len(lines):
         raise error("it has no header")
     exposure = 1.0
-    for line in data[:end].decode("latin-1").splitlines():
-        name, _, value = line.partition("=")
-        if name == "FORMAT" and value.strip() != "32-bit_rle_rgbe":
-            raise error(f"format {value.strip()!r}, expected 32-bit_rle_rgbe")
+    for line in lines[1:end]:
+        name, _, value = (part.strip() for part in line.decode("latin-1").partition("="))
+        if name == "FORMAT" and value != "32-bit_rle_rgbe":
+            raise error(f"format {value!r}, expected 32-bit_rle_rgbe")
         if name == "EXPOSURE":
-            exposure *= _positive(value)
+            exposure *= _exposure(value)
     if not 0.0 < exposure < np.inf:
         raise error("EXPOSURE is not a positive number")
-    size = data[end + 2 : size_end].decode("latin-1")
-    match = re.fullmatch(r"-Y (\d{1,9}) \+X (\d{1,9})", size.strip())
-    if match is None:
-        raise error(f"size {size[:40]!r}, expected '-Y height +X width'")
-    height, width = int(match[1]), int(match[2])
-    too_long = max(width, height) > MAX_PIXELS_A_SIDE or width * height > MAX_PIXELS
-    if width * height == 0 or too_long:
-        raise error(f"{width} x {height} pixels; at most {MAX_PIXELS_A_SIDE} a side, 2^27 in all")
-    return size_end + 1, width, height, exposure
+    size = lines[end + 1].decode("latin-1").strip()
+    match = SIZE.fullmatch(size)
+    if match is None or match[2] == match[5]:
+        raise error(f"size {size[:40]!r}, expected such as '-Y height +X width'")
+    first, second = (_goes_back(match[1] + match[2]), _goes_back(match[4] + match[5]))
+    count, length = int(match[3]), int(match[6])
+    columns = match[2] == "X"
+    check_image_size(path, *((count, length) if columns else (length, count)))
+    offset = sum(len(line) + 1 for line in lines[: end + 2])
+    return _Header(offset, count, length, columns, (first, second), exposure)
 
 
-def _positive(text: str) -> float:
-    """The number that the text is; 0 if it is none."""
-    try:
-        return float(text)
-    except ValueError:
-        return 0.0
+def _goes_back(axis: str) -> bool:
+    """Whether an axis goes up (`+Y`) or to the left (`-X`)."""
+    return axis in ("+Y", "-X")
+
+
+def _exposure(text: str) -> float:
+    """A number of the header; 1 for the 0 that FreeImage writes, 0 if it is no number."""
+    return (float(text) or 1.0) if NUMBER.fullmatch(text) else 0.0
+
+
+def _read_pixels(path: Path, data: bytes, header: _Header) -> np.ndarray:
+    """(lines, length, 4) uint8."""
+    rgbe = np.empty((header.lines, header.length, 4), np.uint8)
+    mistake, row = _decode(np.frombuffer(data, np.uint8), header.offset, rgbe)
+    if mistake == _OK:
+        return rgbe
+    # Flat pixels may look like either code: a first one of 2, 2, less than 128.
+    if len(data) - header.offset == rgbe.size:
+        return np.frombuffer(data, np.uint8, rgbe.size, header.offset).reshape(rgbe.shape)
+    raise SceneError(f"broken HDR image, line {row}: {_MISTAKES[mistake]}", file=path)
 
 
 @compiled(fastmath=())

@@ -1,29 +1,35 @@
-// Environment images: .hdr and .exr files, read by three.
-import { FloatType } from "three";
-import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
-import { HDRLoader } from "three/addons/loaders/HDRLoader.js";
+// Environment images: Radiance and OpenEXR files, told by their first bytes.
 import { NotSupported } from "../package/errors.js";
+import { readExr } from "./exr_file.js";
+import { readHdr } from "./hdr_file.js";
+import { MAX_NUMBER } from "./image_limits.js";
 
-/** { rgb, width, height } with row 0 at the top, of a file's bytes; its name says which kind. */
+const EXR_MAGIC = [0x76, 0x2f, 0x31, 0x01], HDR_MAGIC = [0x23, 0x3f];
+
+/** { rgb, width, height } with row 0 at the top, of a file's bytes; negative values are 0. name: for errors. */
 export function readImage(buffer, name) {
-  const exr = /\.exr$/i.test(name);
-  if (!exr && !/\.(hdr|pic)$/i.test(name)) throw new NotSupported(`${name}: neither .hdr nor .exr`);
-  let image;
+  const bytes = new Uint8Array(buffer), starts = (magic) => magic.every((byte, k) => bytes[k] === byte);
+  const read = starts(EXR_MAGIC) ? readExr : starts(HDR_MAGIC) ? readHdr : null;
+  if (read === null) throw new NotSupported(`${name}: is neither an EXR nor a Radiance HDR image`);
   try {
-    image = new (exr ? EXRLoader : HDRLoader)().setDataType(FloatType).parse(buffer);
+    return checked(read(bytes));
   } catch (error) {
-    throw new NotSupported(`${name}: no image that can be read (${error.message ?? error})`);
+    const said = error instanceof NotSupported ? error.message : `cannot read the image: ${error.message ?? error}`;
+    throw new NotSupported(`${name}: ${said}`);
   }
-  const { data, width, height } = image, channels = data.length / (width * height);
-  const rgb = new Float32Array(3 * width * height);
-  for (let row = 0; row < height; row++) {
-    const from = exr ? height - 1 - row : row;  // three has EXR rows from the bottom
-    for (let column = 0; column < width; column++) {
-      for (let c = 0; c < 3; c++) {
-        const value = data[channels * (from * width + column) + Math.min(c, channels - 1)];
-        rgb[3 * (row * width + column) + c] = Number.isFinite(value) ? Math.max(0, value) : 0;
-      }
+}
+
+function checked(image) {
+  const { rgb } = image;
+  let bad = 0;
+  for (let k = 0; k < rgb.length; k += 3) {
+    let good = true;
+    for (let c = k; c < k + 3; c++) {
+      good &&= Number.isFinite(rgb[c]) && rgb[c] <= MAX_NUMBER;
+      if (!(rgb[c] > 0)) rgb[c] = 0;
     }
+    if (!good) bad++;
   }
-  return { rgb, width, height };
+  if (bad) throw new NotSupported(`has ${bad} texels that are not finite numbers of at most 1e+18`);
+  return image;
 }

@@ -1,0 +1,19 @@
+"""Environments as other programs write them, read by `rna-run`; tests/web has the viewer."""
+
+from __future__ import annotations
+
+import pytest
+
+from rna_render.lights.environment_file import read_environment
+from rna_sdk.errors import SceneError
+from tests.render.environment_files import cases
+
+
+def test_environments_of_other_programs(tmp_path):
+    for case in cases(tmp_path):
+        if case.texels is None:
+            with pytest.raises(SceneError) as caught:
+                read_environment(case.path)
+            assert case.message in str(caught.value) and case.path.name in str(caught.value)
+        else:
+            case.check(read_environment(case.path))
