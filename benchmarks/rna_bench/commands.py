@@ -39,6 +39,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("stability", "stability.stability_command", resumes=True),
         Command("fit", "frontier.fit", resumes=True),
         Command("frontier-chart", "frontier.redraw"),
+        Command("threads", "scenes.thread_counts"),
     ),
     "speed of queries": (
         Command("evaluate", "speed.evaluate"),

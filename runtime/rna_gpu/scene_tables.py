@@ -19,7 +19,7 @@ from rna_render.bodies.surface import OFFSET
 from rna_render.lights import Light
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
-from rna_render.materials.ggx import albedo_table
+from rna_render.materials.ggx_albedo import ALBEDO_MEANS, ALBEDO_TABLE
 from rna_render.world import World
 from rna_sdk.runtime import Asset
 
@@ -122,7 +122,6 @@ def _things(
 
 
 def _albedo() -> NDArray[np.float32]:
-    """albedo_table with its means behind each row, two entries a vec4f."""
-    table, mean = albedo_table()
-    whole = np.concatenate([table, mean[:, None]], axis=1).reshape(-1)
+    """ALBEDO_TABLE with its means behind each row, two entries a vec4f."""
+    whole = np.concatenate([ALBEDO_TABLE, ALBEDO_MEANS[:, None]], axis=1).reshape(-1)
     return np.pad(whole, (0, -len(whole) % 4)).reshape(-1, 4).astype(np.float32)

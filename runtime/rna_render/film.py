@@ -118,6 +118,12 @@ class Film:
         film._squares, film.samples = arrays["squares"], int(arrays["samples"][0])
         return film
 
+    def not_finite(self) -> np.ndarray:
+        """Pixels with a value that is NaN or infinite, in row-major order: (k,) int64."""
+        layers = [getattr(self._sum, field.name) for field in fields(Layers)]
+        bad = [~np.isfinite(v.reshape(len(self._squares), -1)).all(1) for v in layers if v.size]
+        return np.flatnonzero(np.any(bad, axis=0))
+
     def channels(self) -> dict[str, np.ndarray]:
         """The image, (height, width) a channel; float32, but uint32 for assetId.
 

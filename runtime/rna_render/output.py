@@ -12,6 +12,7 @@ from rna_render.denoise import Denoiser
 from rna_render.film import Film
 from rna_render.images import read_attributes, write_linear, write_png
 from rna_render.scene_model import Scene
+from rna_sdk.errors import SceneError
 from rna_sdk.outputs import check_outputs
 
 
@@ -54,7 +55,12 @@ class Output:
         )
 
     def write(self, scene: Scene, film: Film) -> None:
-        """Write the files. Raises SceneError if one cannot be written."""
+        """Write the files.
+
+        Raises SceneError if one cannot be written, or if a pixel is not finite: a scene's numbers
+        all are.
+        """
+        self._check_finite(film)
         channels = film.channels()
         rgb = np.stack([channels[name] for name in "RGB"], axis=-1)
         if self.denoiser is not None:
@@ -68,6 +74,17 @@ class Output:
     def write_so_far(self, scene: Scene, film: Film) -> None:
         """Write the files of a film that is not finished; with the noise."""
         replace(self, denoiser=None).write(scene, film)
+
+    def _check_finite(self, film: Film) -> None:
+        bad = film.not_finite()
+        if len(bad):
+            y, x = divmod(int(bad[0]), film.width)
+            raise SceneError(
+                f"not written: {len(bad):,} of {film.width * film.height:,} pixels are not finite "
+                f"numbers, the first at column {x}, row {y}; this is a fault of the renderer, "
+                "please report it with the scene",
+                file=self.linear,
+            )
 
     def _is_of(self, scene: Scene, found: dict[str, str]) -> bool:
         """Whether attributes are those of the finished image; a time limit may end it early."""

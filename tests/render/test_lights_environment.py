@@ -120,7 +120,7 @@ def test_directions_follow_the_density(name, turn):
 def test_directions_beside_rays_follow_the_density(name):
     """And none goes to where the mean of a cell is below half of that of the image."""
     image = EquirectangularImage(IMAGES[name])
-    beside = image.compensated.turned(0.7)
+    beside = image.compensated().turned(0.7)
     d, radiance, pdf = beside.sample(squares(200_000))
     assert_directions_follow(d, lambda d: beside.lookup(d)[1], (0, 1, 0), np.pi, 0.01)
     looked_up = beside.lookup(d)
@@ -132,13 +132,13 @@ def test_directions_beside_rays_follow_the_density(name):
     side = np.sqrt(1 - z * z)
     d = np.stack([side * np.cos(turn), z, side * np.sin(turn)], 1).astype(np.float32)
     dim = image.lookup(d)[0] @ LUMINANCE < 0.1 * image.total / (4 * np.pi)
-    assert not dim.any() or (image.compensated.lookup(d[dim])[1] == 0).mean() > 0.5
+    assert not dim.any() or (image.compensated().lookup(d[dim])[1] == 0).mean() > 0.5
 
 
 def test_an_image_of_one_colour_is_sampled_alike_beside_rays():
     image = EquirectangularImage(IMAGES["one colour"])
     up = np.float32([[0, 1, 0]])
-    for values, expected in zip(image.compensated.lookup(up), image.lookup(up), strict=True):
+    for values, expected in zip(image.compensated().lookup(up), image.lookup(up), strict=True):
         np.testing.assert_allclose(values, expected, rtol=1e-6)
 
 

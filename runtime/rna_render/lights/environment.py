@@ -58,7 +58,7 @@ class EnvironmentImageLight(InfiniteLight):
         return float(np.pi * scene_radius**2 * self._image.total * luminance(self._scale))
 
     def beside_rays(self) -> Light:
-        return EnvironmentImageLight(self._model, self._untouched.compensated)
+        return EnvironmentImageLight(self._model, self._untouched.compensated())
 
 
 @compiled(fastmath=())

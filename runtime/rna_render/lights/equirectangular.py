@@ -21,7 +21,7 @@ renderer.md has why half.
 from __future__ import annotations
 
 from copy import copy
-from functools import cached_property
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -41,12 +41,24 @@ from rna_render.lights.intervals import guide_of
 LEFT_TO_RAYS = 0.5
 
 
+@dataclass(frozen=True)
+class _Choice:
+    """Tables by which directions are chosen, and what kernels read of them.
+
+    held: the arrays that addresses in `words` point into. words, numbers: as of the image.
+    """
+
+    held: tuple[np.ndarray, ...]
+    words: np.ndarray
+    numbers: np.ndarray
+
+
 class EquirectangularImage:
     """Radiance over the sphere.
 
     texels: (h, w, 3) float32, radiance, finite and not negative; row 0 at +y. angle: radians that
     the image is turned about +y, counter-clockwise seen from above. It keeps texels as they are,
-    and 16 bytes a texel for the choice of directions.
+    and 32 bytes a texel for the choice of directions, with and without MIS compensation.
 
     Attributes:
         total: integral of the luminance over the sphere, W / m^2, with the mean of each cell.
@@ -60,21 +72,26 @@ class EquirectangularImage:
         edges = np.clip((np.arange(h + 2) - 0.5) / h, 0.0, 1.0)
         # Solid angle of a row's cells over 2 pi / w.
         self._heights = np.cos(np.pi * edges[:-1]) - np.cos(np.pi * edges[1:])
-        self._choose(0.0)
-        self.total = float(self.numbers[TOTAL]) * 2.0 * np.pi / w
+        plain = self._choice(0.0)
+        self.total = float(plain.numbers[TOTAL]) * 2.0 * np.pi / w
+        # Kernels read both by address, in all threads: made once, before them.
+        self._compensated = self._choice(LEFT_TO_RAYS * self.total / (4.0 * np.pi))
+        self._use(plain)
         self._turn(angle)
 
-    def _choose(self, mean: float) -> None:
-        """Fill the tables that directions are chosen with."""
+    def _choice(self, mean: float) -> _Choice:
+        """What directions are chosen with, in proportion to what is brighter than `mean`."""
         h, w, _ = self._texels.shape
         columns = np.empty((h + 1, w + 1))
         sums_of_cells(self._texels, self._heights, mean, columns)
         rows = np.concatenate([[0.0], np.cumsum(columns[:, -1])])
         guides = guide_of(rows[None], ROW_FINENESS), guide_of(columns, COLUMN_FINENESS)
-        self._held = self._texels, self._heights, rows, guides[0], columns, guides[1]
-        addresses = [array.ctypes.data for array in self._held]
-        self.words = np.array([*addresses, h, w], np.uint64)
-        self.numbers = np.array([1.0, 0.0, rows[-1], mean])
+        held = self._texels, self._heights, rows, guides[0], columns, guides[1]
+        words = np.array([*(array.ctypes.data for array in held), h, w], np.uint64)
+        return _Choice(held, words, np.array([1.0, 0.0, rows[-1], mean]))
+
+    def _use(self, choice: _Choice) -> None:
+        self._held, self.words, self.numbers = choice.held, choice.words, choice.numbers
 
     def _turn(self, angle: float) -> None:
         self.numbers = self.numbers.copy()
@@ -90,20 +107,17 @@ class EquirectangularImage:
     def turned(self, angle: float) -> EquirectangularImage:
         """The same image, sharing its memory, at another angle."""
         result = copy(self)
-        result.__dict__.pop("compensated", None)
         result._turn(angle)
         return result
 
-    @cached_property
     def compensated(self) -> EquirectangularImage:
-        """The same image with MIS compensation.
+        """The same image, sharing its memory, with MIS compensation.
 
         `sample` skips texels darker than LEFT_TO_RAYS of the mean.
         """
         result = copy(self)
-        mean = LEFT_TO_RAYS * self.total / (4.0 * np.pi)
-        result._choose(mean)
-        result.numbers[:TOTAL] = self.numbers[:TOTAL]
+        result._use(self._compensated)
+        result.numbers = np.concatenate([self.numbers[:TOTAL], result.numbers[TOTAL:]])
         return result
 
     def sample(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -37,15 +37,13 @@ import numpy as np
 from rna_render.angles import sine_and_cosine
 from rna_render.materials.ggx import (
     MIN_ALPHA,
-    albedo_terms,
-    albedo_views,
     distribution,
-    mean_albedo_terms,
     reflected_density,
     sample_reflection,
     schlick,
     visibility,
 )
+from rna_render.materials.ggx_albedo import albedo_terms, albedo_views, mean_albedo_terms
 from rna_render.vectors import (
     Vector,
     dot,
@@ -70,7 +68,7 @@ Point = tuple[Vector, float, float, float, float, float, float, float]
 """What `bsdf_point` returns."""
 
 Parameters = tuple[np.ndarray, ...]
-"""Parameters of Scattering: an array per value of a point, and `ggx.albedo_addresses`."""
+"""Parameters of Scattering: an array per value of a point, and `ggx_albedo.ALBEDO_ADDRESSES`."""
 
 
 @compiled(inline=True, fastmath=())
@@ -184,7 +182,7 @@ def bsdf_value(
     mean: np.ndarray,
 ) -> Vector:
     """f(o, i) |n.i|: red, green, blue. o, i: unit. frame: of `bsdf_frame`. table, mean: of
-    `ggx.albedo_table`."""
+    `ggx_albedo.ALBEDO_TABLE`."""
     m, c = frame
     cos_o, cos_i = dot(m, o), max(dot(m, i), 0.0)
     if dot(g, o) * dot(g, i) <= 0.0 or (cos_i == 0.0 and point[6] == 0.0):

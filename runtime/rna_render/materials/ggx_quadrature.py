@@ -2,7 +2,7 @@
 
     python -m rna_render.materials.ggx_quadrature
 
-writes the table anew that `ggx.albedo_table` reads.
+writes the table anew that `ggx_albedo` reads.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ TURN_SAMPLES, OUTWARD_SAMPLES = 24, 48
 
 @compiled(parallel=True, fastmath=())
 def fill_albedo(table: np.ndarray) -> None:
-    """Entries of `albedo_table`, by quadrature, into (n, n, 2) float64."""
+    """Entries of `ggx_albedo.ALBEDO_TABLE`, by quadrature, into (n, n, 2) float64."""
     size = len(table)
     for row in prange(size):
         alpha = max(MIN_ALPHA, (row / (size - 1)) ** 2)

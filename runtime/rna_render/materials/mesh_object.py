@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -41,6 +41,9 @@ class MeshObject:
     catches_shadows: it shows nothing but the shadows on it, and its materials mean nothing.
     second_uvs: as uvs, of textures that ask for them. tangents: (v, 4) float32, unit, towards +u,
     with the sign of the bitangent; 0 or None where they follow from the texture coordinates.
+
+    Attributes:
+        transmittance: of its triangles; None if they are all opaque.
     """
 
     positions: np.ndarray
@@ -52,6 +55,13 @@ class MeshObject:
     catches_shadows: bool = False
     second_uvs: np.ndarray | None = None
     tangents: np.ndarray | None = None
+    transmittance: Transmittance | None = field(init=False)
+    _factors: dict[str, np.ndarray] = field(init=False)
+
+    def __post_init__(self) -> None:
+        # Rays read the tables of transmittance by address, in all threads: made once, before them.
+        object.__setattr__(self, "transmittance", object_transmittance(self))
+        object.__setattr__(self, "_factors", _factors_of(self.materials))
 
     def uv_set(self, number: int) -> np.ndarray:
         """The first or the second texture coordinates; a texture that asks for them has them."""
@@ -98,11 +108,6 @@ class MeshObject:
             scale = material.normal_scale
             n[row] = bumped_normals(values, scale, mesh, (t, a, b), m, g, o)
         return n
-
-    @cached_property
-    def transmittance(self) -> Transmittance | None:
-        """Transmittance of its triangles; None if they are all opaque."""
-        return object_transmittance(self)
 
     def own_share(
         self, triangle: np.ndarray, u: np.ndarray, v: np.ndarray, ng: np.ndarray, wo: np.ndarray
@@ -200,15 +205,6 @@ class MeshObject:
             luminance[row] += (1 - EMISSION_FLOOR) / len(points) * part
         return np.asarray(luminance, np.float32)
 
-    @cached_property
-    def _factors(self) -> dict[str, np.ndarray]:
-        names = ["base_color", "metallic", "roughness", "coat_f0", "coat_weight", "emission"]
-        names += ["clear_coat", "clear_coat_roughness", "transmission"]
-        return {
-            name: np.array([getattr(material, name) for material in self.materials], np.float32)
-            for name in names
-        }
-
     def _looked_up(
         self, name: str, number: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray
     ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
@@ -222,6 +218,16 @@ class MeshObject:
                     at = self.triangles, triangle[row], u[row], v[row]
                     _interpolate(self.uv_set(texture.uv_set), *at, uv)
                     yield row, texture.lookup(uv)
+
+
+def _factors_of(materials: Sequence[Material]) -> dict[str, np.ndarray]:
+    """The factors of all materials by name, a row each, float32."""
+    names = ["base_color", "metallic", "roughness", "coat_f0", "coat_weight", "emission"]
+    names += ["clear_coat", "clear_coat_roughness", "transmission"]
+    return {
+        name: np.array([getattr(material, name) for material in materials], np.float32)
+        for name in names
+    }
 
 
 def points_of_a_triangle(k: int) -> list[tuple[float, float]]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_render.materials import bsdf
-from rna_render.materials.ggx import albedo_addresses
+from rna_render.materials.ggx_albedo import ALBEDO_ADDRESSES
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +133,7 @@ class Scattering:
         none = np.zeros(1, np.float32), np.ones(1, np.float32), np.zeros((1, 3), np.float32)
         clear = none if self.clear is None else (self.clear.weight, self.clear.alpha, self.clear.n)
         factors = self.base_color, self.alpha, self.metallic, self.coat_f0
-        return (*factors, weights, *clear, albedo_addresses())
+        return (*factors, weights, *clear, ALBEDO_ADDRESSES)
 
 
 def _rows(row: np.ndarray | None, points: np.ndarray) -> np.ndarray:

@@ -1,0 +1,101 @@
+"""Images are the same bits on any number of threads, in fresh processes."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rna_render.bands
+from rna_bench.scenes.thread_counts import SWITCH_INTERVAL, differing, rendered
+from rna_render.bands import rendered_bands
+from rna_render.cli import main
+from rna_render.images import read_exr
+from rna_render.materials.ggx_albedo import ALBEDO_ADDRESSES, ALBEDO_MEANS, ALBEDO_TABLE
+from rna_render.render import load_world, make_integrator
+from rna_render.sampling import Sampler
+from rna_render.scene_file import read_scene
+from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from tests.conftest import REPOSITORY
+from tests.render.whole_scenes import SCENES, write_files
+
+SAMPLES = 3  # memory that is used after it was freed has other contents a while later
+EXAMPLES = sorted((REPOSITORY / "examples").glob("*/scene.yaml"))
+
+
+@pytest.fixture(params=[*EXAMPLES, *SCENES], ids=[*(p.parent.name for p in EXAMPLES), *SCENES])
+def scene(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    if isinstance(request.param, Path):
+        return request.param
+    write_files(tmp_path)
+    (tmp_path / "scene.yaml").write_text(SCENES[request.param])
+    return tmp_path / "scene.yaml"
+
+
+def test_two_threads_of_a_fresh_process_render_what_one_does(scene: Path, tmp_path: Path) -> None:
+    """`rna-bench threads` does so with more threads and sizes, ten times each."""
+    found = rendered(scene, 2, "160x120", SAMPLES)
+    assert differing(found, on_one_thread(scene, tmp_path)) == 0
+
+
+def test_four_threads_that_switch_all_the_time(tmp_path: Path) -> None:
+    scene = REPOSITORY / "examples" / "jade" / "scene.yaml"
+    found = rendered(scene, 4, "160x120", SAMPLES, SWITCH_INTERVAL)
+    assert differing(found, on_one_thread(scene, tmp_path)) == 0
+
+
+def on_one_thread(scene: Path, folder: Path) -> dict[str, np.ndarray]:
+    """The image that this process renders with one thread."""
+    out, threads = folder / "out.exr", kernel_threads()
+    small = ["--resolution", "160x120", "--samples", str(SAMPLES), "--threads", "1"]
+    try:
+        assert main([str(scene), "--out", str(out), *small]) == 0
+    finally:
+        limit_kernel_threads(threads)
+    return read_exr(out)[0]
+
+
+@pytest.fixture
+def hurried() -> Iterator[None]:
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(SWITCH_INTERVAL)
+    yield
+    sys.setswitchinterval(interval)
+
+
+def test_small_bands_of_threads_that_switch_all_the_time(
+    tmp_path: Path, hurried: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_files(tmp_path)
+    (tmp_path / "scene.yaml").write_text(SCENES["everything"])
+    scene_file = read_scene(tmp_path / "scene.yaml")
+    world = load_world(scene_file)
+    images = []
+    for threads in (1, 2, 4, 8):
+        monkeypatch.setattr(rna_render.bands, "kernel_threads", lambda count=threads: count)
+        renderer = make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
+        bands = rendered_bands(renderer, 40 * 28, [Sampler(0, 0)], most=64)
+        images.append(np.concatenate([band.beauty for band, _ in bands]))
+    assert all(np.array_equal(image, images[0], equal_nan=True) for image in images[1:])
+
+
+def test_the_addresses_of_albedos_are_those_of_arrays_that_stay() -> None:
+    owners = [ALBEDO_TABLE.ctypes.data, ALBEDO_MEANS.ctypes.data]
+    assert ALBEDO_ADDRESSES.tolist() == owners
+
+
+def test_no_cached_function_takes_an_address() -> None:
+    """The memory that the address names may be another thread's, which lost the race."""
+    for folder in ("rna_sdk", "runtime"):
+        for path in (REPOSITORY / folder).rglob("*.py"):
+            for function in ast.walk(ast.parse(path.read_text())):
+                if isinstance(function, ast.FunctionDef) and _is_cached(function):
+                    assert ".ctypes" not in ast.unparse(function), f"{path}: {function.name}"
+
+
+def _is_cached(function: ast.FunctionDef) -> bool:
+    return any("cache" in ast.unparse(decorator) for decorator in function.decorator_list)
