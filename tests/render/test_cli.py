@@ -14,6 +14,7 @@ from PIL import Image
 
 from rna_render.cli import INTERRUPTED, main
 from rna_render.images import read_exr
+from rna_render.integrator import Integrator
 from tests.render.assets import sphere, square
 from tests.render.packages import ALBEDO, SHADOWED, write_lambert_package
 
@@ -94,11 +95,25 @@ def test_an_image_that_cannot_be_written_is_one_line_before_the_render(folder, t
     assert error == f"error: {tmp_path / 'out.exr'}: cannot be written: it is a folder\n"
 
 
-def test_threads_and_repetition_change_no_byte(folder, tmp_path):
-    for name, threads in (("a", 1), ("b", 2), ("c", 2)):
-        run(folder / "lit.yaml", "--out", tmp_path / f"{name}.exr", "--threads", threads)
-    a, b, c = ((tmp_path / f"{name}.exr").read_bytes() for name in "abc")
-    assert a == b == c
+def test_repetition_changes_no_byte(folder, tmp_path):
+    for name in "ab":
+        run(folder / "lit.yaml", "--out", tmp_path / f"{name}.exr")
+    assert (tmp_path / "a.exr").read_bytes() == (tmp_path / "b.exr").read_bytes()
+
+
+def test_a_fault_of_the_renderer_is_one_line_and_no_file(folder, tmp_path, capsys, monkeypatch):
+    whole = Integrator.render
+
+    def faulty(self, pixels, sampler):
+        band = whole(self, pixels, sampler)
+        band.beauty[0] = np.nan
+        return band
+
+    monkeypatch.setattr(Integrator, "render", faulty)
+    out = tmp_path / "out.exr"
+    assert run(folder / "lit.yaml", "--out", out, "--png", tmp_path / "out.png") == 1
+    assert "not written: 1 of 96 pixels are not finite" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,8 @@ from PIL import Image
 
 from rna_render.film import Film, Layers
 from rna_render.images import read_attributes, read_exr, write_exr, write_png
+from rna_render.output import Output
+from rna_render.scene_model import Scene
 from rna_render.srgb import decode_srgb, encode_srgb
 from rna_sdk.errors import SceneError
 
@@ -157,3 +159,18 @@ def test_channels_other_than_colour_are_means_over_hits():
     assert [read[c] for c in "RGBA"] == [2, 1, 0, 0.5]
     assert read["assetId"] == 3 and read["visibility"] == 0.5 and read["position.X"] == 3
     assert read["normal.X"] == read["normal.Y"] == pytest.approx(0.5**0.5)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("layer", ["beauty", "normal_world", "groups"])
+def test_a_picture_that_is_not_finite_is_not_written(tmp_path, layer, value):
+    film = Film((3, 2), ("key",))
+    sample = Layers.empty(6, 1, np.float32)
+    getattr(sample, layer)[4, 0] = value
+    film.add(sample)
+    camera = {"position": [0, 0, 1], "look_at": [0, 0, 0], "vertical_fov_deg": 40}
+    scene = Scene.model_validate({"camera": camera, "ground": {}})
+    output = Output(tmp_path / "out.exr", tmp_path / "out.png")
+    with pytest.raises(SceneError, match=r"1 of 6 pixels .*the first at column 1, row 1"):
+        output.write(scene, film)
+    assert not list(tmp_path.iterdir())
