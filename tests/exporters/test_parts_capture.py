@@ -11,7 +11,7 @@ from rna_export.capture.asset_scene import AssetScene, part_counts
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.run import CaptureCrew, begin, finish
 from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.view_rays import _aimed, _outside, sample_view_rays
+from rna_export.capture.view_rays import _aimed, outside_rays, sample_view_rays
 from rna_export.capture.worker import Source
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import moved, sphere
@@ -98,7 +98,7 @@ def test_aimed_rays_are_spread_as_the_chords_that_meet_the_part() -> None:
     rng = np.random.default_rng(0)
     spread = []
     for rays in (
-        _outside(scene, 200_000, "sphere", rng),
+        outside_rays(scene, 200_000, "sphere", rng),
         _aimed(scene, 200_000, np.array([1.0, 0.0]), "sphere", rng),
     ):
         points = scene.shade_points(rays.origins, rays.directions).on[0]

@@ -141,7 +141,7 @@ def test_a_scene_without_the_asset_is_refused(tmp_path: Path) -> None:
 class Teacher:
     """White, wherever asked."""
 
-    def render_rays(self, origins, directions, wi, samples, seed, reach=None):
+    def render_rays(self, origins, directions, wi, samples, seed, reach=None, normals=False):
         return RenderedRays(np.ones_like(origins), np.ones(len(origins)), origins, None)
 
 

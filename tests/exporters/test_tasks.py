@@ -26,7 +26,7 @@ class Teacher:
     def __init__(self, spoil=lambda radiance, alpha: None):
         self.spoil, self.seeds = spoil, []
 
-    def render_rays(self, origins, directions, wi, samples, seed, reach=None):
+    def render_rays(self, origins, directions, wi, samples, seed, reach=None, normals=False):
         self.seeds.append(seed)
         radiance, alpha = np.abs(directions) + np.float32(0.1), np.ones(len(origins), np.float32)
         self.spoil(radiance, alpha)

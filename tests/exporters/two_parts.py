@@ -30,7 +30,7 @@ def spikes(count: int, radius: float = 0.01, root: float = 1.0, tip: float = 1.5
 class Teacher:
     """Answers rays with their direction as radiance."""
 
-    def render_rays(self, origins, directions, wi, samples, seed, reach=None):
+    def render_rays(self, origins, directions, wi, samples, seed, reach=None, normals=False):
         radiance = np.abs(directions) + np.float32(0.1)
         return RenderedRays(radiance, np.ones(len(origins)), origins, radiance / 2)
 

@@ -41,8 +41,8 @@ def export_curves(path: str, owner: str | None = None) -> dict[str, Any]:
 
 
 def shown_curves() -> Iterator[bpy.types.DepsgraphObjectInstance]:
-    """Instances of hair curves that renders show."""
-    for instance in shown_objects.instances():
+    """Instances of hair curves that camera rays see."""
+    for instance in shown_objects.seen():
         if instance.object.type == HAIR:
             yield instance
 

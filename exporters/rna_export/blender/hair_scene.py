@@ -11,11 +11,10 @@ _THINNEST = 0.01  # of the root: a closed tip ends in this, for a package has no
 def prepare_hair(
     materials_with_nodes: list[tuple[bpy.types.Material, list[bpy.types.Node]]],
 ) -> list[str]:
-    """Convert particle hair, set the model of hair shaders and the shape of curves.
+    """Convert particle hair, and set the model of hair shaders.
 
     `materials_with_nodes`: pairs of a material and all its nodes. Returns notes for the user.
     """
-    bpy.context.scene.cycles_curves.shape = "THICK_LINEAR"
     notes = []
     for material, nodes in materials_with_nodes:
         for node in nodes:

@@ -33,14 +33,14 @@ def _shown_materials() -> Iterator[tuple[bpy.types.Material | None, str]]:
         item = instance.object.original
         if not hasattr(item.data, "materials"):
             continue
-        for material in _materials_of(instance.object):
+        for material in materials_of(instance.object):
             key = item.name if material is None else ("material", material.name_full)
             if key not in seen:
                 seen.add(key)
                 yield material, item.name
 
 
-def _materials_of(item: bpy.types.Object) -> list[bpy.types.Material | None]:
+def materials_of(item: bpy.types.Object) -> list[bpy.types.Material | None]:
     """The original materials; geometry nodes may have set others than the slots have."""
     slots = [slot.material for slot in item.material_slots]
     materials = [*slots, *(item.data.materials[len(slots) :])] or [None]

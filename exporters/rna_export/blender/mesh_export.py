@@ -52,7 +52,7 @@ def _has_faces(item: bpy.types.Object) -> bool:
 
 
 def _mesh_instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
-    for instance in shown_objects.instances():
+    for instance in shown_objects.seen():
         if instance.object.type in SURFACES:
             yield instance
 

@@ -10,17 +10,10 @@ import bundled
 import mathutils
 from emission import Emission
 
-_FORMATS = {
-    "media_type": "MULTI_LAYER_IMAGE",
-    "file_format": "OPEN_EXR_MULTILAYER",
-    "color_depth": "32",
-    "exr_codec": "NONE",
-}
-
-
 _LOBES = ("diffuse", "glossy", "transmission")
 _NEAR = 1e-6  # the least that Blender allows; the ray camera takes it back
 _FAR = 1e12
+_POINT = 0.01  # pixels, the narrowest filter
 
 _lighting: dict[str, Any] = {}  # emission: of the materials; clamps: of radiance under the sun
 
@@ -28,30 +21,13 @@ _lighting: dict[str, Any] = {}  # emission: of the materials; clamps: of radianc
 def configure(
     threads: int, clamp_direct: float, clamp_indirect: float, separate_direct: bool
 ) -> list[str]:
-    """Cycles as a teacher: point samples, no filter, no denoiser, no clamping but the named one.
+    """Cycles as a teacher, once `render_settings` are ours: no clamping but the named one.
 
     `separate_direct` adds the passes that tell direct light from scattered light. Returns the names
     of the materials that emit light, which is switched off but for renders without the sun.
     """
-    scene = bpy.context.scene
-    render, cycles = scene.render, scene.cycles
-    render.engine = "CYCLES"
-    cycles.device = "CPU"
-    render.threads_mode, render.threads = "FIXED", threads
-    render.use_persistent_data = True
-    render.film_transparent = True
-    render.use_compositing = render.use_sequencer = False
-    render.resolution_percentage = 100
-    render.pixel_aspect_x = render.pixel_aspect_y = 1.0
-    render.use_border = False
-    render.use_motion_blur = False
-    cycles.use_adaptive_sampling = cycles.use_denoising = False
-    cycles.light_sampling_threshold = 0.0
-    cycles.use_light_tree = False
-    for name, value in _FORMATS.items():
-        setattr(render.image_settings, name, value)
-    layer = bpy.context.view_layer
-    layer.use_pass_position = True
+    scene, layer = bpy.context.scene, bpy.context.view_layer
+    scene.render.threads = threads
     for lobe in _LOBES:
         setattr(layer, f"use_pass_{lobe}_direct", separate_direct)
         setattr(layer, f"use_pass_{lobe}_color", separate_direct)
@@ -64,15 +40,15 @@ def configure(
 def render_rays(request: dict[str, Any]) -> None:
     """Trace the rays of two images; writes a multilayer EXR with `Combined` and `Position`.
 
-    A ray ends `reach` from its origin, if that is given.
+    With `normals`, it has `Normal` too. A ray ends `reach` from its origin, if that is given.
     """
     camera = _camera("rays", "CUSTOM")
     if not camera.custom_bytecode:
         _compile_ray_camera(camera)
     camera.cycles_custom["origins"] = request["origins"]
     camera.cycles_custom["directions"] = request["directions"]
-    cycles = bpy.context.scene.cycles
-    cycles.pixel_filter_type, cycles.filter_width = "BOX", 0.01
+    _filter(_POINT)
+    bpy.context.view_layer.use_pass_normal = request["normals"]
     camera.cycles_custom["near"] = _NEAR
     camera.clip_end = _FAR if request["reach"] is None else _NEAR + request["reach"]
     camera.update_tag()
@@ -81,21 +57,30 @@ def render_rays(request: dict[str, Any]) -> None:
 
 
 def render_view(request: dict[str, Any]) -> None:
-    """Render an ordinary pinhole image, lit from `wi`, and by the asset itself if it `emits`."""
+    """Render an ordinary pinhole image, lit from `wi`, and by the asset itself if it `emits`.
+
+    `points`: whether pixels are points. `normals`: whether the file has `Normal`.
+    """
     _light(request["wi"])
     emit(request["emits"])
-    render_pinhole(request)
+    bpy.context.view_layer.use_pass_normal = request["normals"]
+    render_pinhole(request, _POINT if request["points"] else 1.0)
 
 
-def render_pinhole(request: dict[str, Any]) -> None:
+def render_pinhole(request: dict[str, Any], filter_width: float = 1.0) -> None:
     """Render an image of the scene as it is: `matrix` is camera to world, Blender's axes."""
     camera = _camera("view", "PERSP")
     camera.sensor_fit = "VERTICAL"
     camera.angle = request["fovY"]
     bpy.context.scene.camera.matrix_world = mathutils.Matrix(request["matrix"])
-    cycles = bpy.context.scene.cycles
-    cycles.pixel_filter_type, cycles.filter_width = "BOX", 1.0
+    _filter(filter_width)
     _render(request)
+
+
+def _filter(width: float) -> None:
+    """The box of a pixel's samples, in pixels."""
+    cycles = bpy.context.scene.cycles
+    cycles.pixel_filter_type, cycles.filter_width = "BOX", width
 
 
 def emit(on: bool) -> None:

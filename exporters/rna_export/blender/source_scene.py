@@ -9,16 +9,19 @@ import sys
 from pathlib import Path
 
 import bpy
+import camera_visibility
 import groom_source
 import hair_scene
 import material_check
 import mesh_repair
 import orientation
+import render_only
 import scene_import
 import shown_objects
 import usd_curves
 from emission import nodes_of
 from groom_options import ALEMBIC_AND_USD, GROOMS, USD
+from rendered_geometry import as_rendered
 
 _UP_IS_Z = (".blend", ".ply", ".hair", ".py")  # or no up that they say; Blender's then
 
@@ -118,26 +121,32 @@ def keep_only_the_asset() -> list[str]:
     notes += hair_scene.prepare_hair(
         [(m, list(nodes_of(m.node_tree))) for m in bpy.data.materials if m.use_nodes]
     )
-    return [*notes, *_hide_what_no_package_holds(), *material_check.problems()]
+    notes += [*camera_visibility.leave_out_unseen(), *_hide_what_no_package_holds()]
+    as_rendered(render_only.refuse)
+    return [*notes, *as_rendered(material_check.problems)]
 
 
 def _hide_what_no_package_holds() -> list[str]:
     """Points and volumes, which would shade the rest; a note for each."""
-    found = {}
-    for instance in shown_objects.instances():
-        item = instance.object
-        if item.type == "VOLUME" or (item.type == "POINTCLOUD" and len(item.data.points)):
-            found[item.original.name_full] = item.original
     notes = []
-    for item in found.values():
+    for item in as_rendered(_points_and_volumes).values():
         item.hide_render = item.hide_viewport = True
         kind = "a volume" if item.type == "VOLUME" else "a point cloud"
         notes.append(f"object {item.name!r} is {kind}, which no package holds, and was hidden")
     return notes
 
 
+def _points_and_volumes() -> dict[str, bpy.types.Object]:
+    found = {}
+    for instance in shown_objects.instances():
+        item = instance.object
+        if item.type == "VOLUME" or (item.type == "POINTCLOUD" and len(item.data.points)):
+            found[item.original.name_full] = item.original
+    return found
+
+
 def _show_what_is_rendered() -> None:
-    """Set the viewport, whose geometry Python can read, to the settings of renders."""
+    """Set the viewport to the settings of renders: particle hair is converted there."""
     scene, layer = bpy.context.scene, bpy.context.view_layer
     scene.render.simplify_subdivision = scene.render.simplify_subdivision_render
     collections = [layer.layer_collection]

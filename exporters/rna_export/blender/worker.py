@@ -22,10 +22,12 @@ import mesh_export
 import normal_maps
 import ray_render
 import read_files
+import render_settings
 import scene_parts
 import scene_render
 import source_scene
 import transparency
+from rendered_geometry import as_rendered
 
 _PR_SET_PDEATHSIG = 1  # prctl(2)
 
@@ -34,8 +36,9 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     read_files.watch()
     axes = request["front"], request["up"]
     notes = source_scene.load(request["source"], request["arguments"], *axes)
+    render_settings.own()
     notes += source_scene.keep_only_the_asset()
-    parts = scene_parts.find_parts(request["parts"])
+    parts = as_rendered(lambda: scene_parts.find_parts(request["parts"]))
     clamps = request["clampDirect"], request["clampIndirect"]
     has_hair = any(part["kind"] == "fiber" for part in parts)
     emitters = ray_render.configure(request["threads"], *clamps, separate_direct=has_hair)
@@ -50,8 +53,10 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
 
 HANDLERS = {
     "open": open_scene,
-    "exportCurves": lambda request: curves_export.export_curves(request["out"], request["owner"]),
-    "exportMesh": lambda request: mesh_export.export_mesh(request["out"], request["owner"]),
+    "exportCurves": lambda r: as_rendered(
+        lambda: curves_export.export_curves(r["out"], r["owner"])
+    ),
+    "exportMesh": lambda r: as_rendered(lambda: mesh_export.export_mesh(r["out"], r["owner"])),
     "exportNormalMaps": lambda r: normal_maps.export_normal_maps(r["out"], r["side"]),
     "exportTransparency": lambda request: transparency.export_transparency(request["out"]),
     "renderRays": ray_render.render_rays,

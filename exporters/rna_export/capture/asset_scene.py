@@ -106,6 +106,10 @@ class AssetScene:
         """Whether each ray meets a triangle or strand, holes included: (n,) bool."""
         return np.asarray(self._scene.intersect(origins, directions).part >= 0)
 
+    def coverage(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """The alpha of rays (n, 3) from outside: 1 less what all layers let through, (n,)."""
+        return np.asarray(1.0 - self._scene.transmitted(origins, directions).mean(axis=1))
+
     def free_distance(self, points: np.ndarray, normals: np.ndarray, wo: np.ndarray) -> np.ndarray:
         """Distance to the asset from points (n, 3) along wo: (n,), inf for misses."""
         return self.distance(points + np.float32(1e-4 * self.radius) * normals, wo)

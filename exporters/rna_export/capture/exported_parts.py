@@ -24,7 +24,8 @@ class ExportedParts:
 
     geometries: the mesh or strands of each. records: what lets light through, of each surface.
     maps: its normal maps. textures: those of both, by name. notes: what of the materials could not
-    be told. has_opaque_cutouts: whether some of it lets light through.
+    be told. has_opaque_cutouts: whether some of it lets light through. has_learnt_relief: whether
+    some relief is in no map.
     """
 
     parts: tuple[ScenePart, ...]
@@ -33,6 +34,7 @@ class ExportedParts:
     maps: dict[str, list[NormalMapRecord]] = field(default_factory=dict)
     textures: dict[str, np.ndarray] = field(default_factory=dict)
     has_opaque_cutouts: bool = False
+    has_learnt_relief: bool = True
     notes: list[str] = field(default_factory=list)
 
     def captured(self) -> tuple[CapturedPart, ...]:
@@ -78,6 +80,7 @@ def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> Exported
     if settings.normal_texels:
         relief, more = worker.export_normal_maps(settings.normal_texels)
         exported.notes += more
+        exported.has_learnt_relief = bool(more)
     for part in worker.parts:
         if part.kind == "fiber":
             exported.geometries[part.name] = worker.export_curves(part.owner)

@@ -23,15 +23,19 @@ from rna_export.capture.exported_parts import exported_parts
 from rna_export.capture.gathered import Gathered
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
+from rna_export.capture.self_check import PICTURE, SelfCheck
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureJob, CaptureWorker, opened
 from rna_export.capture.tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
+from rna_export.capture.traced_rays import TracedRays
 from rna_export.capture.view_check import check_seen
 from rna_export.capture.view_rays import sample_view_rays
 from rna_export.capture.worker import BlenderWorker, Source
 from rna_render.scene_file import SceneFile
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
+from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Domain, Mesh
 from rna_sdk.package.manifest_fields import Region
 from rna_sdk.runtime import in_region
@@ -107,7 +111,11 @@ def begin(
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         exported.notes += check_seen(source.path, scene, geometries, domain.wo)
-        rate = _paths_a_second(scene, settings, domain, worker) * crew.backend().width()
+        check = SelfCheck(scene, settings.samples, normals=not exported.has_learnt_relief)
+        cutouts = exported.has_opaque_cutouts
+        rate = _paths_a_second(check, settings, domain, worker, cutouts) * crew.backend().width()
+        _refuse_nothing(check, source)
+        check.render_picture(worker, source.path.name)
         opened = worker.opened
     if limit is not None:
         usual, settings = settings, planned(settings, limit, opening, rate, asked)
@@ -124,7 +132,7 @@ def begin(
         generator=f"rna-capture {rna_sdk.__version__}",
         opaque_cutouts=exported.has_opaque_cutouts,
         emitters=tuple(opened["emitters"]),
-        notes=(*opened["notes"], *exported.notes),
+        notes=(*opened["notes"], *exported.notes, *_found(check, out)),
         processors=(processor_key(),),
         scene_domain=limited,
     )
@@ -212,18 +220,49 @@ class _TaskClock:
 
 
 def _paths_a_second(
-    scene: AssetScene, settings: CaptureSettings, domain: Domain, worker: BlenderWorker
+    check: SelfCheck,
+    settings: CaptureSettings,
+    domain: Domain,
+    worker: BlenderWorker,
+    opaque_cutouts: bool,
 ) -> float:
-    """The mean of three renders as the capture will do them, after one that only warms up."""
+    """The mean of three renders as the capture will do them, after one that only warms up.
+
+    All of them are checked.
+    """
     seconds = []
     for k in range(4):
-        start = time.perf_counter()
         wi = light_direction(k, settings.seed, domain.wi)
+        if k == 0:
+            check.render_chords(worker, wi, settings.rays, domain.wo, k)
+            continue
+        start = time.perf_counter()
         rng = np.random.default_rng(k)
-        rays = sample_view_rays(scene, wi, settings.rays, domain.wo, rng)
-        worker.render_rays(rays.origins, rays.directions, wi, settings.samples, k)
+        rays = sample_view_rays(check.scene, wi, settings.rays, domain.wo, rng)
+        traced = TracedRays.of(
+            check.scene, worker, rays, wi, settings.samples, k, rng, opaque_cutouts, check.normals
+        )
         seconds.append(time.perf_counter() - start)
-    return settings.rays * settings.samples / float(np.mean(seconds[1:]))
+        check.add(traced)
+    return settings.rays * settings.samples / float(np.mean(seconds))
+
+
+def _refuse_nothing(check: SelfCheck, source: Source) -> None:
+    """Raise CaptureError if no ray would make a sample."""
+    if not check.kept:
+        why = check.note() or "what is exported transmits too much light to be learnt"
+        raise CaptureError(f"{source.path}: none of {check.asked:,} view rays can be kept: {why}")
+
+
+def _found(check: SelfCheck, out: Path) -> list[str]:
+    """The note of the check; its picture is written into the dataset's folder."""
+    note = check.note()
+    if note is None or check.picture is None:
+        return []
+    path = out / PICTURE
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, check.picture)
+    return [f"{note}; {path} marks it"]
 
 
 def _plan(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float) -> str:

@@ -41,16 +41,17 @@ class TracedRays:
         seed: int,
         rng: np.random.Generator,
         opaque_cutouts: bool,
+        normals: bool = False,
     ) -> TracedRays:
         """Trace rays under one light.
 
         wi: towards the light; None: of what the asset emits, without a light. rng: chooses which
         rays go on behind what lets light through. opaque_cutouts: whether rays are kept where
-        Cycles' alpha is below 1.
+        Cycles' alpha is below 1. normals: whether Cycles answers them.
         """
         points = scene.shade_points(rays.origins, rays.directions, rng)
         origins, reach = _starts(scene, points, rays)
-        rendered = worker.render_rays(origins, rays.directions, wi, samples, seed, reach)
+        rendered = worker.render_rays(origins, rays.directions, wi, samples, seed, reach, normals)
         # A ray along a silhouette may hit here and miss there; such a sample would be black.
         # What lets light through has an alpha that is as noisy as its radiance.
         thin = points.transmittance.any(axis=1)

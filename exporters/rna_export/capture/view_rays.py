@@ -152,13 +152,18 @@ class _Draw:
         return _Found(_joined(found), wanted - lacking)
 
 
-def outside_rays(scene: AssetScene, n: int, region: Region, rng: np.random.Generator) -> ViewRays:
-    """n uniform chords of the bounding sphere whose views are in the region; not all hit."""
+def outside_rays(
+    scene: AssetScene, n: int, region: Region, rng: np.random.Generator, wider: float = 1.0
+) -> ViewRays:
+    """n uniform chords of the bounding sphere whose views are in the region; not all hit.
+
+    wider: radius of the sphere that is taken, in those of the bounding sphere.
+    """
     wo = directions_in(region, rng.random((n, 2)))
     s, t = frame(wo)
-    r, phi = scene.radius * np.sqrt(rng.random(n)), 2.0 * np.pi * rng.random(n)
+    r, phi = wider * scene.radius * np.sqrt(rng.random(n)), 2.0 * np.pi * rng.random(n)
     disk = (r * np.cos(phi))[:, None] * s + (r * np.sin(phi))[:, None] * t
-    origins = scene.centre + disk + 1.5 * scene.radius * wo
+    origins = scene.centre + disk + 1.5 * wider * scene.radius * wo
     return ViewRays(origins.astype(np.float32), -wo)
 
 

@@ -66,13 +66,15 @@ class RenderedRays:
 
     radiance: (n, 3) under irradiance 1. alpha: (n,), 1 for a hit. position: (n, 3) Cycles' own
     hits, object space. direct: (n, 3) the part of the radiance that scattered once, at the hit
-    itself: without noise on fibers. None of a source without fibers.
+    itself: without noise on fibers. None of a source without fibers. normal: (n, 3) Cycles' shading
+    normals, object space; None where they were not asked for.
     """
 
     radiance: np.ndarray
     alpha: np.ndarray
     position: np.ndarray
     direct: np.ndarray | None
+    normal: np.ndarray | None = None
 
 
 class BlenderWorker:
@@ -243,11 +245,13 @@ class BlenderWorker:
         samples: int,
         seed: int,
         reach: float | None = None,
+        normals: bool = False,
     ) -> RenderedRays:
         """Radiance along rays: the asset lit from `wi` with irradiance 1, or its emission alone.
 
         `origins`, `directions`: (n, 3) float32, object space, +Y up; `wi`: (3,) towards the light,
-        or None for what the asset emits. `reach`: how far the rays go.
+        or None for what the asset emits. `reach`: how far the rays go. `normals`: whether to
+        answer them.
         """
         n = len(origins)
         width = min(n, max(1, math.isqrt(n)))
@@ -258,15 +262,43 @@ class BlenderWorker:
         }
         _write_rays(paths["origins"], to_blender(origins), width, height)
         _write_rays(paths["directions"], to_blender(directions), width, height)
-        request = {k: str(p) for k, p in paths.items()} | {"reach": reach}
+        request = {k: str(p) for k, p in paths.items()} | {"reach": reach, "normals": normals}
         self._render("renderRays", request, wi, samples, seed, width, height)
         passes = _read_render(paths["out"])
         for path in paths.values():
             path.unlink(missing_ok=True)
+        return self._rays(passes, n)
+
+    def _rays(self, passes: dict[str, np.ndarray], n: int) -> RenderedRays:
         rgba = _channels(passes, "Combined", "RGBA")[:n]
         position = from_blender(_channels(passes, "Position", "XYZ")[:n])
         direct = _direct(passes)[:n] if self.kind != "surface" else None
-        return RenderedRays(rgba[:, :3], rgba[:, 3], position, direct)
+        normal = None
+        if "Normal.X" in passes:
+            normal = from_blender(_channels(passes, "Normal", "XYZ")[:n])
+        return RenderedRays(rgba[:, :3], rgba[:, 3], position, direct, normal)
+
+    def render_pixel_centres(
+        self,
+        to_world: np.ndarray,
+        fov_y: float,
+        wi: np.ndarray,
+        samples: int,
+        seed: int,
+        width: int,
+        height: int,
+    ) -> RenderedRays:
+        """A pinhole image whose pixels are points, by rows from the top; with normals.
+
+        Arguments as in `render_view`.
+        """
+        out = self._folder / f"view-{self._name}-{self._renders}.exr"
+        asked = {"out": str(out), "emits": False, "normals": True, "points": True}
+        request = {**asked, **_pinhole(to_world, fov_y, width, height)}
+        self._render("renderView", request, wi, samples, seed, width, height)
+        passes = _read_render(out)
+        out.unlink()
+        return self._rays(passes, width * height)
 
     def render_view(
         self,
@@ -285,7 +317,8 @@ class BlenderWorker:
         whether the materials emit light.
         """
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
-        request = {"out": str(out), "emits": emits, **_pinhole(to_world, fov_y, width, height)}
+        asked = {"out": str(out), "emits": emits, "normals": False, "points": False}
+        request = {**asked, **_pinhole(to_world, fov_y, width, height)}
         self._render("renderView", request, wi, samples, seed, width, height)
         passes = _read_render(out)
         out.unlink()

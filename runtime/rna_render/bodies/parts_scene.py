@@ -131,6 +131,14 @@ class PartsScene(GeometryScene):
                 result[row] = table.at(*at)
         return result
 
+    def transmitted(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """The product of what all that rays from outside meet lets through, (n, 3) float32."""
+        lines = vectors("origins", origins), vectors("directions", directions, len(origins))
+        if self.transmits:
+            return transmitted(self._scene, self._weakened, *lines, 0.0, np.inf)
+        free = ~any_hits(self._scene, *lines, 0.0, np.inf, NOTHING)
+        return np.repeat(free.astype(np.float32)[:, None], 3, axis=1)
+
     def visible(
         self,
         part: int,
