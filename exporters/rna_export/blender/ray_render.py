@@ -13,7 +13,6 @@ from emission import Emission
 _LOBES = ("diffuse", "glossy", "transmission")
 _NEAR = 1e-6  # the least that Blender allows; the ray camera takes it back
 _FAR = 1e12
-_POINT = 0.01  # pixels, the narrowest filter
 
 _lighting: dict[str, Any] = {}  # emission: of the materials; clamps: of radiance under the sun
 
@@ -47,7 +46,7 @@ def render_rays(request: dict[str, Any]) -> None:
         _compile_ray_camera(camera)
     camera.cycles_custom["origins"] = request["origins"]
     camera.cycles_custom["directions"] = request["directions"]
-    _filter(_POINT)
+    _sample(centres=True)
     bpy.context.view_layer.use_pass_normal = request["normals"]
     camera.cycles_custom["near"] = _NEAR
     camera.clip_end = _FAR if request["reach"] is None else _NEAR + request["reach"]
@@ -64,23 +63,24 @@ def render_view(request: dict[str, Any]) -> None:
     _light(request["wi"])
     emit(request["emits"])
     bpy.context.view_layer.use_pass_normal = request["normals"]
-    render_pinhole(request, _POINT if request["points"] else 1.0)
+    render_pinhole(request, request["points"])
 
 
-def render_pinhole(request: dict[str, Any], filter_width: float = 1.0) -> None:
+def render_pinhole(request: dict[str, Any], centres: bool = False) -> None:
     """Render an image of the scene as it is: `matrix` is camera to world, Blender's axes."""
     camera = _camera("view", "PERSP")
     camera.sensor_fit = "VERTICAL"
     camera.angle = request["fovY"]
     bpy.context.scene.camera.matrix_world = mathutils.Matrix(request["matrix"])
-    _filter(filter_width)
+    _sample(centres)
     _render(request)
 
 
-def _filter(width: float) -> None:
-    """The box of a pixel's samples, in pixels."""
+def _sample(centres: bool) -> None:
+    """Spread the samples of a pixel over all of it, or take them at its centre."""
     cycles = bpy.context.scene.cycles
-    cycles.pixel_filter_type, cycles.filter_width = "BOX", width
+    # Cycles ignores the width of a box.
+    cycles.pixel_filter_type, cycles.filter_width = ("GAUSSIAN", 0.01) if centres else ("BOX", 1.0)
 
 
 def emit(on: bool) -> None:

@@ -151,5 +151,5 @@ def _set_up(scene: bpy.types.Scene, size: tuple[int, int], path: Path) -> None:
     render.image_settings.file_format = "OPEN_EXR"
     render.image_settings.color_depth = "32"
     cycles.samples, cycles.use_adaptive_sampling, cycles.use_denoising = 1, False, False
-    cycles.pixel_filter_type, cycles.filter_width = "BOX", 0.01
+    cycles.pixel_filter_type, cycles.filter_width = "GAUSSIAN", 0.01  # a box ignores its width
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
