@@ -56,6 +56,7 @@ OWNED: dict[str, dict[str, Any]] = {
         "sampling_pattern": "TABULATED_SOBOL",
         "scrambling_distance": 1.0,
         "auto_scrambling_distance": False,
+        "transparent_max_bounces": 64,  # as many layers as a view ray of ours passes
         "use_layer_samples": "IGNORE",
         "use_animated_seed": False,
         "light_sampling_threshold": 0.0,

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bpy
 import camera_visibility
+import gltf_import
 import groom_source
 import hair_scene
 import material_check
@@ -49,8 +50,8 @@ def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
         return notes
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if suffix in (".gltf", ".glb"):
-        bpy.ops.import_scene.gltf(filepath=source)
-    elif suffix == ".obj":
+        return gltf_import.load(source)
+    if suffix == ".obj":
         bpy.ops.wm.obj_import(filepath=source)
     elif suffix == ".ply":
         bpy.ops.wm.ply_import(filepath=source)

@@ -18,6 +18,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).parent))
 
 import curves_export
+import material_override
 import mesh_export
 import normal_maps
 import ray_render
@@ -37,6 +38,7 @@ def open_scene(request: dict[str, Any]) -> dict[str, Any]:
     axes = request["front"], request["up"]
     notes = source_scene.load(request["source"], request["arguments"], *axes)
     render_settings.own()
+    material_override.apply()
     notes += source_scene.keep_only_the_asset()
     parts = as_rendered(lambda: scene_parts.find_parts(request["parts"]))
     clamps = request["clampDirect"], request["clampIndirect"]

@@ -21,7 +21,7 @@ from pydantic import ValidationError
 
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
-from rna_export.capture.sample_files import write_arrays
+from rna_export.capture.sample_files import rows_of, write_arrays
 from rna_export.capture.stored_geometry import geometry_arrays
 from rna_export.capture.validation_view import WholeView
 from rna_sdk.atomic_file import write_atomically
@@ -107,6 +107,21 @@ class Dataset:
         while shards < self.manifest.shards and self.train_path(shards).is_file():
             shards += 1
         return min(shards * settings.lights_per_shard, settings.lights)
+
+    def kept_rays(self) -> int:
+        """Samples of the finished training shards, of all parts."""
+        shards = [p for k in range(self.manifest.shards) if (p := self.train_path(k)).is_file()]
+        return sum(rows_of(p, part.name, "wo") for p in shards for part in self.manifest.parts)
+
+    def rays_captured(self) -> int:
+        """View rays of the finished training shards, kept or not."""
+        settings = self.manifest.settings
+        lights = 0
+        for k in range(self.manifest.shards):
+            if self.train_path(k).is_file():
+                first = k * settings.lights_per_shard
+                lights += min(settings.lights_per_shard, settings.lights - first)
+        return lights * settings.rays
 
     def plan_lights(self, lights: int) -> None:
         """Change the planned number of lights; those captured already stay the same."""

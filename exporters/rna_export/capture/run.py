@@ -23,7 +23,7 @@ from rna_export.capture.exported_parts import exported_parts
 from rna_export.capture.gathered import Gathered
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.self_check import PICTURE, SelfCheck
+from rna_export.capture.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureJob, CaptureWorker, opened
 from rna_export.capture.tasks import Task, TrainingShard, all_tasks
@@ -187,6 +187,24 @@ def finish(
     if limit is not None and there < lights:
         dataset.plan_lights(there)
         say(f"time limit reached: {there:,} of {lights:,} lights; the dataset is complete")
+    _say_dropped(dataset, say)
+
+
+def _say_dropped(dataset: Dataset, say: Callable[[str], None]) -> None:
+    """Say how many view rays made no sample, from 1% on; CaptureError if none did."""
+    asked, kept = dataset.rays_captured(), dataset.kept_rays()
+    if not asked:
+        return
+    if not kept:
+        raise CaptureError(
+            f"{dataset.folder}: none of {asked:,} view rays made a sample: Cycles met nothing at "
+            "their points"
+        )
+    if asked - kept >= WORTH_A_NOTE * asked:
+        say(
+            f"note: {asked - kept:,} of {asked:,} view rays ({1.0 - kept / asked:.1%}) made no "
+            "sample: Cycles met nothing at their points"
+        )
 
 
 def _cost(dataset: Dataset, task: Task) -> float:

@@ -41,6 +41,15 @@ def read_part(path: Path, part: str, fields: Iterable[str]) -> dict[str, np.ndar
     return arrays
 
 
+def rows_of(path: Path, part: str, field: str) -> int:
+    """Number of one part's samples, told by the file's header. CaptureError if it is damaged."""
+    try:
+        with safe_open(path, "np") as file:
+            return int(file.get_slice(f"{part}/{field}").get_shape()[0])
+    except (OSError, SafetensorError) as error:
+        raise damaged(path, error) from error
+
+
 def damaged(path: Path, reason: object) -> CaptureError:
     """The error for a file that a capture can make again."""
     return CaptureError(DAMAGED.format(path, reason) + _MADE_AGAIN)

@@ -79,12 +79,12 @@ class SelfCheck:
         n, points, rendered = len(traced.rays), traced.points, traced.rendered
         self.asked += n
         self.kept += int(traced.kept.sum())
-        opaque = points.hit & ~points.transmittance.any(axis=1)
-        missing = opaque & (rendered.alpha < HIT)
         elsewhere, turned = other_hits(self.scene, traced.rays, points, rendered, self.normals)
-        found = {MISSING: missing, ELSEWHERE: elsewhere, TURNED: turned}
+        found = {ELSEWHERE: elsewhere, TURNED: turned}
+        if not self.scene.transmits:  # else Cycles' rays start at the points
+            found[MISSING] = points.hit & (rendered.alpha < HIT)
         shares = {kind: float(rows.mean()) for kind, rows in found.items()}
-        self._note(shares, traced.rays, missing | elsewhere | turned)
+        self._note(shares, traced.rays, np.logical_or.reduce(list(found.values())))
 
     def render_picture(self, worker: BlenderWorker, name: str) -> None:
         """Render an ordinary image of the whole source from where most differs, and compare it."""
