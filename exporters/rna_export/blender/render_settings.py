@@ -85,6 +85,7 @@ OWNED: dict[str, dict[str, Any]] = {
         "use_solid": True,
         "use_strand": True,
         "use_volumes": True,
+        "use_grease_pencil": False,
         "use_sky": True,
         "use_ao": True,
         "use_pass_combined": True,

@@ -50,8 +50,8 @@ def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
         return notes
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if suffix in (".gltf", ".glb"):
-        return gltf_import.load(source)
-    if suffix == ".obj":
+        notes = gltf_import.load(source)
+    elif suffix == ".obj":
         bpy.ops.wm.obj_import(filepath=source)
     elif suffix == ".ply":
         bpy.ops.wm.ply_import(filepath=source)

@@ -1,0 +1,185 @@
+"""The check of a capture against Cycles, with a teacher that renders geometry of its own."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from rna_export.capture import run
+from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED
+from rna_export.capture.self_check import SelfCheck
+from rna_export.capture.traced_rays import TracedRays
+from rna_export.capture.view_rays import ViewRays, sample_view_rays
+from rna_export.capture.worker import RenderedRays, Source
+from rna_render.camera import Camera
+from rna_render.scene_model import CameraModel
+from rna_sdk.errors import CaptureError
+from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.transmittance import Transmittance
+from tests.exporters.meshes import merged, moved, sphere, square
+
+WI = np.array([0.0, 1.0, 0.0], np.float32)
+SAMPLES = 4
+BALL = sphere(3)
+CARD = replace(square(2.0), uvs=np.float32([[0, 1], [1, 1], [1, 0], [0, 0]]))
+SMALL = moved(sphere(2, radius=0.3), (1.4, 0.0, 0.0))
+
+
+class Cycles:
+    """Answers rays as Cycles does, from a scene that need not be the exported one."""
+
+    def __init__(self, scene: AssetScene, turn: float = 0.0):
+        self._scene, self._turn = scene, np.radians(turn)
+        self._rng = np.random.default_rng(7)
+
+    def render_rays(
+        self, origins, directions, wi, samples, seed, reach=None, normals=False
+    ) -> RenderedRays:
+        share = self._scene.coverage(origins, directions)
+        if reach is not None:
+            share = share * (self._scene.distance(origins, directions) <= reach)
+        alpha = (self._rng.random((samples, len(share))) < share).mean(axis=0)
+        points = self._scene.shade_points(origins, directions)
+        normal = np.zeros_like(points.position)
+        for on in points.on:
+            if "normal" in on.fields:
+                normal[on.rows] = self._towards(on.fields["normal"], directions[on.rows])
+        answers = np.abs(directions), alpha.astype(np.float32), points.position, None, normal
+        return RenderedRays(*answers)
+
+    def render_pixel_centres(self, to_world, fov_y, wi, samples, seed, width, height):
+        model = CameraModel(
+            position=tuple(to_world[:3, 3]),
+            look_at=tuple(to_world[:3, 3] - to_world[:3, 2]),
+            up=tuple(to_world[:3, 1]),
+            vertical_fov_deg=np.degrees(fov_y),
+        )
+        camera, pixels = Camera(model, (width, height)), np.arange(width * height, dtype=np.uint32)
+        directions = camera.directions(pixels, np.full((len(pixels), 2), 0.5))
+        return self.render_rays(
+            np.tile(camera.position, (len(pixels), 1)), directions, wi, samples, seed
+        )
+
+    def _towards(self, normals: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        facing = normals * -np.sign(np.sum(normals * directions, axis=1, keepdims=True))
+        other = np.cross(facing, [[0.3, 0.5, 0.8]])
+        other /= np.linalg.norm(other, axis=1, keepdims=True)
+        return np.cos(self._turn) * facing + np.sin(self._turn) * other
+
+
+def checked(exported: AssetScene, rendered: AssetScene, turn: float = 0.0) -> SelfCheck:
+    """What a capture of `exported` finds if Cycles renders `rendered`."""
+    check, cycles = SelfCheck(exported, SAMPLES, normals=True), Cycles(rendered, turn)
+    check.render_chords(cycles, WI, 2048, "sphere", 0)
+    rng = np.random.default_rng(1)
+    rays = sample_view_rays(exported, WI, 1024, "sphere", rng)
+    check.add(TracedRays.of(exported, cycles, rays, WI, SAMPLES, 0, rng, False, True))
+    check.render_picture(cycles, "test.blend")
+    return check
+
+
+def holes(mesh: Mesh, value: int, cutoff: float | None) -> AssetScene:
+    """A scene whose mesh lets value / 255 of the light through where u is below 1 / 2."""
+    texture = np.zeros((4, 4, 1), np.uint8)
+    texture[:, :2] = value
+    return AssetScene(
+        [mesh], transmittances=[(Transmittance(0, len(mesh.triangles), texture, cutoff, None),)]
+    )
+
+
+def strands(radius: float, at: float = 0.0) -> AssetScene:
+    turns = np.linspace(0.0, 2.0 * np.pi, 40, endpoint=False)
+    ends = np.stack([np.cos(turns) + at, np.zeros(40), np.sin(turns)], axis=1)
+    tops = ends + np.array([0.0, 1.0, 0.0])
+    points = np.stack([ends, tops], axis=1).reshape(-1, 3).astype(np.float32)
+    return AssetScene(
+        [Curves(points, np.full(80, radius, np.float32), np.arange(0, 81, 2, dtype=np.uint32))]
+    )
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        AssetScene([BALL]),
+        AssetScene([BALL, moved(BALL, (3.0, 0.0, 0.0))]),
+        holes(CARD, 255, 0.5),
+        holes(CARD, 100, None),
+        strands(0.05),
+    ],
+    ids=["surface", "parts", "holes", "thin", "fibers"],
+)
+def test_what_is_rendered_as_it_was_exported_has_no_note(scene: AssetScene) -> None:
+    check = checked(scene, scene, turn=5.0)
+    assert check.note() is None
+    assert check.picture is None
+    assert check.kept > 0.5 * check.asked  # a ray that passes what is thin may meet nothing
+
+
+@pytest.mark.parametrize(
+    ("exported", "rendered", "kind"),
+    [
+        (AssetScene([BALL, SMALL]), AssetScene([BALL]), MISSING),
+        (AssetScene([BALL]), AssetScene([merged(BALL, SMALL)]), EXTRA),
+        (AssetScene([BALL]), AssetScene([sphere(3, radius=0.99)]), ELSEWHERE),
+        (holes(CARD, 0, 0.5), holes(CARD, 255, 0.5), MISSING),
+        (holes(CARD, 255, 0.5), holes(CARD, 0, 0.5), EXTRA),
+        (holes(CARD, 40, None), holes(CARD, 120, None), MISSING),
+        (holes(CARD, 120, None), holes(CARD, 40, None), EXTRA),
+        (strands(0.05), strands(0.04), MISSING),
+        (strands(0.05), strands(0.05, at=0.02), ELSEWHERE),
+    ],
+)
+def test_what_differs_is_told(exported: AssetScene, rendered: AssetScene, kind: str) -> None:
+    check = checked(exported, rendered)
+    assert check.shares[kind] >= 0.01
+    assert kind in check.worth_telling()
+    assert Image.open(io.BytesIO(check.picture)).size[0] == 3 * 3 * 128
+
+
+def test_other_normals_are_told_of_surfaces_whose_relief_is_mapped() -> None:
+    scene = AssetScene([BALL])
+    check = checked(scene, scene, turn=30.0)
+    assert set(check.worth_telling()) == {TURNED}
+    assert check.shares[TURNED] > 0.8
+    unmapped = SelfCheck(scene, SAMPLES, normals=False)
+    unmapped.render_chords(Cycles(scene, 30.0), WI, 2048, "sphere", 0)
+    assert unmapped.note() is None
+
+
+def test_the_picture_is_taken_from_where_most_differs() -> None:
+    below = moved(sphere(2, radius=0.2), (0.0, -1.0, 0.0))
+    check = checked(AssetScene([BALL]), AssetScene([merged(BALL, below)]))
+    assert check._camera().position[1] < -1.0
+
+
+def test_the_picture_marks_what_is_missing_in_red_and_what_is_not_exported_in_blue() -> None:
+    check = checked(AssetScene([BALL]), AssetScene([merged(BALL, SMALL)]))
+    pixels = np.asarray(Image.open(io.BytesIO(check.picture)), np.int32)
+    marked = pixels[60:420, 2 * 384 :].reshape(-1, 3)
+    blue = (marked == (31, 119, 230)).all(axis=1)
+    red = (marked == (214, 39, 40)).all(axis=1)
+    assert blue.mean() > 0.005
+    assert not red.any()
+
+
+def test_nothing_kept_is_an_error_of_one_line() -> None:
+    check = checked(AssetScene([BALL]), AssetScene([moved(sphere(2), (100.0, 0.0, 0.0))]))
+    assert not check.kept
+    with pytest.raises(CaptureError, match=r"^ball.gltf: none of 1,024 view rays can be kept: "):
+        run._refuse_nothing(check, Source(Path("ball.gltf")))
+
+
+def test_a_ray_that_neither_meets_is_no_disagreement() -> None:
+    scene = AssetScene([BALL])
+    away = ViewRays(np.full((8, 3), 9.0, np.float32), np.tile(np.float32([0, 0, 1]), (8, 1)))
+    check = SelfCheck(scene, SAMPLES, normals=True)
+    rng = np.random.default_rng(0)
+    check.add(TracedRays.of(scene, Cycles(scene), away, WI, SAMPLES, 0, rng, False))
+    assert check.note() is None
+    assert (check.asked, check.kept) == (8, 0)
