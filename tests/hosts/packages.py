@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 
 from rna_sdk.package import Tier, TierData, TierPart, write_package
+from rna_sdk.package.extensions import Standin, StandinMaterial
 from rna_sdk.package.geometry import quantise
+from rna_sdk.package.packing import Unpacked
 from tests.conformance.kit.decoders import make_decoder, make_int8_decoder
 from tests.package.builders import (
     make_curves,
@@ -19,6 +21,7 @@ from tests.package.builders import (
     make_tier_data,
 )
 from tests.package.lantern import make_lantern, make_lantern_manifest, make_textures
+from tests.package.relief import make_maps, make_relief, make_relief_manifest
 
 SURFACE_INPUTS = (
     *("features", "position", "normal", "wo", "wi"),
@@ -52,8 +55,8 @@ def _part_data(part: TierPart, widths: tuple[int, ...]) -> TierData:
     return TierData(planes, file)
 
 
-def write_fuzz_packages(folder: Path) -> list[Path]:
-    """Write packages of 5 to 20 KB below `folder`: kinds, planes and decoders of all sorts."""
+def write_plain_fuzz_packages(folder: Path) -> list[Path]:
+    """Write packages of 5 to 10 KB below `folder` that 1.0 has: kinds, planes and decoders."""
     paths = []
     for kind in ("surface", "fiber"):
         for decoder, planes in (
@@ -67,7 +70,35 @@ def write_fuzz_packages(folder: Path) -> list[Path]:
             tier = make_profile_tier("small", kind, resolution=8, channels=4, **changes)
             path = folder / f"{kind}-{decoder}-{planes}.rna"
             paths.append(write_profile_package(path, tier, kind=kind))
-    return [*paths, make_lantern(folder / "parts.rna"), write_quantised(folder / "quantised.rna")]
+    return paths
+
+
+def write_new_fuzz_packages(folder: Path) -> list[Path]:
+    """Write packages of 6 to 20 KB below `folder` with what 1.1 added.
+
+    Parts with emission, holes and glass; normal maps; both with quantised geometry; proxies, a
+    stand-in and a poster; entries that are coded.
+    """
+    lantern = make_lantern(folder / "parts.rna")
+    coded = folder / "coded.rna"
+    Unpacked.read(lantern).deflated().write(coded)
+    return [
+        lantern,
+        write_quantised(folder / "quantised.rna"),
+        make_relief(folder / "relief.rna"),
+        _write_quantised_relief(folder / "quantised-relief.rna"),
+        _write_proxies(folder / "proxies.rna"),
+        coded,
+    ]
+
+
+FUZZ_SEEDS = {"1.0": write_plain_fuzz_packages, "1.1": write_new_fuzz_packages}
+"""Packages to mutate, by the version of the format whose contents they have."""
+
+
+def write_fuzz_packages(folder: Path) -> list[Path]:
+    """Write all packages to mutate below `folder`."""
+    return [path for write in FUZZ_SEEDS.values() for path in write(folder)]
 
 
 def write_quantised(path: Path) -> Path:
@@ -77,3 +108,29 @@ def write_quantised(path: Path) -> Path:
     geometries = [quantise(make_mesh()), quantise(make_curves())]
     write_package(path, manifest, geometries, data, make_textures())
     return path
+
+
+def _write_quantised_relief(path: Path) -> Path:
+    manifest = make_relief_manifest()
+    data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
+    write_package(path, manifest, [quantise(make_mesh())], data, make_maps())
+    return path
+
+
+def _write_proxies(path: Path) -> Path:
+    """Two parts without textures, each with a proxy, a stand-in and a poster."""
+    parts = tuple(
+        part.model_copy(update={"transmittance": ()}) for part in make_lantern_manifest().parts
+    )
+    manifest = make_lantern_manifest(parts=parts)
+    data = {tier.name: make_tier_data(tier) for tier in manifest.tiers}
+    write_package(path, manifest, [make_mesh(), make_curves()], data)
+    material = StandinMaterial(base_color=(0.5, 0.4, 0.3), roughness=0.5, metallic=0)
+    proxies = [[(make_mesh(uvs=False), 64)], [(quantise(make_curves()), 32)]]
+    package = Unpacked.read(path).with_poster(_PNG).with_proxies(proxies)
+    package.with_extension(Standin(parts=(material, material)), {}).write(path)
+    return path
+
+
+_PNG = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\2\0\0\0\1\x08\6\0\0\0"
+"""The first bytes of a PNG of 2 by 1, all that a reader checks."""

@@ -24,6 +24,12 @@ static RnaAsset *open_span(Span file, bool mapped, RnaReport *report) {
         refuse(report, "FILE_UNREADABLE", "byte 0", "memory for it", "not enough");
         if (mapped) munmap((void *)(uintptr_t)file.at, file.size);
     }
+#ifdef RNA_EXACT_ENTRIES
+    if (asset && zip) {
+        asset->zip = zip;
+        zip = NULL;
+    }
+#endif
     free(zip);
     if (report->errors == 0) return asset;
     rna_close(asset);

@@ -2,6 +2,7 @@
 #ifndef RNA_ASSET_H
 #define RNA_ASSET_H
 
+#include "container.h"
 #include "decoder.h"
 #include "manifest_rules.h"
 #include "planes.h"
@@ -52,6 +53,9 @@ struct RnaAsset {
     Part part[RNA_MAX_PARTS];
     Tier tier[MAX_TIERS];
     Loaded *decoders;
+#ifdef RNA_EXACT_ENTRIES
+    Container *zip; /* which holds the copies of the entries */
+#endif
 };
 
 #endif

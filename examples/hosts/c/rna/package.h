@@ -239,6 +239,10 @@ static void free_package(RnaAsset *asset) {
         free(loaded);
     }
     free_json(&asset->manifest);
+#ifdef RNA_EXACT_ENTRIES
+    for (int i = 0; asset->zip && i < MAX_ENTRIES; i++) free(asset->zip->entries[i].copy);
+    free(asset->zip);
+#endif
 }
 
 #endif

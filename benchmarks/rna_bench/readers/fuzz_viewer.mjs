@@ -1,0 +1,96 @@
+// Mutated packages through the viewer's reader, in Node: node fuzz_viewer.mjs SRC < mutations
+//
+// SRC: the folder runtime/web/src/package. Reads what examples/hosts/c/mutations.c writes, and prints
+// JSON: how many were accepted, the codes of the others, and failures, each [number, text]: any
+// exception but a refusal, and any asset with an index, a range or a size that does not fit.
+import { register } from "node:module";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+// The sources import JSON as the bundler does, without an attribute.
+const hooks = `import { readFile } from "node:fs/promises";
+export async function load(url, context, next) {
+  if (!url.endsWith(".json")) return next(url, context);
+  return { format: "module", shortCircuit: true, source: "export default " + await readFile(new URL(url), "utf8") };
+}`;
+register(`data:text/javascript,${encodeURIComponent(hooks)}`);
+
+const folder = resolve(process.argv[2]);
+const load = (name) => import(pathToFileURL(join(folder, name)));
+const { Package } = await load("package.js");
+const { BlobSource } = await load("source.js");
+const { NotSupported, PackageError } = await load("errors.js");
+
+const SLOW_MS = 20000;
+
+function expect(right, text) {
+  if (!right) throw new Error(text);
+}
+
+function checkTexture({ triangles: [first, count], texture }, mesh) {
+  const { values, height, width, channels } = texture;
+  expect(first + count <= mesh.indices.length / 3, "a record past the mesh");
+  expect(values.length === height * width * channels, "a texture of another size");
+}
+
+function checkPart({ mesh, curves, transmittance, normalMaps, planes, transport, emission }) {
+  if (mesh) {
+    expect(mesh.positions.length === mesh.normals.length, "normals of another count");
+    expect(!mesh.uvs || mesh.uvs.length / 2 === mesh.positions.length / 3, "uvs of another count");
+    expect(mesh.indices.every((index) => 3 * index + 2 < mesh.positions.length), "a vertex that is not there");
+    [...transmittance, ...normalMaps].forEach((record) => checkTexture(record, mesh));
+  } else {
+    expect(curves.points.length === 3 * curves.radii.length, "radii of another count");
+    expect(curves.offsets.every((offset) => offset <= curves.radii.length), "a point that is not there");
+  }
+  expect((mesh?.positions ?? curves.points).every(Number.isFinite), "a position that is not finite");
+  expect(planes.values.length === 3 * planes.resolution ** 2 * planes.channels, "planes of another size");
+  for (const { layers } of [transport, emission].filter(Boolean)) {
+    for (const { weight, bias, rows, columns } of layers) {
+      expect(weight.length === rows * columns && bias.length === columns, "a layer of another size");
+    }
+  }
+}
+
+/** "accepted", or the code of the refusal. */
+async function verdict(bytes) {
+  try {
+    const opened = await Package.open(new BlobSource(new Blob([bytes]), "mutation"));
+    for (const { name } of opened.manifest.tiers) (await opened.load(name)).parts.forEach(checkPart);
+    await opened.posterImage();
+    return "accepted";
+  } catch (error) {
+    if (error instanceof PackageError) return error.code;
+    if (error instanceof NotSupported) return "NOT_SUPPORTED";
+    throw error;
+  }
+}
+
+async function* mutations() {
+  let rest = Buffer.alloc(0);
+  for await (const piece of process.stdin) {
+    rest = rest.length ? Buffer.concat([rest, piece]) : piece;
+    let at = 0;
+    while (rest.length - at >= 4 && rest.length - at - 4 >= rest.readUInt32LE(at)) {
+      const size = rest.readUInt32LE(at);
+      yield Uint8Array.from(rest.subarray(at + 4, at + 4 + size));
+      at += 4 + size;
+    }
+    rest = rest.subarray(at);
+  }
+}
+
+const tally = { mutations: 0, accepted: 0, refused: {}, failures: [] };
+for await (const bytes of mutations()) {
+  const started = performance.now();
+  try {
+    const found = await verdict(bytes);
+    if (found === "accepted") tally.accepted++;
+    else tally.refused[found] = (tally.refused[found] ?? 0) + 1;
+    expect(performance.now() - started < SLOW_MS, `more than ${SLOW_MS} ms`);
+  } catch (error) {
+    tally.failures.push([tally.mutations, `${error.name}: ${error.message}`.slice(0, 300)]);
+  }
+  tally.mutations++;
+}
+console.log(JSON.stringify(tally));
