@@ -83,6 +83,18 @@ static size_t find_token(Mutator *m, const Item *item, size_t from, size_t to, s
     return end - *at;
 }
 
+/* Replaces the token, if it is a number, by one near it or a small multiple: sizes that nearly fit. */
+static void mutate_number(Mutator *m, Item *item, size_t at, size_t size) {
+    char text[24] = {0};
+    if (size == 0 || size > 12 || item->data[at] < '0' || item->data[at] > '9') return;
+    memcpy(text, item->data + at, size);
+    unsigned long long value = strtoull(text, NULL, 10);
+    const unsigned long long others[] = {value + 1, value - (value > 0), 2 * value, 3 * value, 4 * value,
+                                         value / 2, value + 3, value + 4, value + 12, value + 64};
+    snprintf(text, sizeof text, "%llu", others[below(m, sizeof others / sizeof *others)]);
+    splice(item, at, size, text, strlen(text));
+}
+
 static void mutate_text(Mutator *m, Item *item, size_t from, size_t to) {
     static const char *const VALUES[] = {
         "0", "-0", "1", "-1", "2", "3", "8.0", "1e0", "8e-1", "1e400", "-1e400", "1e-400", "64", "65", "4096",
@@ -98,7 +110,7 @@ static void mutate_text(Mutator *m, Item *item, size_t from, size_t to) {
     static const char MARKS[] = "{}[]\",:0123456789eE+-. \\ntrufalsx/\t\n";
     size_t at, size = find_token(m, item, from, to, &at), other, other_size;
     const char *value = VALUES[below(m, sizeof VALUES / sizeof *VALUES)];
-    switch (below(m, 12)) {
+    switch (below(m, 14)) {
     case 0:
     case 1:
     case 2: /* another token of the text */
@@ -117,6 +129,8 @@ static void mutate_text(Mutator *m, Item *item, size_t from, size_t to) {
     case 5: item->data[from + below(m, to - from)] = (uint8_t)MARKS[below(m, sizeof MARKS - 1)]; break;
     case 6:
     case 7: mutate_bytes(m, item, from, to); break;
+    case 8:
+    case 9: mutate_number(m, item, at, size); break;
     default: splice(item, at, size, value, size ? strlen(value) : 0);
     }
 }
