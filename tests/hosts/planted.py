@@ -61,7 +61,8 @@ static bool planted(int bug) {
 
 WEB_BUGS = {
     "a texture longer than its file": [
-        Bug("tensors.js", "last - first !== count * TYPES[dtype].BYTES_PER_ELEMENT || ", "")
+        Bug("tensors.js", " || data + last > bytes.length", ""),
+        Bug("tensors.js", "if (data + next !== bytes.length)", "if (false)"),
     ],
     "a record past the mesh": [
         Bug("textures.js", "if (first + count > mesh.indices.length / 3)", "if (false)")

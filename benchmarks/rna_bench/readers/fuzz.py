@@ -3,11 +3,14 @@
     rna-bench fuzz --reader c-host --mutations 1000000 --out benchmarks/results/fuzz-1.1-c-host.json
 
 Mutations by number, of small packages: `--seeds 1.0`, surface and fiber, float32 and int8; `1.1`,
-parts, textures, normal maps, emission, quantised geometry, proxies, coded entries. Readers: the C host
-under AddressSanitizer and UBSan, which evaluates and traces what it accepts, each entry in a block of
-its own size; the Python validator and all that a package reads, with verdicts compared with those of
-the C host; the reader of the viewer's page, in Node. A run with the same --out goes on where the one
-before stopped. Needs a C compiler.
+parts, textures, normal maps, emission, quantised geometry, proxies, coded entries. Readers:
+
+- `c-host`: the C host under AddressSanitizer and UBSan, each entry in a block of its own size; it
+  evaluates and traces what it accepts;
+- `python`: the validator and all that a package reads; verdicts are compared with the C host's;
+- `viewer`: the reader of the viewer's page, in Node.
+
+A run with the same --out goes on where the one before stopped. Needs a C compiler.
 """
 
 from __future__ import annotations
@@ -24,6 +27,7 @@ from typing import Any
 from rna_bench.options import add_out
 from rna_bench.readers.fuzz_readers import READERS, Mutations, Tally
 from rna_bench.results import publish, write_results
+from rna_sdk.errors import RnaError
 from tests.hosts.c_host import build
 from tests.hosts.packages import FUZZ_SEEDS
 
@@ -60,7 +64,7 @@ def _done_before(out: Path | None, reader: str, seeds: dict[str, str]) -> tuple[
         return Tally(), 0.0
     found = json.loads(out.read_text())
     if (found["reader"], found["seeds"]) != (reader, seeds):
-        raise ValueError(f"{out} holds a run of another reader or of other packages")
+        raise RnaError(f"{out} holds a run of another reader or of other packages")
     tally = Tally(found["mutations"], found["accepted"], Counter(found["refused"]))
     tally.failures, tally.disagreements = found["failures"], found["verdicts_that_differ"]
     return tally, found["seconds"]

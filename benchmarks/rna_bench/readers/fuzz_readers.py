@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rna_sdk.package import Curves, Mesh, Package, Planes, Severity
 from rna_sdk.package.issues import Code
@@ -111,7 +112,7 @@ def run_viewer(mutations: Mutations, first: int, count: int, folder: Path) -> Ta
 
 
 def run_python(mutations: Mutations, first: int, count: int, folder: Path) -> Tally:
-    """Through the validator and all that `Package` reads; verdicts are compared with the C host's."""
+    """Through the validator and all that `Package` reads; compares verdicts with the C host."""
     said = _verdicts_of_c_host(mutations, first, count, folder)
     tally, path = Tally(), folder / "mutation.rna"
     for seed, data in mutations.each(first, count):
@@ -180,16 +181,20 @@ def _check_geometry(geometry: Mesh | Curves) -> None:
 
 def _look_up(package: Package, part: int, mesh: Mesh) -> None:
     """Transmittance and normals at the first and the last triangle of each record."""
+    u, v = np.array([[0, 1, 0.25, 0.75], [1, 0, 0.5, 0.125]], np.float32)
+    down = np.tile(np.array([0, 0, 1], np.float32), (_HITS, 1))
     holes, maps = package.transmittance(part), package.normal_maps(part)
-    for record in (*holes, *maps):
-        if not 0 < record.count <= len(mesh.triangles) - record.first:
-            raise ValueError("a record past the mesh")
-        triangle = np.array([record.first, record.first + record.count - 1] * (_HITS // 2))
-        u, v = np.float32([0, 1, 0.25, 0.75]), np.float32([1, 0, 0.5, 0.125])
-        if record in holes:
-            transmittance(mesh, holes, triangle, u, v, np.float32([[0, 0, 1]] * _HITS))
-        else:
-            mapped_normals(mesh, maps, triangle, u, v)
+    for hole in holes:
+        transmittance(mesh, holes, _ends(hole.first, hole.count, mesh), u, v, down)
+    for normal_map in maps:
+        mapped_normals(mesh, maps, _ends(normal_map.first, normal_map.count, mesh), u, v)
+
+
+def _ends(first: int, count: int, mesh: Mesh) -> NDArray[np.int64]:
+    """(_HITS,) the first and the last triangle of a record, by turns."""
+    if not 0 < count <= len(mesh.triangles) - first:
+        raise ValueError("a record past the mesh")
+    return np.array([first, first + count - 1] * (_HITS // 2))
 
 
 def _check_planes(planes: Planes, resolution: int, channels: int) -> None:
