@@ -171,11 +171,12 @@ def read_everything(package: Package) -> None:
 
 def _check_geometry(geometry: Mesh | Curves) -> None:
     if isinstance(geometry, Mesh):
-        right = geometry.positions.shape == geometry.normals.shape
-        right &= bool(geometry.triangles.max() < len(geometry.positions))
+        points, right = geometry.positions, geometry.positions.shape == geometry.normals.shape
+        right &= bool(geometry.triangles.max() < len(points))
     else:
-        right = len(geometry.points) == len(geometry.radii) == geometry.offsets[-1]
-    if not (right and np.isfinite(geometry.box()).all()):
+        points = geometry.points
+        right = len(points) == len(geometry.radii) == geometry.offsets[-1]
+    if not (right and np.isfinite(points).all()):
         raise ValueError("geometry whose arrays do not fit")
 
 
