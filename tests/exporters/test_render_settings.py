@@ -142,10 +142,9 @@ def test_a_file_set_up_for_a_film_gives_the_radiance_of_a_plain_one(
     towards = rng.normal(size=(64, 3))
     towards /= np.linalg.norm(towards, axis=1, keepdims=True)
     rays = np.float32(3.0 * towards), np.float32(-towards)
-    plain, film = (
-        open_worker(scene).render_rays(*rays, unit(0.3, 0.9, 0.3), 4, seed=1)
-        for scene in (PLAIN, SET_UP_FOR_A_FILM)
-    )
+    workers = [open_worker(scene) for scene in (PLAIN, SET_UP_FOR_A_FILM)]
+    plain, film = (worker.render_rays(*rays, unit(0.3, 0.9, 0.3), 4, seed=1) for worker in workers)
+    assert [worker.render_card() for worker in workers] == pytest.approx([1.0 / np.pi] * 2)
     assert plain.alpha.min() == 1.0
     assert plain.radiance.max() > 0.1
     assert np.array_equal(film.alpha, plain.alpha)

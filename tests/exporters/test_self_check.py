@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -71,6 +71,16 @@ class Cycles:
         other = np.cross(facing, [[0.3, 0.5, 0.8]])
         other /= np.linalg.norm(other, axis=1, keepdims=True)
         return np.cos(self._turn) * facing + np.sin(self._turn) * other
+
+
+@dataclass
+class Card:
+    """Answers what radiance a white card has."""
+
+    radiance: float
+
+    def render_card(self) -> float:
+        return self.radiance
 
 
 def checked(exported: AssetScene, rendered: AssetScene, turn: float = 0.0) -> SelfCheck:
@@ -150,6 +160,13 @@ def test_other_normals_are_told_of_surfaces_whose_relief_is_mapped() -> None:
     unmapped = SelfCheck(scene, SAMPLES, normals=False)
     unmapped.render_chords(Cycles(scene, 30.0), WI, 2048, "sphere", 0)
     assert unmapped.note() is None
+
+
+@pytest.mark.parametrize(("radiance", "told"), [(0.3183, False), (1.2732, True), (0.31, True)])
+def test_light_that_settings_change_is_told(radiance: float, told: bool) -> None:
+    check = SelfCheck(AssetScene([BALL]), SAMPLES, normals=True)
+    check.render_card(Card(radiance))
+    assert (check.note() is not None) == told
 
 
 def test_the_picture_is_taken_from_where_most_differs() -> None:

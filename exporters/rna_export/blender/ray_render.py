@@ -14,6 +14,8 @@ _LOBES = ("diffuse", "glossy", "transmission")
 _NEAR = 1e-6  # the least that Blender allows; the ray camera takes it back
 _FAR = 1e12
 
+SUN = "rna sun"
+
 _lighting: dict[str, Any] = {}  # emission: of the materials; clamps: of radiance under the sun
 
 
@@ -51,7 +53,7 @@ def render_rays(request: dict[str, Any]) -> None:
     camera.cycles_custom["near"] = _NEAR
     camera.clip_end = _FAR if request["reach"] is None else _NEAR + request["reach"]
     camera.update_tag()
-    _light(request["wi"])
+    light(request["wi"])
     _render(request)
 
 
@@ -60,7 +62,7 @@ def render_view(request: dict[str, Any]) -> None:
 
     `points`: whether pixels are points. `normals`: whether the file has `Normal`.
     """
-    _light(request["wi"])
+    light(request["wi"])
     emit(request["emits"])
     bpy.context.view_layer.use_pass_normal = request["normals"]
     render_pinhole(request, request["points"])
@@ -88,9 +90,9 @@ def emit(on: bool) -> None:
     _lighting["emission"].switch(on)
 
 
-def _light(wi: list[float] | None) -> None:
+def light(wi: list[float] | None) -> None:
     """The sun in direction `wi`, or, for None, the asset's own light alone and unclamped."""
-    cycles, sun = bpy.context.scene.cycles, bpy.data.objects["rna sun"]
+    cycles, sun = bpy.context.scene.cycles, bpy.data.objects[SUN]
     emit(wi is None)
     sun.hide_render = wi is None
     clamps = (0.0, 0.0) if wi is None else _lighting["clamps"]
@@ -109,9 +111,9 @@ def _render(request: dict[str, Any]) -> None:
 
 
 def _set_up_lamp(scene: bpy.types.Scene) -> None:
-    sun = bpy.data.lights.new("rna sun", "SUN")
+    sun = bpy.data.lights.new(SUN, "SUN")
     sun.energy, sun.angle = 1.0, 0.0
-    lamp = bpy.data.objects.new("rna sun", sun)
+    lamp = bpy.data.objects.new(SUN, sun)
     lamp.rotation_mode = "QUATERNION"
     scene.collection.objects.link(lamp)
 

@@ -22,7 +22,7 @@ class _State:
 
     def __init__(self) -> None:
         scene = bpy.context.scene
-        bpy.data.objects.remove(bpy.data.objects["rna sun"], do_unlink=True)
+        bpy.data.objects.remove(bpy.data.objects[ray_render.SUN], do_unlink=True)
         bpy.context.view_layer.update()
         scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
         # Not what collection instances alone show: it goes where they go.

@@ -28,6 +28,7 @@ import scene_parts
 import scene_render
 import source_scene
 import transparency
+import white_card
 from rendered_geometry import as_rendered
 
 _PR_SET_PDEATHSIG = 1  # prctl(2)
@@ -61,6 +62,7 @@ HANDLERS = {
     "exportMesh": lambda r: as_rendered(lambda: mesh_export.export_mesh(r["out"], r["owner"])),
     "exportNormalMaps": lambda r: normal_maps.export_normal_maps(r["out"], r["side"]),
     "exportTransparency": lambda request: transparency.export_transparency(request["out"]),
+    "renderCard": white_card.render_card,
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,
     "renderView": ray_render.render_view,

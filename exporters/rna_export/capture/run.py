@@ -115,6 +115,7 @@ def begin(
         cutouts = exported.has_opaque_cutouts
         rate = _paths_a_second(check, settings, domain, worker, cutouts) * crew.backend().width()
         _refuse_nothing(check, source)
+        check.render_card(worker)
         check.render_picture(worker, source.path.name)
         opened = worker.opened
     if limit is not None:
@@ -275,8 +276,10 @@ def _refuse_nothing(check: SelfCheck, source: Source) -> None:
 def _found(check: SelfCheck, out: Path) -> list[str]:
     """The note of the check; its picture is written into the dataset's folder."""
     note = check.note()
-    if note is None or check.picture is None:
+    if note is None:
         return []
+    if check.picture is None:
+        return [note]
     path = out / PICTURE
     path.parent.mkdir(parents=True, exist_ok=True)
     write_atomically(path, check.picture)

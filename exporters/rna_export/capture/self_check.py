@@ -61,8 +61,13 @@ class SelfCheck:
     asked: int = 0
     kept: int = 0
     shares: dict[str, float] = field(default_factory=lambda: dict.fromkeys(KINDS, 0.0))
+    brightness: float = 1.0  # of Cycles' images, over what it should be
     picture: bytes | None = None  # a PNG, if there is something to mark
     _towards: list[np.ndarray] = field(default_factory=list)  # viewers of what differs, (n, 3)
+
+    def render_card(self, worker: BlenderWorker) -> None:
+        """Render what has a known radiance."""
+        self.brightness = float(np.pi) * worker.render_card()
 
     def render_chords(
         self, worker: BlenderWorker, wi: np.ndarray, n: int, wo: Region, seed: int
@@ -97,7 +102,7 @@ class SelfCheck:
         rays = ViewRays(np.tile(camera.position, (_SIDE**2, 1)), directions)
         found = Disagreement.of(self.scene, rays, rendered, self.samples, self.normals)
         self._note(found.shares(), rays, found.any)
-        if self.note() is not None:
+        if self.worth_telling():
             self.picture = disagreement_picture(
                 self.scene, rays, rendered, found, name, self.worth_telling()
             )

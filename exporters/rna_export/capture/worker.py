@@ -19,6 +19,7 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
 from rna_work.processor_time import process_seconds
 
+_CARD = 4  # pixels, a side
 _LINES = 5  # of Blender's output, in an error
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
 
@@ -277,6 +278,14 @@ class BlenderWorker:
         if "Normal.X" in passes:
             normal = from_blender(_channels(passes, "Normal", "XYZ")[:n])
         return RenderedRays(rgba[:, :3], rgba[:, 3], position, direct, normal)
+
+    def render_card(self) -> float:
+        """Mean radiance of a white diffuse card that faces the sun: 1 / pi, or settings are off."""
+        out = self._folder / f"card-{self._name}.exr"
+        self._ask(op="renderCard", out=str(out), side=_CARD)
+        passes = _read_render(out)
+        out.unlink()
+        return float(_channels(passes, "Combined", "RGB").mean())
 
     def render_pixel_centres(
         self,
