@@ -123,10 +123,14 @@ class SelfCheck:
 
     def note(self) -> str | None:
         """A sentence on what differs, None if all agrees."""
-        said = list(self.worth_telling().values())
-        return (
-            f"the exported geometry is not what Cycles renders: {'; '.join(said)}" if said else None
-        )
+        differs = "; ".join(self.worth_telling().values())
+        said = [f"the exported geometry is not what Cycles renders: {differs}"] if differs else []
+        if abs(self.brightness - 1.0) >= WORTH_A_NOTE:
+            said.append(
+                f"a white card is {self.brightness:.3g} times as bright as it should be: a setting "
+                "of the file changes the light"
+            )
+        return "; ".join(said) or None
 
     def _camera(self) -> Camera:
         axis = _unit(self._busiest())
