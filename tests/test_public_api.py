@@ -26,11 +26,13 @@ OUR_TOOLS = {
         "compiled",
         "console",
         "cpu",
+        "file_kinds",
         "kernel_threads",
         "local_server",
         "outputs",
         "owned_folder",
         "regular_file",
+        "size_note",
     )
 }
 """How our own commands check arrays, read, write, are compiled, threaded, talk, and serve pages."""

@@ -6,6 +6,9 @@ import math
 from os import PathLike
 from types import TracebackType
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package.container import Container
 from rna_sdk.package.curves import Curves
@@ -94,6 +97,18 @@ class Package:
         levels = self._proxies(part)
         names = [record.geometry, *(level.geometry for level in levels if pixels <= level.height)]
         return geometry_from_bytes(self._view(names[-1]), names[-1], record.kind)
+
+    def box(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Lower and upper corner of the box about the geometry of all parts, each (3,) float32.
+
+        Object space, metres. `bounds` of the manifest may be larger.
+
+        Raises:
+            QueryError: the package is closed.
+        """
+        boxes = [self.geometry(part).box() for part in range(len(self.manifest.parts))]
+        low, high = zip(*boxes, strict=True)
+        return np.min(low, axis=0), np.max(high, axis=0)
 
     def proxy_heights(self, part: int = 0) -> tuple[int, ...]:
         """Largest height in pixels that each proxy of a part is meant for, descending.

@@ -36,6 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Entry point. Returns 0, 1 for bad input, or 130 after Ctrl-C; exits with 2 for bad usage."""
     parser = _parser()
     options = parser.parse_args(arguments)
+    _sort_images(parser, options)
     _check_usage(parser, options)
     stopped = "the image under way was not written"
     return run_command(lambda: _run(options), options.debug, stopped, "render")
@@ -44,22 +45,32 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = command_parser(
         "rna-run",
-        "Render a scene of relightable neural assets to an image.",
+        "Render a scene of relightable neural assets, or one asset, to an image.",
         "rna-run scene.yaml --out out.exr --png out.png",
-        usage="rna-run SCENE --out IMAGE.exr [options]\n       rna-run SCENE --preview [options]",
+        usage="rna-run FILE --png IMAGE.png [options]\n       rna-run FILE --preview [options]",
         epilog="Scene file reference: docs/scene.md. Preview: docs/preview.md.\nCtrl-C stops the "
         "render and writes the image so far, or closes the preview.",
     )
     add = parser.add_argument
-    add("scene", metavar="SCENE", type=Path, help="the scene file (YAML)")
+    add(
+        "scene",
+        metavar="FILE",
+        type=Path,
+        help="scene file (YAML), or a package (.rna), which is shown on a ground in a light that "
+        "fit it",
+    )
     add(
         "--out",
         metavar="FILE",
         type=Path,
-        help="linear HDR image with AOVs, .exr or .npz (path, no default: required without "
-        "--preview)",
+        help="linear HDR image with AOVs, .exr or .npz; a .png is as --png (path, default: none)",
     )
-    add("--png", metavar="FILE", type=Path, help="sRGB PNG of the same image (path, default: none)")
+    add(
+        "--png",
+        metavar="FILE",
+        type=Path,
+        help="sRGB PNG of the same image; with or without --out (path, default: none)",
+    )
     add(
         "--preview",
         action="store_true",
@@ -77,7 +88,7 @@ def _parser() -> argparse.ArgumentParser:
         metavar="FOLDER",
         type=Path,
         help="folder of .hdr and .exr environments offered by the preview (path, default: the "
-        "folder of SCENE)",
+        "folder of FILE)",
     )
     add(
         "--frames",
@@ -176,9 +187,18 @@ def _frames(text: str) -> tuple[int, int | None]:
     return span
 
 
+def _sort_images(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    """A PNG that --out names becomes that of --png."""
+    if options.out is None or options.out.suffix.lower() != ".png":
+        return
+    if options.png is not None:
+        parser.error(f"{options.out}: --out and --png both name a PNG")
+    options.out, options.png = None, options.out
+
+
 def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
-    if options.out is None and not options.preview:
-        parser.error("one of --out and --preview is required")
+    if options.out is None and options.png is None and not options.preview:
+        parser.error("one of --png, --out and --preview is required")
     others = (
         ("out", "png", "frames", "every", "denoise", "cluster")
         if options.preview
@@ -213,11 +233,13 @@ def _run(options: argparse.Namespace) -> int:
     from rna_render.output import Output
     from rna_render.scene_file import read_scene
     from rna_render.sequence import frame_numbers, render_sequence
+    from rna_render.terminal import tell_size
     from rna_work.places import place
 
     names = ("samples", "resolution", "seed", "tier", "view")
     changes = {name: value for name in names if (value := getattr(options, name)) is not None}
     scene_file = read_scene(options.scene).with_changes(**changes)
+    tell_size(scene_file)
     threads = _use_threads(options.threads)
     if options.preview:
         from rna_render.preview.command import preview
@@ -248,6 +270,7 @@ def _use_threads(count: int | None) -> int:
 def _render_still(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
     from rna_render.devices import open_renderer
     from rna_render.interim import Interim
+    from rna_render.scene_light import warn_of_darkness
     from rna_render.scene_sources import files_of
     from rna_render.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
     from rna_render.world_loading import load_world
@@ -256,6 +279,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
     output.check(files_of(scene_file))
     world = load_world(scene_file, open_renderer=partial(open_renderer, options.device))
     tell_tiers(scene_file, world)
+    warn_of_darkness(scene_file, world)
     if options.device == "cpu":
         tell_costs(scene_file, world)
     with Interrupt() as interrupt:
@@ -290,7 +314,8 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     from rna_work.places import place
 
     output.check(files_of(scene_file))
-    folder = output.linear.with_name(f"{output.linear.name}.pieces")
+    first = output.paths()[0]
+    folder = first.with_name(f"{first.name}.pieces")
     try:
         with owned(folder, "rna-run", is_of_pieces) as own, place(options.cluster) as where:
             film, kept = render_pieces(scene_file, where, options.threads, folder, options.device)

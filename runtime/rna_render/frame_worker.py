@@ -16,6 +16,7 @@ from rna_render.animation import frame_scene
 from rna_render.devices import open_renderer
 from rna_render.output import Output
 from rna_render.scene_file import SceneFile
+from rna_render.scene_light import warn_of_darkness
 from rna_render.scene_model import Scene
 from rna_render.terminal import render_with_bar, tell_tiers
 from rna_render.world import World
@@ -88,6 +89,7 @@ class SceneWorker:
         """The world for these images."""
         world = load_world(self.scene_file, views, partial(open_renderer, self.device))
         tell_tiers(self.scene_file, world)
+        warn_of_darkness(self.scene_file, world)
         return world
 
     def kill(self) -> None:

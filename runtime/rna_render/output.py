@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -20,29 +20,31 @@ from rna_sdk.outputs import check_outputs
 class Output:
     """Paths of the images, and the denoiser that is applied first.
 
-    linear: the .exr or .npz file, or for a sequence a name with one `%d` or `%04d`. png: likewise,
-    or None. denoiser: None to keep the noise. contents: of the files that the scene reads, by
-    `contents_key`, for images that a later command may keep; None for others.
+    linear: the .exr or .npz file, or for a sequence a name with one `%d` or `%04d`. png: likewise.
+    One of them may be None. denoiser: None to keep the noise. contents: of the files that the
+    scene reads, by `contents_key`, for images that a later command may keep; None for others.
     """
 
-    linear: Path
+    linear: Path | None
     png: Path | None = None
     denoiser: Denoiser | None = None
     contents: str | None = None
 
     def frame(self, number: int) -> Output:
         """The files of one frame of a sequence."""
-        linear, *png = (path.with_name(path.name % number) for path in self.paths())
-        return replace(self, linear=linear, png=png[0] if png else None)
+        return self._with_paths(lambda path: path.with_name(path.name % number))
 
     def absolute(self) -> Output:
         """The same files, for a process with another working directory."""
-        png = None if self.png is None else self.png.absolute()
-        return replace(self, linear=self.linear.absolute(), png=png)
+        return self._with_paths(Path.absolute)
+
+    def _with_paths(self, of: Callable[[Path], Path]) -> Output:
+        linear, png = (None if path is None else of(path) for path in (self.linear, self.png))
+        return replace(self, linear=linear, png=png)
 
     def paths(self) -> list[Path]:
         """The files."""
-        return [self.linear] if self.png is None else [self.linear, self.png]
+        return [path for path in (self.linear, self.png) if path is not None]
 
     def check(self, inputs: Iterable[Path]) -> None:
         """Raise RnaError, before rendering, for a file that is an input or cannot be written."""
@@ -67,7 +69,8 @@ class Output:
             rgb = self.denoiser(rgb, np.stack([channels[f"normal.{c}"] for c in "XYZ"], axis=-1))
             channels |= _layer("denoised", rgb)
         attributes = self._attributes(scene, film.samples)
-        write_linear(self.linear, channels, attributes)
+        if self.linear is not None:
+            write_linear(self.linear, channels, attributes)
         if self.png is not None:
             write_png(self.png, rgb, scene.exposure, scene.view, attributes)
 
@@ -83,7 +86,7 @@ class Output:
                 f"not written: {len(bad):,} of {film.width * film.height:,} pixels are not finite "
                 f"numbers, the first at column {x}, row {y}; this is a fault of the renderer, "
                 "please report it with the scene",
-                file=self.linear,
+                file=self.paths()[0],
             )
 
     def _is_of(self, scene: Scene, found: dict[str, str]) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
@@ -26,6 +27,23 @@ class Placement:
     light: ShapeLight | None = None
     boundless: bool = False
     indirect: Asset | None = None
+
+    def box(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lower and upper corner of the asset's or the object's box in the world, each (3,)."""
+        corners = np.array(np.meshgrid(*np.stack(_box(self.thing), axis=1))).reshape(3, -1)
+        placed = self.world_from_object[:3, :3] @ corners + self.world_from_object[:3, 3:]
+        return placed.min(axis=1), placed.max(axis=1)
+
+
+def _box(thing: Thing) -> tuple[np.ndarray, np.ndarray]:
+    if isinstance(thing, MeshObject):
+        return thing.positions.min(axis=0), thing.positions.max(axis=0)
+    boxes = [
+        (part.curves if part.kind == "fiber" else part.mesh).box()
+        for part in cast(Asset, thing).parts
+    ]
+    low, high = zip(*boxes, strict=True)
+    return np.min(low, axis=0), np.max(high, axis=0)
 
 
 def place_asset(

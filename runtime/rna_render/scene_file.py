@@ -9,9 +9,11 @@ from typing import Any
 import yaml
 from pydantic import ValidationError
 
+from rna_render.default_scene import default_scene
 from rna_render.scene_messages import Key, mistakes
 from rna_render.scene_model import Scene
 from rna_sdk.errors import SceneError
+from rna_sdk.file_kinds import kind_of, not_a
 from rna_sdk.regular_file import check_regular, read_regular
 
 # A few lines of YAML aliases can unfold into any number of values.
@@ -23,7 +25,8 @@ MAX_VALUES = 1_000_000
 class SceneFile:
     """A scene, and where in its file each key stands.
 
-    path: the file. scene: what it says. lines: from key to line, counted from 1.
+    path: the file. scene: what it says. lines: from key to line, counted from 1; none for the
+    default scene of a package.
     """
 
     path: Path
@@ -38,16 +41,21 @@ class SceneFile:
         """`path`, which the file gives relative to itself."""
         return (self.path.parent / path).resolve()
 
-    def asset_path(self, index: int) -> Path:
-        """The package of one of the scene's assets. Raises SceneError if there is no such file."""
-        path = self.resolve(self.scene.assets[index].path)
+    def check(self, key: Key, path: Path) -> None:
+        """Raises SceneError, which points at `key`, where `path` is not a regular file."""
         try:
             check_regular(path)
         except FileNotFoundError as error:
-            raise self.error(("assets", index, "path"), f"no such file: {path}") from error
+            raise self.error(key, f"no such file: {path}") from error
         except OSError as error:
-            message = f"{error.strerror}: {path}"
-            raise self.error(("assets", index, "path"), message) from error
+            raise self.error(key, f"{error.strerror}: {path}") from error
+
+    def asset_path(self, index: int) -> Path:
+        """The package of one of the scene's assets. Raises SceneError if there is no such file."""
+        path, key = self.resolve(self.scene.assets[index].path), ("assets", index, "path")
+        self.check(key, path)
+        if (wrong := not_a("package", path)) is not None:
+            raise self.error(key, f"{path.name} is {wrong}")
         return path
 
     def with_changes(self, tier: str | None = None, **changes: Any) -> SceneFile:
@@ -62,9 +70,16 @@ class SceneFile:
 def read_scene(path: Path) -> SceneFile:
     """Read and validate a scene file.
 
+    path: a YAML file, or a package, which is shown in its default scene.
+
     Raises SceneError, with file, line and key, if it cannot be read, is not YAML, or does not
-    fit rna_render.scene_model.Scene.
+    fit rna_render.scene_model.Scene; PackageError for a broken package.
     """
+    if path.is_file() and kind_of(path) == "package":
+        scene = Scene.model_validate(yaml.safe_load(default_scene(path)))
+        return SceneFile(path, scene, {})  # no lines: the person has no file with them
+    if path.is_file() and (wrong := not_a("scene", path)) is not None:
+        raise SceneError(wrong, file=path)
     try:
         text = read_regular(path).decode("utf-8")
     except (OSError, UnicodeDecodeError) as error:
@@ -117,17 +132,17 @@ def _collect_lines(path: Path, node: yaml.Node, key: Key, lines: dict[Key, int])
 def _scene_error(path: Path, lines: dict[Key, int], error: ValidationError) -> SceneError:
     """The first of pydantic's errors, in the order of the file."""
     found = mistakes(Scene, error.errors())
-    first = min(found, key=lambda mistake: _line(lines, mistake.key))
+    first = min(found, key=lambda mistake: _line(lines, mistake.key) or 0)
     more = f" ({len(found) - 1} more after this)" if len(found) > 1 else ""
     line, key = _line(lines, first.key), _dotted(first.key) or None
     return SceneError(first.message + more, file=path, line=line, key=key)
 
 
-def _line(lines: dict[Key, int], key: Key) -> int:
+def _line(lines: dict[Key, int], key: Key) -> int | None:
     """The line of `key`, or of the nearest thing around it that the file has."""
     while key and key not in lines:
         key = key[:-1]
-    return lines[key]
+    return lines.get(key)
 
 
 def _dotted(key: Key) -> str:

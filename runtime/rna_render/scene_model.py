@@ -80,7 +80,11 @@ class GroundModel(Model):
     """A square, horizontal plane."""
 
     height: Number = Field(default=0.0, description="Its y coordinate, metres.")
-    size: Length = Field(default=100.0, description="Side length, metres.")
+    size: Length | None = Field(
+        default=None,
+        description="Side length, metres; 100 if omitted, or 20 times the largest x or z of the "
+        "assets and objects where that is more.",
+    )
     material: MaterialModel = Field(
         default=DiffuseModel(type="diffuse"), description="Its material; diffuse grey if omitted."
     )

@@ -13,7 +13,8 @@ from pydantic import BaseModel
 import rna_sdk
 from rna_render.materials.gltf_container import open_gltf
 from rna_render.scene_file import SceneFile
-from rna_sdk.regular_file import check_regular, read_regular
+from rna_render.scene_messages import Key
+from rna_sdk.regular_file import read_regular
 from rna_work.cached import content_hash
 from rna_work.places import Place
 from rna_work.sources import Carried
@@ -45,9 +46,10 @@ def contents_key(scene_file: SceneFile) -> str:
 
     Raises SceneError if a file is missing.
     """
+    check_files(scene_file)
     key = hashlib.sha256()
     for file in sorted(set(files_of(scene_file)[1:])):
-        _check(scene_file, file)
+        scene_file.check((), file)
         key.update(f"{file.name} {content_hash(file)}\n".encode())
     return key.hexdigest()
 
@@ -62,31 +64,33 @@ def _files(scene_file: SceneFile) -> tuple[list[Path], list[Path]]:
     """Files of the scene: those named relative to it, and those by absolute paths."""
     relative: list[Path] = []
     absolute: list[Path] = []
+    check_files(scene_file)
     for path in set(named_paths(scene_file.scene)):
-        file = scene_file.resolve(path)
-        _check(scene_file, file)
         files = [scene_file.path.parent / path, *read_with(scene_file.path.parent / path)]
         (absolute if path.is_absolute() else relative).extend(files)
     return relative, absolute
 
 
-def _check(scene_file: SceneFile, file: Path) -> None:
-    try:
-        check_regular(file)
-    except OSError as error:
-        raise scene_file.error((), f"{error.strerror}: {file}") from error
+def check_files(scene_file: SceneFile) -> None:
+    """Raises SceneError, with file, line and key, where a file that the scene names is missing."""
+    for key, path in _keyed_paths(scene_file.scene, ()):
+        scene_file.check(key, scene_file.resolve(path))
 
 
 def named_paths(value: object) -> Iterator[Path]:
     """All paths anywhere in a part of a scene."""
+    return (path for _, path in _keyed_paths(value, ()))
+
+
+def _keyed_paths(value: object, key: Key) -> Iterator[tuple[Key, Path]]:
     if isinstance(value, Path):
-        yield value
+        yield key, value
     elif isinstance(value, BaseModel):
-        for _, part in value:
-            yield from named_paths(part)
+        for name, part in value:
+            yield from _keyed_paths(part, (*key, name))
     elif isinstance(value, tuple):
-        for part in value:
-            yield from named_paths(part)
+        for index, part in enumerate(value):
+            yield from _keyed_paths(part, (*key, index))
 
 
 def read_with(path: Path) -> list[Path]:

@@ -60,7 +60,7 @@ def render_sequence(
     missing = _missing(scene_file, numbers, output)
     if not missing:
         return 0
-    check_shared(where, output.linear.parent)
+    check_shared(where, output.paths()[0].parent)
     backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
     files = carried_scene(scene_file, where)
     absolute = output.absolute() if where.far else output

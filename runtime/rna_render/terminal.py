@@ -17,7 +17,10 @@ from rna_render.render import render
 from rna_render.scene_file import SceneFile
 from rna_render.tier_costs import cost_lines, loaded_assets
 from rna_render.world import World
+from rna_sdk.file_kinds import kind_of
+from rna_sdk.package import Package
 from rna_sdk.runtime import Asset
+from rna_sdk.size_note import size_note
 
 
 class Interrupt:
@@ -41,6 +44,15 @@ class Interrupt:
             raise KeyboardInterrupt
         self._asked = True
         print("\nstopping after this band of pixels; Ctrl-C again ends at once", file=sys.stderr)
+
+
+def tell_size(scene_file: SceneFile) -> None:
+    """Print a note where a package that is shown alone looks as if it were in centimetres."""
+    if kind_of(scene_file.path) == "package":
+        with Package.open(scene_file.path) as package:
+            note = size_note(*package.box())
+        if note is not None:
+            print(f"note: {note}", file=sys.stderr)
 
 
 def tell_tiers(scene_file: SceneFile, world: World) -> None:

@@ -20,6 +20,7 @@ from rna_render.materials import MeshObject, ground, read_mesh_object
 from rna_render.placements import Placement, emission_of, mesh_light, place_asset
 from rna_render.scene_file import SceneFile
 from rna_render.scene_model import Scene
+from rna_render.scene_sources import check_files
 from rna_render.tier_choice import Choice, TierChoice, Tiers
 from rna_render.time_limit import ENOUGH_SAMPLES, seconds_a_sample
 from rna_render.transforms import world_from_object
@@ -47,6 +48,7 @@ def load_world(
     QualityWarning where no tier is accurate enough.
     """
     quality = scene_file.scene.quality
+    check_files(scene_file)
     if quality is None:
         return _world(scene_file, tuple(Choice(asset.tier) for asset in scene_file.scene.assets))
     choice = TierChoice(scene_file, views or (scene_file.scene,))
@@ -84,14 +86,8 @@ def _world_in_time(
 
 
 def _world(scene_file: SceneFile, tiers: Tiers) -> World:
-    return World(
-        [
-            *_placed_assets(scene_file, tiers),
-            *_placed_objects(scene_file),
-            *_placed_ground(scene_file),
-            *_placed_lights(scene_file),
-        ]
-    )
+    things = [*_placed_assets(scene_file, tiers), *_placed_objects(scene_file)]
+    return World([*things, *_placed_ground(scene_file, things), *_placed_lights(scene_file)])
 
 
 def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
@@ -149,12 +145,19 @@ def _placed_objects(scene_file: SceneFile) -> list[Placement]:
     return placements
 
 
-def _placed_ground(scene_file: SceneFile) -> list[Placement]:
+def _placed_ground(scene_file: SceneFile, things: Sequence[Placement]) -> list[Placement]:
     model = scene_file.scene.ground
     if model is None:
         return []
-    mesh = ground(model, scene_file.resolve)
+    reach = 0.0 if model.size is not None else max(map(_reach, things), default=0.0)
+    mesh = ground(model, scene_file.resolve, reach)
     return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
+
+
+def _reach(placement: Placement) -> float:
+    """The largest x or z of a box about a thing, world units."""
+    low, high = placement.box()
+    return float(np.abs([low, high])[:, [0, 2]].max())
 
 
 def _placed_lights(scene_file: SceneFile) -> list[Placement]:

@@ -11,6 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 from urllib.parse import quote, urlencode
 
+from rna_sdk.file_kinds import kind_of, not_a
 from rna_sdk.package import Package
 from rna_view.errors import ViewError
 
@@ -94,15 +95,17 @@ def site_for(source: Path, tier: str | None = None, environment: Path | None = N
     """
     if not source.is_file():
         raise ViewError(f"{source}: no such file")
-    if source.suffix in (".yaml", ".yml"):
+    kind = kind_of(source)
+    if kind == "scene":
         from rna_view.scene_page import scene_site  # which needs the renderer
 
         site = scene_site(source)
-    elif source.suffix == ".rna":
+    elif kind == "package":
         site = Site()
         site.query["asset"] = site.add_package(source)
     else:
-        raise ViewError(f"{source}: expected a .rna package or a .yaml scene file")
+        wrong = not_a("package", source) or "expected a .rna package or a .yaml scene file"
+        raise ViewError(f"{source}: {wrong}")
     if tier is not None:
         site.query["tier"] = tier
     if environment is not None:

@@ -120,7 +120,7 @@ def test_a_fault_of_the_renderer_is_one_line_and_no_file(folder, tmp_path, capsy
     "options",
     [
         [],
-        ["--out", "out.png"],
+        ["--out", "out.jpg"],
         ["--out", "out.exr", "--png", "out.jpg"],
         ["--out", "no/such/folder/out.exr"],
         ["--out", "out.exr", "--samples", "0"],
@@ -179,7 +179,7 @@ def test_help_starts_with_a_sentence_and_a_command(capsys):
         main(["--help"])
     assert caught.value.code == 0
     text = capsys.readouterr().out
-    assert "Render a scene of relightable neural assets to an image.\n" in text
+    assert "Render a scene of relightable neural assets, or one asset, to an image.\n" in text
     assert "\n  rna-run scene.yaml --out out.exr --png out.png\n" in text
 
 

@@ -182,7 +182,7 @@ def test_ctrl_c_ends_it(scene_path):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ([], "one of --out and --preview is required"),
+        ([], "one of --png, --out and --preview is required"),
         (["--preview", "--out", "out.exr"], "--out is not for --preview"),
         (["--preview", "--png", "out.png"], "--png is not for --preview"),
         (["--out", "out.exr", "--port", "8000"], "--port is only for --preview"),

@@ -16,14 +16,18 @@ if TYPE_CHECKING:
     from rna_render.scene_model import GroundModel  # which itself needs this package
 
 
-def ground(model: GroundModel, resolve: Callable[[Path], Path]) -> MeshObject:
+_LEAST_SIZE, _REACHES = 100.0, 20.0  # metres; side over the distance of what stands on it
+
+
+def ground(model: GroundModel, resolve: Callable[[Path], Path], reach: float = 0.0) -> MeshObject:
     """A square of two triangles about (0, height, 0) that faces +Y.
 
     Its texture coordinates are metres, u along +X and v along +Z, with (0, 0) in the middle: an
     image covers a square metre, upright for who looks down with -Z up. resolve: as in
-    `make_material`, whose errors it raises.
+    `make_material`, whose errors it raises. reach: the largest x or z of what stands on it, which
+    a ground without a size follows.
     """
-    half = model.size / 2
+    half = (model.size or max(_LEAST_SIZE, _REACHES * reach)) / 2
     x, z = np.array([[-1, 1, 1, -1], [1, 1, -1, -1]]) * half
     return MeshObject(
         positions=np.column_stack([x, np.full(4, model.height), z]).astype(np.float32),

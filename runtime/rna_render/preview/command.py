@@ -13,6 +13,7 @@ from rna_render.preview.server import PreviewServer
 from rna_render.preview.session import Session
 from rna_render.render import load_world
 from rna_render.scene_file import SceneFile
+from rna_render.scene_light import warn_of_darkness
 from rna_sdk.errors import SceneError
 
 
@@ -26,6 +27,7 @@ def preview(
     """
     with PreviewServer(port) as server:
         world = load_world(scene_file)
+        warn_of_darkness(scene_file, world)
         choices = lighting_choices(scene_file.path, environments)
         denoiser = _denoiser(threads)
         session = server.session = Session(scene_file, world, choices, threads, denoiser)

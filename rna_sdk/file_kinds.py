@@ -1,0 +1,42 @@
+"""What a file is by its name, for errors that say what to do with a file of another kind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+from rna_sdk.console import command_line
+
+Kind = Literal["package", "scene", "model"]
+
+_SUFFIXES: dict[Kind, tuple[str, ...]] = {
+    "package": (".rna",),
+    "scene": (".yaml", ".yml"),
+    "model": (
+        *(".blend", ".gltf", ".glb", ".obj", ".ply", ".abc", ".usd", ".usda", ".usdc", ".usdz"),
+        *(".fbx", ".stl", ".dae", ".data", ".hair"),
+    ),
+}
+
+
+def kind_of(path: Path) -> Kind | None:
+    """The kind of a file by its suffix; None for any other."""
+    suffix = path.suffix.lower()
+    return next((kind for kind, known in _SUFFIXES.items() if suffix in known), None)
+
+
+def not_a(wanted: Kind, path: Path) -> str | None:
+    """Why a file is not of the wanted kind, and what makes one of it; None if its kind is unknown.
+
+    The text follows the file's name in an error.
+    """
+    kind = kind_of(path)
+    if kind is None or kind == wanted:
+        return None
+    made = path.with_suffix(".rna").name
+    what_to_do = {
+        "model": f"; {command_line('rna-make', path, '--out', made)} makes a package of it",
+        "package": f"; {command_line('rna-run', path, '--png', path.stem + '.png')} shows it",
+        "scene": f"; {command_line('rna-run', path, '--png', path.stem + '.png')} renders it",
+    }
+    return f"a {kind}, not a {wanted}{what_to_do[kind]}"
