@@ -55,6 +55,7 @@ def run_in_blender(blender_python: Path, extension_zip: Path, tmp_path: Path) ->
     environment = {
         **os.environ,
         "BLENDER_USER_RESOURCES": str(tmp_path / "user"),
+        "XDG_DATA_HOME": str(tmp_path / "data"),
         "RNA_SDK_PYTHON": sys.executable,
         "PYTHONPATH": os.pathsep.join(str(REPOSITORY / folder) for folder in SOURCES),
     }

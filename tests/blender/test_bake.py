@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import runpy
 import sys
 from pathlib import Path
 
@@ -18,15 +19,16 @@ TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
 # In place of the SDK's Python: a bake that hangs at first, and then is finished at once. All other
 # scripts run in the real one.
 STAND_IN = f"""#!{sys.executable}
-import json, os, pathlib, shutil, sys, time
+import os, pathlib, shutil, sys, time
 if not sys.argv[1].endswith("bake.py"):
     os.execv({sys.executable!r}, [{sys.executable!r}, *sys.argv[1:]])
-job = json.loads(pathlib.Path(sys.argv[2]).read_text())
-begun = pathlib.Path(job["folder"], "begun")
+out, folder = sys.argv[3:5]
+begun = pathlib.Path(folder, "make", "begun")
 if begun.exists():
-    shutil.copy({str(TOY)!r}, job["out"])
+    shutil.copy({str(TOY)!r}, out)
     print("bake finished", flush=True)
     sys.exit()
+begun.parent.mkdir()
 begun.touch()
 print("round 1: rays:  10%|#   | 00:01\\rround 1: rays:  42%|##  | 00:02", end="", flush=True)
 try:
@@ -72,6 +74,9 @@ print("BAKE", bpy.ops.rna.bake())
 seen.append(job.status())
 print("STATES", json.dumps([(one.state, one.share) for one in seen]))
 print("KEPT", names == ({i.name for i in bpy.data.objects}, {o.name for o in bpy.data.scenes}))
+body.rna_bake.minutes = 5
+refused(bpy.ops.rna.bake)
+body.rna_bake.minutes = 20
 print("REPLACE", bpy.ops.rna.replace())
 toy = bpy.context.object
 print("HIDDEN", body.hide_render and hat.hide_render, (toy.location - body.location).length < 1e-5)
@@ -101,13 +106,13 @@ def test_a_bake_is_started_stopped_continued_and_replaces_its_original(
     printed = run_in_blender(SCRIPT, python=str(stand_in))
     assert "refused: Error: bake running: round 1: rays" in printed
     assert "refused: Error: the bake is running" in printed
+    assert "refused: Error: the bake was begun with options --presets small --minutes=20" in printed
     assert told(printed, "BAKE") == "{'FINISHED'}"
     states = [("running", 0.42), ("stopped", 0.0), ("finished", 1.0)]
     assert json.loads(told(printed, "STATES")) == [list(state) for state in states]
     assert told(printed, "KEPT") == "True"  # no copies are left in the file
     job = json.loads((tmp_path / "cubes.bake" / "job.json").read_text())
-    assert job["options"][:4] == ["--presets", "small", "--minutes", "20"]
-    assert job["options"][4:] == ["--min-psnr", "30"]
+    assert job["options"] == ["--presets", "small", "--minutes=20", "--min-psnr=30"]
     # The source is what was selected, and what is below it, without place and turn.
     assert told(printed, "OBJECTS") == "2"
     low, high = json.loads(told(printed, "BOX"))
@@ -116,3 +121,127 @@ def test_a_bake_is_started_stopped_continued_and_replaces_its_original(
     assert told(printed, "HIDDEN") == "True True"
     scale, turn = map(float, told(printed, "TURNED").split())
     assert (scale, turn) == pytest.approx((3**0.5, 1.5707963), abs=1e-5)
+
+
+# A file that a stranger sends: data alone. Its properties, and the files that came with it, are all
+# that the stranger chose; the user presses buttons.
+ASKED = [
+    *["--work /", "--out x.rna", "--wor=x", "--cluster local", "--for x.yaml", "-- evil.py"],
+    *["evil.py", "--domain hemisphere evil.py", "--lights", "--store file:///x", "--debug"],
+]
+STRANGER = (
+    f"""
+ASKED = {ASKED}"""
+    + """
+import json, pathlib
+here = pathlib.Path.cwd()
+bpy.ops.mesh.primitive_cube_add()
+chair = bpy.context.object
+chair.name = "chair"
+bpy.ops.wm.save_as_mainfile(filepath=str(here / "chair.blend"))
+folder = here / "chair.bake"
+
+def press(anew=False, options=""):
+    item = bpy.data.objects["chair"]
+    item.rna_bake.options = options
+    refused(bpy.ops.rna.bake, anew=anew)
+
+# Files of the user where the bake's folder would be, whatever a property says of the folder.
+(folder / "photos").mkdir(parents=True)
+(folder / "photos" / "1.jpg").write_text("dear")
+try:
+    chair.rna_bake.folder = str(folder)
+except AttributeError:
+    pass
+press(anew=True)
+press()
+print("KEPT", (folder / "photos" / "1.jpg").is_file())
+
+# A job that came along, with a source that is a script.
+(folder / "photos" / "1.jpg").unlink()
+(folder / "photos").rmdir()
+(folder / "evil.py").write_text("open(%r, 'w').write('ran')" % str(here / "RAN"))
+job = {"source": str(folder / "evil.py"), "out": str(here / "chair.rna"), "folder": str(folder)}
+for seal in ("", "0" * 64, None, 1):
+    record = {**job, "options": ["--presets", "small", "--minutes=20"], "seal": seal}
+    (folder / "job.json").write_text(json.dumps(record))
+    press()
+    press(anew=True)
+print("JOBS", sorted(path.name for path in folder.iterdir()))
+
+# A link in place of the folder.
+for path in list(folder.iterdir()):
+    path.unlink()
+folder.rmdir()
+(here / "elsewhere").mkdir()
+folder.symlink_to(here / "elsewhere")
+press()
+folder.unlink()
+
+# Options that name files, machines and more.
+for options in ASKED:
+    press(options=options)
+print("NOTHING", not folder.exists(), not (here / "RAN").exists())
+"""
+)
+
+
+def test_a_strangers_file_chooses_neither_folders_nor_sources_nor_commands(
+    run_in_blender: RunInBlender, tmp_path: Path
+) -> None:
+    stand_in = tmp_path / "python"
+    stand_in.write_text(f"#!{sys.executable}\nimport pathlib\npathlib.Path('RAN').touch()\n")
+    stand_in.chmod(0o755)
+    printed = run_in_blender(STRANGER, python=str(stand_in))
+    assert told(printed, "KEPT") == "True"
+    assert told(printed, "JOBS") == "['evil.py', 'job.json']"
+    assert told(printed, "NOTHING") == "True True"
+    refusals = [line for line in printed.splitlines() if line.startswith("refused: ")]
+    assert len(refusals) == 2 + 8 + 1 + 11
+    assert sum("not written by a bake of yours" in line for line in refusals) == 10
+    assert sum("Options: " in line for line in refusals) == 11
+
+
+AUTORUN = """
+import pathlib, sys
+sys.path.append({folder!r})
+import source_scene
+text = bpy.data.texts.new("evil.py")
+text.use_module = True
+text.write("open('RAN', 'w').write('ran')")
+bpy.ops.mesh.primitive_cube_add()
+driver = bpy.context.object.driver_add("location", 0).driver
+driver.expression = "__import__('pathlib').Path('RAN').touch() or 0.0"
+bpy.ops.wm.save_as_mainfile(filepath=str(pathlib.Path.cwd() / "evil.blend"))
+pathlib.Path("RAN").unlink(missing_ok=True)
+bpy.context.preferences.filepaths.use_scripts_auto_execute = True
+source_scene.load(str(pathlib.Path.cwd() / "evil.blend"), [], None, None)
+bpy.context.view_layer.update()
+print("SAFE", not pathlib.Path("RAN").exists(), len(bpy.context.scene.objects))
+"""
+
+
+def test_a_capture_runs_no_script_of_a_blend_file(run_in_blender: RunInBlender) -> None:
+    """Whatever the user's preferences for files that the user opens."""
+    folder = str(REPOSITORY / "exporters" / "rna_export" / "blender")
+    assert told(run_in_blender(AUTORUN.format(folder=folder)), "SAFE") == "True 1"
+
+
+def test_the_options_of_a_bake_are_of_rna_make() -> None:
+    from rna_export.make.cli import parser
+
+    path = REPOSITORY / "exporters" / "blender_extension" / "bake" / "options.py"
+    options = runpy.run_path(str(path))
+    known = {name: action for action in parser()._actions for name in action.option_strings}
+    for names, takes in (("FLAGS", 0), ("LISTS", "+"), ("VALUES", None)):
+        assert {name: known[name].nargs for name in options[names]} == dict.fromkeys(
+            options[names], takes
+        )
+    line = "--domain hemisphere --seed=3 --precision int8 small=float32 --front -Y --exact-geometry"
+    assert options["parsed"](line) == [
+        "--domain=hemisphere",
+        "--seed=3",
+        *["--precision", "int8", "small=float32"],
+        "--front=-Y",
+        "--exact-geometry",
+    ]

@@ -3,12 +3,15 @@
 import json
 import os
 import re
+import shlex
 import shutil
 import signal
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..sdk import SdkError
 from ..sdk_command import SIDE, Command, failure, log_lines
+from .seal import is_sealed, seal_of
 
 _BAR = re.compile(r"(.*?):\s+(\d+)%\|")
 _END = "bake finished"
@@ -29,7 +32,8 @@ class Status:
 class Job:
     """One bake.
 
-    folder: for its rays, trainings, log and pictures; a job that is there already goes on.
+    folder: for its rays, trainings, log and pictures. A job that this user began there goes on; in
+    any other folder with files none begins.
     """
 
     def __init__(self, folder):
@@ -39,21 +43,50 @@ class Job:
         self._log, self._pid, self._order = (self.folder / n for n in ("log", "pid", "job.json"))
 
     def is_begun(self):
-        return self._order.is_file()
+        return self._stored() is not None
+
+    def check_free(self):
+        """Raises SdkError if the folder has files that no bake of this user's wrote."""
+        if self.folder.is_symlink() or (self.folder.exists() and not self.folder.is_dir()):
+            raise SdkError(f"{self.folder}: expected a folder, or none")
+        if self.folder.is_dir() and not self.is_begun():
+            found = sorted(path.name for path in self.folder.iterdir())[:3]
+            if found:
+                raise SdkError(
+                    f"{self.folder}: found {', '.join(found)}, not written by a bake of yours "
+                    "here; move the folder away, or name another package"
+                )
 
     def begin(self, out, options):
-        """Store the job's options for rna-make; `source` exists already."""
-        order = {"source": str(self.source), "out": str(out), "folder": str(self.folder)}
-        self._order.write_text(json.dumps({**order, "options": options}, indent=1))
+        """Store the job's package and options, as its own; `source` exists already."""
+        order = {"out": str(out), "options": options}
+        temporary = self._order.with_suffix(".part")
+        seal = seal_of(self._sealed(order))
+        temporary.write_text(json.dumps({**order, "seal": seal}, indent=1))
+        temporary.replace(self._order)
+
+    def check_same(self, out, options):
+        """Raises SdkError if the job was begun for something else."""
+        stored = self._stored()
+        for what, begun, now in (
+            ("the package", stored["out"], str(out)),
+            ("options", shlex.join(stored["options"]), shlex.join(options)),
+        ):
+            if begun != now:
+                raise SdkError(
+                    f"the bake was begun with {what} {begun}, found {now}: set that back, or Bake "
+                    "Anew"
+                )
 
     @property
     def out(self):
         """The package."""
-        return Path(json.loads(self._order.read_text())["out"])
+        return Path(self._stored()["out"])
 
-    def start(self):
+    def start(self, out, options):
         """Start, or continue. Raises SdkError without an environment of the SDK."""
-        command = Command([SIDE / "bake.py", self._order], self._log, survives=True)
+        script = [SIDE / "bake.py", self.source, out, self.folder, *options]
+        command = Command(script, self._log, survives=True)
         self._pid.write_text(str(command.process.pid))
         _started[self._key()] = command
 
@@ -70,11 +103,20 @@ class Job:
     def is_running(self):
         if self._key() in _started:
             return _started[self._key()].is_running()
-        return self._pid.is_file() and _is_bake(int(self._pid.read_text()))
+        if not self.is_begun() or not self._pid.is_file():
+            return False
+        return _is_bake(int(self._pid.read_text()), self.folder)
 
     def remove(self):
-        """Forget it; the package stays."""
-        shutil.rmtree(self.folder, ignore_errors=True)
+        """Delete what it wrote, if it is this user's; the package and all other files stay."""
+        if not self.is_begun():
+            return
+        for name in _FOLDERS:
+            shutil.rmtree(self.folder / name, ignore_errors=True)
+        for path in (self.source, self._log, self._pid, self.folder / "made", self._order):
+            path.unlink(missing_ok=True)
+        if not any(self.folder.iterdir()):
+            self.folder.rmdir()
 
     def status(self):
         if not self.is_begun():
@@ -91,10 +133,25 @@ class Job:
         """The last ones of the log."""
         return log_lines(self._log)[-count:] if self._log.is_file() else []
 
+    def _stored(self):
+        """What `begin` stored; None if there is no job, or one of others."""
+        try:
+            record = json.loads(self._order.read_text())
+            order = {"out": str(record["out"]), "options": [str(one) for one in record["options"]]}
+            return order if is_sealed(self._sealed(order), record["seal"]) else None
+        except (OSError, ValueError, KeyError, TypeError, RecursionError):
+            return None
+
+    def _sealed(self, order):
+        """What the seal is of: the folder, too, so that a copy elsewhere is no job."""
+        return json.dumps([self._key(), order])
+
     def _key(self):
         return str(self.folder.resolve())
 
 
+_FOLDERS = ("make", "compare")
+"""Written by rna-make and rna-compare."""
 _started = {}
 """Processes of this Blender by their job's folder."""
 
@@ -106,9 +163,10 @@ def _running(lines):
     return Status("running", 0.0, lines[-1] if lines else "starting")
 
 
-def _is_bake(pid):
-    """Whether the process is there and is a bake, not another one with its old number."""
+def _is_bake(pid, folder):
+    """Whether the process is there and is this bake, not another one with its old number."""
     try:
-        return b"bake.py" in Path(f"/proc/{pid}/cmdline").read_bytes()
+        arguments = Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")
+        return str(SIDE / "bake.py").encode() in arguments and str(folder).encode() in arguments
     except OSError:
         return False

@@ -1,6 +1,5 @@
 """Bake: the selected objects become a package, and are replaced by it."""
 
-import shlex
 from pathlib import Path
 
 import bpy
@@ -8,6 +7,7 @@ import bpy
 from ..import_package import import_package
 from ..properties import package_of
 from ..sdk import SdkError
+from . import options
 from .job import Job
 from .source import frame_of, with_children, write_source
 
@@ -15,9 +15,11 @@ _POLL = 1.0  # seconds
 
 
 def job_of(item):
-    """The bake of an object, or None."""
-    folder = item.rna_bake.folder if item is not None else ""
-    return Job(bpy.path.abspath(folder)) if folder else None
+    """The bake of an object, or None: in the folder named for the package that the panel names."""
+    try:
+        return Job(_package_path(item).with_suffix(".bake")) if item is not None else None
+    except SdkError:
+        return None
 
 
 class Bake(bpy.types.Operator):
@@ -37,8 +39,7 @@ class Bake(bpy.types.Operator):
     def execute(self, context):
         item = context.object
         try:
-            job = self._job(context, item)
-            job.start()
+            job = self._started(context, item)
         except (SdkError, OSError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -48,18 +49,20 @@ class Bake(bpy.types.Operator):
         _watch(item)
         return {"FINISHED"}
 
-    def _job(self, context, item):
-        """The job to start: the one that was begun, or a new one."""
-        own = item.rna_bake
-        if not own.folder:
-            own.folder = str(_package_path(item).with_suffix(".bake"))
+    def _started(self, context, item):
+        """Start what the panel says: a new job, or that which was begun so."""
+        out, asked = _package_path(item), _options(item.rna_bake)
         job = job_of(item)
         if job.is_running():
             raise SdkError("the bake is running")
         if self.anew:
             job.remove()
-        if not job.is_begun():
-            _begin(context, item, job)
+        if job.is_begun():
+            job.check_same(out, asked)
+        else:
+            job.check_free()
+            _begin(context, item, job, out, asked)
+        job.start(out, asked)
         return job
 
     def _told(self, status):
@@ -70,7 +73,7 @@ class Bake(bpy.types.Operator):
         return {"CANCELLED"}
 
 
-def _begin(context, item, job):
+def _begin(context, item, job, out, asked):
     """Write the selected objects and their children to a file for baking."""
     selected = [*context.selected_objects] if item in context.selected_objects else [item]
     items = with_children(selected)
@@ -80,7 +83,9 @@ def _begin(context, item, job):
     own.originals.clear()
     for one in items:
         own.originals.add().item = one
-    job.begin(_package_path(item), _options(own))
+    if not own.out:  # by which the job is found again, whatever the object is called then
+        own.out = f"//{out.name}"
+    job.begin(out, asked)
 
 
 def _package_path(item):
@@ -93,14 +98,18 @@ def _package_path(item):
 
 
 def _options(own):
-    options = ["--presets", *own.presets.split()]
+    """Of rna-make. Raises SdkError for those that a .blend file may not ask for."""
+    found = ["--presets", *own.presets.split()]
     if own.minutes > 0.0:
-        options += ["--minutes", f"{own.minutes:g}"]
+        found.append(f"--minutes={own.minutes:g}")
     if own.min_psnr > 0.0:
-        options += ["--min-psnr", f"{own.min_psnr:g}"]
+        found.append(f"--min-psnr={own.min_psnr:g}")
     if own.license:
-        options += ["--license", own.license]
-    return [*options, *shlex.split(own.options)]
+        found.append(f"--license={own.license}")
+    try:
+        return [*found, *options.parsed(own.options)]
+    except ValueError as error:
+        raise SdkError(str(error)) from None
 
 
 def _watch(item):
@@ -168,7 +177,7 @@ class ShowErrors(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         job = job_of(context.object)
-        return job is not None and job.sheet.is_file()
+        return job is not None and job.is_begun() and job.sheet.is_file()
 
     def execute(self, context):
         job = job_of(context.object)
@@ -220,9 +229,9 @@ class RnaBake(bpy.types.PropertyGroup):
     )
     license: bpy.props.StringProperty(name="License", description="SPDX expression of the asset")
     options: bpy.props.StringProperty(
-        name="Options", description="More options of rna-make, such as --domain hemisphere"
+        name="Options",
+        description="More options of rna-make, such as --domain hemisphere; none that name files",
     )
-    folder: bpy.props.StringProperty(description="Of the job")
     originals: bpy.props.CollectionProperty(type=RnaOriginal)
 
 

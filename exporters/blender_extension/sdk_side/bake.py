@@ -1,22 +1,21 @@
 """Runs in the SDK's Python: makes a package of a .blend file, then compares it with Cycles.
 
-    python bake.py JOB.json
+    python bake.py SOURCE.blend OUT.rna FOLDER OPTION...
 
-JOB.json has `source`, `out`, `folder` and `options` of rna-make. Stopped by SIGINT, the same
-command continues. Cycles' pictures beside the package's go to `folder/compare`.
+Options are those of rna-make. Stopped by SIGINT, the same command continues. Cycles' pictures
+beside the package's go to FOLDER/compare.
 """
 
-import json
 import subprocess
 import sys
 from pathlib import Path
 
 
 def main():
-    job = json.loads(Path(sys.argv[1]).read_text())
-    source, out, folder = job["source"], job["out"], Path(job["folder"])
+    source, out, folder, *options = sys.argv[1:]
+    folder = Path(folder)
     if not (folder / "made").is_file():
-        run("rna_export.make.cli", source, "--out", out, "--work", folder / "make", *job["options"])
+        run("rna_export.make.cli", source, "--out", out, "--work", folder / "make", *options)
         (folder / "made").touch()
     sizes = ("--resolution", 256, "--cycles-samples", 64)
     run("rna_export.compare.cli", out, source, "--out", folder / "compare", *sizes)

@@ -44,7 +44,7 @@ def load(source: str, arguments: list[str], front: str | None, up: str | None) -
 def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
     notes: list[str] = []  # of the import
     if suffix == ".blend":
-        bpy.ops.wm.open_mainfile(filepath=source)
+        bpy.ops.wm.open_mainfile(filepath=source, use_scripts=False)
         _check_libraries()
         _make_local()
         return notes

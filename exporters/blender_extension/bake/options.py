@@ -1,0 +1,51 @@
+"""Options of a bake: those of rna-make that choose what is made, none that names files or machines.
+
+A .blend file stores them, and may be a stranger's.
+"""
+
+import shlex
+
+FLAGS = ("--exact-geometry",)
+LISTS = ("--precision",)
+VALUES = (
+    "--device",
+    "--domain",
+    "--front",
+    "--lights",
+    "--max-error",
+    "--normal-texels",
+    "--parts",
+    "--rays",
+    "--samples",
+    "--seed",
+    "--sharpest",
+    "--source",
+    "--steps",
+    "--up",
+    "--validation-resolution",
+    "--validation-samples",
+    "--validation-views",
+    "--workers",
+)
+"""By what follows them: nothing, any number of words, one."""
+
+
+def parsed(text):
+    """The arguments of the options in a line of text. Raises ValueError for any other option."""
+    words, found = shlex.split(text), []
+    while words:
+        name, equals, value = words.pop(0).partition("=")
+        if name in FLAGS and not equals:
+            found.append(name)
+        elif name in LISTS and not equals:
+            found.append(name)
+            while words and not words[0].startswith("-"):
+                found.append(words.pop(0))
+        elif name in VALUES:
+            if not equals and (not words or words[0].startswith("--")):
+                raise ValueError(f"Options: {name} has no value")
+            found.append(f"{name}={value if equals else words.pop(0)}")
+        else:
+            allowed = ", ".join(sorted([*FLAGS, *LISTS, *VALUES]))
+            raise ValueError(f"Options: found {name}, expected any of {allowed}")
+    return found
