@@ -126,6 +126,8 @@ def test_a_missing_extra_is_one_line(command: str, extra: str, tmp_path: Path) -
 
 
 def test_what_the_base_can_do_it_does() -> None:
+    done = run("rna-info", TOY)
+    assert done.returncode == 0 and "PSNR 38.92 dB" in done.stdout
     done = run("rna-validate", TOY)
     assert (done.returncode, done.stdout) == (0, f"{TOY}: valid\n")
     assert set(COMMANDS) >= set(EXTRAS)
@@ -135,6 +137,7 @@ def test_what_the_base_can_do_it_does() -> None:
     "module",
     [
         "rna_render.cli:_parser",
+        "rna_sdk.package.info_cli:parser",
         "rna_export.make.cli:parser",
         "rna_export.capture.cli:parser",
         "rna_export.training.cli:parser",

@@ -1,0 +1,94 @@
+"""rna-info: what a package says of itself."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from rna_sdk.package import Cone, Domain, Package, Provenance
+from rna_sdk.package.info import info_lines, package_info
+from rna_sdk.package.info_cli import main
+from tests.conftest import REPOSITORY
+from tests.package.builders import make_tiny_package
+
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+CURLS = REPOSITORY / "examples" / "fibers" / "curly_ball.rna"
+
+
+def test_it_says_what_the_package_records(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(TOY)]) == 0
+    said = capsys.readouterr().out
+    for part in (
+        "toy, 3.81 MB, format 1.1",
+        "0.798 x 0.432 x 0.462 m",
+        "asset: surface, 17,658 triangles",
+        "small: PSNR 38.92 dB, FLIP 0.0363; 156 ns/query (2 threads, AMD EPYC, 2 cores)",
+        "hq-int8: PSNR 39.74 dB",
+        "seen from all, lit from all",
+        "examples/quickstart/toy.py",
+        "3,520 lights, 4,096 rays a light, 16 samples a ray",
+        "hq: 100,000 steps",
+        "256 x 256 pixels",
+        "RNA_poster, RNA_standin",
+        "CC0-1.0",
+    ):
+        assert part in said, part
+    assert "note" not in said
+
+
+def test_strands_are_counted(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(CURLS)]) == 0
+    assert "asset: fiber, 9,000 strands, 162,000 points" in capsys.readouterr().out
+
+
+def test_json_has_the_same_for_programs(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(TOY), "--json"]) == 0
+    info = json.loads(capsys.readouterr().out)
+    assert info == json.loads(json.dumps(package_info(TOY)))
+    assert info["tiers"][0]["psnr"] == pytest.approx(38.923, abs=1e-3)
+    assert info["poster"] == {"width": 256, "height": 256} and info["bytes"] == TOY.stat().st_size
+
+
+def test_the_poster_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([str(TOY), "--poster", str(tmp_path / "toy.png")]) == 0
+    with Package.open(TOY) as package:
+        assert (tmp_path / "toy.png").read_bytes() == package.poster()
+    make_tiny_package(tmp_path / "tiny.rna")
+    before = (tmp_path / "tiny.rna").read_bytes()
+    assert main([str(tmp_path / "tiny.rna"), "--poster", str(tmp_path / "tiny.rna")]) == 1
+    assert "has no poster" in capsys.readouterr().err
+    assert (tmp_path / "tiny.rna").read_bytes() == before
+
+
+def test_what_is_not_recorded_is_said_and_nothing_reaches_the_terminal(tmp_path: Path) -> None:
+    make_tiny_package(
+        tmp_path / "bare.rna",
+        domain=Domain(wo="hemisphere", wi=(Cone(axis=(0, 1, 0), half_angle=1.0),)),
+        provenance=Provenance(
+            source="\x1b[2Jhidden\nline", tool="t", capture={"lights": "many"}, training={"a": 1}
+        ),
+    )
+    lines = "\n".join(info_lines(package_info(tmp_path / "bare.rna")))
+    assert "\x1b" not in lines and "?[2Jhidden?line" in lines
+    assert "seen from those above the horizon, lit from 1 cone" in lines
+    assert "captured    not recorded" in lines and "a: not recorded" in lines
+    assert "poster      none" in lines and "extensions  none" in lines
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("none.rna", "none.rna"),
+        ("h.glb", "a model, not a package; rna-make"),
+        ("s.yaml", "a scene, not a package; rna-run"),
+        ("broken.rna", "error"),
+    ],
+)
+def test_another_file_is_one_line(tmp_path: Path, capsys, name: str, message: str) -> None:
+    for made in ("h.glb", "s.yaml", "broken.rna"):
+        (tmp_path / made).write_bytes(b"PK")
+    assert main([str(tmp_path / name)]) == 1
+    said = capsys.readouterr()
+    assert said.out == "" and said.err.count("\n") == 1 and message in said.err
