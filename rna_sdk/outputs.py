@@ -12,12 +12,24 @@ from rna_sdk.errors import RnaError
 
 def check_outputs(outputs: Iterable[Path], inputs: Iterable[Path]) -> None:
     """Raises RnaError for an output that is an input, too, or that cannot be written."""
-    there = [path for path in inputs if path.exists()]
+    there = list(inputs)
     for output in outputs:
-        for path in there if output.exists() else []:
-            if os.path.samefile(output, path):
-                raise RnaError(f"{output}: is an input ({path}); expected another name to write to")
+        check_no_input(output, there)
         check_writable(output)
+
+
+def check_no_input(output: Path, inputs: Iterable[Path]) -> None:
+    """Raises RnaError if the output is an input, by this or another name."""
+    for path in inputs if output.exists() else ():
+        if path.exists() and os.path.samefile(output, path):
+            raise RnaError(f"{output}: is an input ({path}); expected another name to write to")
+
+
+def check_outside(folder: Path, paths: Iterable[Path]) -> None:
+    """Raises RnaError for a path in a folder that a command writes, and perhaps deletes."""
+    for path in paths:
+        if path.resolve().is_relative_to(folder.resolve()):
+            raise RnaError(f"{path}: is in the work folder {folder}; expected it elsewhere")
 
 
 def check_writable(path: Path) -> None:

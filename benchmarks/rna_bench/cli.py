@@ -6,12 +6,14 @@ import argparse
 import sys
 from collections.abc import Sequence
 from importlib import import_module
+from pathlib import Path
 
 from rna_bench.commands import COMMANDS, GROUPS, Command
 from rna_bench.options import OptionHelp
 from rna_bench.stamp import stamp
 from rna_sdk.command_parser import CommandParser
 from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_sdk.outputs import check_no_input
 
 _EXAMPLE = "rna-bench scenes toy.rna --source toy.py --out bench/toy"
 
@@ -57,12 +59,24 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     def measure() -> int | None:
         args = parser_of(command).parse_args(own)
+        _check_out(args)
         args.script_arguments, args.stamp = script_arguments, stamp(given)
         return args.run(args)
 
     kept = "finished steps are kept: run the same command again to resume"
     stopped = kept if command.resumes else "nothing was written"
     return run_command(measure, "--debug" in own, stopped, command.extra)
+
+
+def _check_out(args: argparse.Namespace) -> None:
+    """Raises RnaError where --out would replace a file that the command reads."""
+    given = vars(args).copy()
+    out = given.pop("out", None)
+    values = (
+        v for value in given.values() for v in (value if isinstance(value, list) else [value])
+    )
+    if isinstance(out, Path):
+        check_no_input(out, [value for value in values if isinstance(value, Path)])
 
 
 if __name__ == "__main__":

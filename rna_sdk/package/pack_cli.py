@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import RnaError
+from rna_sdk.outputs import check_outputs
 from rna_sdk.package.packing import Unpacked
 
 
@@ -47,6 +48,8 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(args: argparse.Namespace) -> None:
+    given = [args.package] if args.poster is None else [args.package, args.poster]
+    check_outputs([args.out], given)
     unpacked = Unpacked.read(args.package)
     if args.poster is not None:
         unpacked = unpacked.with_poster(_read(args.poster))

@@ -25,10 +25,11 @@ class StoredFolder:
     def of(cls, first: Path, store: Store) -> StoredFolder:
         """A file with all that lies beside and below it. Raises WorkError if that cannot be sent.
 
-        What the store has already is not sent again. Unfinished files, `*.part`, stay.
+        What the store has already is not sent again. Hidden files and folders stay here: the
+        marker of the command that wrote the folder, and what is unfinished; likewise `*.part`.
         """
         folder = first.parent
-        files = [p for p in sorted(folder.rglob("*")) if p.is_file() and p.suffix != ".part"]
+        files = [path for path in sorted(folder.rglob("*")) if _is_sent(path, folder)]
         paths = {p.relative_to(folder).as_posix(): p for p in [first, *files]}
         hashes = {name: content_hash(path) for name, path in paths.items()}
         there = store.names()
@@ -51,3 +52,9 @@ class StoredFolder:
     def _fetch(self, folder: Path) -> None:
         for name, sha in self.hashes.items():
             self.store.get(sha, folder / name)
+
+
+def _is_sent(path: Path, folder: Path) -> bool:
+    names = path.relative_to(folder).parts
+    hidden = any(name.startswith(".") for name in names)
+    return path.is_file() and path.suffix != ".part" and not hidden

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -29,7 +28,9 @@ class Kept:
         self._folder, path = folder, folder / "settings.json"
         earlier = json.loads(path.read_text()) if path.is_file() else None
         if earlier is not None and again:
-            shutil.rmtree(folder)
+            for made in ("*.safetensors", "*.json"):
+                for result in folder.glob(made):
+                    result.unlink()
         elif earlier not in (None, settings):
             differ = [k for k in settings if earlier.get(k) != settings[k]]
             told = ", ".join(f"{k} {earlier.get(k)}, now {settings[k]}" for k in differ)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import hashlib
 import math
-import shutil
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -21,6 +20,7 @@ from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
+from rna_sdk.owned_folder import owned
 from rna_work.cluster_option import add_cluster_option
 from rna_work.places import place
 from rna_work.store import add_store_option
@@ -199,24 +199,23 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     limit = None if args.minutes is None else TimeLimit(args.minutes)
     python = blender_env.find_python()
-    scratch = args.out / "scratch"  # ray images; leftovers of a killed capture are removed
-    shutil.rmtree(scratch, ignore_errors=True)
-    begun = (args.out / "manifest.json").is_file()
-    try:
-        with place(args.cluster) as where:
-            crew = CaptureCrew(python, scratch, args.workers, where, args.store)
-            if begun:
-                dataset = _continue(args.out, args.source, arguments, asked)
-                _check_scene(dataset, for_scene)
-                settings = dataset.manifest.settings
-            else:
-                settings = CaptureSettings(**asked)
-            source = Source.captured(args.source, arguments, settings)
-            if not begun:
-                dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
-            finish(dataset, source, crew, limit)
-    finally:
-        shutil.rmtree(scratch, ignore_errors=True)
+    with (
+        owned(args.out, "rna-capture", _is_dataset) as folder,
+        folder.scratch() as scratch,
+        place(args.cluster) as where,
+    ):
+        crew = CaptureCrew(python, scratch, args.workers, where, args.store)
+        begun = _is_dataset(args.out)
+        if begun:
+            dataset = _continue(args.out, args.source, arguments, asked)
+            _check_scene(dataset, for_scene)
+            settings = dataset.manifest.settings
+        else:
+            settings = CaptureSettings(**asked)
+        source = Source.captured(args.source, arguments, settings)
+        if not begun:
+            dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
+        finish(dataset, source, crew, limit)
     train = "rna-train", args.out, "--preset", "small", "--out", Path("runs", args.source.stem)
     print(f"wrote {args.out}\nnext: {command_line(*train)}")
 
@@ -229,6 +228,13 @@ def check_source(source: Path) -> None:
         raise CaptureError(
             f"{source}: found {source.suffix!r}, expected one of {', '.join(SUFFIXES)}"
         )
+
+
+def _is_dataset(folder: Path) -> bool:
+    """Whether a capture has begun there; CaptureError if the manifest is not that of a dataset."""
+    from rna_export.capture.dataset import Dataset
+
+    return (folder / "manifest.json").is_file() and bool(Dataset(folder))
 
 
 def _continue(

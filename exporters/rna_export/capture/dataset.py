@@ -129,6 +129,12 @@ class Dataset:
         self.manifest = self.manifest.model_copy(update={"settings": settings})
         self.manifest.write(self.folder / "manifest.json")
 
+    def remove_unfinished(self) -> None:
+        """Delete what a killed capture left: files with temporary names of finished ones."""
+        for folder in _FOLDERS:
+            for path in (self.folder / folder).glob("*.safetensors.*.part"):
+                path.unlink(missing_ok=True)
+
     def record_processors(self, keys: Iterable[str]) -> None:
         """Note in the manifest which processors rendered, by `rna_sdk.cpu.processor_key`."""
         processors = tuple(sorted({*self.manifest.processors, *keys}))

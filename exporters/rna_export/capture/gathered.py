@@ -13,7 +13,7 @@ from rna_work.shared import check_shared
 from rna_work.sources import Carried, InPlace
 from rna_work.store import Store
 
-_MADE = ("train", "emission", "validation", "scratch")
+_MADE = ("train", "emission", "validation")
 """Folders of a dataset that captures fill, and need not read."""
 
 
@@ -45,7 +45,7 @@ class Gathered:
         others = [
             path
             for path in folder.rglob("*")
-            if path.is_file() and path.relative_to(folder).parts[0] not in _MADE
+            if path.is_file() and _is_read(path.relative_to(folder).parts[0])
         ]
         return self.place.carry(folder / "manifest.json", others)
 
@@ -63,6 +63,10 @@ class Gathered:
         path = task.path(self.dataset)
         if self.store is not None and not path.is_file():
             self.store.get(stored_name(task, self.dataset), path)
+
+
+def _is_read(name: str) -> bool:
+    return name not in _MADE and not name.startswith(".")
 
 
 def _name(dataset: Dataset) -> str:

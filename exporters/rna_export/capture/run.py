@@ -159,8 +159,7 @@ def finish(
     the plan; None: all of it. bars: makes the progress bar. Raises CaptureError where a task fails
     twice, WorkError where a cluster cannot do the work.
     """
-    for unfinished in dataset.folder.glob("*/*.part"):
-        unfinished.unlink()
+    dataset.remove_unfinished()
     asked = all_tasks(dataset) if tasks is None else tasks
     missing = [task for task in asked if not task.path(dataset).is_file()]
     if not missing:

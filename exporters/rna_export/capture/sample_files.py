@@ -26,7 +26,10 @@ def write_parts(path: Path, parts: Mapping[str, Mapping[str, np.ndarray]]) -> No
 
 
 def read_part(path: Path, part: str, fields: Iterable[str]) -> dict[str, np.ndarray]:
-    """The named fields of one part's samples. Raises CaptureError if the file is damaged."""
+    """The named fields of one part's samples.
+
+    Raises CaptureError if the file is damaged, or has numbers that are not finite.
+    """
     try:
         with safe_open(path, "np") as file:
             there = set(file.keys())
@@ -38,6 +41,10 @@ def read_part(path: Path, part: str, fields: Iterable[str]) -> dict[str, np.ndar
         raise damaged(path, error) from error
     if len({len(rows) for rows in arrays.values()}) > 1:
         raise damaged(path, "its arrays differ in length")
+    for field, rows in arrays.items():
+        if not np.isfinite(rows).all():
+            bad = np.count_nonzero(~np.isfinite(rows).reshape(len(rows), -1).all(axis=1))
+            raise damaged(path, f"{bad} rows of {part}/{field} are not finite numbers")
     return arrays
 
 

@@ -6,6 +6,9 @@ from pydantic import BaseModel, ConfigDict, Field
 from pydantic.alias_generators import to_camel
 
 SHARPEST = 0.14  # roughness
+MAX_LIGHTS = 1_000_000
+"""Far above what is useful: a manifest with more would take forever to look through."""
+_MAX_RAYS, _MAX_SAMPLES, _MAX_VIEWS, _MAX_SIDE = 1 << 24, 1 << 20, 1000, 8192
 CLAMP_DIRECT, CLAMP_INDIRECT = 20.0, 10.0  # of radiance; the paper, section 4.1
 
 
@@ -20,9 +23,11 @@ class DatasetModel(BaseModel):
 class CaptureSettings(DatasetModel):
     """Settings of a capture; with the source, enough to repeat it."""
 
-    samples: int = Field(16, gt=0, description="paths per view ray")
-    rays: int = Field(4096, gt=0, description="view rays per light direction")
-    lights: int = Field(2000, gt=0, description="light directions, one small render each")
+    samples: int = Field(16, gt=0, le=_MAX_SAMPLES, description="paths per view ray")
+    rays: int = Field(4096, gt=0, le=_MAX_RAYS, description="view rays per light direction")
+    lights: int = Field(
+        2000, gt=0, le=MAX_LIGHTS, description="light directions, one small render each"
+    )
     domain: str = Field(
         "sphere", pattern="^(sphere|hemisphere)$", description="domain of wo and wi"
     )
@@ -36,7 +41,10 @@ class CaptureSettings(DatasetModel):
         False, description="keep float32 geometry; quantised geometry halves the package size"
     )
     normal_texels: int = Field(
-        512, ge=0, description="maximum width and height of normal maps; 0: normal maps are learnt"
+        512,
+        ge=0,
+        le=_MAX_SIDE,
+        description="maximum width and height of normal maps; 0: normal maps are learnt",
     )
     sharpest: float = Field(
         SHARPEST,
@@ -50,13 +58,20 @@ class CaptureSettings(DatasetModel):
     clamp_indirect: float = Field(CLAMP_INDIRECT, description="Cycles' indirect clamp")
     front: str | None = Field(None, pattern="^-?[XYZ]$", description="front axis of the file")
     up: str | None = Field(None, pattern="^-?[XYZ]$", description="up axis of the file")
-    validation_views: int = Field(8, ge=1, description="validation images, held out from training")
-    validation_resolution: int = Field(160, gt=0, description="their width and height, pixels")
+    validation_views: int = Field(
+        8, ge=1, le=_MAX_VIEWS, description="validation images, held out from training"
+    )
+    validation_resolution: int = Field(
+        160, gt=0, le=_MAX_SIDE, description="their width and height, pixels"
+    )
     validation_samples: int = Field(
-        512, ge=2, description="their paths per pixel, in two independent halves"
+        512, ge=2, le=_MAX_SAMPLES, description="their paths per pixel, in two independent halves"
     )
     lights_per_shard: int = Field(
-        32, gt=0, description="lights per shard, the most that an interruption can lose"
+        32,
+        gt=0,
+        le=MAX_LIGHTS,
+        description="lights per shard, the most that an interruption can lose",
     )
     seed: int = 0
 

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from time import monotonic
 
-from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.settings import MAX_LIGHTS, CaptureSettings
 from rna_sdk.errors import CaptureError
 
 LEAST_LIGHTS = 16
@@ -47,7 +47,7 @@ def planned(
     paths = max(limit.left() - opening, 0.0) * rate
     settings = _with_smaller_images(settings, _SHARE * paths, asked)
     left = paths - settings.validation_views * settings.validation_paths
-    lights = int(left / (settings.rays * settings.samples))
+    lights = min(int(left / (settings.rays * settings.samples)), MAX_LIGHTS)
     if lights < LEAST_LIGHTS:
         raise CaptureError(
             f"--minutes {limit.minutes:g} leaves time for {max(lights, 0)} lights after the start "

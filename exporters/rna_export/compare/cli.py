@@ -10,6 +10,7 @@ from pathlib import Path
 from rna_export.capture.orientation import AXES, joined_axes
 from rna_export.compare.cameras import CAMERAS
 from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_sdk.owned_folder import owned
 
 
 def parser() -> argparse.ArgumentParser:
@@ -93,7 +94,7 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture import blender_env
     from rna_export.capture.worker import BlenderWorker, Source
-    from rna_export.compare.page import write_page
+    from rna_export.compare.page import is_report, write_page
     from rna_export.compare.run import compare
     from rna_export.machine import default_workers
     from rna_sdk.errors import CaptureError
@@ -106,6 +107,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     front, up = _axes_of_capture(args.package)
     source = Source(args.source, arguments, front=front, up=up)
     with (
+        owned(args.out, "rna-compare", is_report),
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
         BlenderWorker(python, source, Path(scratch), default_workers()) as worker,
     ):
@@ -125,14 +127,14 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
                 f"{p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s"
             ),
         )
-    settings = {
-        "tier": args.tier or "default",
-        "samples": args.samples,
-        "cyclesSamples": args.cycles_samples,
-        "resolution": args.resolution,
-        "threads": default_workers(),
-    }
-    write_page(args.out, f"{args.package.stem}: the package and Cycles", pairs, settings)
+        settings = {
+            "tier": args.tier or "default",
+            "samples": args.samples,
+            "cyclesSamples": args.cycles_samples,
+            "resolution": args.resolution,
+            "threads": default_workers(),
+        }
+        write_page(args.out, f"{args.package.stem}: the package and Cycles", pairs, settings)
     print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
 
 

@@ -56,6 +56,11 @@ def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, 
     comparison_sheet(strips).save(folder / "sheet.png")
 
 
+def is_report(folder: Path) -> bool:
+    """Whether a folder holds a report."""
+    return all((folder / name).is_file() for name in ("index.html", "results.json", "sheet.png"))
+
+
 def _images(pair: Pair) -> dict[str, np.ndarray]:
     difference = np.abs(display(pair.ours) - display(pair.cycles))
     return {

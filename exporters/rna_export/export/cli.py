@@ -9,6 +9,7 @@ from pathlib import Path
 from rna_export.export.credit import add_credit
 from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
 from rna_sdk.console import command_line, command_parser, run_command
+from rna_sdk.outputs import check_outputs
 
 
 def parser() -> argparse.ArgumentParser:
@@ -86,7 +87,9 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.export.trained_tiers import checkpoint_paths
     from rna_export.training.checkpoint import load_checkpoint
 
-    trained = [load_checkpoint(path) for path in checkpoint_paths(args.checkpoints)]
+    checkpoints = checkpoint_paths(args.checkpoints)
+    check_outputs([args.out], checkpoints if args.poster is None else [*checkpoints, args.poster])
+    trained = [load_checkpoint(path) for path in checkpoints]
     dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
     presets = dict.fromkeys(one.preset_name for one in trained)
     precisions = precisions_of(args.precision, presets)

@@ -12,10 +12,14 @@ from rna_export.export.credit import add_credit
 from rna_export.training.options import add_trainings
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
+from rna_sdk.outputs import check_outputs, check_outside
+from rna_sdk.owned_folder import owned
 from rna_work.places import Place, place
 
 if TYPE_CHECKING:
+    from rna_export.capture.dataset_part import DatasetPart
     from rna_export.fit.goal import Goal
+    from rna_export.fit.run import Fit
 
 
 def parser() -> argparse.ArgumentParser:
@@ -99,12 +103,8 @@ def _in_place(args: argparse.Namespace) -> None:
 
 def _run(args: argparse.Namespace, where: Place) -> None:
     from rna_export.capture.dataset import Dataset
-    from rna_export.export.build import build_package
-    from rna_export.fit.page import write_page
-    from rna_export.fit.run import fit
-    from rna_export.training.checkpoint import load_checkpoint
+    from rna_export.fit.run import fit, is_work_folder
     from rna_export.trials.grid import full_grid, short_grid
-    from rna_export.trials.packages import TRIAL_PRECISIONS
     from rna_export.trials.pool import Crew
 
     if args.steps < 16:
@@ -115,7 +115,20 @@ def _run(args: argparse.Namespace, where: Place) -> None:
     models = {"full": full_grid, "short": short_grid}[grid](dataset.kind, args.steps)
     ours = [trial for trial in models if trial.family == "ours"]
     work = args.work or args.out.with_suffix(".fit")
-    found = fit(dataset, ours, goal_of(args), args.steps, crew, work, print)
+    check_outputs([args.out], [])
+    check_outside(work, [args.out, args.dataset])
+    with owned(work, "rna-fit", is_work_folder):
+        found = fit(dataset, ours, goal_of(args), args.steps, crew, work, print)
+        _write(args, found, dataset, work)
+
+
+def _write(args: argparse.Namespace, found: Fit, dataset: DatasetPart, work: Path) -> None:
+    """The package of the chosen model, and the report."""
+    from rna_export.export.build import build_package
+    from rna_export.fit.page import write_page
+    from rna_export.training.checkpoint import load_checkpoint
+    from rna_export.trials.packages import TRIAL_PRECISIONS
+
     build_package(
         [load_checkpoint(found.checkpoint)],
         dataset.dataset,

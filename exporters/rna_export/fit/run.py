@@ -25,6 +25,8 @@ from rna_export.trials.trial import Trial
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
+_COSTS = "costs.json"
+
 
 @dataclass
 class Fit:
@@ -77,6 +79,11 @@ def fit(
     return Fit(goal, steps, costs, candidates, chosen, seconds, checkpoint)
 
 
+def is_work_folder(folder: Path) -> bool:
+    """Whether a fit has begun there."""
+    return (folder / _COSTS).is_file()
+
+
 def _with_costs(
     dataset: DatasetPart, trials: list[Trial], work: Path, say: Callable[[str], None]
 ) -> tuple[list[Candidate], Costs]:
@@ -84,7 +91,7 @@ def _with_costs(
     named = {
         f"{t.name}/{precision}": (t, precision) for t in trials for precision in TRIAL_PRECISIONS
     }
-    path = work / "costs.json"
+    path = work / _COSTS
     costs = _read_costs(path) if path.is_file() else None
     if costs is None or set(costs.of) != set(named):
         say(f"timing {len(trials)} models with random weights")

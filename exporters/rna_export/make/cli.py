@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import hashlib
 import math
-import shutil
 import sys
 from pathlib import Path
 from time import monotonic
@@ -25,6 +24,8 @@ from rna_export.export.precision import add_precision, precisions_of
 from rna_export.training.options import add_device
 from rna_export.training.presets import PRESETS
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
+from rna_sdk.outputs import check_outputs, check_outside
+from rna_sdk.owned_folder import owned
 from rna_work.places import place
 
 if TYPE_CHECKING:
@@ -161,15 +162,16 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.worker import Source
     from rna_export.make.order import Order
     from rna_export.make.run import Make, export
-    from rna_export.make.state import Asked
+    from rna_export.make.state import WRITTEN, Asked, is_work_folder
     from rna_export.memory import keep_freed_memory
     from rna_export.training.device import chosen_device
     from rna_render.scene_file import read_scene
 
     keep_freed_memory()
     work = args.work or args.out.with_suffix(".make")
-    scratch = work / "scratch"  # ray images; leftovers of a killed run are removed
-    shutil.rmtree(scratch, ignore_errors=True)
+    given = [args.model] if args.for_scene is None else [args.model, args.for_scene]
+    check_outputs([args.out], given)
+    check_outside(work, [args.out, *given])
     settings = {**asked_settings(args), "seed": args.seed}
     goal = _goal(args)
     asked = Asked(
@@ -188,8 +190,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     source = Source.captured(args.model, arguments, CaptureSettings(**settings))
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     device, python = chosen_device(args.device), find_python()
-    try:
-        with place(args.cluster) as where:
+    with owned(work, "rna-make", is_work_folder) as folder:
+        with folder.scratch() as scratch, place(args.cluster) as where:
             order = Order(
                 source=source,
                 settings=settings,
@@ -205,10 +207,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
             )
             made = Make(order, asked, begun, print).run()
         manifest = export(made, args.out, args.source, args.license, precisions)
-    finally:
-        shutil.rmtree(scratch, ignore_errors=True)
-    if not args.keep:
-        shutil.rmtree(work)
+        others = [] if args.keep else folder.dissolve(*WRITTEN)
+    if others:
+        print(f"kept {work}: rna-make did not write {', '.join(others)}")
     print(_outcome(made, manifest, goal))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB{f', {work}' if args.keep else ''}")

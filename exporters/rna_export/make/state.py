@@ -12,6 +12,8 @@ from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 
 _NAME = "make.json"
+WRITTEN = (_NAME, "rays", "runs", "scratch")
+"""Names of all that a run, of this version or an earlier one, writes into its work folder."""
 
 
 class Asked(BaseModel):
@@ -74,6 +76,11 @@ class State(BaseModel):
     def save(self, work: Path) -> None:
         """The file is written atomically."""
         write_atomically(work / _NAME, (self.model_dump_json(indent=1) + "\n").encode())
+
+
+def is_work_folder(folder: Path) -> bool:
+    """Whether a run has begun there."""
+    return (folder / _NAME).is_file()
 
 
 def load_state(work: Path, asked: Asked) -> State | None:

@@ -13,6 +13,7 @@ from rna_export.training.options import add_device
 from rna_export.training.presets import LOSSES, PRESETS, Preset
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
+from rna_sdk.owned_folder import owned
 from rna_sdk.package.blocks import INPUT_BLOCKS, blocks_for
 
 if TYPE_CHECKING:
@@ -118,23 +119,25 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.memory import keep_freed_memory
     from rna_export.training.device import chosen_device
     from rna_export.training.part_runs import part_folder, shared_minutes
-    from rna_export.training.run import Run, train
+    from rna_export.training.run import Run, is_of_training, train
 
     keep_freed_memory()
     device = chosen_device(args.device)
     dataset = as_cut(Dataset(args.dataset), args.cut)
     parts = dataset.parts if args.part is None else (dataset.part(args.part),)
     minutes = shared_minutes(args.minutes, parts)
+    folders = {part.name: part_folder(args.out, dataset, part.name) for part in dataset.parts}
     written = []
-    for part in parts:
-        out = part_folder(args.out, dataset, part.name)
-        if len(dataset.parts) > 1:
-            print(f"part {part.name}, {part.kind}:")
-        preset = _chosen(args, part.kind)
-        run = Run(part, preset, args.preset, out, args.seed, minutes[part.name], begun, device)
-        best = train(run)
-        written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'validation'}")
-        begun = monotonic()
+    with owned(args.out, "rna-train", lambda _: any(map(is_of_training, folders.values()))):
+        for part in parts:
+            out = folders[part.name]
+            if len(dataset.parts) > 1:
+                print(f"part {part.name}, {part.kind}:")
+            preset = _chosen(args, part.kind)
+            run = Run(part, preset, args.preset, out, args.seed, minutes[part.name], begun, device)
+            best = train(run)
+            written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'validation'}")
+            begun = monotonic()
     print("\n".join(written))
     package = f"{dataset.manifest.name}.rna"
     print(f"next: {command_line('rna-export', _to_export(args.out, dataset), '--out', package)}")

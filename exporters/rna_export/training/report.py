@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isnan
 from pathlib import Path
 from time import monotonic
 
@@ -15,6 +16,7 @@ from rna_export.training.validation import (
     shade_emission,
     write_images,
 )
+from rna_sdk.errors import TrainingError
 
 _SHARE = 0.02  # of the time, for FLIP and pictures; those at the end come in any case
 _USUAL_SECONDS = 1.0  # that they take
@@ -30,10 +32,18 @@ class Report:
         self.brightness: Brightness | None = None  # when the last pictures were made
 
     def of(self, model: NeuralAsset, is_last: bool) -> dict[str, float]:
-        """A row of `Curves`; with FLIP, and pictures in `<out>/validation`, where time allows."""
+        """A row of `Curves`; with FLIP, and pictures in `<out>/validation`, where time allows.
+
+        Raises `TrainingError` for a model that gives no numbers.
+        """
         views = self._views
         radiance = [shade(model, view) for view in views]
         row = {"psnr": mean_psnr(radiance, views)}
+        if isnan(row["psnr"]):
+            raise TrainingError(
+                f"{self._out}: the model diverged, the PSNR of its validation images is not a "
+                "number; try another --seed or --loss"
+            )
         if self._emission_views:
             emitted = [shade_emission(model, view) for view in self._emission_views]
             row["emission_psnr"] = mean_psnr(emitted, self._emission_views)

@@ -57,7 +57,7 @@ def train(
 
     `<out>/last.ckpt` of an earlier, stopped call is continued. table: the samples to train on, on
     the run's device; None: all of the dataset's. bars: makes the progress bar. Raises
-    `TrainingError` when the checkpoint belongs to another run.
+    `TrainingError` when the checkpoint belongs to another run, or the model diverges.
     """
     begun = monotonic() if run.begun is None else run.begun
     if table is None:
@@ -89,7 +89,16 @@ def train(
         found = _fit(run, fitting, table, pace, done, bar, threads)
     if found is not None:
         say(str(found))
-    return so_far.replace(best) if so_far.is_file() else best
+    if so_far.is_file():
+        so_far.replace(best)
+    if not best.is_file():
+        raise TrainingError(f"{best}: the run is finished, and this file is gone; delete {run.out}")
+    return best
+
+
+def is_of_training(folder: Path) -> bool:
+    """Whether a training has begun there."""
+    return any((folder / name).is_file() for name in ("last.ckpt", _SO_FAR, "best.ckpt"))
 
 
 def _fit(

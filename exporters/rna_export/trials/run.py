@@ -69,9 +69,7 @@ def run_trial(
         curve=tuple((int(row["step"]), row["psnr"]) for row in read_curves(folder)),
     )
     record.write(folder)
-    for checkpoint in folder.glob("*.ckpt"):
-        if checkpoint.name != "best.ckpt":
-            checkpoint.unlink()
+    (folder / "last.ckpt").unlink(missing_ok=True)
     return record
 
 
