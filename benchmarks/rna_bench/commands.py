@@ -64,6 +64,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
     "readers and files": (
         Command("readers", "readers.agreement"),
         Command("fuzz", "readers.fuzz"),
+        Command("fuzz-scenes", "readers.fuzz_scenes"),
         Command("package-bytes", "packages.sizes"),
     ),
     "hosts": (

@@ -76,7 +76,10 @@ def read_exr_headers(path: Path) -> list[dict[str, Any]]:
     try:
         check_regular(path)
         with OpenEXR.File(str(path), header_only=True) as file:
-            return [dict(part.header) for part in file.parts]
+            headers = [dict(part.header) for part in file.parts]
+        # A name that is not UTF-8 raises when it is asked for: here, not later.
+        _ = [channel.name for header in headers for channel in header["channels"]]
+        return headers
     except OSError as error:
         reason = error.strerror or str(error)
         raise SceneError(f"cannot read the image: {reason}", file=path) from error

@@ -24,6 +24,9 @@ MAX_TRIANGLES = 1 << 26
 # Of a glTF accessor without data in the file: all zero, or sparse.
 MAX_ZERO_ITEMS = 1 << 20
 
+# Of a scene file: its parser takes some 10 us a byte.
+MAX_SCENE_BYTES = 1 << 24
+
 # Of a path in a scene file, bytes: PATH_MAX and NAME_MAX of Linux.
 MAX_PATH_BYTES = 4095
 MAX_NAME_BYTES = 255

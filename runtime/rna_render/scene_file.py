@@ -10,11 +10,12 @@ import yaml
 from pydantic import ValidationError
 
 from rna_render.default_scene import default_scene
+from rna_render.limits import MAX_SCENE_BYTES
 from rna_render.scene_messages import Key, mistakes
 from rna_render.scene_model import Scene
 from rna_sdk.errors import SceneError
 from rna_sdk.file_kinds import kind_of, not_a
-from rna_sdk.regular_file import check_regular, read_regular
+from rna_sdk.regular_file import check_regular
 
 # A few lines of YAML aliases can unfold into any number of values.
 MAX_DEPTH = 16
@@ -75,13 +76,20 @@ def read_scene(path: Path) -> SceneFile:
     Raises SceneError, with file, line and key, if it cannot be read, is not YAML, or does not
     fit rna_render.scene_model.Scene; PackageError for a broken package.
     """
-    if path.is_file() and kind_of(path) == "package":
+    try:
+        size = check_regular(path).st_size
+    except OSError as error:
+        raise SceneError(error.strerror or str(error), file=path) from error
+    if kind_of(path) == "package":
         scene = Scene.model_validate(yaml.safe_load(default_scene(path)))
         return SceneFile(path, scene, {})  # no lines: the person has no file with them
-    if path.is_file() and (wrong := not_a("scene", path)) is not None:
+    if (wrong := not_a("scene", path)) is not None:
         raise SceneError(wrong, file=path)
+    if size > MAX_SCENE_BYTES:
+        message = f"has {size} bytes; a scene file has at most {MAX_SCENE_BYTES}"
+        raise SceneError(message, file=path)
     try:
-        text = read_regular(path).decode("utf-8")
+        text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         reason = getattr(error, "strerror", None) or "is not UTF-8 text"
         raise SceneError(reason, file=path) from error

@@ -229,6 +229,8 @@ def _exr_cases(folder: Path) -> list[Case]:
     case("rip levels", lambda path: path.write_bytes(_levels(plain, 2)), "tiles of several sizes")
     case("subsampled", lambda path: path.write_bytes(_subsampled(plain)), "of fewer texels")
     case("cut", lambda path: path.write_bytes(_exr_bytes(plain)[:-200]), "cannot read the image")
+    foreign = _exr_bytes(plain | {"Zq": plain["R"]}).replace(b"Zq\0", b"Z\xff\0")
+    case("a name in latin-1", lambda path: path.write_bytes(foreign), "cannot read the image")
     case("cut header", lambda path: path.write_bytes(_exr_bytes(plain)[:60]), "")
     large = _header(WIDTH, HEIGHT, [("B", 1), ("G", 1), ("R", 1)])
     large = large.replace(struct.pack("<2i", WIDTH - 1, HEIGHT - 1), struct.pack("<2i", 8191, 8191))

@@ -253,7 +253,7 @@ def test_a_pipe_is_no_scene_nor_environment_nor_buffer(tmp_path):
 
 
 YAML = {
-    "assets: " + "[" * 5000: "too deep for a scene",
+    "assets: " + "[" * 600: "too deep for a scene",
     "seed: " + "1:" * 20000 + "1\n" + CAMERA + "ground: {}\n": "a number of thousands of digits",
     "seed: 0x" + "f" * 5000 + "\n" + CAMERA + "ground: {}\n": "a number of thousands of digits",
     'assets: [{path: "a\\0b.rna"}]\n' + CAMERA: r"assets\[0\].path: must not contain a NUL",
@@ -270,6 +270,29 @@ def test_scenes_that_are_too_deep_or_too_long(text, tmp_path):
     with pytest.raises(SceneError, match=YAML[text]) as caught:
         read_scene(tmp_path / "scene.yaml")
     assert len(str(caught.value)) < 500 + len(str(tmp_path))
+
+
+def test_a_scene_file_has_a_limit_of_bytes(tmp_path):
+    with (tmp_path / "scene.yaml").open("wb") as file:
+        file.truncate((1 << 24) + 1)
+    with mebibytes(1), pytest.raises(SceneError, match="has 16777217 bytes; a scene file has at"):
+        read_scene(tmp_path / "scene.yaml")
+
+
+@pytest.mark.parametrize("factor", [[1, 1, 1, 1], [], [1, 1], 1, "111", [1, 1, "x"], None])
+def test_an_emission_is_three_numbers(factor, tmp_path):
+    gltf = Gltf().square(material=0).node(mesh=0)
+    gltf.json["materials"] = [{"emissiveFactor": factor}, {}]
+    try:
+        assert len(read(gltf.write(tmp_path / "a.gltf")).materials[0].emission) == 3
+    except SceneError as error:
+        assert "a.gltf: it cannot be read as .gltf" in str(error)
+
+
+@pytest.mark.parametrize("name", ["a\0b.yaml", "a" * 300 + ".yaml", "a" * 300 + ".rna"])
+def test_a_scene_of_a_name_that_no_file_can_have(name):
+    with pytest.raises(SceneError):
+        read_scene(Path(name))
 
 
 def test_json_that_is_too_deep(tmp_path):

@@ -20,6 +20,7 @@ from rna_render.materials.gltf_container import GltfContainer
 from rna_render.materials.material import Material, reflectance_of_ior
 from rna_render.materials.textures import IDENTITY, LINEAR, SRGB, Texture, read_alpha, read_texels
 from rna_render.materials.transmission import transmitted_by
+from rna_render.model_base import Vector
 
 # Section 3.8.4.4, from OpenGL.
 WRAPS = {10497: REPEAT, 33071: CLAMP, 33648: MIRROR}
@@ -62,7 +63,7 @@ class GltfMaterials:
         strength = extensions.get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1)
         ior = extensions.get("KHR_materials_ior", {}).get("ior", 1.5)
         red, green, blue, _ = metal_rough.get("baseColorFactor", (1, 1, 1, 1))
-        emission = strength * np.array(data.get("emissiveFactor", (0, 0, 0)), np.float64)
+        emission = [strength * float(factor) for factor in data.get("emissiveFactor", (0, 0, 0))]
         normals = data.get("normalTexture")
         material = Material(
             base_color=(float(red), float(green), float(blue)),
@@ -70,7 +71,7 @@ class GltfMaterials:
             roughness=float(metal_rough.get("roughnessFactor", 1)),
             # An ior of 0 is the extension's word for a reflectance of 1.
             coat_f0=min(reflectance_of_ior(ior), 0.999),
-            emission=tuple(emission.tolist()),
+            emission=_three(emission),
             base_color_texture=self._texture(metal_rough.get("baseColorTexture"), SRGB),
             metallic_roughness_texture=self._texture(
                 metal_rough.get("metallicRoughnessTexture"), LINEAR
@@ -189,6 +190,11 @@ def _uv_transform(data: Json) -> np.ndarray:
         raise ValueError(f"a texture transform has numbers that are not at most {MAX_NUMBER:g}")
     cosine, sine = np.cos(numbers[4]), np.sin(numbers[4])
     return np.array([[cosine * sx, sine * sy, x], [-sine * sx, cosine * sy, y]], np.float64)
+
+
+def _three(values: list[float]) -> Vector:
+    red, green, blue = values
+    return red, green, blue
 
 
 def _check(material: Material) -> None:

@@ -109,7 +109,9 @@ def _opened(source: Path | bytes, name: object) -> Iterator[ImageFile]:
             yield image
     except FileNotFoundError as error:
         raise SceneError("no such file", file=name) from error
-    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+    except SceneError:
+        raise
+    except Exception as error:  # whatever a broken image makes a decoder raise
         reason = getattr(error, "strerror", None) or "it is broken, or of a kind that PIL lacks"
         raise SceneError(f"cannot read the image: {reason}", file=name) from error
 

@@ -158,7 +158,7 @@ function readChannels(reader) {
 function text(reader) {
   const end = reader.bytes.indexOf(0, reader.at);
   if (end < 0 || end - reader.at > 255) throw new NotSupported("broken EXR image: its header does not end");
-  const result = String.fromCharCode(...reader.bytes.subarray(reader.at, end));
+  const result = new TextDecoder("utf-8", { fatal: true }).decode(reader.bytes.subarray(reader.at, end));
   reader.at = end + 1;
   return result;
 }
