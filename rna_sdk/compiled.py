@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import warnings
 from collections.abc import Callable, Iterator
 from functools import cache, cached_property
 from hashlib import sha256
@@ -48,7 +49,8 @@ def compiled(
 
     def compile_kernel(function: Kernel) -> Kernel:
         kernel: Any = jit(function)
-        kernel._cache = cache_type(function)
+        if (code := _cache_of(cache_type, function)) is not None:
+            kernel._cache = code
         if signature:
             kernel.compile(numba.void(*signature))
             kernel.disable_compile()
@@ -67,11 +69,35 @@ def callback(*signature: numba.types.Type) -> Callable[[Kernel], Any]:
 
     def compile_callback(function: Kernel) -> Any:
         result: Any = CFunc(function, (signature, numba.void), {}, {})
-        result._cache = cache_type(function)
+        if (code := _cache_of(cache_type, function)) is not None:
+            result._cache = code
         result.compile()
         return result
 
     return compile_callback
+
+
+class CacheWarning(UserWarning):
+    """Compiled code cannot be kept for the next process."""
+
+
+def _cache_of(cache_type: Any, function: Callable[..., object]) -> Any:
+    """The cache on disk of a kernel; None, with a warning once a process, where there is none."""
+    try:
+        return cache_type(function)
+    except RuntimeError:  # numba found no folder that it may write to
+        _warn_of_no_cache()
+        return None
+
+
+@cache
+def _warn_of_no_cache() -> None:
+    message = (
+        "compiled kernels are not kept, so that each process compiles them again: neither the "
+        "installation nor the user's cache folder can be written; set NUMBA_CACHE_DIR to a folder "
+        "that can"
+    )
+    warnings.warn(message, CacheWarning, stacklevel=2)
 
 
 class _SourcesCache(FunctionCache):
@@ -90,13 +116,26 @@ class _SourcesCache(FunctionCache):
         key = super()._index_key(signature, codegen)  # type: ignore[no-untyped-call]
         return (*key, self._sources)
 
+    def load_overload(self, signature: Any, target_context: Any) -> Any:
+        try:
+            return super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
+        except OSError:  # as for `save_overload`
+            return None
+
+    def save_overload(self, signature: Any, data: Any) -> None:
+        """Keeps the code, unless the disk is full or the folder can no longer be written."""
+        try:
+            super().save_overload(signature, data)  # type: ignore[no-untyped-call]
+        except OSError:
+            _warn_of_no_cache()
+
 
 class _ParallelCache(_SourcesCache):
     """Launches numba's threads before numba itself would, and in a safe way."""
 
     def load_overload(self, signature: Any, target_context: Any) -> Any:
         launch_kernel_threads()
-        return super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
+        return super().load_overload(signature, target_context)
 
 
 def _digest_of_sources(kernel: FunctionType) -> str:

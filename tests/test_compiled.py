@@ -9,6 +9,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from numba import types
+from numba.core.caching import IndexDataCacheFile
+
+from rna_sdk import compiled as module
 
 REPOSITORY = Path(__file__).parent.parent
 
@@ -157,3 +161,36 @@ def test_without_safe_threads_one_line_says_what_to_do(
     (tmp_path / "kernels.py").write_text(SIDE_BY_SIDE.format(before=before))
     told = run([sys.executable, "kernels.py"], tmp_path, NUMBA_THREADING_LAYER="workqueue")
     assert expected in told and len(told.splitlines()) == 1
+
+
+def test_without_a_folder_for_code_kernels_work_and_one_warning_says_so(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As from a read-only installation whose user has no home."""
+
+    def refuse(*_: object) -> None:
+        raise RuntimeError("cannot cache function: no locator available")
+
+    monkeypatch.setattr(module._SourcesCache, "__init__", refuse)
+    module._warn_of_no_cache.cache_clear()
+    with pytest.warns(module.CacheWarning, match="NUMBA_CACHE_DIR") as warned:
+        double = module.compiled()(lambda x: 2 * x)
+        triple = module.compiled()(lambda x: 3 * x)
+        module.callback(types.CPointer(types.float64))(lambda numbers: None)
+    assert (double(2), triple(2), len(warned)) == (4, 6, 1)
+
+
+def test_code_that_cannot_be_written_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The disk is full, or the folder is read-only by now."""
+
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(IndexDataCacheFile, "save", full)
+    module._warn_of_no_cache.cache_clear()
+    with pytest.warns(module.CacheWarning):
+        assert module.compiled()(_quadrupled)(2) == 8
+
+
+def _quadrupled(x: int) -> int:
+    return 4 * x

@@ -10,6 +10,7 @@ import zlib
 from dataclasses import dataclass
 from os import PathLike
 
+from rna_sdk.errors import PackageError
 from rna_sdk.package import zip_layout as z
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import (
@@ -19,6 +20,7 @@ from rna_sdk.package.limits import (
     MAX_MANIFEST_BYTES,
     MAX_NAME_BYTES,
 )
+from rna_sdk.package.zipped_again import explained
 
 MANIFEST_NAME = "manifest.json"
 
@@ -57,10 +59,10 @@ class Container:
             PackageError: with the first ZIP_* or FILE_* issue found.
         """
         data = _map(path)
-        headers, directory_offset = _read_directory(data)
-        entries = [_read_local(data, header, name, directory_offset) for header, name in headers]
-        entries.sort(key=lambda entry: entry.header_offset)
-        _check_layout(entries, directory_offset)
+        try:
+            entries = _read_entries(data)
+        except PackageError as error:
+            raise explained(error, path, MANIFEST_NAME) from None
         return cls(data, {entry.name: entry for entry in entries})
 
     def view(self, name: str) -> memoryview:
@@ -75,6 +77,11 @@ class Container:
         """The read-only bytes of an entry as they are in the file."""
         entry = self.entries[name]
         return self._data[entry.offset : entry.offset + entry.size]
+
+    @property
+    def file_bytes(self) -> int:
+        """Size of the file."""
+        return len(self._data)
 
     def layout(self) -> dict[str, range]:
         """name -> the bytes of the file that the entry takes, its header included."""
@@ -103,6 +110,17 @@ def _map(path: str | PathLike[str]) -> memoryview:
             return memoryview(mmap.mmap(file.fileno(), size, access=mmap.ACCESS_READ))
     except OSError as error:
         refuse(Code.FILE_UNREADABLE, 0, error.strerror or error, "a readable file")
+    except ValueError as error:  # of a NUL in the path
+        refuse(Code.FILE_UNREADABLE, 0, error, "a path")
+
+
+def _read_entries(data: memoryview) -> list[Entry]:
+    """The entries in the order of their bytes, every ZIP record checked."""
+    headers, directory_offset = _read_directory(data)
+    entries = [_read_local(data, header, name, directory_offset) for header, name in headers]
+    entries.sort(key=lambda entry: entry.header_offset)
+    _check_layout(entries, directory_offset)
+    return entries
 
 
 def _read_directory(data: memoryview) -> tuple[list[tuple[z.CentralHeader, str]], int]:

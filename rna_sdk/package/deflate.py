@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.package.extensions import Coding, Deflate
 from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.limits import DEFLATE_ALLOWANCE, MAX_DEFLATE_RATIO
 from rna_sdk.package.strict_json import pointer
 
 _LEVEL = 9
@@ -43,6 +44,11 @@ def decode(stream: bytes | memoryview, size: int, element_size: int, distance: i
     if 0 < distance < count:
         elements = _summed(elements, distance)
     return elements.tobytes() + coded[count * element_size :]
+
+
+def largest_decoded(stored: int) -> int:
+    """Most bytes that an entry of `stored` bytes may inflate to, so that memory follows size."""
+    return DEFLATE_ALLOWANCE + MAX_DEFLATE_RATIO * stored
 
 
 def decoded_entry(stream: memoryview, name: str, coding: Coding) -> bytes:

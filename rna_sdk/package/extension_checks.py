@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from pydantic import ValidationError
 
+from rna_sdk.package.deflate import largest_decoded
 from rna_sdk.package.extensions import EXTENSIONS, Deflate, Extension, Poster, Proxy, Standin
 from rna_sdk.package.issues import Code, Issue
 from rna_sdk.package.limits import MAX_FILE_BYTES
@@ -61,6 +62,13 @@ def _deflate_issues(data: Deflate, manifest: Manifest) -> Iterator[Issue]:
     if total > MAX_FILE_BYTES:
         found, expected = f"{total} decoded bytes", f"at most {MAX_FILE_BYTES}"
         yield Issue.of(Code.FIELD_VALUE, f"{where}/entries", found, expected)
+        return
+    for name, coding in data.entries.items():
+        stored = manifest.entries[name].size if name in manifest.entries else 0
+        if name in manifest.entries and coding.size > largest_decoded(stored):
+            place = pointer("extensions", data.NAME, "entries", name, "size")
+            expected = f"at most {largest_decoded(stored)}, for {stored} bytes stored"
+            yield Issue.of(Code.DEFLATE_SIZE, place, f"{coding.size} bytes", expected)
 
 
 def _references(data: Extension) -> Iterator[tuple[tuple[str | int, ...], str]]:

@@ -82,6 +82,7 @@ class Code(Enum):
 
     # extensions/
     DEFLATE_STREAM = (Severity.ERROR, "A coded entry does not inflate to its declared bytes.")
+    DEFLATE_SIZE = (Severity.ERROR, "A coded entry declares too many bytes for those stored.")
     POSTER_IMAGE = (Severity.WARNING, "The poster is not a PNG of the declared size.")
 
     # geometry/*.glb, geometry/*.safetensors

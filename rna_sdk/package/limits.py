@@ -21,6 +21,10 @@ MAX_COORDINATE = 1e18
 MIN_EXTENT = 1e-18
 """Metres, of the bounds along an axis; squares of it stay normal in float32."""
 
+MAX_DEFLATE_RATIO = 64
+DEFLATE_ALLOWANCE = 2**20
+"""A coded entry inflates to this many bytes and MAX_DEFLATE_RATIO times those stored, at most."""
+
 MAX_PARTS = 16
 MAX_TIERS = 16
 MAX_CONES = 16

@@ -56,6 +56,23 @@ class Package:
             raise PackageError(result.errors, path)
         return cls(result.container, result.manifest)
 
+    def __repr__(self) -> str:
+        if self._container is None:
+            return f"<Package {self.manifest.name!r}, closed>"
+        kinds = ", ".join(f"{part.name} ({part.kind})" for part in self.manifest.parts)
+        tiers = ", ".join(tier.name for tier in self.manifest.tiers)
+        size = f"{self.file_bytes:,} bytes"
+        return f"<Package {self.manifest.name!r}: {kinds}; tiers {tiers}; {size}>"
+
+    @property
+    def file_bytes(self) -> int:
+        """Size of the file in bytes.
+
+        Raises:
+            QueryError: the package is closed.
+        """
+        return self._opened().file_bytes
+
     def close(self) -> None:
         """Release the file. Further calls have no effect."""
         self._container = None

@@ -10,7 +10,7 @@ from os import PathLike
 from pydantic import JsonValue
 
 from rna_sdk.errors import PackageError
-from rna_sdk.package.deflate import encode
+from rna_sdk.package.deflate import encode, largest_decoded
 from rna_sdk.package.extensions import (
     Coding,
     Deflate,
@@ -106,14 +106,17 @@ class Unpacked:
         return replace(bare, manifest=changed, entries={**bare.entries, **entries})
 
     def deflated(self) -> Unpacked:
-        """A copy in which every entry that becomes smaller is coded (RNA_deflate)."""
+        """A copy in which entries that become smaller are coded (RNA_deflate).
+
+        Those that would inflate to more than a reader takes stay as they are.
+        """
         distances = {
             part.planes: part.channels for tier in self.manifest.tiers for part in tier.parts
         }
         codings, entries = {}, dict(self.entries)
         for name, data in self.entries.items():
             size, distance, stream = _smallest(data, distances.get(name))
-            if len(stream) < len(data):
+            if len(stream) < len(data) <= largest_decoded(len(stream)):
                 entries[name] = stream
                 codings[name] = Coding(
                     element_size=size,

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, NoReturn, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.arrays import vectors
+from rna_sdk.errors import QueryError
 from rna_sdk.package import Domain, NormalMap, Package, Tier, Transmittance
 from rna_sdk.package.manifest_fields import Kind
 from rna_sdk.runtime.arguments import results
@@ -46,7 +47,10 @@ class Asset:
         threads: int,
         bounds: NDArray[np.float32],
         emits: bool,
+        tiers: tuple[str, ...],
+        file_bytes: int,
     ) -> None:
+        """tiers: names of all tiers of the package. file_bytes: its size."""
         self.name = name
         self.tier = tier
         self.domain = domain
@@ -54,6 +58,20 @@ class Asset:
         self.bounds = bounds
         self.bounds.flags.writeable = False
         self.emits = emits
+        self._tiers, self._file_bytes = tiers, file_bytes
+
+    def __repr__(self) -> str:
+        parts = ", ".join(f"{part.name} ({part.kind})" for part in self.parts)
+        return (
+            f"<{type(self).__name__} {self.name!r}: {parts}; tier {self.tier.name} of "
+            f"{', '.join(self._tiers)}; {self._file_bytes:,} bytes>"
+        )
+
+    def __reduce__(self) -> NoReturn:
+        raise QueryError(
+            f"{type(self).__name__} {self.name!r} cannot be pickled or copied: it maps its file; "
+            "pass the path, and call load(path) in each process"
+        )
 
     @property
     def parts(self) -> tuple[SurfaceAsset | FiberAsset, ...]:
@@ -88,7 +106,8 @@ class CompositeAsset(Asset):
         high = np.max([part.bounds[1] for part in parts], axis=0)
         emits = any(part.emits for part in parts)
         bounds = np.stack([low, high])
-        super().__init__(name, first.tier, first.domain, first.threads, bounds, emits)
+        own = first._tiers, first._file_bytes
+        super().__init__(name, first.tier, first.domain, first.threads, bounds, emits, *own)
         self._parts = tuple(parts)
 
     @property
@@ -115,7 +134,9 @@ class AssetPart(Asset):
         record, own = package.manifest.parts[part], tier.parts[part]
         box, emission = record.bounds, package.emission_decoder(tier.name, part)
         emits = emission is not None
-        super().__init__(name, tier, package.manifest.domain, threads, box.corners(), emits)
+        own_file = tuple(other.name for other in package.manifest.tiers), package.file_bytes
+        domain, bounds = package.manifest.domain, box.corners()
+        super().__init__(name, tier, domain, threads, bounds, emits, *own_file)
         self.kind: Kind = record.kind
         self.tier_part = own
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))

@@ -52,19 +52,19 @@ def _file() -> Path:
 
 
 def _read() -> dict[str, float]:
-    """The cached costs; none if the file is missing or damaged."""
+    """The cached costs; none if the file is missing or damaged, or there is no home."""
     try:
         known = json.loads(_file().read_text())
         return {str(key): float(value) for key, value in known.items()}
-    except (OSError, ValueError, AttributeError, TypeError):
+    except (OSError, RuntimeError, ValueError, AttributeError, TypeError):
         return {}
 
 
 def _write(known: dict[str, float]) -> None:
     """Replace the file; if it cannot be written, the next process measures again."""
-    path = _file()
     try:
+        path = _file()
         path.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(path, json.dumps(known).encode())
-    except OSError:
+    except (OSError, RuntimeError):
         pass

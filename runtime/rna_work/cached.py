@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from uuid import uuid4
 
+from rna_sdk.errors import WorkError
 from rna_work.locks import locked
 
 
@@ -33,8 +34,15 @@ def _make(folder: Path, write: Callable[[Path], None]) -> None:
 
 
 def cache_folder() -> Path:
-    """Folder in which a machine keeps sources and datasets."""
-    cache = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+    """Folder in which a machine keeps sources and datasets.
+
+    Raises:
+        WorkError: the user has no home, and XDG_CACHE_HOME names no other folder.
+    """
+    try:
+        cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    except RuntimeError as error:
+        raise WorkError(f"no folder for caches: {error} Set XDG_CACHE_HOME") from error
     return cache / "rna-sdk" / "sources"
 
 

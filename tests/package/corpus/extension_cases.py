@@ -96,6 +96,13 @@ def coded_entries_beyond_a_file_together(entries: Entries) -> bytes:
     return with_manifest(entries, lambda m: used(m, "RNA_deflate", data, True))
 
 
+@case("DEFLATE_SIZE")
+def coded_entry_of_zeros(entries: Entries) -> bytes:
+    """Of 2 MiB in 2 KB: a small file would take much memory."""
+    zeros = bytes(2**21)
+    return with_coded_mesh(entries, zlib.compress(zeros), size=len(zeros), distance=0)
+
+
 @case("EXTENSION_UNDECLARED")
 def coded_entry_that_is_not_required(entries: Entries) -> bytes:
     data = {"entries": {MESH: coding_of(entries[MESH])}}

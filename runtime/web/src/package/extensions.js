@@ -9,6 +9,8 @@ const record = (properties) =>
   ({ type: "object", properties, required: Object.keys(properties), additionalProperties: false });
 
 const LARGEST = 2 ** 32 - 2;
+// A coded entry inflates to this many bytes and RATIO times those stored, at most.
+const DEFLATE_ALLOWANCE = 2 ** 20, DEFLATE_RATIO = 64;
 const SCHEMAS = {
   RNA_deflate: record({
     entries: {
@@ -74,7 +76,11 @@ const CHECKS = {
     }
     const total = Object.values(entries).reduce((sum, { size }) => sum + size, 0);
     if (total > LARGEST) fail("FIELD_VALUE", where, `${total} decoded bytes`);
-    for (const name of Object.keys(entries)) checkReference(manifest, name, where);
+    for (const [name, { size }] of Object.entries(entries)) {
+      checkReference(manifest, name, where);
+      const most = DEFLATE_ALLOWANCE + DEFLATE_RATIO * manifest.entries[name].size;
+      if (size > most) fail("DEFLATE_SIZE", `${where}/entries/${name}/size`, `${size} decoded bytes; at most ${most}`);
+    }
   },
   RNA_poster({ image }, manifest, where) {
     checkReference(manifest, image, where);
