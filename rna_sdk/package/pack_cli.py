@@ -10,6 +10,7 @@ from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import RnaError
 from rna_sdk.outputs import check_outputs
 from rna_sdk.package.packing import Unpacked
+from rna_sdk.regular_file import read_regular
 
 
 def parser() -> argparse.ArgumentParser:
@@ -64,7 +65,7 @@ def _run(args: argparse.Namespace) -> None:
 
 def _read(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return read_regular(path)
     except OSError as error:
         raise RnaError(f"{path}: found {error.strerror}, expected a PNG (--poster)") from error
 

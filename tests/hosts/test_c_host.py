@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 from dataclasses import replace
 from pathlib import Path
@@ -128,6 +129,14 @@ def test_a_decoder_that_needs_an_engine_is_named(programs: dict[str, Path], tmp_
     evaluated = run(programs["conform"], "evaluate", package, "small", 0, queries, tmp_path / "out")
     assert evaluated.returncode == 2 and "needs an ONNX engine" in evaluated.stderr
     assert not (tmp_path / "out").exists()
+
+
+def test_pipes_and_devices_are_refused(programs: dict[str, Path], tmp_path: Path) -> None:
+    """To open a pipe would wait for a writer."""
+    os.mkfifo(tmp_path / "pipe.rna")
+    for path in (tmp_path / "pipe.rna", "/dev/zero", tmp_path):
+        result = run(programs["conform"], "validate", path)
+        assert (result.returncode, result.stdout.split()) == (1, ["FILE_UNREADABLE"])
 
 
 def run(*command: object) -> subprocess.CompletedProcess[str]:

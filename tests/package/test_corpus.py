@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -55,6 +56,34 @@ def test_pipe_is_refused_and_not_waited_for(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.rna")
     (issue,) = validate(tmp_path / "pipe.rna")
     assert (issue.code, issue.found) == ("FILE_UNREADABLE", "a pipe or a device")
+
+
+def test_name_that_no_file_can_have() -> None:
+    (issue,) = validate("asset\0.rna")
+    assert issue.code == "FILE_UNREADABLE"
+
+
+@pytest.mark.parametrize(
+    ("options", "folder", "backwards", "traces"),
+    [
+        ({"compression": zipfile.ZIP_DEFLATED}, "", False, "entries compressed, time stamps"),
+        ({}, "", True, "entries in another order, time stamps"),
+        ({}, "tiny/", False, "entries in a folder, time stamps"),
+    ],
+)
+def test_package_that_was_zipped_again_says_so(
+    options: dict, folder: str, backwards: bool, traces: str, entries: Entries, tmp_path: Path
+) -> None:
+    path = tmp_path / "again.rna"
+    with zipfile.ZipFile(path, "w", **options) as archive:
+        for name, data in sorted(entries.items(), reverse=not backwards, key=_is_manifest):
+            archive.writestr(f"{folder}{name}", data)
+    (issue,) = validate(path)
+    assert issue.found == f"a package that a ZIP program wrote again ({traces})"
+
+
+def _is_manifest(entry: tuple[str, bytes]) -> bool:
+    return entry[0] == "manifest.json"
 
 
 def test_file_too_large_is_not_read(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import tracemalloc
 import zlib
 from pathlib import Path
@@ -68,6 +69,25 @@ def test_deflated_package_is_the_same_asset(tuft: Path, tmp_path: Path) -> None:
         assert other.manifest.extensions_required == (Deflate.NAME,)
     assert main([str(coded), "--out", str(plain)]) == 0
     assert plain.read_bytes() == tuft.read_bytes()
+
+
+def test_entry_that_would_inflate_too_far_stays_as_it_is(tiny: Path, tmp_path: Path) -> None:
+    path, png_of_zeros = tmp_path / "zeros.rna", png() + bytes(2**21)
+    package = Unpacked.read(tiny).with_poster(png_of_zeros).deflated()
+    package.write(path)
+    (poster,) = (name for name in package.entries if name.endswith(".png"))
+    assert len(package.entries[poster]) == len(png_of_zeros)
+    with Package.open(path) as opened:
+        assert opened.poster() == png_of_zeros
+
+
+def test_a_pipe_is_no_poster(
+    tiny: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    os.mkfifo(tmp_path / "pipe.png")
+    arguments = [str(tiny), "--out", str(tmp_path / "x.rna"), "--poster"]
+    assert main([*arguments, str(tmp_path / "pipe.png")]) == 1
+    assert "is a pipe or a device" in capsys.readouterr().err
 
 
 def test_coding_twice_changes_nothing(tiny: Path, tmp_path: Path) -> None:

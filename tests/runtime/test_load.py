@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import os
+import pickle
 import subprocess
 import sys
 from collections.abc import Callable
@@ -17,11 +19,59 @@ from rna_sdk.package import Cost, Package, Tier, Validation
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
 from rna_sdk.runtime.tiers import choose_tier
 from tests.package.builders import FIBER_INPUTS, make_curves, make_mesh, make_tier
+from tests.package.lantern import make_lantern
 from tests.runtime.points import random_points
 
 
 def test_the_first_tier_is_the_default(tiers_path: Path) -> None:
     assert load(tiers_path).tier.name == "hq"
+
+
+def test_an_asset_tells_in_one_line_what_it_is(tiers_path: Path, tmp_path: Path) -> None:
+    size, asset = f"{tiers_path.stat().st_size:,} bytes", load(tiers_path, tier="small")
+    assert repr(asset) == (
+        f"<SurfaceAsset {asset.name!r}: {asset.name} (surface); "
+        f"tier small of hq, small, raw, odd; {size}>"
+    )
+    lantern = make_lantern(tmp_path / "lantern.rna")
+    parts, size = "body (surface), tuft (fiber)", f"{lantern.stat().st_size:,} bytes"
+    assert repr(load(lantern)) == (
+        f"<CompositeAsset 'lantern': {parts}; tier small of small, hq; {size}>"
+    )
+    with Package.open(lantern) as package:
+        assert repr(package) == f"<Package 'lantern': {parts}; tiers small, hq; {size}>"
+    assert repr(package) == "<Package 'lantern', closed>"
+
+
+@pytest.mark.parametrize("copied", [pickle.dumps, copy.copy, copy.deepcopy])
+def test_a_pickled_asset_says_what_to_do_instead(
+    tiers_path: Path, copied: Callable[[object], object]
+) -> None:
+    with pytest.raises(QueryError, match=r"call load\(path\) in each process"):
+        copied(load(tiers_path))
+
+
+FORKED = """
+import os, signal, sys
+import numpy as np
+from rna_sdk.runtime import load
+asset = load(sys.argv[1], threads=2)
+rng = np.random.default_rng(1)
+arguments = rng.normal(size=(4, 5000, 3)).astype(np.float32)
+expected = asset.evaluate(*arguments)
+child = os.fork()
+if child == 0:
+    signal.alarm(60)
+    os._exit(0 if np.array_equal(asset.evaluate(*arguments), expected) else 1)
+sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork on this system")
+def test_a_forked_process_evaluates_as_the_one_before(tiers_path: Path) -> None:
+    """Threads do not live on in it: neither may it wait for them."""
+    command = [sys.executable, "-W", "ignore", "-c", FORKED, str(tiers_path)]
+    assert subprocess.run(command, timeout=120).returncode == 0
 
 
 @pytest.mark.parametrize(("min_psnr", "name"), [(35, "fast"), (39.9, "plain")])
