@@ -17,7 +17,7 @@ import pytest
 from rna_render.bilinear import CLAMP, MIRROR, REPEAT, texels_around
 from rna_render.lights.environment_file import environment_image, read_environment
 from rna_render.materials import read_mesh_object
-from rna_render.materials.ggx import _place
+from rna_render.materials.ggx_albedo import _place
 from rna_render.materials.textures import read_texels
 from rna_render.scene_file import read_scene
 from rna_render.world_loading import load_world
