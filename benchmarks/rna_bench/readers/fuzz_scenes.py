@@ -37,7 +37,7 @@ from rna_bench.results import publish, write_results
 from rna_sdk.atomic_file import write_atomically
 
 SLOW_SECONDS = 20
-BATCH = 1000
+BATCH = 4000
 _SHOWN = 40
 
 
