@@ -1,0 +1,26 @@
+"""docs/security.md: its limits are those of the code."""
+
+from __future__ import annotations
+
+import importlib
+import re
+
+import pytest
+
+from tests.conftest import REPOSITORY
+
+PAGE = (REPOSITORY / "docs" / "security.md").read_text()
+ROWS = re.findall(r"^\|[^|]*\|[^|]*\| ([^|]+) \| `([\w.]+)` \|$", PAGE, re.MULTILINE)
+
+
+@pytest.mark.parametrize(("text", "name"), ROWS, ids=[name for _, name in ROWS])
+def test_limits_are_those_of_the_code(text: str, name: str) -> None:
+    power, _, less = text.partition(" - ")
+    base, _, exponent = power.partition("^")
+    value = float(base) ** int(exponent or 1) - int(less or 0)
+    module, _, constant = name.rpartition(".")
+    assert getattr(importlib.import_module(module), constant) == value
+
+
+def test_the_table_is_read() -> None:
+    assert len(ROWS) == len(re.findall(r"`rna_\w+(?:\.\w+)+\.MAX_\w+`", PAGE)) > 20
