@@ -40,6 +40,7 @@ def scene_site(path: Path) -> Site:
         "environment": _environment(scene_file, site),
         "ground": scene.ground is not None,
         "exposure": scene.exposure,
+        "view": scene.view,
     }
     site.query["scene"] = site.add_scene(record)
     return site

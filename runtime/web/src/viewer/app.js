@@ -14,6 +14,7 @@ import { Lighting } from "./lighting.js";
 import { Orbit } from "./orbit.js";
 import { fileAddress } from "./parameters.js";
 import { Panel } from "./panel.js";
+import { beforeFilmic } from "./view_transform.js";
 import { BACKDROP, Viewer } from "./viewer.js";
 
 const MOST_PIXELS = 2.2e6;  // of the picture, whatever the screen: memory of phones
@@ -44,6 +45,7 @@ export class App {
     this.viewer = new Viewer(engine, canvas, this.orbit);
     if (this.parameters.has("rounds")) this.viewer.rounds = Number(this.parameters.get("rounds"));
     if (this.parameters.get("jitter") === "0") this.viewer.jitter = 0;
+    if (this.parameters.has("view")) this.setView(this.parameters.get("view"));
     this.viewer.addEventListener("shown", () => this.panel.showStats(this.viewer.stats));
     this.viewer.addEventListener("failed", ({ error }) => this._failed(error, "asset"));
     performance.mark("engine");
@@ -147,8 +149,8 @@ export class App {
   }
 
   /** Camera and lights of a scene, as rna-view hands them over. */
-  applyScene({ camera, suns, environment, ground, exposure }) {
-    this.sceneView = { camera, suns, environment, ground, exposure };
+  applyScene({ camera, suns, environment, ground, exposure, view }) {
+    this.sceneView = { camera, suns, environment, ground, exposure, view };
     if (camera) this.orbit.lookFrom(camera.position, camera.look_at, camera.vertical_fov_deg);
     if (suns) this.lighting.suns = suns;
     if (environment) {
@@ -158,6 +160,7 @@ export class App {
     }
     if (ground !== undefined) this.panel.setGround(ground);
     if (exposure !== undefined) this.setExposure(exposure);
+    if (view && !this.parameters.has("view")) this.setView(view);
     this.panel.showLighting(this.lighting);
     this.changed();
   }
@@ -166,6 +169,20 @@ export class App {
     if (!this.viewer) return;
     this.viewer.exposure = stops;
     this.panel.showExposure(stops);
+    this.viewer.show();
+  }
+
+  /** view: srgb or filmic, as in a scene file. */
+  setView(view) {
+    if (!this.viewer) return;
+    this.viewer.view = view;
+    this.panel.showView(view);
+    if (this.viewer.ground) this.changed();  // it has the colour of the page
+    this.viewer.show();
+  }
+
+  setDenoise(on) {
+    this.viewer.denoise = on;
     this.viewer.show();
   }
 
@@ -191,7 +208,7 @@ export class App {
     return new Reader(this.engine);
   }
 
-  /** A PNG of the picture. */
+  /** A PNG of the picture as it is now. */
   screenshot() {
     this.viewer.show();
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
@@ -229,10 +246,11 @@ export class App {
 
   _ground(irradiance) {
     if (!this.panel.hasGround || !this.box) return null;
+    const backdrop = this.viewer.view === "filmic" ? beforeFilmic(BACKDROP) : BACKDROP;
     const { min, max } = this.box, size = Math.hypot(...max.map((high, k) => high - min[k]));
     return {
       height: min[1] - 1e-4 * size, x: (min[0] + max[0]) / 2, z: (min[2] + max[2]) / 2, size: 2 * size,
-      colour: BACKDROP.map((value, c) => (irradiance[c] > 0 ? value / irradiance[c] / 2 ** this.viewer.exposure : 0)),
+      colour: backdrop.map((value, c) => (irradiance[c] > 0 ? value / irradiance[c] / 2 ** this.viewer.exposure : 0)),
     };
   }
 
@@ -284,10 +302,10 @@ export class App {
     this.viewer?.stop();
     this.uploaded = null;
     try {
-      const { exposure, rounds } = this.viewer;
+      const { exposure, rounds, view, denoise } = this.viewer;
       await this.begin();
       this.viewer.hasShown = true;
-      Object.assign(this.viewer, { exposure, rounds });
+      Object.assign(this.viewer, { exposure, rounds, view, denoise });
       if (shown) {
         await this.engine.setAsset(arrays, shown.parts);
         this.changed();

@@ -16,6 +16,8 @@ export class Panel {
     on("environment", "change", ({ value }) => this._setLight("choice", value, false));
     on("exposure", "input", ({ valueAsNumber }) => app.setExposure(valueAsNumber));
     on("exposure", "change", () => this.hasGround && app.changed());  // the ground has the colour of the page
+    on("view-transform", "change", ({ value }) => app.setView(value));
+    on("denoise", "change", ({ checked }) => app.setDenoise(checked));
     on("ground", "change", () => app.changed());
     on("reset", "click", () => app.resetView());
     on("screenshot", "click", () => this._save());
@@ -52,6 +54,10 @@ export class Panel {
 
   showExposure(stops) {
     showValue("exposure", stops, `${signed(stops, 1)} stops`);
+  }
+
+  showView(view) {
+    element("view-transform").value = view;
   }
 
   showEngine(label, reasons) {
@@ -95,7 +101,22 @@ export class Panel {
     else image.removeAttribute("src");
   }
 
+  /** Saves the picture once it has all samples; pressed again, as it is. */
   async _save() {
+    const { viewer } = this.app, button = element("screenshot");
+    if (!viewer) return;
+    if (this.saving) return this.saving.abort();
+    const saving = (this.saving = new AbortController());
+    const tell = () => {
+      const { rounds, scale } = viewer.stats;
+      button.textContent = `Save now (${scale === 1 ? rounds : 0} of ${viewer.rounds})`;
+    };
+    tell();
+    viewer.addEventListener("shown", tell);
+    await Promise.race([viewer.converged(), new Promise((resolve) => saving.signal.addEventListener("abort", resolve))]);
+    viewer.removeEventListener("shown", tell);
+    this.saving = null;
+    button.textContent = "Save picture";
     const link = document.createElement("a");
     link.href = URL.createObjectURL(await this.app.screenshot());
     link.download = `${this.app.opened?.manifest.name ?? "rna"}.png`;

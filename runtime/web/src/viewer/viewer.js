@@ -4,6 +4,8 @@
 const BAND_MS = 120;
 const MOVING_MS = 110;     // of a picture while something moves
 const COARSEST = 16;
+const NOISE = 0.4;         // of one sample, in values of the screen: differences that may be noise
+const NOISY_ROUNDS = 64;   // from which on no noise is taken out
 const DARKNESS = { kind: "sun", direction: [0, 1, 0], colour: [0, 0, 0] };
 export const BACKDROP = [0.052, 0.056, 0.063];
 
@@ -12,7 +14,7 @@ export class Viewer extends EventTarget {
     super();
     Object.assign(this, { engine, canvas, orbit });
     Object.assign(this, {
-      lights: [], ground: null, exposure: 0, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
+      lights: [], ground: null, exposure: 0, view: "srgb", denoise: true, rounds: 256, jitter: 1, generation: 0, msPerPixel: 0.005, shown: null,
       finest: 1, ready: false, stopped: false, moving: false, stats: { ms: 0, rounds: 0 },
     });
     this.wake = null;
@@ -53,7 +55,11 @@ export class Viewer extends EventTarget {
 
   show() {
     if (!this.shown) return;
-    this.engine.show({ rounds: this.shown.rounds, exposure: 2 ** this.exposure, backdrop: BACKDROP });
+    const { rounds } = this.shown, noisy = this.denoise && rounds < NOISY_ROUNDS;
+    this.engine.show({
+      rounds, exposure: 2 ** this.exposure, backdrop: BACKDROP, filmic: this.view === "filmic",
+      spread: noisy ? NOISE / Math.sqrt(rounds) : 0,
+    });
   }
 
   async _run() {

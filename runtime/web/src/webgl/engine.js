@@ -127,12 +127,13 @@ export class WebGLEngine {
     pass(this.gl, this.programs[name], target, { to: this.span.rows, textures, uniforms });
   }
 
-  show({ rounds, exposure, backdrop }) {
+  show({ rounds, exposure, backdrop, filmic, spread }) {
     const { width, height } = this.canvas;
     pass(this.gl, this.programs.show, null, {
       textures: { picture: this.sum.images[0] },
       uniforms: {
         rounds: ["1f", rounds], exposure: ["1f", exposure], backdrop: ["3fv", backdrop], size: ["2f", width, height],
+        filmicView: ["1f", Number(filmic)], spread: ["1f", spread],
       },
     });
   }

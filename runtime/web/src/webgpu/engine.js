@@ -178,9 +178,11 @@ export class WebGPUEngine {
     this._decode("emission");
   }
 
-  show({ rounds, exposure, backdrop }) {
+  show({ rounds, exposure, backdrop, filmic, spread }) {
     const { width, height } = this.target, { canvas, device } = this;
-    const words = Float32Array.of(canvas.width, canvas.height, width, height, ...backdrop, rounds, exposure, 0, 0, 0);
+    const words = Float32Array.of(
+      canvas.width, canvas.height, width, height, ...backdrop, rounds, exposure, Number(filmic), spread, 0,
+    );
     device.queue.writeBuffer(this.showRecord, 0, words);
     const encoder = device.createCommandEncoder();
     const view = this.context.getCurrentTexture().createView();

@@ -1,4 +1,4 @@
-// The picture on the page: mean of the samples, exposure, sRGB.
+// The picture on the page: mean of the samples, less noise while they are few, exposure, view transform, sRGB.
 
 struct Show {
     size: vec2f,    // of the canvas, pixels
@@ -6,9 +6,9 @@ struct Show {
     backdrop: vec3f, // linear light of the screen
     rounds: f32,
     exposure: f32,  // a factor
-    unused_a: f32,
-    unused_b: f32,
-    unused_c: f32,
+    filmic: f32,    // 1 for the filmic view transform, 0 for none
+    spread: f32,    // of noise, in values of the screen; 0 to leave it
+    unused: f32,
 }
 
 @group(0) @binding(0) var<uniform> shown: Show;
@@ -24,6 +24,27 @@ fn picture_at(x: f32, y: f32) -> vec4f {
     return sums[place.y * u32(shown.picture.x) + place.x];
 }
 
+// As rna_render/view_transform.py, which names the source.
+fn filmic(radiance: vec3f) -> vec3f {
+    let c = 1.461926 * min(radiance, vec3f(1e9));
+    let x = vec3f(dot(c, vec3f(0.59719, 0.35458, 0.04823)), dot(c, vec3f(0.07600, 0.90834, 0.01566)),
+                  dot(c, vec3f(0.02840, 0.13383, 0.83777)));
+    // Both parts divided by x, so that none overflows.
+    let inverse = 1.0 / max(x, vec3f(1e-9));
+    let y = (x + 0.0245786 - 0.000090537 * inverse) / (0.983729 * x + 0.4329510 + 0.238081 * inverse);
+    return vec3f(dot(y, vec3f(1.60475, -0.53108, -0.07367)), dot(y, vec3f(-0.10208, 1.10813, -0.00605)),
+                 dot(y, vec3f(-0.00327, -0.07276, 1.07602)));
+}
+
+// Values of the screen, sRGB, of a mean.
+fn displayed(mean: vec4f) -> vec3f {
+    let exposed = max(mean.xyz * shown.exposure, vec3f(0.0));
+    let light = select(exposed, filmic(exposed), shown.filmic > 0.5);
+    let linear = clamp(light, vec3f(0.0), vec3f(1.0)) + max(0.0, 1.0 - mean.w) * shown.backdrop;
+    let encoded = mix(12.92 * linear, 1.055 * pow(linear, vec3f(1.0 / 2.4)) - 0.055, step(vec3f(0.0031308), linear));
+    return clamp(encoded, vec3f(0.0), vec3f(1.0));
+}
+
 @fragment
 fn colour(@builtin(position) at: vec4f) -> @location(0) vec4f {
     let place = at.xy * shown.picture / shown.size - 0.5;
@@ -32,7 +53,23 @@ fn colour(@builtin(position) at: vec4f) -> @location(0) vec4f {
     let above = mix(picture_at(low.x, low.y), picture_at(low.x + 1.0, low.y), f.x);
     let below = mix(picture_at(low.x, low.y + 1.0), picture_at(low.x + 1.0, low.y + 1.0), f.x);
     let mean = mix(above, below, f.y) / shown.rounds;
-    let linear = clamp(mean.xyz * shown.exposure, vec3f(0.0), vec3f(1.0)) + max(0.0, 1.0 - mean.w) * shown.backdrop;
-    let encoded = mix(12.92 * linear, 1.055 * pow(linear, vec3f(1.0 / 2.4)) - 0.055, step(vec3f(0.0031308), linear));
-    return vec4f(clamp(encoded, vec3f(0.0), vec3f(1.0)), 1.0);
+    let here = displayed(mean);
+    if (shown.spread == 0.0) {
+        return vec4f(here, 1.0);
+    }
+    // Bilateral: neighbours count by how near and how like they are.
+    var sum = vec4f(here, 1.0);
+    let middle = round(place);
+    for (var dy = -2.0; dy <= 2.0; dy += 1.0) {
+        for (var dx = -2.0; dx <= 2.0; dx += 1.0) {
+            let there = middle + vec2f(dx, dy);
+            let other = picture_at(there.x, there.y) / shown.rounds;
+            let value = displayed(other);
+            let away = there - place;
+            let unlike = (value - here) / shown.spread;
+            let edge = 4.0 * (other.w - mean.w);
+            sum += vec4f(value, 1.0) * exp(-0.3 * dot(away, away) - 0.5 * dot(unlike, unlike) - edge * edge);
+        }
+    }
+    return vec4f(sum.xyz / sum.w, 1.0);
 }
