@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import http.client
+import io
 import json
 import threading
 from collections.abc import Iterator
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from rna_render.preview.lighting import lighting_choices
 from rna_render.preview.server import MAX_BODY, PreviewServer
@@ -94,6 +97,20 @@ def test_a_change_is_answered_with_the_new_state(server):
     assert state["scene"] == "scene.yaml" and state["resolution"] == [32, 24]
 
 
+def test_the_newest_picture_as_a_png_in_another_view_transform(server):
+    def png(view: str) -> np.ndarray:
+        assert change(server, json.dumps({"view": view, "exposure": 3}))[1]["view"] == view
+        while ask(server, "GET", "/picture?after=0")[0] != 200:
+            pass
+        status, headers, body = ask(server, "GET", "/picture.png")
+        assert (status, headers["Content-Type"]) == (200, "image/png")
+        return np.asarray(Image.open(io.BytesIO(body)), int)
+
+    clamped, filmic = png("srgb"), png("filmic")
+    assert (clamped == 255).any() and filmic[clamped == 255].min() < 250
+    assert ask(server, "GET", "/picture.png", None, {"Origin": "http://example.org"})[0] == 403
+
+
 def test_it_listens_on_this_computer_alone(server):
     assert server.server_address[0] == "127.0.0.1"
 
@@ -167,6 +184,7 @@ def test_other_requests(server, method, path, status):
         ('{"dolly": 0}', "dolly"),
         ('{"dolly": "1"}', "dolly"),
         ('{"exposure": true}', "exposure"),
+        ('{"view": "agx"}', "view"),
         ('{"lighting": "../sky.hdr"}', "lighting"),
     ],
 )

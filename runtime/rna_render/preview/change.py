@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -28,4 +28,5 @@ class Change(BaseModel):
     )
     lighting: str | None = Field(default=None, max_length=64, description="Key of the choice.")
     exposure: float | None = Field(default=None, ge=-64, le=64, description="Stops.")
+    view: Literal["srgb", "filmic"] | None = Field(default=None, description="View transform.")
     denoise: bool | None = Field(default=None, description="Whether noise is taken out.")

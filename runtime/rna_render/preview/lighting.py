@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.lights.models import EnvironmentModel, LightModel
+from rna_render.lights.models import AreaModel, EnvironmentModel, LightModel
 from rna_render.model_base import Vector
 from rna_render.scene_model import Scene
 
@@ -66,9 +66,15 @@ def _turned(light: LightModel, degrees: float, pivot: np.ndarray) -> LightModel:
 
 
 def lit(scene: Scene, lighting: Lighting, degrees: float) -> Scene:
-    """The scene under `lighting`, turned by `degrees` about what its camera looks at."""
-    lights = scene.lights if lighting.lights is None else lighting.lights
-    return scene.model_copy(update={"lights": turned(lights, degrees, scene.camera.look_at)})
+    """The scene under `lighting`, turned by `degrees` about what its camera looks at.
+
+    Lights with a shape are things of the scene: they stay, where they are.
+    """
+    chosen = scene.lights if lighting.lights is None else lighting.lights
+    without_shape = [light for light in chosen if not isinstance(light, AreaModel)]
+    shapes = [light for light in scene.lights if isinstance(light, AreaModel)]
+    lights = (*turned(without_shape, degrees, scene.camera.look_at), *shapes)
+    return scene.model_copy(update={"lights": lights})
 
 
 def _images(*folders: Path | None) -> list[Path]:

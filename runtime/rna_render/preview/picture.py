@@ -51,11 +51,27 @@ class Picture:
 
     @cached_property
     def jpeg(self) -> bytes:
-        """JPEG, sRGB, over the backdrop; empty after an error."""
+        """JPEG; empty after an error."""
+        return self._encoded("JPEG", quality=JPEG_QUALITY, subsampling=0)
+
+    @property
+    def png(self) -> bytes:
+        """The same without loss."""
+        return self._encoded("PNG")
+
+    def _encoded(self, kind: str, **options: int) -> bytes:
         from PIL import Image
 
         if self.rgba is None:
             return b""
+        file = io.BytesIO()
+        Image.fromarray(self._pixels).save(file, kind, **options)
+        return file.getvalue()
+
+    @cached_property
+    def _pixels(self) -> np.ndarray:
+        """(h, w, 3) uint8, sRGB, over the backdrop."""
+        assert self.rgba is not None
         rgb, a = self.rgba[..., :3], self.rgba[..., 3:]
         if self.denoise is not None:
             rgb = self.denoise(rgb)
@@ -67,10 +83,7 @@ class Picture:
             encoded = encode_srgb(
                 shown + (1 - a) * decode_srgb(np.asarray(BACKDROP_SRGB, np.float32))
             )
-        image = Image.fromarray(np.rint(encoded * 255).astype(np.uint8))
-        file = io.BytesIO()
-        image.save(file, "JPEG", quality=JPEG_QUALITY, subsampling=0)
-        return file.getvalue()
+        return np.asarray(np.rint(encoded * 255).astype(np.uint8))
 
 
 def rgba(film: Film) -> np.ndarray:

@@ -5,6 +5,7 @@
     GET /picture?after=SERIAL
                         the newest picture, JPEG, once there is one with a higher serial; its label
                         as JSON in the header Rna-Label. 204 if none comes in a while.
+    GET /picture.png    the newest picture as a PNG
     POST /change        a Change, JSON; answers with the new state once no older picture is sent
 
 Any web page that the user has open can send requests to this address, so those that do not come
@@ -85,7 +86,9 @@ class _Handler(LocalHandler):
 
     def do_GET(self) -> None:
         pages = dict.fromkeys(PAGE, self._page)
-        self._answer({**pages, "/state": self._state, "/picture": self._picture})
+        self._answer(
+            {**pages, "/state": self._state, "/picture": self._picture, "/picture.png": self._png}
+        )
 
     def do_POST(self) -> None:
         self._answer({"/change": self._change})
@@ -138,6 +141,12 @@ class _Handler(LocalHandler):
                 return
         self._session()
         self._send(HTTPStatus.NO_CONTENT, None, b"")
+
+    def _png(self) -> None:
+        picture = self._session().newest()
+        if picture is None or picture.rgba is None:
+            raise _Refusal(HTTPStatus.NOT_FOUND, "there is no picture yet")
+        self._send(HTTPStatus.OK, "image/png", picture.png)
 
     def _change(self) -> None:
         # Other origins cannot send this type without asking first, and they get no answer.

@@ -23,6 +23,7 @@ from rna_render.preview.change import Change
 from rna_render.preview.lighting import SCENE_LIGHTS, Lighting, lit
 from rna_render.preview.orbit import Orbit
 from rna_render.preview.picture import Label, Picture, rgba
+from rna_render.preview.scene_text import scene_text
 from rna_render.render import make_integrator
 from rna_render.sampling import Sampler
 from rna_render.scene_file import SceneFile
@@ -38,12 +39,13 @@ COARSEST = 16
 
 @dataclass(frozen=True)
 class View:
-    """What the preview shows: camera, lighting, exposure, denoising."""
+    """What the preview shows: camera, lighting, exposure, view transform, denoising."""
 
     orbit: Orbit
     lighting: str
     light_rotation_deg: float
     exposure: float
+    view: str
     denoise: bool
 
 
@@ -71,7 +73,9 @@ class Session:
         self._thread = threading.Thread(target=self._run, name="preview", daemon=True)
         self._changed = threading.Condition()
         # All below is guarded by _changed.
-        self._view = View(self._start, SCENE_LIGHTS, 0.0, scene.exposure, denoiser is not None)
+        self._view = View(
+            self._start, SCENE_LIGHTS, 0.0, scene.exposure, scene.view, denoiser is not None
+        )
         self._revision = 1
         self._serial = 0
         self._picture: Picture | None = None  # of this revision
@@ -106,7 +110,10 @@ class Session:
         with self._changed:
             before, self._view = self._view, _changed(self._view, change, self._start)
             view = self._view
-            if replace(before, exposure=view.exposure, denoise=view.denoise) != view:
+            shown_alike = replace(
+                before, exposure=view.exposure, view=view.view, denoise=view.denoise
+            )
+            if shown_alike != view:
                 self._revision += 1
                 self._picture = None
             elif self._picture is not None and before != self._view:
@@ -119,6 +126,11 @@ class Session:
         """State of the page's controls, as JSON."""
         with self._changed:
             return self._state()
+
+    def newest(self) -> Picture | None:
+        """The newest picture of the view, if there is one."""
+        with self._changed:
+            return self._picture
 
     def wait(self, after: int, timeout: float) -> Picture | None:
         """The newest picture, when its serial is above `after`; None after `timeout` seconds."""
@@ -151,14 +163,16 @@ class Session:
             "lighting": view.lighting,
             "light_rotation_deg": view.light_rotation_deg,
             "exposure": view.exposure,
+            "view": view.view,
             "denoise": None if self._denoiser is None else view.denoise,
             "camera": camera.model_dump(mode="json"),
+            "text": scene_text(self._seen(view), self._scene_file.path.parent),
         }
 
     def _picture_of(self, label: Label, picture: np.ndarray | None) -> Picture:
         """The picture with the view's exposure and denoiser, applied when it is encoded."""
         wanted = self._denoise if self._denoiser is not None and self._view.denoise else None
-        return Picture(label, picture, self._view.exposure, self._scene_file.scene.view, wanted)
+        return Picture(label, picture, self._view.exposure, self._view.view, wanted)
 
     def _denoise(self, rgb: np.ndarray) -> np.ndarray:
         assert self._denoiser is not None
@@ -211,7 +225,8 @@ class Session:
 
     def _seen(self, view: View) -> Scene:
         scene = lit(self._scene_file.scene, self._choices[view.lighting], view.light_rotation_deg)
-        return scene.model_copy(update={"camera": view.orbit.camera()})
+        changes = {"camera": view.orbit.camera(), "exposure": view.exposure, "view": view.view}
+        return scene.model_copy(update=changes)
 
     def _divisors(self, resolution: tuple[int, int]) -> Iterator[int]:
         """Divisors of the image's sides: from that of the first look down to 1, by halves."""
@@ -281,6 +296,7 @@ def _changed(view: View, change: Change, start: Orbit) -> View:
         "lighting": change.lighting,
         "light_rotation_deg": change.light_rotation_deg,
         "exposure": change.exposure,
+        "view": change.view,
         "denoise": change.denoise,
     }
     return replace(view, orbit=orbit, **{k: v for k, v in asked.items() if v is not None})

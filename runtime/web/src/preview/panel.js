@@ -11,7 +11,9 @@ export class Panel {
     });
     on("denoise", "change", ({ checked }) => preview.ask({ denoise: checked }));
     on("reset", "click", () => preview.reset());
-    on("copy", "click", (button) => copy(button, preview.state?.camera ?? {}));
+    on("view-transform", "change", ({ value }) => preview.ask({ view: value }));
+    on("copy", "click", (button) => copy(button, preview.state?.text ?? ""));
+    on("save", "click", () => this._save(preview));
   }
 
   showScene({ scene, resolution: [width, height], choices, exposure }) {
@@ -25,8 +27,9 @@ export class Panel {
     slider.max = Math.max(slider.max, Math.ceil(exposure));
   }
 
-  showControls({ lighting, exposure, denoise }) {
+  showControls({ lighting, exposure, view, denoise }) {
     element("lighting").value = lighting;
+    element("view-transform").value = view;
     element("denoise-row").hidden = denoise === null;  // no denoiser is installed
     element("denoise").checked = denoise;
     this.showExposure(exposure);
@@ -40,6 +43,27 @@ export class Panel {
     showValue("exposure", stops, `${signed(stops, 1)} stops`);
   }
 
+  /** Saves the picture once it has all samples; pressed again, as it is. */
+  _save(preview) {
+    const button = element("save"), { canvas } = preview;
+    const take = () => {
+      canvas.removeEventListener("shown", look);
+      this.saving = false;
+      button.textContent = "Save picture";
+      const name = `${(preview.state?.scene ?? "scene").replace(/\.\w+$/, "")}.png`;
+      Object.assign(document.createElement("a"), { href: "/picture.png", download: name }).click();
+    };
+    const look = () => {
+      const { samples } = canvas.dataset, all = preview.state?.samples;
+      if (Number(samples) >= all && preview.shown === preview.state.revision) return take();
+      button.textContent = `Save now (${samples} of ${all})`;
+    };
+    if (this.saving) return take();
+    this.saving = true;
+    canvas.addEventListener("shown", look);
+    look();
+  }
+
   showLabel({ samples, sample_ms }, total) {
     element("samples").textContent = samples ? `${samples} / ${total}` : "first look";
     element("progress").value = samples / total;
@@ -47,17 +71,14 @@ export class Panel {
   }
 }
 
-/** The camera as the scene file has it, on the clipboard. */
-async function copy(button, camera) {
-  const lines = Object.entries(camera).map(([name, value]) => {
-    const numbers = [value].flat().map((x) => (typeof x === "number" ? Number(x.toFixed(4)) : x));
-    return `  ${name}: ${Array.isArray(value) ? `[${numbers.join(", ")}]` : numbers[0]}`;
-  });
+/** What is shown, as the scene file has it, on the clipboard. */
+async function copy(button, text) {
+  const label = button.textContent;
   try {
-    await navigator.clipboard.writeText(["camera:", ...lines, ""].join("\n"));
+    await navigator.clipboard.writeText(text);
     button.textContent = "Copied";
   } catch {
     button.textContent = "Not allowed";
   }
-  setTimeout(() => { button.textContent = "Copy camera"; }, 1500);
+  setTimeout(() => { button.textContent = label; }, 1500);
 }

@@ -37,9 +37,12 @@ export class App {
   }
 
   async _begin() {
-    const newCanvas = () => Object.assign(document.createElement("canvas"), { tabIndex: 0 });
+    const newCanvas = () => Object.assign(document.createElement("canvas"), {
+      tabIndex: 0, role: "application", ariaLabel: "The asset. Arrow keys orbit.",
+    });
     const { engine, canvas, reasons } = await openEngine(newCanvas, this.parameters.get("api"));
     Object.assign(this, { engine, canvas });
+    canvas.setAttribute("aria-describedby", "keys");
     this.places.view.replaceChildren(canvas);
     engine.onlost = (why) => this._recover(why);
     this.viewer = new Viewer(engine, canvas, this.orbit);

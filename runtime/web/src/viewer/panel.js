@@ -1,6 +1,9 @@
 // What stands beside the picture: the panel's controls and figures, progress, poster, messages.
 import { element, on, readableBytes, say, showValue, signed } from "../ui/elements.js";
 
+const FLUENT_MS = 100;  // a sample, while something moves
+const CHEAPER = 0.7;    // of the cost: what makes another tier worth a word
+
 export class Panel {
   constructor(app) {
     this.app = app;
@@ -19,6 +22,7 @@ export class Panel {
     on("view-transform", "change", ({ value }) => app.setView(value));
     on("denoise", "change", ({ checked }) => app.setDenoise(checked));
     on("ground", "change", () => app.changed());
+    on("faster", "click", () => app.switchTier(this.faster));
     on("reset", "click", () => app.resetView());
     on("screenshot", "click", () => this._save());
     on("fullscreen", "click", () => this._fullScreen());
@@ -81,6 +85,20 @@ export class Panel {
   showStats({ ms, rounds, scale }) {
     element("time").textContent = ms ? `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms` : "–";
     element("rounds").textContent = scale === 1 ? String(rounds) : `first look, 1/${scale} of the size`;
+    this._suggestTier(ms);
+  }
+
+  /** A cheaper tier, where this one is not fluent: the best that may be, else the cheapest. */
+  _suggestTier(ms) {
+    const { opened, shown } = this.app, own = shown?.tier.cost?.multiplyAdds;
+    const time = ({ cost }) => (ms * cost.multiplyAdds) / own;  // the decoder's part of it, which is most
+    const cheaper = own && ms > FLUENT_MS
+      ? opened.manifest.tiers.filter(({ cost }) => cost && cost.multiplyAdds < CHEAPER * own).sort((a, b) => time(b) - time(a))
+      : [];
+    const found = cheaper.find((tier) => time(tier) <= FLUENT_MS) ?? cheaper.at(-1);
+    this.faster = found?.name;
+    element("faster").hidden = !found;
+    if (found) element("faster").textContent = `Switch to tier ${found.name}: about ${Math.max(1, Math.round(time(found)))} ms a sample`;
   }
 
   /** got: bytes so far, null when there is nothing more to wait for. */
