@@ -14,6 +14,11 @@ SERVE_NOTE = (
     "serve the folder over HTTPS, or on this machine: a page opened as a file cannot load the "
     "asset, and plain HTTP from another machine has no WebGPU"
 )
+EMBED = (
+    '<iframe src="{address}?ui=0" title="{title}" allow="fullscreen" '
+    'style="width: 100%; aspect-ratio: 16/10; border: 0"></iframe>'
+)
+"""A line for another page, at any width."""
 MARKER = "rna-view.json"
 """Says that a folder is an export of this command, and which of its files are the site's own."""
 

@@ -40,3 +40,7 @@ export function showValue(id, value, text) {
 export function readableBytes(count) {
   return count < 1e6 ? `${Math.round(count / 1e3)} kB` : `${(count / 1e6).toFixed(count < 1e7 ? 2 : 1)} MB`;
 }
+
+export function readableTime(ms) {
+  return ms < 10 ? `${ms.toFixed(1)} ms` : ms < 1e3 ? `${Math.round(ms)} ms` : `${(ms / 1e3).toFixed(1)} s`;
+}

@@ -1,5 +1,5 @@
 // What stands beside the picture: the panel's controls and figures, progress, poster, messages.
-import { element, on, readableBytes, say, showValue, signed } from "../ui/elements.js";
+import { element, on, readableBytes, readableTime, say, showValue, signed } from "../ui/elements.js";
 
 const FLUENT_MS = 100;  // a sample, while something moves
 const CHEAPER = 0.7;    // of the cost: what makes another tier worth a word
@@ -83,7 +83,7 @@ export class Panel {
   }
 
   showStats({ ms, rounds, scale }) {
-    element("time").textContent = ms ? `${ms < 10 ? ms.toFixed(1) : Math.round(ms)} ms` : "–";
+    element("time").textContent = ms ? readableTime(ms) : "–";
     element("rounds").textContent = scale === 1 ? String(rounds) : `first look, 1/${scale} of the size`;
     this._suggestTier(ms);
   }
@@ -98,7 +98,7 @@ export class Panel {
     const found = cheaper.find((tier) => time(tier) <= FLUENT_MS) ?? cheaper.at(-1);
     this.faster = found?.name;
     element("faster").hidden = !found;
-    if (found) element("faster").textContent = `Switch to tier ${found.name}: about ${Math.max(1, Math.round(time(found)))} ms a sample`;
+    if (found) element("faster").textContent = `Switch to tier ${found.name}: about ${readableTime(time(found))} a sample`;
   }
 
   /** got: bytes so far, null when there is nothing more to wait for. */

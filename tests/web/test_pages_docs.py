@@ -1,0 +1,68 @@
+"""docs/viewer.md and docs/preview.md, word for word: commands, parameters, the line to embed."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from html import escape
+from pathlib import Path
+
+import pytest
+
+from rna_render import cli as rna_run
+from rna_view import cli as rna_view
+from rna_view.site_export import EMBED
+from tests.conftest import REPOSITORY
+from tests.package.builders import make_tiny_package
+
+VIEWER = (REPOSITORY / "docs" / "viewer.md").read_text()
+PREVIEW = (REPOSITORY / "docs" / "preview.md").read_text()
+PANEL = {
+    name: (REPOSITORY / "runtime" / "web" / "src" / name / "index.html").read_text()
+    for name in ("viewer", "preview")
+}
+COMMANDS = re.findall(r"^    (rna-(?:view|run) .*)$", VIEWER + PREVIEW, re.MULTILINE)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_commands(command, tmp_path, monkeypatch):
+    """Up to where the page would be served, which other tests do."""
+    make_tiny_package(tmp_path / "asset.rna")
+    text = (REPOSITORY / "examples" / "quickstart" / "scene.yaml").read_text()
+    (tmp_path / "scene.yaml").write_text(text.replace("toy.rna", "asset.rna"))
+    monkeypatch.chdir(tmp_path)
+    served = []
+    monkeypatch.setattr(rna_view, "_serve", lambda site, options: served.append(site))
+    monkeypatch.setattr("rna_render.preview.command.preview", lambda *a, **k: served.append(a))
+    name, *arguments = shlex.split(command)
+    assert {"rna-view": rna_view, "rna-run": rna_run}[name].main(arguments) == 0
+    assert bool(served) != (tmp_path / "site" / "index.html").is_file()
+
+
+def test_commands_are_found():
+    assert {"rna-view asset.rna", "rna-view asset.rna --export site/"} <= set(COMMANDS)
+    assert "rna-run scene.yaml --preview" in COMMANDS
+
+
+def test_parameters_are_those_of_the_page():
+    source = (REPOSITORY / "runtime/web/src/viewer/parameters.js").read_text()
+    block = source.split("const CHECKS = {")[1].split("};")[0]
+    known = set(re.findall(r"(\w+): (?:anything|oneOf|number)", block))
+    table = VIEWER.split("| parameter | meaning |")[1].split("\n\n")[0]
+    assert set(re.findall(r"`(\w+)=", table)) == known
+
+
+def test_the_line_to_embed_is_that_of_the_command(tmp_path: Path, capsys):
+    line = EMBED.format(address="https://example.org/site/", title="asset")
+    assert line in VIEWER
+    package = make_tiny_package(tmp_path / 'a "b".rna')
+    assert rna_view.main([str(package), "--export", str(tmp_path / "site")]) == 0
+    assert f'title="{escape(package.stem)}"' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("page", "text"), [("viewer", VIEWER), ("preview", PREVIEW)])
+def test_controls_that_are_named_are_there(page, text):
+    """What is set in bold or italics at the start of a sentence is a label of the panel."""
+    named = {"viewer": r"\*([A-Z][\w ]+)\*", "preview": r"\*\*([A-Z][\w ]+)\*\*"}[page]
+    labels = re.findall(named, text)
+    assert labels and [label for label in labels if label not in PANEL[page]] == []
