@@ -178,6 +178,15 @@ folder.symlink_to(here / "elsewhere")
 press()
 folder.unlink()
 
+# Without a name the package is beside the file, and found there after the object is renamed.
+item = bpy.data.objects["chair"]
+refused(bpy.ops.rna.bake)
+item.name = "stool"
+import bl_ext.user_default.rna_sdk.bake.operators as operators
+print("FOUND", item.rna_bake.out, operators.job_of(item).is_begun())
+item.name = "chair"
+operators.job_of(item).remove()
+
 # Options that name files, machines and more.
 for options in ASKED:
     press(options=options)
@@ -190,14 +199,15 @@ def test_a_strangers_file_chooses_neither_folders_nor_sources_nor_commands(
     run_in_blender: RunInBlender, tmp_path: Path
 ) -> None:
     stand_in = tmp_path / "python"
-    stand_in.write_text(f"#!{sys.executable}\nimport pathlib\npathlib.Path('RAN').touch()\n")
+    stand_in.write_text("#!/bin/sh\nexit 1\n")
     stand_in.chmod(0o755)
     printed = run_in_blender(STRANGER, python=str(stand_in))
     assert told(printed, "KEPT") == "True"
     assert told(printed, "JOBS") == "['evil.py', 'job.json']"
+    assert told(printed, "FOUND") == "chair.rna True"
     assert told(printed, "NOTHING") == "True True"
     refusals = [line for line in printed.splitlines() if line.startswith("refused: ")]
-    assert len(refusals) == 2 + 8 + 1 + 11
+    assert len(refusals) == 2 + 8 + 1 + 1 + 11
     assert sum("not written by a bake of yours" in line for line in refusals) == 10
     assert sum("Options: " in line for line in refusals) == 11
 

@@ -84,13 +84,15 @@ def _begin(context, item, job, out, asked):
     for one in items:
         own.originals.add().item = one
     if not own.out:  # by which the job is found again, whatever the object is called then
-        own.out = f"//{out.name}"
+        own.out = out.name
     job.begin(out, asked)
 
 
 def _package_path(item):
-    """Path of the package: the given one, or beside the .blend file."""
-    asked = item.rna_bake.out or f"//{bpy.path.clean_name(item.name)}.rna"
+    """Path of the package: the given one, relative to the .blend file, or beside it."""
+    asked = item.rna_bake.out or f"{bpy.path.clean_name(item.name)}.rna"
+    if not asked.startswith("//") and not Path(asked).is_absolute():
+        asked = f"//{asked}"
     if asked.startswith("//") and not bpy.data.filepath:
         raise SdkError("save the .blend file first, or name the package to write")
     path = Path(bpy.path.abspath(asked)).resolve()
