@@ -4,8 +4,8 @@
 const BAND_MS = 120;
 const MOVING_MS = 110;     // of a picture while something moves
 const COARSEST = 16;
-const NOISE = 0.3;         // of one sample, in values of the screen: differences that may be noise
-const NOISY_ROUNDS = 64;   // from which on no noise is taken out
+const NOISE = 0.4;         // of one sample, in values of the screen: differences that may be noise
+const NOISY_ROUNDS = 12;   // from which on no noise is taken out
 const DARKNESS = { kind: "sun", direction: [0, 1, 0], colour: [0, 0, 0] };
 export const BACKDROP = [0.052, 0.056, 0.063];
 
