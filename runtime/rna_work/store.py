@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 import argparse
+import shutil
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 from uuid import uuid4
 
+from rna_sdk.atomic_file import atomic_file, is_temporary
 from rna_sdk.errors import WorkError
+from rna_work.cached import content_hash
 
 _INSTALL = {"s3": "s3fs", "gs": "gcsfs", "gcs": "gcsfs", "abfs": "adlfs", "az": "adlfs"}
+
+_ATTEMPTS = 2
+"""Of fetching an object whose hash is known: a connection may break in the middle."""
+
+
+class _DifferentBytes(Exception):
+    """What was fetched is not what was asked for."""
 
 
 def add_store_option(parser: argparse.ArgumentParser, what: str) -> None:
@@ -28,7 +38,8 @@ def add_store_option(parser: argparse.ArgumentParser, what: str) -> None:
 class Store:
     """Files below an address that fsspec knows: s3://, gs://, abfs://, file://, ...
 
-    Objects are written atomically.
+    Objects are written atomically. Whoever may write to the storage may put any object there: names
+    that lead out of a folder raise WorkError, and `get` compares contents with a known hash.
     """
 
     url: str
@@ -36,46 +47,72 @@ class Store:
     def put(self, local: Path, name: str) -> None:
         """Send a file. Raises WorkError if that fails."""
         system, root = self._opened()
+        path = f"{root}/{self._checked(name)}"
         try:
-            system.makedirs(f"{root}/{name}".rpartition("/")[0], exist_ok=True)
-            system.put_file(str(local), f"{root}/{name}")
+            system.makedirs(path.rpartition("/")[0], exist_ok=True)
+            if "file" in system.protocol:  # the others show an object when it is whole
+                with atomic_file(Path(path)) as temporary:
+                    shutil.copyfile(local, temporary)
+            else:
+                system.put_file(str(local), path)
         except Exception as error:  # of whichever library speaks to the storage
             raise self._failed(name, error) from error
 
-    def get(self, name: str, local: Path) -> None:
-        """Fetch a file, which is written atomically. Raises WorkError if that fails."""
+    def get(self, name: str, local: Path, sha256: str | None = None) -> None:
+        """Fetch a file, which is written atomically; once more where its hash is not `sha256`.
+
+        Raises WorkError if that fails; `local` is then as it was.
+        """
         system, root = self._opened()
+        path = f"{root}/{self._checked(name)}"
         local.parent.mkdir(parents=True, exist_ok=True)
-        temporary = local.with_name(f"{local.name}.{uuid4().hex[:12]}.part")
-        try:
-            system.get_file(f"{root}/{name}", str(temporary))
-            temporary.replace(local)
-        except Exception as error:
-            raise self._failed(name, error) from error
-        finally:
-            temporary.unlink(missing_ok=True)
+        for attempt in range(_ATTEMPTS):
+            try:
+                with atomic_file(local) as temporary:
+                    system.get_file(path, str(temporary))
+                    if sha256 is not None and content_hash(temporary) != sha256:
+                        raise _DifferentBytes
+                return
+            except _DifferentBytes:
+                if attempt + 1 == _ATTEMPTS:
+                    raise WorkError(
+                        f"{self.url}/{name}: found bytes of another SHA-256, expected {sha256}: it "
+                        "was cut or replaced; remove it, and the same command sends it again"
+                    ) from None
+            except Exception as error:
+                raise self._failed(name, error) from error
 
     def remove(self, name: str) -> None:
         """Remove a file, if it is there. Raises WorkError if that fails."""
         system, root = self._opened()
+        path = f"{root}/{self._checked(name)}"
         try:
-            system.rm_file(f"{root}/{name}")
+            system.rm_file(path)
         except FileNotFoundError:
             pass
         except Exception as error:
             raise self._failed(name, error) from error
 
     def names(self) -> set[str]:
-        """Names of all files."""
+        """Names of all files. Raises WorkError, also if one leads out of the folder."""
+        return set(self.sizes())
+
+    def sizes(self) -> dict[str, int]:
+        """Bytes of all files by name; errors as for `names`."""
         system, root = self._opened()
         try:
             system.invalidate_cache()
-            found = system.find(root)
+            found = system.find(root, detail=True)
         except FileNotFoundError:
-            return set()
+            return {}
         except Exception as error:
             raise self._failed("", error) from error
-        return {str(path)[len(root) :].lstrip("/") for path in found}
+        named = {str(path)[len(root) :].lstrip("/"): info for path, info in found.items()}
+        return {
+            self._checked(name): int(info["size"] or 0)
+            for name, info in named.items()
+            if not is_temporary(Path(name))
+        }
 
     def below(self, folder: str) -> Store:
         """The same, from a folder on."""
@@ -103,6 +140,16 @@ class Store:
         except ValueError as error:
             raise WorkError(f"--store {self.url}: {error}") from error
         return system, str(root).rstrip("/")
+
+    def _checked(self, name: str) -> str:
+        """The name; raises WorkError if it leads out of a folder, on any system."""
+        parts = PureWindowsPath(name)
+        if not name or name != parts.as_posix() or parts.anchor or ".." in parts.parts:
+            raise WorkError(
+                f"{self.url}: an object named {name!r}, expected a relative path without '..'; "
+                "somebody else put it there: remove it, or use another --store"
+            )
+        return name
 
     def _failed(self, name: str, error: Exception) -> WorkError:
         line = " ".join(f"{type(error).__name__}: {error}".split())

@@ -32,11 +32,12 @@ class StoredFolder:
         files = [path for path in sorted(folder.rglob("*")) if _is_sent(path, folder)]
         paths = {p.relative_to(folder).as_posix(): p for p in [first, *files]}
         hashes = {name: content_hash(path) for name, path in paths.items()}
-        there = store.names()
+        there = store.sizes()
         for name, sha in hashes.items():
-            if sha not in there:
+            size = paths[name].stat().st_size
+            if there.get(sha) != size:  # one of another size was cut
                 store.put(paths[name], sha)
-                there.add(sha)
+                there[sha] = size
         return cls(store, hashes)
 
     @property
@@ -51,7 +52,7 @@ class StoredFolder:
 
     def _fetch(self, folder: Path) -> None:
         for name, sha in self.hashes.items():
-            self.store.get(sha, folder / name)
+            self.store.get(sha, folder / name, sha)
 
 
 def _is_sent(path: Path, folder: Path) -> bool:

@@ -117,6 +117,9 @@ class WithoutBlender(CaptureWorker):
     def __exit__(self, *_: object) -> None:
         pass
 
+    def processor_seconds(self) -> float:
+        return 0.0
+
 
 @pytest.mark.parametrize(("a_task", "shards"), [(5.0, 10), (10.0, 4), (20.0, 1), (200.0, 1)])
 def test_a_slow_capture_ends_in_time(

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import os
 import re
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -10,8 +11,11 @@ import pytest
 import torch
 
 from rna_export.capture.dataset_part import DatasetPart
+from rna_export.training import checkpoint as checkpoint_module
 from rna_export.training.checkpoint import load_checkpoint, load_progress
 from rna_export.training.curves import Curves
+from rna_export.training.model import NeuralAsset
+from rna_export.training.presets import ModelConfig
 from rna_export.training.run import Run, train
 from rna_sdk.errors import ExportError, TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
@@ -150,3 +154,59 @@ def test_a_run_tells_of_a_damaged_checkpoint_of_its_own(
 def test_no_file_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ExportError, match="no such file"):
         load_checkpoint(tmp_path / "gone.ckpt")
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"resolution": 4000},
+        {"hidden_layers": 10**9},
+        {"hidden_layers": 60, "width": 8192},
+        {"channels": 4096},
+    ],
+)
+def test_a_small_file_asks_for_no_large_model(
+    change: dict[str, int],
+    checkpoint: Path,
+    tmp_path: Path,
+    refuses: Callable[[Path], None],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It is refused before a model takes memory."""
+    made = []
+
+    class Watched(NeuralAsset):
+        def __init__(self, config: ModelConfig, bounds: torch.Tensor):
+            made.append(bounds.device.type)
+            super().__init__(config, bounds)
+
+    monkeypatch.setattr(checkpoint_module, "NeuralAsset", Watched)
+    saved = torch.load(checkpoint, weights_only=True)
+    saved["record"]["preset"]["model"].update(change)
+    torch.save(saved, tmp_path / "large.ckpt")
+    refuses(tmp_path / "large.ckpt")
+    assert "cpu" not in made
+
+
+def test_weights_that_repeat_one_number_are_refused(
+    checkpoint: Path, tmp_path: Path, refuses: Callable[[Path], None]
+) -> None:
+    saved = torch.load(checkpoint, weights_only=True)
+    saved["record"]["preset"]["model"]["resolution"] = 4000
+    shape = saved["model"]["triplane.planes"].shape
+    saved["model"]["triplane.planes"] = torch.zeros(1).expand(3, 4000, 4000, shape[-1])
+    torch.save(saved, tmp_path / "repeats.ckpt")
+    refuses(tmp_path / "repeats.ckpt")
+
+
+def test_compressed_records_are_refused(
+    checkpoint: Path, tmp_path: Path, refuses: Callable[[Path], None]
+) -> None:
+    packed = tmp_path / "packed.ckpt"
+    with (
+        zipfile.ZipFile(checkpoint) as plain,
+        zipfile.ZipFile(packed, "w", compression=zipfile.ZIP_DEFLATED) as archive,
+    ):
+        for name in plain.namelist():
+            archive.writestr(name, plain.read(name))
+    refuses(packed)

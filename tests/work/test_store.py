@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from uuid import uuid4
 
+import numpy as np
 import pytest
 
 from rna_export.capture import run as run_module
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.run import CaptureCrew, finish
+from rna_export.capture.sample_files import write_arrays
 from rna_export.capture.worker import Source
 from rna_sdk.errors import WorkError
+from rna_work.mirror import Mirror
 from rna_work.store import Store
+from rna_work.stored import StoredFolder
 from tests.exporters.test_capture_time import WithoutBlender
 from tests.exporters.test_capture_time import dataset as dataset
 from tests.work.stores import s3
@@ -59,7 +64,7 @@ def test_a_capture_is_gathered(
 
     def run(task: object, dataset: Dataset, *_: object) -> None:
         made.append(str(task))
-        task.path(dataset).write_bytes(str(task).encode())
+        write_arrays(task.path(dataset), {"asset/wo": np.ones((3, 3)), str(task): np.zeros(3)})
 
     for kind in (run_module.TrainingShard, type(run_module.all_tasks(dataset)[0])):
         monkeypatch.setattr(kind, "run", run)
@@ -72,4 +77,95 @@ def test_a_capture_is_gathered(
         task.path(dataset).unlink()
     finish(dataset, Source(Path("ball.py")), crew, say=lambda _: None)
     assert len(made) == len(tasks)
-    assert all(task.path(dataset).read_bytes() == str(task).encode() for task in tasks)
+    assert all(str(task).encode() in task.path(dataset).read_bytes() for task in tasks)
+    cut, size = tasks[0].path(dataset), tasks[0].path(dataset).stat().st_size
+    whole, name = cut.read_bytes(), tasks[0].path(dataset).relative_to(dataset.folder).as_posix()
+    there = next(name_there for name_there in store.names() if name_there.endswith(name))
+    (tmp_path / "cut").write_bytes(whole[: size - 5])
+    store.put(tmp_path / "cut", there)
+    cut.unlink()
+    finish(dataset, Source(Path("ball.py")), crew, say=lambda _: None)
+    assert len(made) == len(tasks) + 1  # what was cut is made again, and kept
+    assert cut.read_bytes() == whole and store.sizes()[there] == size
+
+
+@pytest.mark.parametrize(
+    "key", ["../../escaped", "train/../../escaped", "C:/escaped", "..\\escaped"]
+)
+def test_an_object_that_leads_out_of_the_folder_is_refused(key: str, tmp_path: Path) -> None:
+    """Object storage keeps such names, and whoever may write to it can put one there."""
+    store = Store(f"memory://{uuid4().hex}/trial")
+    (tmp_path / "last.ckpt").write_bytes(b"x")
+    store.put(tmp_path / "last.ckpt", "last.ckpt")
+    system, root = store._opened()
+    path = f"{root}/{key}"
+    system.store[path] = system.store[f"{root}/last.ckpt"]
+    folder = tmp_path / "a" / "b" / "c"
+    for asked in (store.names, Mirror(folder, store).fetch, lambda: store.get(key, folder / "x")):
+        with pytest.raises(WorkError, match="relative path without"):
+            asked()
+    with pytest.raises(WorkError, match="relative path without"):
+        store.put(tmp_path / "last.ckpt", key)
+    assert sorted(p.name for p in tmp_path.rglob("*")) == ["last.ckpt"]
+
+
+@pytest.fixture
+def sent(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Store, Path, Path]:
+    """A store in a folder, that folder, and a file that is sent to it."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    first = tmp_path / "data" / "manifest.json"
+    first.parent.mkdir()
+    first.write_bytes(b"whole")
+    return Store(f"file://{tmp_path / 'there'}"), tmp_path / "there", first
+
+
+def test_a_cut_object_is_sent_again(sent: tuple[Store, Path, Path]) -> None:
+    store, there, first = sent
+    sha = StoredFolder.of(first, store).hashes["manifest.json"]
+    (there / sha).write_bytes(b"who")
+    assert StoredFolder.of(first, store).here().read_bytes() == b"whole"
+
+
+def test_an_object_of_other_bytes_is_not_kept(sent: tuple[Store, Path, Path]) -> None:
+    store, there, first = sent
+    folder = StoredFolder.of(first, store)
+    (there / folder.hashes["manifest.json"]).write_bytes(b"evil!")
+    with pytest.raises(WorkError, match="found bytes of another SHA-256"):
+        folder.here()
+    store.put(first, folder.hashes["manifest.json"])
+    assert folder.here().read_bytes() == b"whole"
+
+
+def test_what_breaks_in_the_middle_is_fetched_again(
+    sent: tuple[Store, Path, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store, _, first = sent
+    folder, system = StoredFolder.of(first, store), type(store._opened()[0])
+    fetch, asked = system.get_file, []
+
+    def broken(self: object, path: str, local: str) -> None:
+        fetch(self, path, local)
+        asked.append(path)
+        if len(asked) == 1:
+            Path(local).write_bytes(b"who")
+
+    monkeypatch.setattr(system, "get_file", broken)
+    assert folder.here().read_bytes() == b"whole" and len(asked) == 2
+
+
+def test_a_file_in_a_folder_is_put_whole_or_not(
+    sent: tuple[Store, Path, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    store, there, first = sent
+    store.put(first, "x")
+
+    def full(_: object, to: Path) -> None:
+        to.write_bytes(b"wh")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(shutil, "copyfile", full)
+    with pytest.raises(WorkError, match="No space"):
+        store.put(first, "x")
+    assert [p.name for p in there.iterdir()] == ["x"] and (there / "x").read_bytes() == b"whole"
+    (there / ".x.0123456789ab.part").write_bytes(b"wh")  # of a process that was ended
+    assert store.names() == {"x"}

@@ -6,8 +6,10 @@ import hashlib
 from dataclasses import dataclass
 
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.sample_files import check_whole
 from rna_export.capture.shift import stored_name
 from rna_export.capture.tasks import Task
+from rna_sdk.errors import CaptureError
 from rna_work.places import Place
 from rna_work.shared import check_shared
 from rna_work.sources import Carried, InPlace
@@ -50,19 +52,37 @@ class Gathered:
         return self.place.carry(folder / "manifest.json", others)
 
     def fetch(self, missing: list[Task]) -> list[Task]:
-        """Fetch the finished files of the store; returns the tasks without one."""
+        """Fetch the finished files of the store; returns the tasks without a whole one."""
         there = set() if self.store is None else self.store.names()
-        left = [task for task in missing if stored_name(task, self.dataset) not in there]
-        for task in missing:
-            if task not in left:
-                self.finished(task)
-        return left
+        return [
+            task
+            for task in missing
+            if stored_name(task, self.dataset) not in there or not self._fetched(task)
+        ]
+
+    def _fetched(self, task: Task) -> bool:
+        """Whether the file in the store is whole and here now; one that is not is removed."""
+        assert self.store is not None
+        try:
+            self.finished(task)
+        except CaptureError:
+            self.store.remove(stored_name(task, self.dataset))
+            return False
+        return True
 
     def finished(self, task: Task) -> None:
-        """A worker has finished a task."""
+        """A worker has finished a task.
+
+        Raises CaptureError if its file is damaged, which is then not kept.
+        """
         path = task.path(self.dataset)
         if self.store is not None and not path.is_file():
             self.store.get(stored_name(task, self.dataset), path)
+            try:
+                check_whole(path)
+            except CaptureError:
+                path.unlink()
+                raise
 
 
 def _is_read(name: str) -> bool:

@@ -57,6 +57,15 @@ def rows_of(path: Path, part: str, field: str) -> int:
         raise damaged(path, error) from error
 
 
+def check_whole(path: Path) -> None:
+    """Raises CaptureError unless the file is as long as its header says."""
+    try:
+        with safe_open(path, "np"):
+            pass
+    except (OSError, SafetensorError) as error:
+        raise damaged(path, error) from error
+
+
 def damaged(path: Path, reason: object) -> CaptureError:
     """The error for a file that a capture can make again."""
     return CaptureError(DAMAGED.format(path, reason) + _MADE_AGAIN)

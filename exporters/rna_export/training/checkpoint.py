@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import torch
 from pydantic import ValidationError
+from torch import Tensor
 
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
 from rna_export.training.model import NeuralAsset
-from rna_export.training.presets import Preset
+from rna_export.training.presets import ModelConfig, Preset
 from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import ExportError, TrainingError
 
@@ -39,7 +41,7 @@ def load_checkpoint(path: Path) -> Trained:
     if not path.is_file():
         raise ExportError(f"{path}: no such file")
     try:
-        return _trained(torch.load(path, map_location="cpu", weights_only=True))
+        return _trained(_saved(path))
     except Exception as error:  # whatever torch and the models make of damaged bytes
         raise ExportError(f"{path}: not a checkpoint of rna-train: {_summary(error)}") from error
 
@@ -50,7 +52,7 @@ def load_progress(path: Path) -> dict[str, Any]:
     Raises `TrainingError` when no run can go on from the file.
     """
     try:
-        saved: dict[str, Any] = torch.load(path, map_location="cpu", weights_only=True)
+        saved = _saved(path)
         _trained(saved)
         saved["progress"]["step"], saved["progress"]["fitting"], saved["progress"]["pace"]
     except Exception as error:  # as above
@@ -73,10 +75,23 @@ def save_checkpoint(
         torch.save(weights if progress is None else {**weights, "progress": progress}, temporary)
 
 
+def _saved(path: Path) -> dict[str, Any]:
+    """What is in the file, which takes no more memory than its size.
+
+    Raises ValueError where its records are compressed, as torch saves none.
+    """
+    with zipfile.ZipFile(path) as archive:
+        if any(record.compress_type != zipfile.ZIP_STORED for record in archive.infolist()):
+            raise ValueError("compressed records")
+    saved: dict[str, Any] = torch.load(path, map_location="cpu", weights_only=True)
+    return saved
+
+
 def _trained(saved: dict[str, Any]) -> Trained:
     record, weights = saved["record"], saved["model"]
     preset = Preset.model_validate(record["preset"])
     bounds = torch.stack([weights["triplane.low"], weights["triplane.high"]])
+    _check_weights(preset.model, bounds, weights)
     model = NeuralAsset(preset.model, bounds)
     model.load_state_dict(weights)
     capture = CaptureManifest.model_validate(record["capture"])
@@ -88,6 +103,22 @@ def _trained(saved: dict[str, Any]) -> Trained:
         int(record["seed"]),
     )
     return Trained(model.eval(), preset, *made, capture, Path(record["dataset"]))
+
+
+def _check_weights(config: ModelConfig, bounds: Tensor, weights: dict[str, Tensor]) -> None:
+    """Raises ValueError unless the file holds all that a model of this configuration has.
+
+    Before the model takes memory: a few bytes can ask for planes of gigabytes.
+    """
+    with torch.device("meta"):
+        planned = NeuralAsset(config, bounds.to("meta")).state_dict()
+    for name, value in planned.items():
+        found = weights.get(name)
+        if not isinstance(found, Tensor) or found.shape != value.shape:
+            shape = list(found.shape) if isinstance(found, Tensor) else "nothing"
+            raise ValueError(f"{name}: found {shape}, expected {list(value.shape)}")
+        if found.untyped_storage().nbytes() < found.numel() * found.element_size():
+            raise ValueError(f"{name}: fewer values than its shape {list(found.shape)}")
 
 
 def _summary(error: Exception) -> str:

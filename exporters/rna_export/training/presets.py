@@ -21,16 +21,25 @@ Loss = Literal["auto", "log", "unbiased"]
 LOSSES: tuple[Loss, ...] = get_args(Loss)
 
 
+MAX_MODEL_WIDTH = 8192
+MAX_HIDDEN_LAYERS = 64
+MAX_MODEL_RESOLUTION = 8192
+MAX_MODEL_CHANNELS = 4096
+"""Limits of a model, far beyond those that train: a checkpoint may come from anywhere."""
+
+
 class ModelConfig(BaseModel):
     """The shape of a model; kept in its checkpoints and, by way of them, in packages."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     inputs: tuple[str, ...] = Field(description="decoder input blocks, in column order")
-    width: int = Field(gt=0, description="neurons of a hidden layer")
-    hidden_layers: int = Field(4, gt=0)
-    resolution: int = Field(gt=0, description="texels along a plane's side")
-    channels: int = Field(8, gt=0)
+    width: int = Field(gt=0, le=MAX_MODEL_WIDTH, description="neurons of a hidden layer")
+    hidden_layers: int = Field(4, gt=0, le=MAX_HIDDEN_LAYERS)
+    resolution: int = Field(
+        gt=0, le=MAX_MODEL_RESOLUTION, description="texels along a plane's side"
+    )
+    channels: int = Field(8, gt=0, le=MAX_MODEL_CHANNELS)
     separates_direct: bool = Field(
         False, description="direct and scattered light are outputs of their own, summed at the end"
     )

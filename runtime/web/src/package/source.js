@@ -3,6 +3,8 @@
 import { NotSupported } from "./errors.js";
 
 const HEAD = 65536;
+// Bytes; of a file that comes whole, since its server knows no ranges: it is held in memory.
+const LARGEST_WHOLE = 2 ** 30;
 
 /** A File or Blob. */
 export class BlobSource {
@@ -29,7 +31,9 @@ export class UrlSource {
     source.ranged = answer.status === 206 && total !== null;
     const length = Number(answer.headers.get("Content-Length")) || 0;
     source.expected = source.ranged ? HEAD : length;
-    source.head = await source._collect(answer);
+    const most = source.ranged ? HEAD : LARGEST_WHOLE;
+    if (length > most) await source._tooLong(answer, most);
+    source.head = await source._collect(answer, most);
     source.size = source.ranged ? Number(total[1]) : source.head.length;
     return source;
   }
@@ -39,7 +43,11 @@ export class UrlSource {
     if (!this.ranged) return this.head.subarray(start, Math.min(end, this.size));
     const answer = await this._ask({ Range: `bytes=${start}-${end - 1}` });
     if (answer.status !== 206) throw new NotSupported(`${this.name}: the server forgot about ranges`);
-    return this._collect(answer);
+    const bytes = await this._collect(answer, end - start);
+    if (bytes.length < end - start) {
+      throw new NotSupported(`${this.name}: the server sent ${bytes.length} bytes of ${end - start}`);
+    }
+    return bytes;
   }
 
   async _ask(headers) {
@@ -62,7 +70,8 @@ export class UrlSource {
     return answer;
   }
 
-  async _collect(answer) {
+  /** The bytes of an answer, of `most` at most: no server fills the memory. */
+  async _collect(answer, most) {
     if (answer.status === 416 || !answer.body) return new Uint8Array();
     const pieces = [];
     let length = 0;
@@ -70,8 +79,9 @@ export class UrlSource {
     for (;;) {
       const { done, value } = await reader.read();
       if (done) break;
-      pieces.push(value);
       length += value.length;
+      if (length > most) await this._tooLong(reader, most);
+      pieces.push(value);
       this.fetched += value.length;
       this.progress(this.fetched, this.expected);
     }
@@ -82,6 +92,16 @@ export class UrlSource {
       at += piece.length;
     }
     return bytes;
+  }
+
+  /** Stops a transfer; `stream` is an answer, or its reader. */
+  async _tooLong(stream, most) {
+    await (stream.body ?? stream).cancel().catch(() => {});
+    throw new NotSupported(
+      this.ranged
+        ? `${this.name}: the server sent more than the ${most} bytes that were asked for`
+        : `${this.name}: more than ${most} bytes from a server without range requests: use rna-view, or a server that has them`,
+    );
   }
 }
 

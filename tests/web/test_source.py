@@ -1,0 +1,87 @@
+"""Bytes that the viewer fetches: never more than it asked for, nor more than fit."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from typing import Any
+
+import pytest
+
+from tests.conftest import REPOSITORY
+
+SOURCE = REPOSITORY / "runtime" / "web" / "src" / "package" / "source.js"
+PROGRAM = """
+import { UrlSource } from "%s";
+globalThis.location = { href: "http://here/" };
+const asked = %s;
+const piece = new Uint8Array(2 ** 20);
+let sent = 0, cancelled = false;
+function answer({ status, headers, bytes }) {
+  let left = bytes;
+  const body = new ReadableStream({
+    pull(controller) {
+      if (!left) return controller.close();
+      const part = piece.subarray(0, Math.min(left, piece.length));
+      left -= part.length;
+      sent += part.length;
+      controller.enqueue(part);
+    },
+    cancel() { cancelled = true; },
+  });
+  return new Response(body, { status, headers });
+}
+globalThis.fetch = async () => answer(asked.shift());
+let result;
+try {
+  const source = await UrlSource.open("http://there/a.rna");
+  result = `${source.size} bytes`;
+  if (asked.length) result = `${(await source.read(70000, 80000)).length} bytes read`;
+} catch (error) {
+  result = `${error.constructor.name}: ${error.message}`;
+}
+console.log(JSON.stringify({ result, sent, cancelled }));
+"""
+HEAD = {"status": 206, "headers": {"Content-Range": "bytes 0-65535/1000000"}, "bytes": 65536}
+
+pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+
+
+def fetched(*answers: dict[str, Any]) -> dict[str, Any]:
+    """What becomes of answers of a server."""
+    program = PROGRAM % (SOURCE.as_uri(), json.dumps(answers))
+    command = ["node", "--input-type=module", "-e", program]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=120)
+    return json.loads(done.stdout)
+
+
+def test_a_file_comes_whole_or_in_ranges() -> None:
+    assert fetched({"status": 200, "headers": {}, "bytes": 5000})["result"] == "5000 bytes"
+    part = {"status": 206, "headers": {}, "bytes": 10000}
+    assert fetched(HEAD, part)["result"] == "10000 bytes read"
+
+
+def test_a_file_too_large_for_the_memory_is_not_fetched() -> None:
+    headers = {"Content-Length": str(2**31)}
+    found = fetched({"status": 200, "headers": headers, "bytes": 2**31})
+    assert "from a server without range requests" in found["result"]
+    assert found["sent"] < 2**22 and found["cancelled"]
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [
+        [{**HEAD, "bytes": 2**30}],
+        [HEAD, {"status": 206, "headers": {}, "bytes": 2**30}],
+    ],
+)
+def test_a_server_that_sends_more_than_asked_is_stopped(answers: list[dict[str, Any]]) -> None:
+    found = fetched(*answers)
+    assert "sent more than the" in found["result"]
+    assert found["sent"] < 2**22 and found["cancelled"]
+
+
+def test_a_range_that_is_cut_short_is_told() -> None:
+    found = fetched(HEAD, {"status": 206, "headers": {}, "bytes": 3})
+    assert "sent 3 bytes of 10000" in found["result"]
