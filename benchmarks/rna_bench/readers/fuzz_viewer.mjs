@@ -1,4 +1,4 @@
-// Mutated packages through the viewer's reader, in Node: node fuzz_viewer.mjs SRC < mutations
+// Mutated packages through the viewer's reader, in Node: node fuzz_viewer.mjs SRC [--verdicts] < mutations
 //
 // SRC: the folder runtime/web/src/package. Reads what examples/hosts/c/mutations.c writes, and prints
 // JSON: how many were accepted, the codes of the others, and failures, each [number, text]: any
@@ -86,11 +86,12 @@ async function* mutations() {
   }
 }
 
-const tally = { mutations: 0, accepted: 0, refused: {}, failures: [] };
+const tally = { mutations: 0, accepted: 0, refused: {}, failures: [], verdicts: [] };
 for await (const bytes of mutations()) {
   const started = performance.now();
   try {
     const found = await verdict(bytes);
+    if (process.argv[3] === "--verdicts") tally.verdicts.push(found);
     if (found === "accepted") tally.accepted++;
     else tally.refused[found] = (tally.refused[found] ?? 0) + 1;
     expect(performance.now() - started < SLOW_MS, `more than ${SLOW_MS} ms`);

@@ -554,6 +554,22 @@ def decoder_of_many_multiply_adds(entries: Entries) -> bytes:
     )
 
 
+@case("DECODER_COST")
+def decoder_of_countless_layers_with_one_weight(entries: Entries) -> bytes:
+    """In the profile: a reader that copies the weights of each layer needs them 1,500 times."""
+    model = make_decoder_model(width=24, layers=2)
+    nodes, value, again = list(model.graph.node), "x2", []
+    last = next(i for i, node in enumerate(nodes) if value in node.input)
+    for k in range(1500):
+        again.append(helper.make_node("Gemm", [value, "w1", "b1"], [f"g{k}"]))
+        again.append(helper.make_node("Relu", [f"g{k}"], [f"r{k}"]))
+        value = f"r{k}"
+    nodes[last].input[0] = value
+    del model.graph.node[:]
+    model.graph.node.extend([*nodes[:last], *again, *nodes[last:]])
+    return with_entry(entries, DECODER, model.SerializeToString())
+
+
 @case("DECODER_INPUT")
 def decoder_with_other_columns(entries: Entries) -> bytes:
     return with_model(entries, columns=17)

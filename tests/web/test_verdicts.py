@@ -1,0 +1,59 @@
+"""The viewer's reader refuses what the specification refuses, with its codes."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import struct
+import subprocess
+
+import pytest
+
+from rna_bench.readers.fuzz_readers import WEB_READER
+from rna_sdk.conformance.kit import find_kit, load_kit
+from rna_sdk.package import Code
+from rna_sdk.package.issues import Severity
+from tests.conftest import REPOSITORY
+from tests.package.builders import make_tiny_package, read_entries
+from tests.package.corpus import content_cases
+
+PROGRAM = REPOSITORY / "benchmarks" / "rna_bench" / "readers" / "fuzz_viewer.mjs"
+
+NOT_SEEN = {
+    "proxy_that_is_no_mesh.rna",  # the viewer reads no proxies
+    "coded_entry_with_bytes_behind.rna",  # browsers refuse them, Node's stream does not
+}
+
+pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="needs Node")
+
+
+def verdicts(*packages: bytes) -> list[str]:
+    """ "accepted", the code of a refusal, or NOT_SUPPORTED, of each."""
+    stream = b"".join(struct.pack("<I", len(data)) + data for data in packages)
+    command = ["node", str(PROGRAM), str(WEB_READER), "--verdicts"]
+    done = subprocess.run(command, input=stream, capture_output=True, check=True, timeout=300)
+    found = json.loads(done.stdout)
+    assert found["failures"] == []
+    return found["verdicts"]
+
+
+def test_broken_packages_of_the_kit() -> None:
+    """Those that the viewer takes have warnings."""
+    cases = load_kit(find_kit()).validate
+    found = verdicts(*(case.package.read_bytes() for case in cases))
+    wrong = [
+        (case.package.name, case.code, verdict)
+        for case, verdict in zip(cases, found, strict=True)
+        if case.code is not None
+        and Code[case.code].severity is Severity.ERROR
+        and case.package.name not in NOT_SEEN
+        and verdict not in (case.code, "NOT_SUPPORTED")
+    ]
+    assert wrong == []
+
+
+def test_decoder_of_countless_layers_with_one_weight(tmp_path) -> None:
+    """A small file, whose layers would be copied one after the other for the GPU."""
+    entries = read_entries(make_tiny_package(tmp_path / "tiny.rna"))
+    package = content_cases.decoder_of_countless_layers_with_one_weight(entries)
+    assert verdicts(package) == ["DECODER_COST"]
