@@ -22,11 +22,11 @@ def prepare(address: str) -> None:
     """
     scheme, _, rest = address.rpartition("://")
     host, colon, port = rest.rpartition(":")
-    if not colon or not port.isdigit():
+    if not colon or not (port.isascii() and port.isdigit()):
         return  # such as `auto`
     try:
         socket.create_connection((host, int(port)), timeout=_SECONDS).close()
-    except OSError as error:
+    except (OSError, OverflowError, ValueError) as error:  # of ports and names that cannot be
         raise WorkError(f"--cluster {address}: no cluster answers: {error}") from error
     if "RAY_AUTH_MODE" not in os.environ and scheme in _ASKED and _asks(rest, _ASKED[scheme]):
         if not _has_token():

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from rna_sdk.errors import WorkError
+from rna_sdk.regular_file import read_regular
 from rna_work.cached import cached, content_hash
 
 
@@ -35,7 +36,7 @@ class Travelling:
         root = os.path.commonpath([os.path.dirname(file) for file in files])
         names = tuple(os.path.relpath(file, root) for file in files)
         try:
-            contents = [Path(file).read_bytes() for file in files]
+            contents = [read_regular(Path(file)) for file in files]
         except OSError as error:
             raise WorkError(f"{path} reads {error.filename}: {error.strerror}") from error
         whole = hashlib.sha256()
