@@ -8,18 +8,27 @@ beside the package's go to FOLDER/compare.
 
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 
 def main():
     source, out, folder, *options = sys.argv[1:]
     folder = Path(folder)
+    check_can_bake()
     if not (folder / "made").is_file():
         run("rna_export.make.cli", source, "--out", out, "--work", folder / "make", *options)
         (folder / "made").touch()
     sizes = ("--resolution", 256, "--cycles-samples", 64)
     run("rna_export.compare.cli", out, source, "--out", folder / "compare", *sizes)
     print("bake finished", flush=True)
+
+
+def check_can_bake():
+    """Ends with the button to press if this environment was set up for rendering alone."""
+    if find_spec("torch") is None:
+        button = "press Set Up for Baking, Too in the preferences of the extension"
+        sys.exit(f"error: this environment of the SDK cannot bake: {button} (no PyTorch)")
 
 
 def run(module, *arguments):

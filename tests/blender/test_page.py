@@ -1,0 +1,62 @@
+"""docs/blender.md: its Python runs in Blender, word for word but for the user's folders."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.blender.conftest import RunInBlender
+from tests.conftest import REPOSITORY
+
+TOY = REPOSITORY / "examples" / "quickstart" / "toy.rna"
+PAGE = (REPOSITORY / "docs" / "blender.md").read_text()
+BAKE = REPOSITORY / "exporters" / "blender_extension" / "sdk_side" / "bake.py"
+
+
+@pytest.mark.blender
+def test_the_python_of_the_page(
+    run_in_blender: RunInBlender, extension_zip: Path, tmp_path: Path
+) -> None:
+    blocks = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    own = {
+        "/home/you/rna-sdk/out/rna_sdk-0.1.0.zip": extension_zip,
+        "/home/you/toy.rna": TOY,
+        "/home/you": tmp_path,
+    }
+    for name, path in own.items():
+        assert any(name in block for block in blocks)
+        blocks = [block.replace(name, str(path)) for block in blocks]
+    install, imported, bake = blocks
+    stand_in = tmp_path / "python"
+    stand_in.write_text(
+        f"#!{sys.executable}\nimport shutil, sys\n"
+        f"shutil.copy({str(TOY)!r}, sys.argv[3])\nprint('bake finished')\n"
+    )
+    stand_in.chmod(0o755)
+    (engine,) = re.findall(r"`(bpy\.context\.scene\.render\.engine = .*?)`", PAGE)
+    object_ = "bpy.ops.mesh.primitive_monkey_add()"
+    told = "print('SEEN', bpy.context.scene.render.engine, 'Suzanne' in bpy.data.objects)"
+    script = "\n".join([install, object_, engine, bake, told])
+    printed = run_in_blender(script, python=str(stand_in))
+    assert "SEEN RNA True" in printed and (tmp_path / "suzanne.rna").is_file()
+    printed = run_in_blender(f"{imported}\nprint('SEEN', bpy.context.object.name)")
+    assert "SEEN toy" in printed
+
+
+def test_a_bake_in_an_environment_for_rendering_names_the_button(tmp_path: Path) -> None:
+    without = "import runpy, sys; sys.modules['torch'] = None; sys.argv.pop(0); "
+    command = [sys.executable, "-c", f"{without}runpy.run_path(sys.argv[0], run_name='__main__')"]
+    done = subprocess.run(
+        [*command, BAKE, "source.blend", tmp_path / "out.rna", tmp_path],
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 1 and not list(tmp_path.iterdir())
+    assert done.stderr == (
+        "error: this environment of the SDK cannot bake: press Set Up for Baking, Too in the "
+        "preferences of the extension (no PyTorch)\n"
+    )
