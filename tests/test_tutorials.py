@@ -1,4 +1,4 @@
-"""The tutorials: the Python of "Choose a tier" prints what the page says; all commands parse.
+"""The tutorials and the examples: the Python of "Choose a tier" prints what the page says; all commands parse.
 
 "Choose a tier" runs in a folder with a small stand-in for its toy.rna that has the page's records.
 The commands of all tutorials (lines indented by four spaces) are parsed by the command's own
@@ -25,6 +25,8 @@ from tests.package.builders import make_tier, make_tiny_package
 
 TIERS = REPOSITORY / "docs" / "choosing-a-tier.md"
 PAGES = [
+    "docs/first-asset.md",
+    "docs/first-hair.md",
     "examples/quickstart/README.md",
     "examples/fibers/README.md",
     "examples/jade/README.md",
@@ -40,6 +42,9 @@ PARSERS = {
     "rna-export": "rna_export.export.cli:parser",
     "rna-fit": "rna_export.fit.cli:parser",
     "rna-make": "rna_export.make.cli:parser",
+    "rna-compare": "rna_export.compare.cli:parser",
+    "rna-view": "rna_view.cli:_parser",
+    "rna-info": "rna_sdk.package.info_cli:parser",
 }
 RECORDS = {
     "small": ("float32", 38.053, (0.0383, 0.0350, 0.0320, 0.0285)),
