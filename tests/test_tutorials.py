@@ -19,6 +19,7 @@ import pytest
 
 from rna_bench.cli import parser_of
 from rna_bench.commands import COMMANDS
+from rna_sdk.console import split_script_arguments
 from rna_sdk.package import Cost, FlipAtHeight, Tier, Validation
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tier, make_tiny_package
@@ -98,6 +99,6 @@ def test_commands_are_good_usage(command: str) -> None:
     else:
         module, function = PARSERS[name].split(":")
         parser = getattr(import_module(module), function)()
-    assert parser.parse_args(arguments)
+    assert parser.parse_args(split_script_arguments(arguments)[0])
     for path in (Path(a) for a in arguments if a.startswith("examples/")):
         assert (REPOSITORY / path).exists(), path
