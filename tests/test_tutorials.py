@@ -1,4 +1,4 @@
-"""The tutorials and the examples: the Python of "Choose a tier" prints what the page says; all commands parse.
+"""Tutorials and examples: the Python of "Choose a tier" prints what it says; all commands parse.
 
 "Choose a tier" runs in a folder with a small stand-in for its toy.rna that has the page's records.
 The commands of all tutorials (lines indented by four spaces) are parsed by the command's own
