@@ -72,7 +72,7 @@ def test_a_make_killed_at_every_stage_ends_with_a_package(tmp_path: Path) -> Non
         os.killpg(process.pid, signal.SIGKILL if number % 2 else signal.SIGINT)
         assert process.wait(timeout=60) in (-signal.SIGKILL, 130)
     said = run(source, out, *SMALL, "--", 0.4)
-    assert "resuming" in said and f"wrote {out}" in said and "next: rna-compare" in said
+    assert "resuming" in said and f"wrote {out}" in said and "next: rna-view" in said
     assert "stopped falling" in said
     with Package.open(out) as package:
         assert [tier.name for tier in package.manifest.tiers] == ["tiny", "small"]

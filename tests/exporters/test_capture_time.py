@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -86,8 +87,15 @@ def test_what_was_asked_for_stays(kept: str, clock: Clock) -> None:
 
 
 def test_too_few_minutes_are_refused(clock: Clock) -> None:
-    with pytest.raises(CaptureError, match=r"--minutes 0\.2 leaves time for 0 lights"):
-        planned(CaptureSettings.usual("fiber"), TimeLimit(0.2, 0.0), 12.0, FIBER_RATE, ())
+    fiber, told = CaptureSettings.usual("fiber"), r"--minutes 0\.2 leaves .* --minutes (\d+) would"
+    with pytest.raises(CaptureError, match=told) as caught:
+        planned(fiber, TimeLimit(0.2, 0.0), 12.0, FIBER_RATE, ())
+    enough = int(re.findall(told, str(caught.value))[0])
+    assert planned(fiber, TimeLimit(enough, 0.0), 12.0, FIBER_RATE, ()).lights >= 16
+    with pytest.raises(CaptureError, match=f"--minutes {enough} would do"):
+        planned(fiber, TimeLimit(enough - 1, 0.0), 12.0, FIBER_RATE, ())
+    with pytest.raises(CaptureError, match="give more minutes"):
+        planned(fiber, TimeLimit(1.0, 0.0), 12.0, 0.1, ())
 
 
 @pytest.fixture

@@ -13,6 +13,7 @@ LEAST_LIGHTS = 16
 
 _SHARE = 0.25  # of the time, for the validation images
 _LEAST_RESOLUTION, _LEAST_SAMPLES = 48, 16
+_DAY = 24 * 60  # minutes
 _LEAST_SHARD = 8  # lights; a shard that is under way when the time is up is rendered to its end
 
 
@@ -44,17 +45,42 @@ def planned(
     opening: seconds until a worker can render. Raises `CaptureError` when fewer than 16 lights are
     left.
     """
-    paths = max(limit.left() - opening, 0.0) * rate
-    settings = _with_smaller_images(settings, _SHARE * paths, asked)
-    left = paths - settings.validation_views * settings.validation_paths
-    lights = min(int(left / (settings.rays * settings.samples)), MAX_LIGHTS)
+    left = limit.left()
+    usual, (settings, lights) = settings, _fitting(settings, left - opening, rate, asked)
     if lights < LEAST_LIGHTS:
+        start = 60.0 * limit.minutes * limit.share - left + opening  # seconds without rays
+        enough = _enough_minutes(usual, start, limit.share, rate, asked)
+        do = "give more minutes" if enough is None else f"--minutes {enough} would do"
         raise CaptureError(
             f"--minutes {limit.minutes:g} leaves time for {max(lights, 0)} lights after the start "
-            f"and the validation images, expected at least {LEAST_LIGHTS}: give more minutes"
+            f"and the validation images, expected at least {LEAST_LIGHTS}: {do}"
         )
     shard = min(settings.lights_per_shard, max(_LEAST_SHARD, lights // 10))
     return settings.model_copy(update={"lights": lights, "lights_per_shard": shard})
+
+
+def _fitting(
+    settings: CaptureSettings, seconds: float, rate: float, asked: Collection[str]
+) -> tuple[CaptureSettings, int]:
+    """Settings with validation images that fit, and the lights that the rest of the time is for."""
+    paths = max(seconds, 0.0) * rate
+    settings = _with_smaller_images(settings, _SHARE * paths, asked)
+    left = paths - settings.validation_views * settings.validation_paths
+    return settings, min(int(left / (settings.rays * settings.samples)), MAX_LIGHTS)
+
+
+def _enough_minutes(
+    settings: CaptureSettings, start: float, share: float, rate: float, asked: Collection[str]
+) -> int | None:
+    """The least whole minutes with time for enough lights; None for more than a day."""
+    return next(
+        (
+            minutes
+            for minutes in range(1, _DAY)
+            if _fitting(settings, 60.0 * minutes * share - start, rate, asked)[1] >= LEAST_LIGHTS
+        ),
+        None,
+    )
 
 
 def shrunk(before: CaptureSettings, after: CaptureSettings) -> str | None:

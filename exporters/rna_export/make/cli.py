@@ -163,6 +163,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.make.order import Order
     from rna_export.make.run import Make, export
     from rna_export.make.state import WRITTEN, Asked, is_work_folder
+    from rna_export.make.training_picture import TrainingPicture
     from rna_export.memory import keep_freed_memory
     from rna_export.training.device import chosen_device
     from rna_render.scene_file import read_scene
@@ -190,6 +191,11 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     source = Source.captured(args.model, arguments, CaptureSettings(**settings))
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     device, python = chosen_device(args.device), find_python()
+    picture = TrainingPicture.beside(args.out)
+    print(f"{work} holds rays and trainings; Ctrl-C stops, and the same command resumes")
+    print(
+        f"{picture.path} shows the model while it is trained: ours, Cycles, the error", flush=True
+    )
     with owned(work, "rna-make", is_work_folder) as folder:
         with folder.scratch() as scratch, place(args.cluster) as where:
             order = Order(
@@ -204,8 +210,10 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 seed=args.seed,
                 device=device,
                 crew=CaptureCrew(python, scratch, args.workers, where, args.store),
+                picture=picture,
             )
             made = Make(order, asked, begun, print).run()
+        print("writing the package: measuring its error and cost, rendering its poster", flush=True)
         manifest = export(made, args.out, args.source, args.license, precisions)
         others = [] if args.keep else folder.dissolve(*WRITTEN)
     if others:
@@ -213,8 +221,25 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     print(_outcome(made, manifest, goal))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB{f', {work}' if args.keep else ''}")
+    _tell_next(args)
+
+
+def _tell_next(args: argparse.Namespace) -> None:
+    """Write the scene beside the package, and print the commands that show and check both."""
+    from rna_export.make.starter import write_starter
+    from rna_sdk.package import Package
+    from rna_sdk.size_note import size_note
+
+    with Package.open(args.out) as package:
+        note = size_note(*package.box())
+    if note is not None:
+        print(f"note: {note}")
+    scene = write_starter(args.out)
+    if scene is not None:
+        print(f"wrote {scene}, a scene that shows it")
     compare = "rna-compare", args.out, args.model, "--out", f"{args.out.stem}-compare"
-    print(f"next: {command_line(*compare)}")
+    print(f"next: {command_line('rna-view', args.out)}")
+    print(f"      {command_line(*compare)}")
 
 
 def _goal(args: argparse.Namespace) -> Goal | None:

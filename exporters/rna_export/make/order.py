@@ -9,6 +9,7 @@ from typing import Any
 from rna_export.capture.run import CaptureCrew
 from rna_export.capture.worker import Source
 from rna_export.fit.goal import Goal
+from rna_export.make.training_picture import TrainingPicture
 from rna_render.scene_file import SceneFile
 
 
@@ -27,6 +28,7 @@ class Order:
     seed: int
     device: str
     crew: CaptureCrew
+    picture: TrainingPicture | None = None
 
     @property
     def fixes_lights(self) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from time import monotonic
 
@@ -13,6 +14,7 @@ from rna_export.capture.dataset import Dataset
 from rna_export.make.plan import Length
 from rna_export.make.progress import Stage
 from rna_export.make.state import Score
+from rna_export.make.training_picture import TrainingPicture
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
@@ -25,7 +27,8 @@ from rna_export.training.validation import mean_flip, mean_psnr, shade
 class Phase:
     """A training of one preset, of all parts.
 
-    folder: for checkpoints, one folder in it for each of several parts.
+    folder: for checkpoints, one folder in it for each of several parts. picture: shows the model
+    while it is trained; None for no picture.
     """
 
     dataset: Dataset
@@ -34,6 +37,7 @@ class Phase:
     folder: Path
     seed: int
     device: str
+    picture: TrainingPicture | None = None
 
     def run(self, shards: Sequence[Path], stage: Stage) -> None:
         """Train each part on the samples of these shards; parts that are finished are skipped."""
@@ -52,9 +56,14 @@ class Phase:
                 minutes[part.name],
                 begun,
                 self.device,
+                after_checkpoint=partial(self._show, out),
             )
             table = SampleTable(part.samples_of(shards), device=self.device)
             train(run, table, _quiet, stage.part(k / len(parts), 1 / len(parts)))
+
+    def _show(self, training: Path) -> None:
+        if self.picture is not None:
+            self.picture.show(training)
 
     def _preset(self, kind: str) -> Preset:
         """The preset of this length."""

@@ -3,25 +3,74 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from tqdm import tqdm
 
-_FORMAT = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}{postfix}"
+_FORMAT = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}{left}{postfix}"
 _UNITS = 1000  # of the bar for a stage of weight 1
+
+
+_ENOUGH = 0.02  # of a stage, to tell from how long the rest takes
+
+
+@dataclass
+class Clock:
+    """Time of a make, over all its runs.
+
+    spent: seconds so far. limit: seconds in all; None for no limit. stage: when the stage began.
+    """
+
+    spent: Callable[[], float]
+    limit: float | None = None
+    stage: float = 0.0
+
+    def left(self, done: float) -> str:
+        """Time left, in words: of the limit, or of a stage of which a share is done."""
+        now = self.spent()
+        if self.limit is not None:
+            return f", {_in_words(max(self.limit - now, 0.0))} left"
+        if done < _ENOUGH:
+            return ""
+        return f", {_in_words((now - self.stage) * (1.0 - done) / done)} left of this step"
+
+
+def _in_words(seconds: float) -> str:
+    return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
+
+
+class _Bar(tqdm):  # type: ignore[misc]
+    """A bar whose time is that of a clock, and which says how much of it is left."""
+
+    def __init__(self, clock: Clock, **options: Any):
+        self.clock = clock
+        self.begun, self.units = 0.0, 1.0  # of the stage
+        super().__init__(**options)
+
+    @property
+    def format_dict(self) -> dict[str, Any]:
+        done = (self.n - self.begun) / self.units
+        shown: dict[str, Any] = super().format_dict
+        return {**shown, "elapsed": self.clock.spent(), "left": self.clock.left(done)}
 
 
 class Progress:
     """The bar of a whole make; its stages fill it, each by its weight.
 
-    weight: of all stages that are known.
+    weight: of all stages that are known. done: of those that an earlier run has finished.
     """
 
-    def __init__(self, weight: float):
-        self._bar = tqdm(
-            total=_UNITS * weight, bar_format=_FORMAT, desc="rna-make", mininterval=0.5
+    def __init__(self, weight: float, clock: Clock, done: float = 0.0):
+        self._bar = _Bar(
+            clock,
+            total=_UNITS * weight,
+            initial=_UNITS * done,
+            bar_format=_FORMAT,
+            desc="rna-make",
+            mininterval=0.5,
         )
-        self._begun = 0.0  # where the stage began
+        self._begun = self._bar.n  # where the stage began
 
     def more(self, weight: float) -> None:
         """Adds the weight of stages that were not known before."""
@@ -31,6 +80,8 @@ class Progress:
         """A stage begins; the ones before it are done."""
         self._bar.set_description_str(label)
         self._begun = self._bar.n
+        self._bar.begun, self._bar.units = self._begun, _UNITS * weight
+        self._bar.clock.stage = self._bar.clock.spent()
         return Stage(self._bar, _UNITS * weight, self._begun)
 
     def say(self, line: str) -> None:

@@ -17,7 +17,7 @@ from rna_export.fit.goal import Goal
 from rna_export.make.order import Order
 from rna_export.make.phases import Phase, phase_folder, score, trained_in
 from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan
-from rna_export.make.progress import Progress
+from rna_export.make.progress import Clock, Progress
 from rna_export.make.rays import Rays, open_rays, rays_folder
 from rna_export.make.state import Asked, Last, Round, Score, State, load_state
 from rna_export.make.stop import Verdict, verdict
@@ -49,9 +49,10 @@ class Make:
         self._order, self._begun = order, begun
         self._by_cost = sorted(order.presets, key=_decoder_size, reverse=True)
         self._lead = self._by_cost[0]
-        self._state = load_state(order.work, asked) or self._first_state(asked)
+        self._state = load_state(order.work, asked) or self._first_state(asked, say)
         if self._state.rounds:
-            say(f"resuming {order.work}, round {len(self._state.rounds)}")
+            minutes = f"after {self._state.seconds / 60:.1f} min"
+            say(f"resuming {order.work} {minutes}, in round {len(self._state.rounds)}")
         self._spent_before = self._state.seconds
         dataset = Dataset(rays_folder(order))
         for note in dataset.manifest.notes:
@@ -59,12 +60,15 @@ class Make:
         self._rays = Rays(order, dataset)
         self._goal = order.goal or Goal("min_psnr", math.inf)
         self._plan = self._chosen_plan(dataset)
+        say(self._told_plan())
 
     def run(self) -> Made:
         """Capture and train to the end."""
-        self._progress = Progress(self._known_weight())
+        minutes = self._order.minutes
+        clock = Clock(self._spent, None if minutes is None else 60.0 * minutes)
+        self._progress = Progress(self._known_weight(), clock, self._finished_weight())
         try:
-            stage = self._progress.stage("validation images", _RAYS)
+            stage = self._progress.stage("rendering validation images in Cycles", _RAYS)
             self._rays.capture_images(stage)
             stage.done()
             while (why := self._verdict()) is None:
@@ -79,8 +83,9 @@ class Make:
         folders = tuple(self._best_folder(preset) for preset in self._order.presets)
         return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
 
-    def _first_state(self, asked: Asked) -> State:
+    def _first_state(self, asked: Asked, say: Callable[[str], None]) -> State:
         order = self._order
+        say(f"opening {order.source.path.name} in Blender: its geometry, the speed of Cycles here")
         shutil.rmtree(rays_folder(order), ignore_errors=True)  # of a start that was not finished
         order.work.mkdir(parents=True, exist_ok=True)
         dataset = open_rays(order, self._begun)
@@ -113,7 +118,7 @@ class Make:
                 self._progress.more(_RAYS + _PHASE)
             self._save()
         number, round_ = len(rounds) - 1, rounds[-1]
-        stage = self._progress.stage(f"round {number + 1}: rays", _RAYS)
+        stage = self._progress.stage(f"round {number + 1}: rendering light in Cycles", _RAYS)
         if not round_.is_captured:
             self._rays.capture(round_, self._plan.capture_seconds(number, self._left()), stage)
             self._save()
@@ -127,10 +132,10 @@ class Make:
         """The training of the leading preset in a round."""
         assert round_.phase is not None
         work, lead = self._order.work, self._lead
-        stage = self._progress.stage(f"round {number + 1}: {lead}", _PHASE)
+        stage = self._progress.stage(f"round {number + 1}: training {lead}", _PHASE)
         folder = phase_folder(work, lead, number)
         dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
-        phase = Phase(dataset, lead, round_.phase, folder, seed, device)
+        phase = Phase(dataset, lead, round_.phase, folder, seed, device, self._order.picture)
         phase.run(dataset.finished_shards(), stage)
         stage.done()
         round_.score = score(trained_in(folder, dataset), dataset)
@@ -140,7 +145,7 @@ class Make:
 
     def _last_phase(self, preset: str) -> None:
         """The full one, on all rays."""
-        stage = self._progress.stage(f"last phase: {preset}", _LAST)
+        stage = self._progress.stage(f"last training: {preset}", _LAST)
         last = self._state.last.get(preset)
         if last is None:
             ahead = len(self._by_cost) - self._by_cost.index(preset)
@@ -150,11 +155,11 @@ class Make:
         if last.score is None:
             folder = phase_folder(self._order.work, preset, None)
             dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
-            phase = Phase(dataset, preset, last.phase, folder, seed, device)
+            phase = Phase(dataset, preset, last.phase, folder, seed, device, self._order.picture)
             phase.run(dataset.finished_shards(), stage)
             last.score = score(trained_in(folder, dataset), dataset)
             self._save()
-            self._progress.say(f"last phase: {preset} has {_told(last.score)}")
+            self._progress.say(f"last training: {preset} has {_told(last.score)}")
         stage.done()
 
     def _verdict(self) -> Verdict | None:
@@ -187,6 +192,23 @@ class Make:
     def _save(self) -> None:
         self._state.seconds = self._spent()
         self._state.save(self._order.work)
+
+    def _told_plan(self) -> str:
+        """What is going to happen, in a line."""
+        rounds, presets = self._plan.rounds, " and ".join(self._order.presets)
+        if rounds is None:
+            goal = "" if self._order.goal is None else f"the goal is met ({self._order.goal}) or "
+            until = f"until {goal}the error stops falling"
+            told = f"rounds of rendering in Cycles and training, {until}"
+        elif rounds == 1:
+            told = "rendering in Cycles"
+        else:
+            told = f"{rounds} rounds of rendering in Cycles and training"
+        return f"plan: {told}; then the last training of {presets}, and the package"
+
+    def _finished_weight(self) -> float:
+        """Weight of the rounds that earlier runs finished, which have no stage any more."""
+        return sum(_RAYS + _PHASE for round_ in self._state.rounds if round_.score is not None)
 
     def _known_weight(self) -> float:
         """Total weight of all known stages."""

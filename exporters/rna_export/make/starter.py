@@ -1,0 +1,23 @@
+"""What `rna-make` leaves beside a package for the next step: a scene file that shows it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rna_render.default_scene import default_scene
+
+SCENE_NAME = "scene.yaml"
+
+
+def write_starter(package: Path) -> Path | None:
+    """Writes a scene of the package beside it; None where a file of this name is there already.
+
+    Raises OSError if it cannot be written, PackageError for a broken package.
+    """
+    path, text = package.with_name(SCENE_NAME), default_scene(package)
+    try:
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError:
+        return None
+    return path

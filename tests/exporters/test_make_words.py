@@ -1,0 +1,63 @@
+"""What rna-make says and leaves for the next step: time left, a picture in training, a scene."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from rna_export.make import progress as progress_module
+from rna_export.make.progress import Clock, Progress
+from rna_export.make.starter import write_starter
+from rna_export.make.training_picture import TrainingPicture
+from rna_render.scene_file import read_scene
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
+
+
+@pytest.mark.parametrize(
+    ("spent", "limit", "done", "told"),
+    [
+        (60.0, 1200.0, 0.0, ", 19 min left"),
+        (1190.0, 1200.0, 0.5, ", 10 s left"),
+        (1300.0, 1200.0, 0.5, ", 0 s left"),
+        (110.0, None, 0.25, ", 30 s left of this step"),
+        (110.0, None, 0.0, ""),
+    ],
+)
+def test_time_left_is_that_of_the_limit_or_of_the_step(spent, limit, done, told) -> None:
+    assert Clock(lambda: spent, limit, stage=100.0).left(done) == told
+
+
+def test_a_resumed_bar_goes_on_where_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown = io.StringIO()
+    monkeypatch.setattr(progress_module, "_FORMAT", progress_module._FORMAT + "\n")
+    monkeypatch.setattr("sys.stderr", shown)
+    progress = Progress(8.0, Clock(lambda: 754.0, 1200.0), done=2.0)
+    progress.stage("round 2: training small", 1.0).done()
+    progress.close()
+    last = shown.getvalue().strip().splitlines()[-1]
+    assert "38%" in last and "12:34, 446 s left" not in last and "12:34, 7 min left" in last
+
+
+def test_the_picture_is_that_of_the_newest_training(tmp_path: Path) -> None:
+    picture = TrainingPicture.beside(tmp_path / "helmet.rna")
+    assert picture.path == tmp_path / "helmet.training.png"
+    picture.show(tmp_path / "run")
+    assert not picture.path.exists()
+    (tmp_path / "run" / "validation").mkdir(parents=True)
+    for name in ("view-01.png", "view-00.png"):
+        (tmp_path / "run" / "validation" / name).write_bytes(name.encode())
+    picture.show(tmp_path / "run")
+    assert picture.path.read_bytes() == b"view-00.png"
+    TrainingPicture(tmp_path / "no" / "folder.png").show(tmp_path / "run")  # ends no training
+
+
+def test_a_starter_scene_is_written_once(tmp_path: Path) -> None:
+    package = write_lambert_package(tmp_path / "my ball.rna", sphere(2))
+    scene = write_starter(package)
+    assert scene == tmp_path / "scene.yaml"
+    assert read_scene(scene).scene == read_scene(package).scene
+    scene.write_text("mine")
+    assert write_starter(package) is None and scene.read_text() == "mine"
