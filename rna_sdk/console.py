@@ -39,6 +39,11 @@ def command_line(*words: object) -> str:
     return shlex.join(map(str, words))
 
 
+def install_hint(extra: str) -> str:
+    """How to install an extra: the project is on no package index."""
+    return f"pip install -e '.[{extra}]' in the clone of rna-sdk"
+
+
 def split_script_arguments(arguments: Sequence[str] | None) -> tuple[list[str], tuple[str, ...]]:
     """Splits a command's own arguments from those after `--`, which go to a source script.
 
@@ -73,7 +78,7 @@ def run_command(
         except ModuleNotFoundError as error:
             if extra is None or error.name is None or error.name.startswith("rna_"):
                 raise
-            return _fail(f"no module {error.name!r}: pip install 'rna-sdk[{extra}]'", debug)
+            return _fail(f"no module {error.name!r}: {install_hint(extra)}", debug)
         except OSError as error:
             return _fail(_told(error), debug)
         except KeyboardInterrupt:

@@ -121,7 +121,7 @@ def test_a_missing_extra_is_one_line(command: str, extra: str, tmp_path: Path) -
     done = run(command, *arguments_that_need(command, tmp_path))
     assert done.returncode == 1
     assert done.stderr.startswith("error: no module ") and done.stderr.count("\n") == 1
-    assert f"pip install 'rna-sdk[{extra}]'" in done.stderr
+    assert f"pip install -e '.[{extra}]' in the clone" in done.stderr
     assert extra in PROJECT["optional-dependencies"]
 
 

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import re
+import shlex
 import tomllib
+from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from rna_export.make.cli import parser as make_parser
+from rna_export.make.starter import write_starter
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
 
 PAGES = [path.relative_to(REPOSITORY) for path in (REPOSITORY / "docs").rglob("*.md")]
 README = (REPOSITORY / "README.md").read_text()
@@ -20,7 +27,7 @@ def test_the_example_runs(tmp_path: Path) -> None:
     make_tiny_package(tmp_path / "tiny.rna")
     (code,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     code, count = re.subn(
-        r'load\("helmet\.rna".*?\)', f"load({str(tmp_path / 'tiny.rna')!r})", code
+        r'load\("out/toy\.rna".*?\)', f"load({str(tmp_path / 'tiny.rna')!r})", code
     )
     assert count == 1
     names: dict[str, object] = {}
@@ -28,6 +35,50 @@ def test_the_example_runs(tmp_path: Path) -> None:
     radiance = names["radiance"]
     assert isinstance(radiance, np.ndarray)
     assert radiance.shape == names["points"].shape and np.isfinite(radiance).all()
+
+
+COMMANDS = [
+    shlex.split(line, comments=True) for line in re.findall(r"^    (rna-.*)$", README, re.M)
+]
+SMALL = ["--samples", "1", "--resolution", "8x6"]
+
+
+def main_of(command: str) -> Callable[[list[str]], int]:
+    scripts = tomllib.loads((REPOSITORY / "pyproject.toml").read_text())["project"]["scripts"]
+    module, function = scripts[command].split(":")
+    main: Callable[[list[str]], int] = getattr(import_module(module), function)
+    return main
+
+
+def test_its_commands_run_in_their_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Word for word, with a small package and images in the place of what takes long.
+
+    tests/test_make.py runs rna-make.
+    """
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "out").mkdir()
+    monkeypatch.setattr("rna_render.preview.command.preview", lambda *_: None)
+    monkeypatch.setattr("rna_view.cli._serve", lambda *_: None)
+    ran = []
+    for command, *arguments in COMMANDS:
+        ran.append(command)
+        if command == "rna-make":
+            options = make_parser().parse_args(arguments)
+            assert (REPOSITORY / options.model).is_file()
+            assert write_starter(write_lambert_package(options.out, sphere(2)))
+        elif command == "rna-capture":
+            assert arguments == ["--setup-blender"]
+        else:
+            more = SMALL if command == "rna-run" else []
+            assert main_of(command)([*arguments, *more]) == 0, command
+    assert {"rna-make", "rna-view", "rna-run", "rna-info"} <= set(ran)
+    found = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {"toy.rna", "scene.yaml", "toy.png", "toy.exr"} == found
+
+
+@pytest.mark.parametrize("page", ["README.md", "CONTRIBUTING.md", *map(str, PAGES)])
+def test_nothing_is_installed_from_an_index_that_does_not_have_it(page: str) -> None:
+    assert not re.search(r"pip install[^\n]*[ ']rna-sdk", (REPOSITORY / page).read_text())
 
 
 def test_its_commands_exist() -> None:

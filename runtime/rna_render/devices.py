@@ -14,6 +14,7 @@ from rna_render.bands import BandRenderer
 from rna_render.integrator_factory import make_integrator
 from rna_render.scene_file import SceneFile
 from rna_render.world import World
+from rna_sdk.console import install_hint
 from rna_sdk.errors import SceneError
 
 GROUP = "rna_render.devices"
@@ -68,6 +69,6 @@ def _loaded(entry: EntryPoint) -> OpenRenderer:
     try:
         renderer: OpenRenderer = entry.load()
     except ModuleNotFoundError as error:
-        missing = f"{error.name} is not installed; try: pip install 'rna-sdk[{entry.name}]'"
+        missing = f"{error.name} is not installed: {install_hint(entry.name)}"
         raise SceneError(f"--device {entry.name}: {missing}") from error
     return renderer

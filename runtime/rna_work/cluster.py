@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
+from rna_sdk.console import install_hint
 from rna_sdk.errors import RnaError, WorkError
 from rna_work.addresses import prepare
 from rna_work.cached import content_hash
@@ -70,7 +71,7 @@ def imported_ray() -> Any:
     try:
         import ray
     except ModuleNotFoundError as error:
-        raise WorkError("--cluster needs Ray: pip install 'rna-sdk[cluster]'") from error
+        raise WorkError(f"--cluster needs Ray: {install_hint('cluster')}") from error
     return ray
 
 

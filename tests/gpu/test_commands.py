@@ -99,7 +99,7 @@ def test_what_is_refused(scene: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert cli.main([*usual, "--device", "moon"]) == 1
     assert "--device moon: no such device; there are: cpu, gpu, tpu" in capsys.readouterr().err
     assert cli.main([*usual, "--device", "tpu"]) == 1
-    assert "rna_tpu is not installed; try: pip install 'rna-sdk[tpu]'" in capsys.readouterr().err
+    assert "rna_tpu is not installed: pip install -e '.[tpu]'" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         cli.main([str(scene), "--preview", "--device", "gpu"])
     assert "--preview is not for --device gpu" in capsys.readouterr().err

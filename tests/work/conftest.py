@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-MISSING = "ray is not installed: pip install 'rna-sdk[cluster]'"
+MISSING = "ray is not installed: pip install -e '.[cluster]'"
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -64,4 +64,5 @@ def test_where_ray_is_missing_a_line_says_how_to_get_it() -> None:
     command = [sys.executable, "-c", program, scene, "--out", "a.exr", "--cluster", "auto"]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 1
-    assert done.stderr == "error: --cluster needs Ray: pip install 'rna-sdk[cluster]'\n"
+    hint = "pip install -e '.[cluster]' in the clone of rna-sdk"
+    assert done.stderr == f"error: --cluster needs Ray: {hint}\n"

@@ -21,8 +21,8 @@ from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
 from tests.render.test_sequence import SCENE
 
-pytest.importorskip("ray", reason="ray is not installed: pip install 'rna-sdk[cluster]'")
-pytest.importorskip("grpc", reason="grpcio is not installed: pip install 'rna-sdk[cluster]'")
+pytest.importorskip("ray", reason="ray is not installed: pip install -e '.[cluster]'")
+pytest.importorskip("grpc", reason="grpcio is not installed: pip install -e '.[cluster]'")
 
 SECONDS = 180.0
 

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from rna_sdk.console import install_hint
 from rna_sdk.errors import SceneError
 
 # Enumerators of rtcore_common.h, rtcore_buffer.h, rtcore_geometry.h and rtcore_scene.h.
@@ -72,7 +73,7 @@ def library() -> ctypes.CDLL:
     """
     spec = importlib.util.find_spec("embreex")
     if spec is None or spec.origin is None:
-        raise SceneError("Embree is not installed; install it with: pip install 'rna-sdk[render]'")
+        raise SceneError(f"Embree is not installed: {install_hint('render')}")
     package = Path(spec.origin).parent
     folders = [package.with_name("embreex.libs"), package, package / ".dylibs"]
     found = [path for folder in folders for path in sorted(folder.glob("*embree4*"))]
