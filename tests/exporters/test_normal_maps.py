@@ -13,6 +13,7 @@ from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import TrainingShard
+from rna_export.capture.worker import BlenderWorker
 from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender
@@ -55,22 +56,68 @@ for k, corners in enumerate((upright, upright[3:] + upright[:3], [(1 - u, v) for
 """
 )
 
+SECOND_UV_MAP = (
+    SQUARES
+    + """
+# The map leans both ways, lies on a UV map that renders do not use, and is stretched twofold.
+lean = [((x + 1) / 2, (y + 1) / 2, (z + 1) / 2, 1.0), ((1 - x) / 2, (y + 1) / 2, (z + 1) / 2, 1.0)]
+image.pixels.foreach_set([value for k in range(256) for value in lean[k % 16 >= 8]])
+for item in bpy.context.scene.objects:
+    other = item.data.uv_layers.new(name="Other")
+    other.uv.foreach_set("vector", [0.1, 0.9, 0.1, 0.1, 0.9, 0.1, 0.9, 0.9])
+    other.active_render = True
+here, stretched = tree.nodes.new("ShaderNodeUVMap"), tree.nodes.new("ShaderNodeMapping")
+here.uv_map = relief.uv_map = "UVMap"
+stretched.inputs["Scale"].default_value = (0.5, 0.5, 1.0)
+tree.links.new(here.outputs[0], stretched.inputs["Vector"])
+tree.links.new(stretched.outputs[0], picture.inputs["Vector"])
+add(*square(0.1, x=1.2, y=1.5), diffuse((0.5, 0.5, 0.5)))  # without a UV map
+"""
+)
+
+IN_A_GROUP = (
+    SQUARES
+    + """
+group = bpy.data.node_groups.new("cloth", "ShaderNodeTree")
+group.interface.new_socket("shader", in_out="OUTPUT", socket_type="NodeSocketShader")
+made = {}
+for node in (picture, relief, shader):
+    made[node] = group.nodes.new(node.bl_idname)
+made[picture].image, end = image, group.nodes.new("NodeGroupOutput")
+made[shader].inputs["Color"].default_value = (0.5, 0.5, 0.5, 1.0)
+group.links.new(made[picture].outputs[0], made[relief].inputs["Color"])
+group.links.new(made[relief].outputs[0], made[shader].inputs["Normal"])
+group.links.new(made[shader].outputs[0], end.inputs[0])
+node = tree.nodes.new("ShaderNodeGroup")
+node.node_tree = group
+tree.links.new(node.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+"""
+)
+
+
+def normal_maps(worker: BlenderWorker) -> tuple[dict[str, np.ndarray], list[str]]:
+    """Maps of 8 texels a side by material, and the notes."""
+    textures = worker.export_textures(8)
+    return textures.normals, textures.notes
+
 
 def test_the_map_is_that_of_the_texture(open_worker: OpenWorker) -> None:
-    maps, notes = open_worker(SQUARES).export_normal_maps(8)
+    maps, notes = normal_maps(open_worker(SQUARES))
     assert notes == [] and list(maps) == ["cloth"]
     assert maps["cloth"].shape == (8, 8, 2)
     expected = 127.0 + 127.0 * np.array(LEAN)
     assert np.abs(maps["cloth"].astype(float) - expected).max() <= 1.0
 
 
+@pytest.mark.parametrize("scene", [SQUARES, SECOND_UV_MAP, IN_A_GROUP], ids=["", "uv", "group"])
 def test_samples_have_the_normal_that_cycles_shades_with(
-    open_worker: OpenWorker, tmp_path: Path
+    open_worker: OpenWorker, tmp_path: Path, scene: str
 ) -> None:
     """A diffuse surface under a sun: its radiance tells n.wi of the shading normal."""
-    worker = open_worker(SQUARES)
+    worker = open_worker(scene)
     settings = CaptureSettings(lights=8, lights_per_shard=8, rays=512, samples=16)
     exported = exported_parts(worker, settings)
+    assert exported.notes == [] and len(exported.maps["asset"]) == 1
     manifest = CaptureManifest(
         name="squares",
         source="squares.py",
@@ -120,10 +167,10 @@ tree.links.new(picture.outputs[0], bump.inputs["Height"])
 tree.links.new(bump.outputs[0], shader.inputs["Normal"])
 """
     )
-    maps, notes = open_worker(bump).export_normal_maps(8)
+    maps, notes = normal_maps(open_worker(bump))
     assert maps == {} and len(notes) == 1 and "Bump" in notes[0]
 
 
 def test_a_flat_map_is_none(open_worker: OpenWorker) -> None:
-    maps, notes = open_worker(SQUARES.replace(str(LEAN), "0.0, 0.0")).export_normal_maps(8)
+    maps, notes = normal_maps(open_worker(SQUARES.replace(str(LEAN), "0.0, 0.0")))
     assert maps == {} and notes == []

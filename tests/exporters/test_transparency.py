@@ -13,7 +13,7 @@ from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import EmissionShard, TrainingShard
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.worker import BlenderWorker, SeeThrough
 from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender
@@ -29,7 +29,8 @@ tree = leaf.node_tree
 alpha = tree.nodes["Principled BSDF"].inputs["Alpha"]
 picture = tree.nodes.new("ShaderNodeTexImage")
 picture.image = image
-add(*square(1), leaf)
+card = add(*square(1), leaf)
+card.data.uv_layers.new(name="UVMap")  # 0 to 1
 """
 
 BLEND = LEAF + 'tree.links.new(picture.outputs["Alpha"], alpha)'
@@ -106,8 +107,14 @@ def alpha_of_leaf() -> np.ndarray:
     return np.random.default_rng(0).random((4, 8, 4)).astype(np.float32)[..., 3]
 
 
+def holes(worker: BlenderWorker) -> tuple[dict[str, SeeThrough], list[str]]:
+    """By material, and the notes."""
+    textures = worker.export_textures(0)
+    return textures.see_through, textures.notes
+
+
 def test_alpha_of_an_image_is_read_texel_by_texel(open_worker: OpenWorker) -> None:
-    found, notes = open_worker(BLEND).export_transparency()
+    found, notes = holes(open_worker(BLEND))
     leaf = found["principled"]
     assert (leaf.cutoff, leaf.ior, notes) == (None, None, [])
     assert leaf.texture.shape == (4, 8, 1)
@@ -115,31 +122,31 @@ def test_alpha_of_an_image_is_read_texel_by_texel(open_worker: OpenWorker) -> No
 
 
 def test_a_threshold_is_a_cutoff_of_what_it_compares(open_worker: OpenWorker) -> None:
-    found, _ = open_worker(MASK).export_transparency()
+    found, _ = holes(open_worker(MASK))
     leaf = found["principled"]
     assert leaf.cutoff == pytest.approx(0.75)
     assert np.abs(leaf.texture[..., 0] / 255.0 - (1.0 - alpha_of_leaf())).max() < 0.003
 
 
 def test_a_fresnel_mix_is_thin_glass(open_worker: OpenWorker) -> None:
-    found, _ = open_worker(GLASS).export_transparency()
+    found, _ = holes(open_worker(GLASS))
     glass = found["principled"]
     assert glass.texture.tolist() == [[[51, 102, 204]]]
     assert glass.ior == pytest.approx((1.5, 1 / 1.5))
 
 
 def test_nodes_in_groups_are_read(open_worker: OpenWorker) -> None:
-    found, _ = open_worker(GROUP).export_transparency()
+    found, _ = holes(open_worker(GROUP))
     assert found["principled"].texture.tolist() == [[[191]]]
 
 
 @pytest.mark.parametrize("scene", ["add(*square(1), principled())", LAMP])
 def test_opaque_materials_have_none(open_worker: OpenWorker, scene: str) -> None:
-    assert open_worker(scene).export_transparency() == ({}, [])
+    assert holes(open_worker(scene)) == ({}, [])
 
 
 def test_what_is_no_function_of_uv_is_named(open_worker: OpenWorker) -> None:
-    found, notes = open_worker(BY_SIDE).export_transparency()
+    found, notes = holes(open_worker(BY_SIDE))
     assert found == {}
     assert len(notes) == 1 and "'principled'" in notes[0] and "'Geometry'" in notes[0]
 

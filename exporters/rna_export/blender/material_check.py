@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bpy
 import shown_objects
+from object_materials import materials_of
 
 _OF_EEVEE = {"SHADERTORGB": "Shader to RGB", "EEVEE_SPECULAR": "Specular BSDF"}
 _NAMED = 3
@@ -38,13 +39,6 @@ def _shown_materials() -> Iterator[tuple[bpy.types.Material | None, str]]:
             if key not in seen:
                 seen.add(key)
                 yield material, item.name
-
-
-def materials_of(item: bpy.types.Object) -> list[bpy.types.Material | None]:
-    """The original materials; geometry nodes may have set others than the slots have."""
-    slots = [slot.material for slot in item.material_slots]
-    materials = [*slots, *(item.data.materials[len(slots) :])] or [None]
-    return [None if m is None else m.original for m in materials]
 
 
 def _of_bare(names: list[str]) -> list[str]:

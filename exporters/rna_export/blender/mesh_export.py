@@ -8,28 +8,37 @@ from typing import Any
 import bpy
 import numpy as np
 import shown_objects
-from attributes import read
+from attributes import read, uv_map
+from object_materials import materials_of
 from top_objects import SURFACES, top_object
+from uv_charts import Chart
+from uv_dependence import IDENTITY
 
 
-def export_mesh(path: str, owner: str | None = None) -> dict[str, Any]:
+def export_mesh(
+    path: str, owner: str | None = None, charts: dict[str, Any] | None = None
+) -> dict[str, Any]:
     """Write an .npz with `positions`, `normals` (3t, 3), `uvs` (3t, 2), `has_uv`, `material` (t,).
 
     One row a triangle corner, world space, Blender's axes, float32; materials by their place in
-    the reply's list of names, -1 for none. owner: the top object whose meshes are meant; None: all.
+    the reply's list of full names, -1 for none. owner: the top object whose meshes are meant; None:
+    all. charts: texture coordinates of materials (see `surface_textures.export_textures`); the rest
+    has the UV map that renders use, or 0. has_uv: whether all objects have UV maps, or a chart.
     """
-    names = [material.name for material in bpy.data.materials]
+    names = [material.name_full for material in bpy.data.materials]
+    charted = {name: Chart(c["layer"], np.array(c["matrix"])) for name, c in (charts or {}).items()}
     shown = (i for i in _mesh_instances() if owner in (None, top_object(i)))
-    corners = [_corners(instance, names) for instance in shown]
+    corners = [_corners(instance, names, charted) for instance in shown]
     if not corners:
         raise ValueError("the scene has no mesh with faces")
     positions, normals, uvs, has_uv, material = zip(*corners, strict=True)
+    used = np.unique(np.concatenate(material))
     np.savez(
         path,
         positions=np.concatenate(positions),
         normals=np.concatenate(normals),
         uvs=np.concatenate(uvs),
-        has_uv=all(has_uv),
+        has_uv=all(has_uv) or any(names[m] in charted for m in used if m >= 0),
         material=np.concatenate(material),
     )
     return {"materials": names}
@@ -58,7 +67,7 @@ def _mesh_instances() -> Iterator[bpy.types.DepsgraphObjectInstance]:
 
 
 def _corners(
-    instance: bpy.types.DepsgraphObjectInstance, names: list[str]
+    instance: bpy.types.DepsgraphObjectInstance, names: list[str], charts: dict[str, Chart]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, bool, np.ndarray]:
     mesh = instance.object.to_mesh()
     try:
@@ -71,19 +80,33 @@ def _corners(
             raise ValueError(f"object {instance.object.name!r} has a face with {found}")
         positions = read(mesh.vertices, "co", 3 * len(mesh.vertices)).reshape(-1, 3)[vertices]
         normals = read(mesh.corner_normals, "vector", 3 * len(mesh.loops)).reshape(-1, 3)[loops]
-        layer = next((layer for layer in mesh.uv_layers if layer.active_render), None)
-        uvs = np.zeros((len(loops), 2), np.float32)
-        if layer is not None:
-            uvs = read(layer.uv, "vector", 2 * len(mesh.loops)).reshape(-1, 2)[loops]
-            uvs[:, 1] = 1.0 - uvs[:, 1]  # glTF counts v from the top
+        slots = [None if m is None else m.name_full for m in materials_of(instance.object)]
         slot = read(mesh.loop_triangles, "material_index", triangles, np.int32)
-        slots = [s.material.name if s.material else None for s in instance.object.material_slots]
+        slot = np.clip(slot, 0, len(slots) - 1)
+        uvs = _stored_uvs(mesh, loops.reshape(-1, 3), [charts.get(n or "") for n in slots], slot)
+        has_uv = len(mesh.uv_layers) > 0
         matrix = np.array(instance.matrix_world, np.float32)
     finally:
         instance.object.to_mesh_clear()
-    numbers = np.array([names.index(name) if name in names else -1 for name in slots] or [-1])
-    material = numbers[np.clip(slot, 0, len(numbers) - 1)].astype(np.int32)
-    return *_place(positions, normals, uvs, matrix), layer is not None, material
+    numbers = np.array([names.index(name) if name in names else -1 for name in slots])
+    material = numbers[slot].astype(np.int32)
+    return *_place(positions, normals, uvs, matrix), has_uv, material
+
+
+def _stored_uvs(
+    mesh: bpy.types.Mesh, loops: np.ndarray, charts: list[Chart | None], slot: np.ndarray
+) -> np.ndarray:
+    """(3t, 2): texture coordinates of a package, by the chart of each slot."""
+    result = np.zeros((*loops.shape, 2), np.float32)
+    for k, chart in enumerate(charts):
+        uvs = uv_map(mesh, "" if chart is None else chart.layer)
+        rows = slot == k
+        if uvs is None and chart is not None:
+            uvs = np.zeros((len(mesh.loops), 2), np.float32)  # as Cycles has a map that is missing
+        if uvs is not None and rows.any():
+            chart = chart or Chart("", IDENTITY)
+            result[rows] = chart.stored(uvs[loops[rows]].reshape(-1, 2)).reshape(-1, 3, 2)
+    return result.reshape(-1, 2)
 
 
 def _place(

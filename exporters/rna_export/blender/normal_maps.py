@@ -1,83 +1,44 @@
-"""Normal maps of materials, as textures over the UV coordinates.
-
-The normal that a material's surface shader is given is rendered on a unit square, whose tangent is
-along u, whose bitangent is up the texture.
-"""
+"""The normal that a material's surface shader is given, in the tangent frame of its UVs."""
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
-
 import bpy
 import numpy as np
-from uv_render import not_of_uv, rendered, upstream
+from node_sources import Source, lifted, linked, origin, sources
+from uv_render import surface_output
 
-_FLAT = 1.0 / 127.0  # x or y of a normal that a texel cannot tell from 0
-
-
-def export_normal_maps(path: str, side: int) -> dict[str, list[str]]:
-    """Write an .npz with the maps of all materials that have one, `0`, `1`, ...: (h, w, 2) uint8.
-
-    x and y of the normal are (value - 127) / 127. side: texels along a side, at most. Returns the
-    names of the materials, and notes for the user of relief that could not be told.
-    """
-    found, notes = {}, []
-    for material in list(bpy.data.materials):
-        if not material.use_nodes:
-            continue
-        copy = material.copy()
-        try:
-            texture, note = _map_of(copy, Path(path).parent, side)
-        finally:
-            bpy.data.materials.remove(copy)
-        if note:
-            notes.append(
-                f"material {material.name!r} has relief by {note}: it is learnt, not mapped"
-            )
-        if texture is not None:
-            found[material.name] = texture
-    textures: dict[str, Any] = {str(k): each for k, each in enumerate(found.values())}
-    np.savez(path, **textures)
-    return {"materials": list(found), "notes": notes}
+FLAT = 1.0 / 127.0  # x or y of a normal that a texel cannot tell from 0
 
 
-def _map_of(
-    material: bpy.types.Material, folder: Path, side: int
-) -> tuple[np.ndarray | None, str | None]:
-    """(texture or None, what keeps it from being one or None) of a material that may be changed."""
-    tree = material.node_tree
-    output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
-    if output is None or not output.inputs["Surface"].is_linked:
-        return None, None
-    normal = _normal_socket(output.inputs["Surface"].links[0].from_socket)
-    if normal is None:
-        return None, None
-    nodes = [node for node, _ in upstream(normal)]
-    if any(node.type == "BUMP" for node in nodes):
-        return None, "a Bump node, whose height needs the size of the surface"
-    if any(node.type == "NORMAL_MAP" and node.space != "TANGENT" for node in nodes):
-        return None, "a Normal Map node that is not in tangent space"
-    if problems := not_of_uv(normal):
-        return None, f"{problems[0]}, which is no function of its UV coordinates"
-    colour = 2.0 * rendered(material, tree, output, _as_colour(tree, normal), folder) - 1.0
-    xy = _reduced(colour[..., :2], side)
-    if np.abs(xy).max() < _FLAT:
-        return None, None
-    return np.round(127.0 + 127.0 * np.clip(xy, -1.0, 1.0)).astype(np.uint8), None
-
-
-def _normal_socket(surface: bpy.types.NodeSocket) -> bpy.types.NodeSocket | None:
-    """Source of the first shader's linked normal input; None if no shader has one."""
-    for node, _ in upstream(surface):
+def normal_source(material: bpy.types.Material) -> Source | None:
+    """Where the first shader's linked normal input comes from; None if no shader has one."""
+    output = surface_output(material)
+    if output is None:
+        return None
+    for node, _, inside in sources(output.inputs["Surface"]):
         socket = node.inputs.get("Normal")
-        if node.type.startswith("BSDF_") and socket is not None and socket.is_linked:
-            return socket.links[0].from_socket
+        if node.type.startswith("BSDF_") and socket is not None and linked(socket) is not None:
+            found = origin(socket, inside)
+            if found is not None:
+                return found
     return None
 
 
-def _as_colour(tree: bpy.types.NodeTree, normal: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
-    """A socket with (n + 1) / 2: emission is not negative."""
+def problem_of(source: Source) -> str | None:
+    """What keeps a normal from being a map, or None."""
+    node, _, inside = source
+    before = [node, *(each for s in node.inputs for each, _, _ in sources(s, inside))]
+    if any(each.type == "BUMP" for each in before):
+        return "a Bump node, whose height needs the size of the surface"
+    if any(each.type == "NORMAL_MAP" and each.space != "TANGENT" for each in before):
+        return "a Normal Map node that is not in tangent space"
+    return None
+
+
+def as_colour(material: bpy.types.Material, source: Source) -> bpy.types.NodeSocket:
+    """A socket with (n + 1) / 2, for emission is not negative; the source's groups are copied."""
+    tree = material.node_tree
+    normal = lifted(tree, source)
     node = tree.nodes.new("ShaderNodeVectorMath")
     node.operation = "MULTIPLY_ADD"
     tree.links.new(normal, node.inputs[0])
@@ -86,7 +47,7 @@ def _as_colour(tree: bpy.types.NodeTree, normal: bpy.types.NodeSocket) -> bpy.ty
     return node.outputs[0]
 
 
-def _reduced(values: np.ndarray, side: int) -> np.ndarray:
+def reduced(values: np.ndarray, side: int) -> np.ndarray:
     """Means over squares of texels, as large as it takes for `side` texels along a side."""
     step = -(-max(values.shape[:2]) // side)
     height, width = (-(-n // step) for n in values.shape[:2])

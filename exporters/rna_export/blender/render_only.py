@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import bpy
-import material_check
 import shown_objects
+from object_materials import materials_of
 from top_objects import SURFACES
 
 
@@ -14,7 +14,7 @@ def refuse() -> None:
         item = instance.object.original
         if item.type in SURFACES:
             _check_modifiers(item)
-            for material in material_check.materials_of(instance.object):
+            for material in materials_of(instance.object):
                 if material is not None:
                     _check_displacement(material)
 

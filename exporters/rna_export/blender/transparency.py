@@ -1,31 +1,29 @@
-"""Unrefracted transmittance of the materials, as a texture over the UV coordinates.
+"""Unrefracted transmittance of the materials, read from their nodes.
 
-A material's transmittance is read from its nodes: transparent shaders, mixes of them, and the
-Alpha of a Principled BSDF. The same nodes, wired to an emission shader, are rendered on a unit
-square, one sample at each texel centre.
+It comes from transparent shaders, mixes of them, and the Alpha of a Principled BSDF.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Any
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
-from uv_render import not_of_uv, rendered
+from node_sources import as_output, end_of, linked
+from uv_render import surface_output
+
+_LEAST_IOR = 0.01  # relative, that a package holds; the greatest is its inverse
 
 
 @dataclass
-class Transparency:
-    """One material's.
+class Transmittance:
+    """colour: a socket of the material's tree with the transmittance, before Fresnel and cutoff.
 
-    texture: (h, w, 1 or 3) uint8, row 0 at v = 0 of glTF, the top. cutoff: what a value has to
-    exceed to be a hole, None if it may be between. ior: relative refractive index for rays from the
-    front and from the back, None without Fresnel.
+    cutoff: what the colour has to exceed to be a hole, None if it may be between. ior: relative
+    refractive index for rays from the front and from the back, None without Fresnel.
     """
 
-    texture: np.ndarray
+    colour: bpy.types.NodeSocket
     cutoff: float | None = None
     ior: tuple[float, float] | None = None
 
@@ -34,81 +32,23 @@ class Transparency:
 class _Reading:
     """Findings while the nodes of a material are traversed."""
 
+    thresholds: bool
     cutoff: float | None = None
     ior: tuple[float, float] | None = None
-    problems: list[str] = field(default_factory=list)
 
 
-def export_transparency(path: str) -> dict[str, Any]:
-    """Write an .npz with the textures of all materials that let light through, `0`, `1`, ...
+def transmittance_of(material: bpy.types.Material, thresholds: bool = True) -> Transmittance | None:
+    """The transmittance of a material, whose nodes are added to; None if it is opaque.
 
-    Returns what they are, and notes for the user of those that could not be told.
+    thresholds: whether the colour is what a threshold node compares; otherwise, what it gives.
     """
-    found, notes = [], []
-    for material in list(bpy.data.materials):
-        transparency, problems = transparency_of(material, Path(path).parent)
-        notes += problems
-        if transparency is not None:
-            found.append((material.name, transparency))
-    textures: dict[str, Any] = {str(k): each.texture for k, (_, each) in enumerate(found)}
-    np.savez(path, **textures)
-    records = [{"material": n, "cutoff": each.cutoff, "ior": each.ior} for n, each in found]
-    return {"materials": records, "notes": notes}
-
-
-def transparency_of(
-    material: bpy.types.Material, folder: Path
-) -> tuple[Transparency | None, list[str]]:
-    """The transparency of a material, or None if it is opaque, and notes for the user.
-
-    folder: for a temporary file.
-    """
-    if not material.use_nodes:
-        return None, []
-    copy = material.copy()
-    try:
-        return _read(material.name, copy, Path(folder))
-    finally:
-        bpy.data.materials.remove(copy)
-
-
-def _read(
-    name: str, material: bpy.types.Material, folder: Path
-) -> tuple[Transparency | None, list[str]]:
-    tree = material.node_tree
-    output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
-    if output is None or not output.inputs["Surface"].is_linked:
-        return None, []
-    reading = _Reading()
-    shader = output.inputs["Surface"].links[0].from_socket
-    colour = _transmittance(tree, shader, reading)
-    if colour is None:
-        return None, []
-    problems = reading.problems + not_of_uv(colour)
-    if problems:
-        return None, [
-            f"material {name!r} is transparent by {problems[0]}, which is no function of its UV "
-            "coordinates: what is seen through it is part of the captured light"
-        ]
-    texture = _rounded(rendered(material, tree, output, colour, folder))
-    if texture.max() == 0:
-        return None, []
-    cutoff = reading.cutoff
-    if cutoff is None and reading.ior is None and _is_binary(texture):
-        cutoff = 0.5
-    if cutoff is not None or (texture == texture[..., :1]).all():
-        texture = texture[..., :1]
-    if (texture == texture[:1, :1]).all():
-        texture = texture[:1, :1]
-    return Transparency(np.ascontiguousarray(texture), cutoff, reading.ior), []
-
-
-def _rounded(colour: np.ndarray) -> np.ndarray:
-    return np.asarray(np.round(255.0 * np.clip(colour, 0.0, 1.0)), np.uint8)
-
-
-def _is_binary(texture: np.ndarray) -> bool:
-    return texture.size > 3 and bool(np.isin(texture, (0, 255)).all())
+    output = surface_output(material)
+    shader = None if output is None else linked(output.inputs["Surface"])
+    if shader is None:
+        return None
+    reading = _Reading(thresholds)
+    colour = _transmittance(material.node_tree, shader, reading)
+    return None if colour is None else Transmittance(colour, reading.cutoff, reading.ior)
 
 
 def _transmittance(
@@ -131,15 +71,14 @@ def _transmittance(
         return _math(tree, "ADD", *parts) if len(parts) == 2 else (parts or [None])[0]
     if node.type == "GROUP" and node.node_tree is not None:
         return _of_group(tree, node, shader, reading)
-    if node.type == "REROUTE":
-        return _of_input(tree, node.inputs[0], reading)
     return None
 
 
 def _of_input(
     tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, reading: _Reading
 ) -> bpy.types.NodeSocket | None:
-    return _transmittance(tree, socket.links[0].from_socket, reading) if socket.is_linked else None
+    shader = linked(socket)
+    return None if shader is None else _transmittance(tree, shader, reading)
 
 
 def _of_mix(
@@ -147,12 +86,13 @@ def _of_mix(
 ) -> bpy.types.NodeSocket | None:
     """(1 - factor) of the first shader's and factor of the second's."""
     factor = node.inputs[0]
-    source = factor.links[0].from_node if factor.is_linked else None
-    if source is not None and source.type == "FRESNEL":
+    source = linked(factor)
+    if source is not None and source.node.type == "FRESNEL":
         first, second = (_of_input(tree, s, reading) for s in node.inputs[1:3])
-        if second is None and first is not None and not source.inputs["IOR"].is_linked:
-            index = source.inputs["IOR"].default_value
-            reading.ior = (index, 1.0 / index)
+        facing = source.node.inputs["IOR"]
+        is_thin = not facing.is_linked and _LEAST_IOR <= facing.default_value <= 1.0 / _LEAST_IOR
+        if second is None and first is not None and is_thin:
+            reading.ior = (facing.default_value, 1.0 / facing.default_value)
             return first
     first, second = (_of_input(tree, s, reading) for s in node.inputs[1:3])
     if first is None and second is None:
@@ -174,7 +114,7 @@ def _of_threshold(
 
     negate: whether the transmittance is 1 - factor. The cutoff is that of the transmittance.
     """
-    compared = _comparison(socket)
+    compared = _comparison(socket) if reading.thresholds else None
     if compared is None:
         return _value_of(tree, socket)
     value, above, threshold = compared
@@ -187,13 +127,8 @@ def _of_threshold(
 def _comparison(socket: bpy.types.NodeSocket) -> tuple[bpy.types.NodeSocket, bool, float] | None:
     """(socket, whether 1 is above, threshold) if a socket's value is a comparison, or None."""
     above = True
-    while socket.is_linked:
-        node = socket.links[0].from_node
-        if node.type == "REROUTE":
-            socket = node.inputs[0]
-            continue
-        if node.type != "MATH":
-            break
+    while (output := linked(socket)) is not None and output.node.type == "MATH":
+        node = output.node
         a, b = node.inputs[0], node.inputs[1]
         if node.operation == "SUBTRACT" and not a.is_linked and a.default_value == 1.0:
             above, socket = not above, b
@@ -212,25 +147,19 @@ def _of_group(
     tree: bpy.types.NodeTree, node: bpy.types.Node, shader: bpy.types.NodeSocket, reading: _Reading
 ) -> bpy.types.NodeSocket | None:
     """The group's transmittance as one more output of a copy of the group."""
-    group = node.node_tree.copy()
-    name = shader.name
-    ends = [n for n in group.nodes if n.type == "GROUP_OUTPUT" and n.is_active_output]
-    if not ends or not ends[0].inputs[name].is_linked:
-        return None
-    inside = _transmittance(group, ends[0].inputs[name].links[0].from_socket, reading)
-    if inside is None:
-        return None
-    kind = {"in_out": "OUTPUT", "socket_type": "NodeSocketColor"}
-    made = group.interface.new_socket("transmittance", **kind)
-    group.links.new(inside, ends[0].inputs[made.identifier])
-    node.node_tree = group
-    return node.outputs[made.identifier]
+    wanted, node.node_tree = shader.identifier, node.node_tree.copy()
+    end = end_of(node.node_tree)
+    inputs = () if end is None else end.inputs
+    shown = next((each for each in inputs if each.identifier == wanted), None)
+    inside = None if shown is None else _of_input(node.node_tree, shown, reading)
+    return None if inside is None else as_output(node, inside)
 
 
 def _value_of(tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
     """A socket with the value of an input."""
-    if socket.is_linked:
-        return socket.links[0].from_socket
+    link = next((each for each in socket.links if not each.is_muted), None)
+    if link is not None:
+        return link.from_socket
     constant = tree.nodes.new("ShaderNodeRGB")
     value = socket.default_value
     rgb = list(value)[:3] if hasattr(value, "__len__") else [value] * 3

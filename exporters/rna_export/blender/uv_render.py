@@ -1,142 +1,115 @@
-"""A socket of a material's nodes as a texture over the UV coordinates.
+"""A colour of a material's nodes as a function of texture coordinates, by rendering it.
 
-The nodes, wired to an emission shader, are rendered on a unit square, one sample at each texel
+The nodes, wired to an emission shader, are rendered on quads, one sample at each quad's or texel's
 centre.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
 import numpy as np
+from node_sources import sources
+from uv_charts import Chart
+from uv_dependence import dependence
 
-_PROCEDURAL = 1024  # texels a side where no image says how fine the pattern is
-_SMALLEST, _LARGEST = 4, 4096  # Blender renders no fewer than 4 pixels a side
-_OUTSIDE_UV = {  # nodes whose values are no function of the UV coordinates, by the socket used
-    "TEX_COORD": ("Generated", "Normal", "Object", "Camera", "Window", "Reflection"),
-    "NEW_GEOMETRY": None,
-    "OBJECT_INFO": None,
-    "PARTICLE_INFO": None,
-    "HAIR_INFO": None,
-    "ATTRIBUTE": None,
-    "VERTEX_COLOR": None,
-    "CAMERA": None,
-    "LIGHT_PATH": None,
-    "LAYER_WEIGHT": None,
-    "FRESNEL": None,
-    "VOLUME_INFO": None,
-    "POINT_INFO": None,
-    "TANGENT": None,
-    "AMBIENT_OCCLUSION": None,
-    "BEVEL": None,
-    "WIREFRAME": None,
-}
+_SQUARE = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+_POINT = 1e-4  # half a side of a point's quad, in UV; tangents need one
 
 
-def upstream(socket: bpy.types.NodeSocket) -> Iterator[tuple[bpy.types.Node, bpy.types.NodeSocket]]:
-    """Every (node, output socket) that a socket's value comes from, within its tree."""
-    seen, todo = set(), [socket]
-    while todo:
-        output = todo.pop()
-        node = output.node
-        if (node.name, output.identifier) in seen:
-            continue
-        seen.add((node.name, output.identifier))
-        yield node, output
-        todo += [link.from_socket for s in node.inputs for link in s.links]
+def surface_output(material: bpy.types.Material) -> bpy.types.Node | None:
+    """The output node that Cycles uses, if it has a surface; None otherwise."""
+    tree = material.node_tree
+    if tree is None:
+        return None
+    output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
+    return output if output is not None and output.inputs["Surface"].is_linked else None
 
 
-def _nodes_of(
-    socket: bpy.types.NodeSocket,
-) -> Iterator[tuple[bpy.types.Node, bpy.types.NodeSocket]]:
-    """Nodes upstream of a socket, including those inside groups."""
-    for node, output in upstream(socket):
-        yield node, output
-        if node.type == "GROUP" and node.node_tree is not None:
-            yield from ((n, o) for n in node.node_tree.nodes for o in n.outputs if o.is_linked)
+class ColourOfUv:
+    """A colour socket of a material that may be changed: it then shows this colour alone.
 
-
-def not_of_uv(colour: bpy.types.NodeSocket) -> list[str]:
-    """Names of the nodes that make the colour depend on more than the UV coordinates."""
-    return [
-        f"the node {node.bl_label!r}"
-        for node, output in _nodes_of(colour)
-        if node.type in _OUTSIDE_UV and output.name in (_OUTSIDE_UV[node.type] or (output.name,))
-    ]
-
-
-def _texture_size(colour: bpy.types.NodeSocket) -> tuple[int, int]:
-    """(width, height) of the largest image that the colour depends on."""
-    nodes = {node.name: node for node, _ in _nodes_of(colour)}.values()
-    images = [n.image for n in nodes if n.type == "TEX_IMAGE" and n.image is not None]
-    if images:
-        size = max((tuple(image.size) for image in images), key=lambda s: s[0] * s[1])
-        return tuple(min(max(side, _SMALLEST), _LARGEST) for side in size)
-    patterns = any(n.type.startswith("TEX_") and n.type != "TEX_COORD" for n in nodes)
-    return (_PROCEDURAL if patterns else _SMALLEST,) * 2
-
-
-def _uv_names(colour: bpy.types.NodeSocket) -> set[str]:
-    nodes = [node for node, _ in _nodes_of(colour)]
-    names = {n.uv_map for n in nodes if n.type in ("UVMAP", "NORMAL_MAP") and n.uv_map}
-    return names or {"UVMap"}
-
-
-def rendered(
-    material: bpy.types.Material,
-    tree: bpy.types.NodeTree,
-    output: bpy.types.Node,
-    colour: bpy.types.NodeSocket,
-    folder: Path,
-) -> np.ndarray:
-    """(h, w, 3) float32: a colour socket of the tree at texel centres, row 0 at the top.
-
-    folder: for a temporary file.
+    Attributes:
+        depends: what the colour depends on.
+        layers, constants: UV maps of the quads, and attributes that are the same all over, (4,).
     """
-    size = _texture_size(colour)
-    names = _uv_names(colour)
-    glow = tree.nodes.new("ShaderNodeEmission")
-    tree.links.new(colour, glow.inputs["Color"])
-    tree.links.new(glow.outputs[0], output.inputs["Surface"])
-    scene = bpy.data.scenes.new("rna texture")
-    square = _square(scene, material, names, size)
-    try:
-        _set_up(scene, size, folder / "texture.exr")
-        bpy.ops.render.render(write_still=True, scene=scene.name)
-        image = bpy.data.images.load(scene.render.filepath)
-        pixels = np.empty(4 * size[0] * size[1], np.float32)
-        image.pixels.foreach_get(pixels)
-        bpy.data.images.remove(image)
-    finally:
-        Path(scene.render.filepath).unlink(missing_ok=True)
-        mesh = square.data
-        bpy.data.objects.remove(square)
-        bpy.data.meshes.remove(mesh)
-        bpy.data.scenes.remove(scene)
-    return pixels.reshape(size[1], size[0], 4)[::-1, :, :3]
+
+    def __init__(
+        self, material: bpy.types.Material, colour: bpy.types.NodeSocket, folder: Path
+    ) -> None:
+        tree, output = material.node_tree, surface_output(material)
+        assert output is not None  # the colour is of its surface
+        glow = tree.nodes.new("ShaderNodeEmission")
+        tree.links.new(colour, glow.inputs["Color"])
+        tree.links.new(glow.outputs[0], output.inputs["Surface"])
+        for name in ("Volume", "Displacement"):
+            for link in list(output.inputs[name].links):
+                tree.links.remove(link)
+        self.depends = dependence(sources(glow.inputs["Color"]))
+        self.layers: set[str] = set()
+        self.constants: dict[str, np.ndarray] = {}
+        self._material, self._path = material, folder / "texture.exr"
+
+    def texture(self, chart: Chart, size: tuple[int, int]) -> np.ndarray:
+        """(h, w, 3) float32 at the texel centres of the chart's square, row 0 at the top."""
+        width = size[0] / size[1]
+        places = (_SQUARE - 0.5) * [width, 1.0]
+        return self._rendered(places, chart.uvs(_SQUARE), size)[::-1]
+
+    def values(self, uvs: np.ndarray) -> np.ndarray:
+        """(n, 3) float32 at UV coordinates (n, 2), a square number of them."""
+        side = int(np.sqrt(len(uvs)))
+        rows, columns = np.divmod(np.arange(len(uvs)), side)
+        cell = np.stack([columns, rows], axis=1)[:, None] + _SQUARE
+        corners = uvs[:, None] + _POINT * (2.0 * _SQUARE - 1.0)
+        image = self._rendered(
+            (cell / side - 0.5).reshape(-1, 2), corners.reshape(-1, 2), (side,) * 2
+        )
+        return image.reshape(-1, 3)
+
+    def _rendered(self, places: np.ndarray, uvs: np.ndarray, size: tuple[int, int]) -> np.ndarray:
+        """(h, w, 3), row 0 at the bottom, of quads with corners (4q, 2) in an image's plane."""
+        scene = bpy.data.scenes.new("rna texture")
+        added = [self._quads(scene, places, uvs), _set_up(scene, size, self._path)]
+        try:
+            bpy.ops.render.render(write_still=True, scene=scene.name)
+            image = bpy.data.images.load(str(self._path))
+            pixels = np.empty(4 * size[0] * size[1], np.float32)
+            image.pixels.foreach_get(pixels)
+            bpy.data.images.remove(image)
+        finally:
+            self._path.unlink(missing_ok=True)
+            for item in added:
+                data = item.data
+                kept = bpy.data.meshes if isinstance(data, bpy.types.Mesh) else bpy.data.cameras
+                bpy.data.objects.remove(item)
+                kept.remove(data)
+            bpy.data.scenes.remove(scene)
+        return pixels.reshape(size[1], size[0], 4)[..., :3]
+
+    def _quads(
+        self, scene: bpy.types.Scene, places: np.ndarray, uvs: np.ndarray
+    ) -> bpy.types.Object:
+        mesh = bpy.data.meshes.new("rna texture")
+        vertices = np.column_stack([places, np.zeros(len(places))])
+        mesh.from_pydata(vertices.tolist(), [], np.arange(len(places)).reshape(-1, 4).tolist())
+        for name in sorted(self.layers):
+            layer = mesh.uv_layers.new(name=name or "UVMap")
+            layer.uv.foreach_set("vector", uvs.astype(np.float32).ravel())
+            layer.active_render = layer.active_render or not name
+        for name, value in self.constants.items():
+            colour = mesh.color_attributes.new(name or "rna colour", "FLOAT_COLOR", "CORNER")
+            colour.data.foreach_set("color", np.tile(value, len(places)).astype(np.float32))
+            if not name:
+                mesh.attributes.default_color_name = colour.name
+        mesh.materials.append(self._material)
+        item = bpy.data.objects.new("rna texture", mesh)
+        scene.collection.objects.link(item)
+        return item
 
 
-def _square(
-    scene: bpy.types.Scene, material: bpy.types.Material, names: set[str], size: tuple[int, int]
-) -> bpy.types.Object:
-    """A rectangle of the texture's shape in the plane z = 0, its UV coordinates from 0 to 1."""
-    width = size[0] / size[1]
-    corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
-    mesh = bpy.data.meshes.new("rna texture")
-    vertices = [((u - 0.5) * width, v - 0.5, 0.0) for u, v in corners]
-    mesh.from_pydata(vertices, [], [(0, 1, 2, 3)])
-    for name in names:
-        layer = mesh.uv_layers.new(name=name)
-        layer.uv.foreach_set("vector", np.array(corners, np.float32).ravel())
-    mesh.materials.append(material)
-    square = bpy.data.objects.new("rna texture", mesh)
-    scene.collection.objects.link(square)
-    return square
-
-
-def _set_up(scene: bpy.types.Scene, size: tuple[int, int], path: Path) -> None:
+def _set_up(scene: bpy.types.Scene, size: tuple[int, int], path: Path) -> bpy.types.Object:
     camera = bpy.data.cameras.new("rna texture")
     camera.type, camera.ortho_scale = "ORTHO", max(1.0, size[0] / size[1])
     placed = bpy.data.objects.new("rna texture", camera)
@@ -153,3 +126,4 @@ def _set_up(scene: bpy.types.Scene, size: tuple[int, int], path: Path) -> None:
     cycles.samples, cycles.use_adaptive_sampling, cycles.use_denoising = 1, False, False
     cycles.pixel_filter_type, cycles.filter_width = "GAUSSIAN", 0.01  # a box ignores its width
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
+    return placed

@@ -20,14 +20,13 @@ sys.path.insert(0, str(Path(__file__).parent))
 import curves_export
 import material_override
 import mesh_export
-import normal_maps
 import ray_render
 import read_files
 import render_settings
 import scene_parts
 import scene_render
 import source_scene
-import transparency
+import surface_textures
 import white_card
 from rendered_geometry import as_rendered
 
@@ -59,9 +58,10 @@ HANDLERS = {
     "exportCurves": lambda r: as_rendered(
         lambda: curves_export.export_curves(r["out"], r["owner"])
     ),
-    "exportMesh": lambda r: as_rendered(lambda: mesh_export.export_mesh(r["out"], r["owner"])),
-    "exportNormalMaps": lambda r: normal_maps.export_normal_maps(r["out"], r["side"]),
-    "exportTransparency": lambda request: transparency.export_transparency(request["out"]),
+    "exportMesh": lambda r: as_rendered(
+        lambda: mesh_export.export_mesh(r["out"], r["owner"], r["charts"])
+    ),
+    "exportTextures": lambda r: surface_textures.export_textures(r["out"], r["side"]),
     "renderCard": white_card.render_card,
     "renderRays": ray_render.render_rays,
     "renderScene": scene_render.render_scene,

@@ -10,7 +10,7 @@ from rna_export.capture.manifest import CapturedPart
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.size_notes import size_notes, too_coarse
 from rna_export.capture.weld import weld, with_last
-from rna_export.capture.worker import BlenderWorker, ScenePart, SeeThrough
+from rna_export.capture.worker import BlenderWorker, MaterialTextures, ScenePart
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, quantise
 from rna_sdk.package.manifest import NormalMapRecord, TransmittanceRecord
@@ -74,18 +74,18 @@ class ExportedParts:
 
 def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> ExportedParts:
     """All parts of the source that the worker has opened."""
-    see_through, notes = worker.export_transparency()
-    relief: dict[str, np.ndarray] = {}
-    exported = ExportedParts(worker.parts, has_opaque_cutouts=bool(notes), notes=notes)
-    if settings.normal_texels:
-        relief, more = worker.export_normal_maps(settings.normal_texels)
-        exported.notes += more
-        exported.has_learnt_relief = bool(more)
+    textures = worker.export_textures(settings.normal_texels)
+    exported = ExportedParts(
+        worker.parts,
+        has_opaque_cutouts=textures.captured_holes,
+        has_learnt_relief=textures.learnt_relief,
+        notes=list(textures.notes),
+    )
     for part in worker.parts:
         if part.kind == "fiber":
             exported.geometries[part.name] = worker.export_curves(part.owner)
         else:
-            _add_surface(exported, worker, part, see_through, relief)
+            _add_surface(exported, worker, part, textures)
     _check_not_empty(exported, worker)
     if not settings.exact_geometry:
         _quantise(exported)
@@ -116,14 +116,10 @@ def _quantise(exported: ExportedParts) -> None:
 
 
 def _add_surface(
-    exported: ExportedParts,
-    worker: BlenderWorker,
-    part: ScenePart,
-    see_through: dict[str, SeeThrough],
-    relief: dict[str, np.ndarray],
+    exported: ExportedParts, worker: BlenderWorker, part: ScenePart, of: MaterialTextures
 ) -> None:
-    last = list(dict.fromkeys([*relief, *see_through]))
-    corners = with_last(worker.export_corners(part.owner), last)
+    last = list(dict.fromkeys([*of.normals, *of.see_through]))
+    corners = with_last(worker.export_corners(part.owner, of.charts), last)
     if not len(corners["material"]):
         return
     exported.geometries[part.name] = weld(corners)
@@ -132,17 +128,17 @@ def _add_surface(
         if not len(rows):
             continue
         triangles = int(rows[0]), len(rows)
-        if found := see_through.get(name):
-            texture = f"transmittance/{list(see_through).index(name)}.safetensors"
+        if found := of.see_through.get(name):
+            texture = f"transmittance/{list(of.see_through).index(name)}.safetensors"
             exported.textures[texture] = found.texture
             record = TransmittanceRecord(
                 triangles=triangles, texture=texture, cutoff=found.cutoff, ior=found.ior
             )
             exported.records.setdefault(part.name, []).append(record)
-        if name in relief and corners["has_uv"]:
-            number = _first_equal(relief, name)
+        if name in of.normals:
+            number = _first_equal(of.normals, name)
             texture = f"normals/{number}.safetensors"
-            exported.textures[texture] = relief[name]
+            exported.textures[texture] = of.normals[name]
             mapped = NormalMapRecord(triangles=triangles, texture=texture)
             exported.maps.setdefault(part.name, []).append(mapped)
 

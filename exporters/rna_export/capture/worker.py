@@ -62,6 +62,24 @@ class SeeThrough:
 
 
 @dataclass(frozen=True)
+class MaterialTextures:
+    """Textures by the full name of their material.
+
+    see_through: holes and thin glass. normals: normal maps, (h, w, 2) uint8 as in a package.
+    charts: the texture coordinates that they are looked up at (see `uv_charts.py`). captured_holes:
+    whether light through some material has no texture and is part of its captured light.
+    learnt_relief: whether some relief has none. notes: for the user.
+    """
+
+    see_through: dict[str, SeeThrough]
+    normals: dict[str, np.ndarray]
+    charts: dict[str, Any]
+    captured_holes: bool
+    learnt_relief: bool
+    notes: list[str]
+
+
+@dataclass(frozen=True)
 class RenderedRays:
     """One row a ray, float32.
 
@@ -201,34 +219,33 @@ class BlenderWorker:
         points = np.ascontiguousarray(from_blender(arrays["points"]), np.float32)
         return Curves(points, arrays["radii"], arrays["offsets"].astype(np.uint32))
 
-    def export_corners(self, owner: str | None = None) -> dict[str, np.ndarray]:
+    def export_corners(
+        self, owner: str | None = None, charts: dict[str, Any] | None = None
+    ) -> dict[str, np.ndarray]:
         """Corners of a top object's triangles, or of the scene's, +Y up: see `mesh_export.py`.
 
-        The materials of the triangles by name, "" for none.
+        The materials of the triangles by their full name, "" for none. charts: of
+        `MaterialTextures`, for the texture coordinates.
         """
-        corners, answer = self._exported("exportMesh", owner=owner)
+        corners, answer = self._exported("exportMesh", owner=owner, charts=charts)
         for name in ("positions", "normals"):
             corners[name] = from_blender(corners[name])
         corners["material"] = np.array([*answer["materials"], ""])[corners["material"]]
         return corners
 
-    def export_transparency(self) -> tuple[dict[str, SeeThrough], list[str]]:
-        """Transmittance by material, and notes for the user."""
-        textures, answer = self._exported("exportTransparency")
-        found = {
-            record["material"]: SeeThrough(textures[str(k)], record["cutoff"], record["ior"])
-            for k, record in enumerate(answer["materials"])
-        }
-        return found, answer["notes"]
+    def export_textures(self, normal_texels: int) -> MaterialTextures:
+        """Holes, thin glass and normal maps of all materials that surfaces show.
 
-    def export_normal_maps(self, side: int) -> tuple[dict[str, np.ndarray], list[str]]:
-        """Normal maps by material, (h, w, 2) uint8 as in a package, and notes for the user.
-
-        side: texels along a side, at most.
+        normal_texels: along a side of a normal map, at most; 0 for no normal maps.
         """
-        textures, answer = self._exported("exportNormalMaps", side=side)
-        names = answer["materials"]
-        return {name: textures[str(k)] for k, name in enumerate(names)}, answer["notes"]
+        textures, answer = self._exported("exportTextures", side=normal_texels)
+        holes = {
+            record["material"]: SeeThrough(textures[f"holes{k}"], record["cutoff"], record["ior"])
+            for k, record in enumerate(answer["holes"])
+        }
+        normals = {name: textures[f"normals{k}"] for k, name in enumerate(answer["normals"])}
+        flags = answer["captured"], answer["learnt"]
+        return MaterialTextures(holes, normals, answer["charts"], *flags, answer["notes"])
 
     def _exported(self, op: str, **request: Any) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
         path = self._folder / f"exported-{self._name}.npz"
