@@ -7,10 +7,12 @@ import pytest
 
 from rna_export.capture.exported_parts import exported_parts
 from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.traced_rays import TracedRays
+from rna_export.capture.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from tests.exporters.conftest import OpenWorker
-from tests.exporters.cycles import assert_same_holes
+from tests.exporters.cycles import assert_same_holes, scene_of, unit
 
 pytestmark = pytest.mark.blender
 
@@ -65,4 +67,11 @@ add(*square({radius / 2**0.5}), leaf)
 add(*square({radius / 4}, z={radius / 4}))
 """
     worker = open_worker(script)
-    assert_same_holes(worker, exported_parts(worker, CaptureSettings()))
+    exported = exported_parts(worker, CaptureSettings())
+    assert_same_holes(worker, exported)
+    scene, rng, wi = scene_of(exported), np.random.default_rng(1), unit(0.2, 1.0, 0.4)
+    rays = sample_view_rays(scene, wi, 512, "sphere", rng)
+    traced = TracedRays.of(scene, worker, rays, wi, 16, 1, rng, opaque_cutouts=False)
+    assert traced.kept[traced.points.hit].mean() > 0.97
+    leaf = traced.kept & (traced.points.transmittance[:, 0] > 0.0)
+    assert traced.rendered.alpha[leaf].mean() == pytest.approx(0.5, abs=0.02)
