@@ -15,7 +15,7 @@ MISSING, EXTRA, ELSEWHERE, TURNED = "missing", "extra", "elsewhere", "turned"
 KINDS = (MISSING, EXTRA, ELSEWHERE, TURNED)
 
 _APART = 1e-3  # of the asset's radius: quantised geometry moves hits by 1e-5
-_TURN = np.cos(np.radians(20.0))  # normal maps of fewer texels than their images turn less
+_TURN = np.cos(np.radians(30.0))  # normal maps of fewer texels than their images turn less
 _GRAZING = 0.2  # cosine, below which Cycles bends normals towards the viewer
 _EMPTY = 1.0 - HIT  # alpha of a ray that meets nothing
 _SIGNIFICANT = 3.0  # standard errors

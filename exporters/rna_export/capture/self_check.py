@@ -44,7 +44,7 @@ _WORDS = {
     MISSING: "of what is exported is not in Cycles' images",
     EXTRA: "of what Cycles shows is not exported",
     ELSEWHERE: "of the hits are elsewhere in Cycles",
-    TURNED: "of the normals differ by more than 20 degrees",
+    TURNED: "of the normals differ by more than 30 degrees",
 }
 
 
