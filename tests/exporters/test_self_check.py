@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,10 +14,11 @@ from PIL import Image
 from rna_export.capture import run
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED
-from rna_export.capture.self_check import SelfCheck
+from rna_export.capture.self_check import PICTURE, SelfCheck
 from rna_export.capture.traced_rays import TracedRays
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import RenderedRays, Source
+from rna_export.make.cli import _kept_picture
 from rna_render.camera import Camera
 from rna_render.scene_model import CameraModel
 from rna_sdk.errors import CaptureError
@@ -190,6 +192,17 @@ def test_nothing_kept_is_an_error_of_one_line() -> None:
     assert not check.kept
     with pytest.raises(CaptureError, match=r"^ball.gltf: none of 1,024 view rays can be kept: "):
         run._refuse_nothing(check, Source(Path("ball.gltf")))
+
+
+def test_rna_make_keeps_the_picture_beside_the_package(tmp_path: Path) -> None:
+    order = SimpleNamespace(work=tmp_path / "toy.make")
+    assert _kept_picture(order, tmp_path / "toy.rna") is None
+    rays = tmp_path / "toy.make" / "rays"
+    rays.mkdir(parents=True)
+    (rays / PICTURE).write_bytes(b"a PNG")
+    kept = _kept_picture(order, tmp_path / "toy.rna")
+    assert kept == tmp_path / "toy.disagreement.png"
+    assert kept.read_bytes() == b"a PNG"
 
 
 def test_a_ray_that_neither_meets_is_no_disagreement() -> None:

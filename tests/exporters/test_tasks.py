@@ -11,10 +11,12 @@ from safetensors.numpy import load_file
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.dataset_part import DatasetPart
 from rna_export.capture.manifest import CaptureManifest
+from rna_export.capture.run import say_dropped
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import scene_of
 from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
 from rna_export.capture.worker import RenderedRays
+from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import ring, sphere
 from tests.exporters.synthetic import BALL_PART
@@ -72,6 +74,36 @@ def test_a_plan_is_every_light_once(tmp_path: Path) -> None:
     sizes = [len(load_file(dataset.dataset.train_path(k))["asset/wi"]) for k in range(3)]
     assert sizes == [400, 400, 200]
     assert len(np.unique(dataset.training_samples()["wi"], axis=0)) == 5
+
+
+def drop(share: int):
+    """A teacher that meets nothing along every so many rays."""
+
+    def spoil(radiance, alpha):
+        alpha[::share] = 0.0
+
+    return spoil
+
+
+@pytest.mark.parametrize(("share", "said"), [(2, 1), (1000, 0)])
+def test_dropped_rays_are_counted_and_said(tmp_path: Path, share: int, said: int) -> None:
+    dataset = make(tmp_path, sphere(4))
+    run_all(dataset, Teacher(drop(share)))
+    lines: list[str] = []
+    say_dropped(dataset.dataset, lines.append)
+    assert len(lines) == said
+    if said:
+        assert lines[0].startswith("note: 500 of 1,000 view rays (50.0%) made no sample")
+
+
+def test_a_capture_without_any_sample_is_an_error(tmp_path: Path) -> None:
+    dataset = make(tmp_path, sphere(4))
+    say_dropped(dataset.dataset, print)  # nothing captured yet
+    for task in all_tasks(dataset.dataset):
+        if isinstance(task, TrainingShard):
+            task.run(dataset.dataset, scene_of(dataset.dataset), Teacher(drop(1)))
+    with pytest.raises(CaptureError, match="none of 1,000 view rays made a sample"):
+        say_dropped(dataset.dataset, print)
 
 
 @pytest.mark.parametrize(("cutouts", "kept"), [(False, 100), (True, 200)])

@@ -187,10 +187,10 @@ def finish(
     if limit is not None and there < lights:
         dataset.plan_lights(there)
         say(f"time limit reached: {there:,} of {lights:,} lights; the dataset is complete")
-    _say_dropped(dataset, say)
+    say_dropped(dataset, say)
 
 
-def _say_dropped(dataset: Dataset, say: Callable[[str], None]) -> None:
+def say_dropped(dataset: Dataset, say: Callable[[str], None]) -> None:
     """Say how many view rays made no sample, from 1% on; CaptureError if none did."""
     asked, kept = dataset.rays_captured(), dataset.kept_rays()
     if not asked:
@@ -268,7 +268,7 @@ def _paths_a_second(
 def _refuse_nothing(check: SelfCheck, source: Source) -> None:
     """Raise CaptureError if no ray would make a sample."""
     if not check.kept:
-        why = check.note() or "what is exported transmits too much light to be learnt"
+        why = check.note() or "Cycles met nothing at their points"
         raise CaptureError(f"{source.path}: none of {check.asked:,} view rays can be kept: {why}")
 
 

@@ -450,6 +450,8 @@ def _write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> Non
 def _read_render(path: Path) -> dict[str, np.ndarray]:
     """The channels of a multilayer or multi-part EXR, "Pass.C" -> (pixels,) float32."""
     planes: dict[str, np.ndarray] = {}
+    if not path.is_file():
+        raise CaptureError(f"{path}: Blender wrote no image")
     with OpenEXR.File(str(path), separate_channels=True) as file:
         for part in file.parts:
             for name, channel in part.channels.items():

@@ -23,6 +23,7 @@ from rna_export.export.credit import add_credit
 from rna_export.export.precision import add_precision, precisions_of
 from rna_export.training.options import add_device
 from rna_export.training.presets import PRESETS
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_sdk.outputs import check_outputs, check_outside
 from rna_sdk.owned_folder import owned
@@ -30,6 +31,7 @@ from rna_work.places import place
 
 if TYPE_CHECKING:
     from rna_export.fit.goal import Goal
+    from rna_export.make.order import Order
     from rna_export.make.run import Made
     from rna_sdk.package import Manifest
 
@@ -215,12 +217,15 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
             made = Make(order, asked, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
         manifest = export(made, args.out, args.source, args.license, precisions)
+        marked = _kept_picture(order, args.out)
         others = [] if args.keep else folder.dissolve(*WRITTEN)
     if others:
         print(f"kept {work}: rna-make did not write {', '.join(others)}")
     print(_outcome(made, manifest, goal))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB{f', {work}' if args.keep else ''}")
+    if marked is not None:
+        print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
     _tell_next(args)
 
 
@@ -240,6 +245,19 @@ def _tell_next(args: argparse.Namespace) -> None:
     compare = "rna-compare", args.out, args.model, "--out", f"{args.out.stem}-compare"
     print(f"next: {command_line('rna-view', args.out)}")
     print(f"      {command_line(*compare)}")
+
+
+def _kept_picture(order: Order, out: Path) -> Path | None:
+    """A copy, beside the package, of what the capture's check marked; None if it found nothing."""
+    from rna_export.capture.self_check import PICTURE
+    from rna_export.make.rays import rays_folder
+
+    marked = rays_folder(order) / PICTURE
+    if not marked.is_file():
+        return None
+    copy = out.with_suffix(f".{PICTURE}")
+    write_atomically(copy, marked.read_bytes())
+    return copy
 
 
 def _goal(args: argparse.Namespace) -> Goal | None:

@@ -10,6 +10,7 @@ from pathlib import Path
 from time import monotonic
 
 from rna_export.capture.dataset import Dataset
+from rna_export.capture.run import say_dropped
 from rna_export.export.build import build_package
 from rna_export.export.dressing import dress
 from rna_export.export.precision import Precision
@@ -74,6 +75,7 @@ class Make:
             while (why := self._verdict()) is None:
                 self._round()
             self._progress.say(f"{why} after round {len(self._state.rounds)}")
+            say_dropped(self._rays.dataset, self._progress.say)
             for preset in self._by_cost:
                 if preset != self._lead or why != "goal met":
                     self._last_phase(preset)
