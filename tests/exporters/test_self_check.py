@@ -14,7 +14,7 @@ from PIL import Image
 from rna_export.capture import run
 from rna_export.capture.asset_scene import AssetScene
 from rna_export.capture.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED
-from rna_export.capture.self_check import PICTURE, SelfCheck
+from rna_export.capture.self_check import PICTURE, SelfCheck, picture_side
 from rna_export.capture.traced_rays import TracedRays
 from rna_export.capture.view_rays import ViewRays, sample_view_rays
 from rna_export.capture.worker import RenderedRays, Source
@@ -151,7 +151,7 @@ def test_what_differs_is_told(exported: AssetScene, rendered: AssetScene, kind: 
     check = checked(exported, rendered)
     assert check.shares[kind] >= 0.01
     assert kind in check.worth_telling()
-    assert Image.open(io.BytesIO(check.picture)).size[0] == 3 * 3 * 128
+    assert Image.open(io.BytesIO(check.picture)).size[0] == 3 * 384
 
 
 def test_other_normals_are_told_of_surfaces_whose_relief_is_mapped() -> None:
@@ -203,6 +203,11 @@ def test_rna_make_keeps_the_picture_beside_the_package(tmp_path: Path) -> None:
     kept = _kept_picture(order, tmp_path / "toy.rna")
     assert kept == tmp_path / "toy.disagreement.png"
     assert kept.read_bytes() == b"a PNG"
+
+
+@pytest.mark.parametrize(("rays", "side"), [(64, 48), (4096, 101), (16384, 128)])
+def test_the_picture_costs_no_more_than_a_render_of_view_rays(rays: int, side: int) -> None:
+    assert picture_side(rays) == side
 
 
 def test_a_ray_that_neither_meets_is_no_disagreement() -> None:

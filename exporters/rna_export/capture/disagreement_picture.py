@@ -13,7 +13,7 @@ from rna_export.capture.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED, D
 from rna_export.capture.view_rays import ViewRays
 from rna_export.capture.worker import RenderedRays
 
-_SCALE = 3
+_PANEL = 384  # pixels, of each of the three
 _MARKS = {
     MISSING: (214, 39, 40),
     EXTRA: (31, 119, 230),
@@ -40,7 +40,7 @@ def disagreement_picture(
     exported = _shaded(scene, rays)
     images = _cycles(rendered), exported, _marked(exported, found)
     labels = "Cycles", "exported geometry", "what differs"
-    side = _SCALE * round(len(rays) ** 0.5)
+    side = _PANEL
     line = side // 14
     font = ImageFont.load_default(line * 0.6)
     width, top = 3 * side, 2 * line

@@ -23,7 +23,7 @@ from rna_export.capture.exported_parts import exported_parts
 from rna_export.capture.gathered import Gathered
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.scene_domain import scene_domain
-from rna_export.capture.self_check import PICTURE, WORTH_A_NOTE, SelfCheck
+from rna_export.capture.self_check import PICTURE, WORTH_A_NOTE, SelfCheck, picture_side
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureJob, CaptureWorker, opened
 from rna_export.capture.tasks import Task, TrainingShard, all_tasks
@@ -111,7 +111,12 @@ def begin(
         limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
         domain = limited or Domain(wo=settings.domain, wi=settings.domain)
         exported.notes += check_seen(source.path, scene, geometries, domain.wo)
-        check = SelfCheck(scene, settings.samples, normals=not exported.has_learnt_relief)
+        check = SelfCheck(
+            scene,
+            settings.samples,
+            normals=not exported.has_learnt_relief,
+            side=picture_side(settings.rays),
+        )
         cutouts = exported.has_opaque_cutouts
         rate = _paths_a_second(check, settings, domain, worker, cutouts) * crew.backend().width()
         _refuse_nothing(check, source)

@@ -35,7 +35,8 @@ WORTH_A_NOTE = 0.01
 """Share of rays from which a disagreement is told."""
 
 _WIDER = 1.2  # than the asset's sphere: what is not exported may stand beside it
-_SIDE = 128  # pixels
+_SIDES = 48, 128  # pixels, at least and at most
+_COVERED = 0.4  # of a picture
 _FOV = np.radians(40.0)
 _FROM = np.array([0.5, 0.4, 1.0])  # direction of the picture's camera, if all agrees
 _CLUSTER = np.cos(np.radians(40.0))
@@ -52,12 +53,14 @@ _WORDS = {
 class SelfCheck:
     """Compares Cycles with our scene, as it goes, during the first renders of a capture.
 
-    samples: of each ray. normals: whether the exported ones are to be Cycles'.
+    samples: of each ray. normals: whether the exported ones are to be Cycles'. side: of the
+    picture, pixels.
     """
 
     scene: AssetScene
     samples: int
     normals: bool
+    side: int = _SIDES[1]
     asked: int = 0
     kept: int = 0
     shares: dict[str, float] = field(default_factory=lambda: dict.fromkeys(KINDS, 0.0))
@@ -95,11 +98,12 @@ class SelfCheck:
         """Render an ordinary image of the whole source from where most differs, and compare it."""
         camera = self._camera()
         wi = _unit(camera.to_world[:3, 2] + 0.7 * camera.to_world[:3, 1]).astype(np.float32)
-        view = camera.to_world, _FOV, wi, self.samples, 0, _SIDE, _SIDE
+        side = self.side
+        view = camera.to_world, _FOV, wi, self.samples, 0, side, side
         rendered = worker.render_pixel_centres(*view)
-        pixels = np.arange(_SIDE**2, dtype=np.uint32)
-        directions = camera.directions(pixels, np.full((_SIDE**2, 2), 0.5))
-        rays = ViewRays(np.tile(camera.position, (_SIDE**2, 1)), directions)
+        pixels = np.arange(side**2, dtype=np.uint32)
+        directions = camera.directions(pixels, np.full((side**2, 2), 0.5))
+        rays = ViewRays(np.tile(camera.position, (side**2, 1)), directions)
         found = Disagreement.of(self.scene, rays, rendered, self.samples, self.normals)
         self._note(found.shares(), rays, found.any)
         if self.worth_telling():
@@ -142,7 +146,7 @@ class SelfCheck:
             up=up,
             vertical_fov_deg=np.degrees(_FOV),
         )
-        return Camera(model, (_SIDE, _SIDE))
+        return Camera(model, (self.side, self.side))
 
     def _busiest(self) -> np.ndarray:
         """The direction around which most viewers see something that differs, (3,)."""
@@ -151,6 +155,12 @@ class SelfCheck:
             return _FROM
         candidates = towards[:: max(len(towards) // _CANDIDATES, 1)]
         return np.asarray(candidates[np.argmax((candidates @ towards.T > _CLUSTER).sum(axis=1))])
+
+
+def picture_side(rays: int) -> int:
+    """Pixels of a picture that costs no more than a render of so many view rays."""
+    least, most = _SIDES
+    return int(np.clip(np.sqrt(rays / _COVERED), least, most))
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:
