@@ -177,6 +177,6 @@ def test_nodes_that_gltf_hides_stay_out_with_all_below_them(
     found = answer_of(blender_python, HIDDEN_NODES, str(path))
     assert found["meshes"] == ["also", "seen"]
     assert found["notes"] == [
-        "2 nodes that the file hides (KHR_node_visibility) left out",
+        "left out 2 nodes that the file hides (KHR_node_visibility)",
         "Blender's importer does not know ACME_fog, and passes over it",
     ]

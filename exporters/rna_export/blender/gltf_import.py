@@ -44,7 +44,7 @@ def _hide_nodes(data: Any) -> list[str]:
     if not below:
         return []
     named = "node" if len(below) == 1 else "nodes"
-    return [f"{len(below)} {named} that the file hides ({_VISIBILITY}) left out"]
+    return [f"left out {len(below)} {named} that the file hides ({_VISIBILITY})"]
 
 
 def _is_visible(node: Any) -> bool:
