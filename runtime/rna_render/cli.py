@@ -215,7 +215,7 @@ def _check_usage(parser: argparse.ArgumentParser, options: argparse.Namespace) -
     for name in ("frames", "cluster"):
         if options.every is not None and getattr(options, name) is not None:
             parser.error(f"--every is for a still image on this machine, not for --{name}")
-    for path, suffixes in ((options.out, (".exr", ".npz")), (options.png, (".png",))):
+    for path, suffixes in ((options.out, (".exr", ".npz", ".png")), (options.png, (".png",))):
         if path is not None and path.suffix.lower() not in suffixes:
             parser.error(f"{path}: expected a name that ends with {' or '.join(suffixes)}")
         if path is not None and not path.parent.is_dir():

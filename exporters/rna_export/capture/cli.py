@@ -20,6 +20,7 @@ from rna_export.machine import default_workers
 from rna_export.memory import keep_freed_memory
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
+from rna_sdk.file_kinds import not_a
 from rna_sdk.owned_folder import owned
 from rna_work.cluster_option import add_cluster_option
 from rna_work.places import place
@@ -225,6 +226,8 @@ def check_source(source: Path) -> None:
     if not source.is_file():
         raise CaptureError(f"{source}: no such file")
     if source.suffix.lower() not in SUFFIXES:
+        if (wrong := not_a("model", source)) is not None:
+            raise CaptureError(f"{source}: {wrong}")
         raise CaptureError(
             f"{source}: found {source.suffix!r}, expected one of {', '.join(SUFFIXES)}"
         )
