@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 
-from rna_sdk.console import command_parser
+from rna_sdk.console import command_parser, run_command
 from rna_sdk.package.issues import is_valid
 from rna_sdk.package.manifest import Manifest
 from rna_sdk.package.manifest_short import has_short_form
@@ -21,6 +21,10 @@ VALID, INVALID = 0, 1
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command. Returns 0 when every file is valid, 1 when one is not."""
     options = _parser().parse_args(arguments)
+    return run_command(lambda: _run(options), options.debug, "no verdict on the other files")
+
+
+def _run(options: argparse.Namespace) -> int:
     status, records = VALID, []
     for path in options.files:
         try:

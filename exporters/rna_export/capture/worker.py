@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import math
+import os
+import shutil
 import subprocess
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from zipfile import BadZipFile
 
 import numpy as np
 import OpenEXR
@@ -20,6 +25,7 @@ from rna_sdk.package import Curves
 from rna_work.processor_time import process_seconds
 
 _CARD = 4  # pixels, a side
+_LITTLE = 1 << 20  # bytes; with fewer, the disk is full
 _LINES = 5  # of Blender's output, in an error
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
 
@@ -169,7 +175,7 @@ class BlenderWorker:
         process.wait()
         for stream in (process.stdin, process.stdout, self._log):
             if stream is not None:
-                with contextlib.suppress(BrokenPipeError):  # a request that never reached it
+                with contextlib.suppress(OSError):  # a request that never reached it; a full disk
                     stream.close()
 
     def _running(self) -> subprocess.Popen[str]:
@@ -250,7 +256,7 @@ class BlenderWorker:
     def _exported(self, op: str, **request: Any) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
         path = self._folder / f"exported-{self._name}.npz"
         answer = self._ask(op=op, out=str(path), **request)
-        with np.load(path) as data:
+        with _exchanged(path), np.load(path) as data:
             arrays = dict(data)
         path.unlink()
         return arrays, answer
@@ -443,7 +449,7 @@ def _write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> Non
     image[: len(vectors)] = vectors
     header = {"compression": OpenEXR.NO_COMPRESSION, "type": OpenEXR.scanlineimage}
     channels = {"RGB": image.reshape(height, width, 3)}
-    with OpenEXR.File(header, channels) as file:
+    with _exchanged(path), OpenEXR.File(header, channels) as file:
         file.write(str(path))
 
 
@@ -452,12 +458,26 @@ def _read_render(path: Path) -> dict[str, np.ndarray]:
     planes: dict[str, np.ndarray] = {}
     if not path.is_file():
         raise CaptureError(f"{path}: Blender wrote no image")
-    with OpenEXR.File(str(path), separate_channels=True) as file:
-        for part in file.parts:
-            for name, channel in part.channels.items():
-                pixels = np.asarray(channel.pixels, np.float32).reshape(-1)
-                planes[".".join(name.split(".")[-2:])] = pixels
+    with _exchanged(path):
+        with OpenEXR.File(str(path), separate_channels=True) as file:
+            for part in file.parts:
+                for name, channel in part.channels.items():
+                    pixels = np.asarray(channel.pixels, np.float32).reshape(-1)
+                    planes[".".join(name.split(".")[-2:])] = pixels
+        if "Combined.A" not in planes:
+            raise ValueError("it has no image")
     return planes
+
+
+@contextlib.contextmanager
+def _exchanged(path: Path) -> Iterator[None]:
+    """Raises CaptureError where a file that goes to Blender or comes from it is not whole."""
+    try:
+        yield
+    except (OSError, RuntimeError, ValueError, KeyError, EOFError, BadZipFile) as error:
+        is_full = shutil.disk_usage(path.parent).free < _LITTLE
+        why = os.strerror(errno.ENOSPC) if is_full else " ".join(str(error).split())
+        raise CaptureError(f"{path}: a file exchanged with Blender is not whole: {why}") from error
 
 
 def _channels(passes: dict[str, np.ndarray], name: str, channels: str) -> np.ndarray:

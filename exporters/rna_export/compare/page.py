@@ -7,7 +7,6 @@ from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
 
 from rna_export.compare.run import Pair
 from rna_export.compare.sheet import comparison_sheet, flip_colours
@@ -20,6 +19,7 @@ from rna_export.metrics import (
     display,
     to_png,
 )
+from rna_export.pictures import write_picture
 from rna_sdk.atomic_file import write_atomically
 
 _NUMBERS = ("psnr", "flip", "coverage", "seconds_ours", "seconds_cycles")
@@ -37,7 +37,7 @@ def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, 
             for kind in images
         ]
         for picture, image in zip(pictures, images.values(), strict=True):
-            Image.fromarray(image).save(folder / picture["file"])
+            write_picture(folder / picture["file"], image)
         rows.append((pair.shot.name, pictures))
     summary = _summary(pairs)
     write_html(
@@ -53,7 +53,7 @@ def write_page(folder: Path, title: str, pairs: list[Pair], settings: dict[str, 
     )
     results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
     write_atomically(folder / "results.json", (json.dumps(results, indent=1) + "\n").encode())
-    comparison_sheet(strips).save(folder / "sheet.png")
+    write_picture(folder / "sheet.png", comparison_sheet(strips))
 
 
 def is_report(folder: Path) -> bool:

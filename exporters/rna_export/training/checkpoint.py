@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zipfile
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from torch import Tensor
 from rna_export.capture.manifest import CaptureManifest, what_is_wrong
 from rna_export.training.model import NeuralAsset
 from rna_export.training.presets import ModelConfig, Preset
-from rna_sdk.atomic_file import atomic_file
+from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import ExportError, TrainingError
 
 
@@ -71,8 +72,9 @@ def save_checkpoint(
     progress: what an interrupted run resumes from.
     """
     weights = {"model": model.state_dict(), "record": record}
-    with atomic_file(path) as temporary:
-        torch.save(weights if progress is None else {**weights, "progress": progress}, temporary)
+    data = BytesIO()  # torch's own writer of files does not say why it cannot write one
+    torch.save(weights if progress is None else {**weights, "progress": progress}, data)
+    write_atomically(path, data.getvalue())
 
 
 def _saved(path: Path) -> dict[str, Any]:

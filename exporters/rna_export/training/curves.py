@@ -48,7 +48,9 @@ class Curves:
         left.set(xlabel="step", ylabel="training loss")
         right.plot(steps, [row["psnr"] for row in self.rows], marker="o")
         right.set(xlabel="step", ylabel="validation PSNR (dB, irradiance pi, [0, 1])")
-        figure.savefig(self._folder / "curves.png", dpi=100)
+        picture = io.BytesIO()
+        figure.savefig(picture, format="png", dpi=100)
+        write_atomically(self._folder / "curves.png", picture.getvalue())
         plt.close(figure)
         gc.collect()  # matplotlib's reference cycles hold all callers' frames, and their samples
 

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import torch
-from PIL import Image
 
 from rna_export.capture.validation_view import CapturedImage, EmissionView, ValidationView
 from rna_export.metrics import (
@@ -19,6 +18,7 @@ from rna_export.metrics import (
     relative_mse,
     to_png,
 )
+from rna_export.pictures import write_picture
 from rna_export.training.model import NeuralAsset
 
 _ROWS = 65536
@@ -99,4 +99,4 @@ def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[Captu
         ours, cycles = view.image(shaded), view.image(view.reference)
         error = np.clip(255.0 * flip(ours, cycles)[1], 0, 255).astype(np.uint8)
         row = [to_png(ours), to_png(cycles), np.repeat(error[..., None], 3, axis=2)]
-        Image.fromarray(np.concatenate(row, axis=1)).save(folder / f"view-{view.index:02d}.png")
+        write_picture(folder / f"view-{view.index:02d}.png", np.concatenate(row, axis=1))

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
 from pydantic import BaseModel, ConfigDict
 
 from rna_export.capture.validation_view import CapturedImage
@@ -19,6 +18,7 @@ from rna_export.metrics import (
     relative_mse,
     to_png,
 )
+from rna_export.pictures import write_picture
 
 
 class ViewScores(BaseModel):
@@ -72,5 +72,5 @@ def write_strips(
     """`<stem>-render.png` and `<stem>-flip.png` (grey): all views in a row."""
     renders = [to_png(view.image(rows)) for rows, view in zip(radiance, views, strict=True)]
     errors = np.clip(255.0 * np.concatenate(flips, axis=1) + 0.5, 0, 255).astype(np.uint8)
-    Image.fromarray(np.concatenate(renders, axis=1)).save(f"{stem}-render.png")
-    Image.fromarray(errors).save(f"{stem}-flip.png")
+    write_picture(stem.with_name(f"{stem.name}-render.png"), np.concatenate(renders, axis=1))
+    write_picture(stem.with_name(f"{stem.name}-flip.png"), errors)
