@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import signal
+import struct
 import subprocess
 import sys
 import time
@@ -17,8 +18,10 @@ from pydantic import ValidationError
 import rna_render.frame_worker
 from rna_render.animation import frame_scene
 from rna_render.cli import INTERRUPTED, main
-from rna_render.images import read_exr
+from rna_render.images import read_exr, write_exr
+from rna_render.scene_file import read_scene
 from rna_render.scene_model import Scene
+from rna_render.scene_sources import contents_key
 from tests.render.assets import sphere
 from tests.render.packages import ALBEDO, write_lambert_package
 
@@ -155,6 +158,84 @@ def test_only_what_is_missing_or_was_made_otherwise_is_rendered(folder, capsys, 
     later = time.time() + 5
     os.utime(folder / "ball.rna", (later, later))
     assert rendered(more=["--samples", 2]) == []
+
+
+GLTF = json.dumps(
+    {
+        "asset": {"version": "2.0"},
+        "buffers": [{"uri": "a.bin"}],
+        "images": [{"uri": "b%20c.png"}],
+    }
+).encode()
+READ = {
+    "a.gltf": GLTF,
+    "a.bin": b"buffer",
+    "b c.png": b"image",
+    "d.glb": struct.pack("<4sIIII", b"glTF", 2, 28 + len(GLTF), len(GLTF), 0x4E4F534A) + GLTF,
+    "e.obj": b"mtllib e.mtl",
+    "e.mtl": b"newmtl e\nmap_Kd f.png",
+    "f.png": b"texture",
+    "g.png": b"ground",
+}
+"""Files that a scene reads, of no use but for the names in them."""
+OBJECTS = """\
+objects: [{path: a.gltf}, {path: d.glb}, {path: e.obj}]
+ground: {material: {type: diffuse, texture: g.png}}
+"""
+
+
+def test_contents_of_all_files_that_are_read_tell_frames_apart(folder):
+    """Whatever their time stamps and sizes are."""
+    for name, data in READ.items():
+        (folder / name).write_bytes(data)
+    (folder / "scene.yaml").write_text(SCENE + OBJECTS)
+    scene_file = read_scene(folder / "scene.yaml")
+    whole = contents_key(scene_file)
+    for name in ("ball.rna", *READ):
+        path = folder / name
+        data, state = path.read_bytes(), path.stat()
+        path.write_bytes(bytes([data[0], data[1] ^ 1]) + data[2:])
+        os.utime(path, ns=(state.st_atime_ns, state.st_mtime_ns))
+        assert contents_key(scene_file) != whole, name
+        path.write_bytes(data)
+    assert contents_key(scene_file) == whole
+
+
+def test_an_asset_swapped_for_an_older_one_gets_new_frames(folder):
+    assert run(folder, frames="0") == 0
+    before = read_exr(folder / "f.0000.exr")
+    write_lambert_package(folder / "ball.rna", sphere(2))
+    os.utime(folder / "ball.rna", (0, 0))
+    assert run(folder, frames="0") == 0
+    after = read_exr(folder / "f.0000.exr")
+    assert before[1]["rnaContents"] != after[1]["rnaContents"]
+    assert not np.array_equal(before[0]["R"], after[0]["R"])
+
+
+def test_frames_go_on_after_the_reader_of_their_lines_ended(folder):
+    reading, writing = os.pipe()
+    command = [sys.executable, "-m", "rna_render.cli", folder / "scene.yaml", "--frames", "all"]
+    files = ["--out", folder / "f.%04d.exr"]
+    with subprocess.Popen([*command, *files], stdout=writing, stderr=writing) as process:
+        os.close(writing)
+        os.close(reading)
+    assert process.returncode == 0
+    assert len(list(folder.glob("f.*.exr"))) == 4
+
+
+@pytest.mark.parametrize("name", ["ball.exr", "0004.exr"])
+def test_frames_do_not_replace_what_the_scene_reads(folder, capsys, name):
+    write_exr(folder / name, {c: np.ones((2, 4), np.float32) for c in "RGB"}, {})
+    lights = SCENE.replace("lights:", f"lights:\n  - {{type: environment, path: {name}}}")
+    (folder / "scene.yaml").write_text(lights.replace("frames: 4", "frames: 9"))
+    before = (folder / name).read_bytes()
+    if name == "ball.exr":
+        command = ["--out", str(folder / name)]
+    else:
+        command = ["--out", str(folder / "%04d.exr"), "--frames", "4"]
+    assert main([str(folder / "scene.yaml"), *command]) == 1
+    assert f"{name}: is an input" in capsys.readouterr().err
+    assert (folder / name).read_bytes() == before
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])

@@ -25,6 +25,7 @@ from rna_sdk.package import Curves
 from rna_work.processor_time import process_seconds
 
 _CARD = 4  # pixels, a side
+_LOBES = ("Diffuse", "Glossy", "Transmission")
 _LITTLE = 1 << 20  # bytes; with fewer, the disk is full
 _LINES = 5  # of Blender's output, in an error
 _WORKER = Path(__file__).parent.parent / "blender" / "worker.py"
@@ -288,10 +289,15 @@ class BlenderWorker:
         _write_rays(paths["directions"], to_blender(directions), width, height)
         request = {k: str(p) for k, p in paths.items()} | {"reach": reach, "normals": normals}
         self._render("renderRays", request, wi, samples, seed, width, height)
-        passes = _read_render(paths["out"])
+        passes = _read_render(paths["out"], *self._needed())
         for path in paths.values():
             path.unlink(missing_ok=True)
         return self._rays(passes, n)
+
+    def _needed(self) -> tuple[str, ...]:
+        """Passes that `_rays` reads."""
+        lobes = [f"{lobe} {kind}" for lobe in _LOBES for kind in ("Direct", "Color")]
+        return "Combined", "Position", *(lobes if self.kind != "surface" else ())
 
     def _rays(self, passes: dict[str, np.ndarray], n: int) -> RenderedRays:
         rgba = _channels(passes, "Combined", "RGBA")[:n]
@@ -328,7 +334,7 @@ class BlenderWorker:
         asked = {"out": str(out), "emits": False, "normals": True, "points": True}
         request = {**asked, **_pinhole(to_world, fov_y, width, height)}
         self._render("renderView", request, wi, samples, seed, width, height)
-        passes = _read_render(out)
+        passes = _read_render(out, *self._needed())
         out.unlink()
         return self._rays(passes, width * height)
 
@@ -453,8 +459,11 @@ def _write_rays(path: Path, vectors: np.ndarray, width: int, height: int) -> Non
         file.write(str(path))
 
 
-def _read_render(path: Path) -> dict[str, np.ndarray]:
-    """The channels of a multilayer or multi-part EXR, "Pass.C" -> (pixels,) float32."""
+def _read_render(path: Path, *needed: str) -> dict[str, np.ndarray]:
+    """The channels of a multilayer or multi-part EXR, "Pass.C" -> (pixels,) float32.
+
+    needed: passes, of which it is an error that one is missing.
+    """
     planes: dict[str, np.ndarray] = {}
     if not path.is_file():
         raise CaptureError(f"{path}: Blender wrote no image")
@@ -464,8 +473,9 @@ def _read_render(path: Path) -> dict[str, np.ndarray]:
                 for name, channel in part.channels.items():
                     pixels = np.asarray(channel.pixels, np.float32).reshape(-1)
                     planes[".".join(name.split(".")[-2:])] = pixels
-        if "Combined.A" not in planes:
-            raise ValueError("it has no image")
+        there = {name.rpartition(".")[0] for name in planes}
+        if missing := {"Combined", *needed} - there:
+            raise ValueError(f"it has no {', '.join(sorted(missing))}")
     return planes
 
 
@@ -488,7 +498,7 @@ def _direct(passes: dict[str, np.ndarray]) -> np.ndarray:
     """Light of no bounce; Cycles divides each lobe's by its colour."""
     lobes = [
         _channels(passes, f"{lobe} Direct", "RGB") * _channels(passes, f"{lobe} Color", "RGB")
-        for lobe in ("Diffuse", "Glossy", "Transmission")
+        for lobe in _LOBES
     ]
     diffuse, glossy, transmission = lobes
     return np.asarray(diffuse + glossy + transmission)
