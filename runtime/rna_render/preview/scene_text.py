@@ -17,7 +17,10 @@ def scene_text(scene: Scene, folder: Path) -> str:
 
     folder: of the scene file; paths below it are relative to it.
     """
-    lights = [light.model_dump(mode="json", exclude_defaults=True) for light in scene.lights]
+    lights = [
+        {"type": light.type, **light.model_dump(mode="json", exclude_defaults=True)}
+        for light in scene.lights
+    ]
     for light in lights:
         if "path" in light and Path(light["path"]).is_relative_to(folder.resolve()):
             light["path"] = Path(light["path"]).relative_to(folder.resolve()).as_posix()
