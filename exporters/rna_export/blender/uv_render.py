@@ -93,7 +93,13 @@ class ColourOfUv:
     ) -> bpy.types.Object:
         mesh = bpy.data.meshes.new("rna texture")
         vertices = np.column_stack([places, np.zeros(len(places))])
-        mesh.from_pydata(vertices.tolist(), [], np.arange(len(places)).reshape(-1, 4).tolist())
+        mesh.vertices.add(len(places))
+        mesh.vertices.foreach_set("co", vertices.astype(np.float32).ravel())
+        mesh.loops.add(len(places))
+        mesh.loops.foreach_set("vertex_index", np.arange(len(places), dtype=np.int32))
+        mesh.polygons.add(len(places) // 4)
+        mesh.polygons.foreach_set("loop_start", np.arange(0, len(places), 4, dtype=np.int32))
+        mesh.update(calc_edges=True)
         for name in sorted(self.layers):
             layer = mesh.uv_layers.new(name=name or "UVMap")
             layer.uv.foreach_set("vector", uvs.astype(np.float32).ravel())
