@@ -15,11 +15,14 @@ PSNR_DEFINITION = (
     "PSNR of linear radiance under a light of irradiance pi, clamped to [0, 1], over the asset's "
     "pixels only; mean over images"
 )
+"""Exposed as `exposure_of` says, where the references are dark."""
+
 WITHOUT_NOISE_DEFINITION = (
-    "PSNR of linear radiance under a light of irradiance pi against what two independent halves of "
-    "the reference would converge to: mean over the asset's pixels and channels of the unclamped "
-    "product of the differences from both halves, where the reference is within [0, 1]; 95% "
-    "interval; a lower bound (high: null) where that mean is not above its own error"
+    "the same PSNR against what two independent halves of the reference would converge to: the "
+    "mean over the asset's pixels and channels of the product of the clamped image's differences "
+    "from both halves, as far as a half is within [0, 1], and nowhere more than the squared error "
+    "of the PSNR itself, which it is never below; 95% interval; a lower bound (high: null) where "
+    "that mean is not above its own error"
 )
 FLIP_DEFINITION = "mean LDR-FLIP of the sRGB image over black, whole image"
 P99_DEFINITION = (
@@ -27,19 +30,59 @@ P99_DEFINITION = (
     "mean), each the mean of RGB; mean over images"
 )
 IRRADIANCE = np.pi
+DARK = 0.25
+"""Displayed level, linear: where 99% of all references' channels are below, the asset is dark, and
+scores are taken at the exposure that shows this percentile so. At any other, a model scores by the
+asset's darkness."""
 
+_BLACK = 1e-4  # displayed level below which nothing is to be seen at any exposure
+_ONE_COLOUR = 2.0 / 255.0  # displayed difference
 _LEAST_ERROR = 1e-12  # mean squared: 120 dB, float32's rounding
 
 
-def display(radiance: np.ndarray) -> np.ndarray:
+def display(radiance: np.ndarray, exposure: float = 1.0) -> np.ndarray:
     """Radiance at irradiance 1 as displayed under irradiance pi: linear, in [0, 1]."""
-    return np.clip(radiance * IRRADIANCE, 0.0, 1.0)
+    return np.clip(radiance * (IRRADIANCE * exposure), 0.0, 1.0)
 
 
-def psnr(radiance: np.ndarray, reference: np.ndarray) -> float:
+def exposure_of(references: Sequence[np.ndarray]) -> float:
+    """Exposure that scores are taken at: above 1 for dark references, see `DARK`.
+
+    references: (n, 3) each, at irradiance 1, the asset's pixels only.
+    """
+    level = _level(references)
+    return max(1.0, DARK / level) if level > _BLACK else 1.0
+
+
+def emission_exposure(references: Sequence[np.ndarray]) -> float:
+    """Exposure of emission, whose radiance has any scale: the 99th percentile is white."""
+    level = _level(references)
+    return 1.0 / level if level > 0.0 else 1.0
+
+
+def _level(references: Sequence[np.ndarray]) -> float:
+    """99th percentile of all channels as displayed, not clamped."""
+    values = np.concatenate([np.zeros(0), *(r.ravel() for r in references)])
+    return IRRADIANCE * float(np.percentile(values, 99.0)) if values.size else 0.0
+
+
+def plain(references: Sequence[np.ndarray]) -> str | None:
+    """What the references are if a PSNR says nothing of them: "black" or "of one colour"."""
+    rows = np.concatenate([np.zeros((0, 3)), *references])
+    if not len(rows) or _level(references) <= _BLACK:
+        return "black"
+    shown = display(rows, exposure_of(references))
+    return "of one colour" if np.ptp(shown, axis=0).max() < _ONE_COLOUR else None
+
+
+def psnr(radiance: np.ndarray, reference: np.ndarray, exposure: float = 1.0) -> float:
     """See `PSNR_DEFINITION`; both (n, 3), at irradiance 1, the asset's pixels only."""
-    error = display(radiance).astype(np.float64) - display(reference)
-    return _decibels(float(np.mean(error**2)))
+    return _decibels(float(_squared_error(radiance, reference, exposure).mean()))
+
+
+def _squared_error(radiance: np.ndarray, reference: np.ndarray, exposure: float) -> np.ndarray:
+    error = display(radiance, exposure).astype(np.float64) - display(reference, exposure)
+    return np.asarray(error**2)
 
 
 @dataclass(frozen=True)
@@ -56,9 +99,12 @@ class NoiselessPsnr:
     high: float | None
 
     @classmethod
-    def of_error(cls, error: float, margin: float) -> NoiselessPsnr:
-        """The PSNR of an estimated mean squared error with the half width of its 95% interval."""
-        low = _decibels(max(error, 0.0) + margin)
+    def of_error(cls, error: float, margin: float, most: float = math.inf) -> NoiselessPsnr:
+        """The PSNR of an estimated mean squared error with the half width of its 95% interval.
+
+        most: what the error is not above.
+        """
+        low = _decibels(min(max(error, 0.0) + margin, most))
         if error <= margin:
             return cls(low, low, None)
         return cls(_decibels(error), low, _decibels(error - margin))
@@ -79,23 +125,29 @@ class NoiselessPsnr:
         return f"{self.db:.2f} dB ({self.low:.2f} to {self.high:.2f})"
 
 
-def psnr_without_noise(radiance: np.ndarray, half: np.ndarray, other: np.ndarray) -> NoiselessPsnr:
+def psnr_without_noise(
+    radiance: np.ndarray, half: np.ndarray, other: np.ndarray, exposure: float = 1.0
+) -> NoiselessPsnr:
     """See `WITHOUT_NOISE_DEFINITION`; all (n, 3), at irradiance 1, the asset's pixels only.
 
     Noise of two independent halves has the product's mean 0. A number that one half alone puts
     into the display range counts half: the other half's noise does not know of that choice, so a
-    perfect model's mean is 0 wherever the noise carries the reference across white.
+    perfect model's mean is 0 wherever the noise carries the reference across white. What is white
+    in both halves has no noise as displayed.
     """
-    errors = [IRRADIANCE * (radiance.astype(np.float64) - h) for h in (half, other)]
-    weight = np.mean([IRRADIANCE * h <= 1.0 for h in (half, other)], axis=0)
-    products, counts = (weight * errors[0] * errors[1]).sum(axis=1), weight.sum(axis=1)
-    total = counts.sum()
-    if not total:
-        return NoiselessPsnr.of_error(0.0, 1.0)  # nothing is within the display range
-    mean = float(products.sum() / total)
-    # Of a ratio of two sums over pixels, whose channels are not independent.
-    spread = float(np.sqrt(np.sum((products - mean * counts) ** 2)) / total)
-    return NoiselessPsnr.of_error(mean, 1.96 * spread)
+    if not len(radiance):
+        return NoiselessPsnr.of_error(0.0, 1.0)
+    with_noise = _squared_error(radiance, (half + other) / 2.0, exposure)
+    shown = display(radiance, exposure).astype(np.float64)
+    halves = [IRRADIANCE * exposure * h.astype(np.float64) for h in (half, other)]
+    weight = np.mean([h <= 1.0 for h in halves], axis=0)
+    products = weight * (shown - halves[0]) * (shown - halves[1])
+    products = np.minimum(np.where(weight > 0.0, products, with_noise), with_noise)
+    of_pixels = products.mean(axis=1)  # whose channels are not independent
+    spread = float(of_pixels.std() / math.sqrt(len(of_pixels)))
+    return NoiselessPsnr.of_error(
+        float(of_pixels.mean()), 1.96 * spread, most=float(with_noise.mean())
+    )
 
 
 def _decibels(error: float) -> float:
@@ -116,13 +168,15 @@ def relative_error_p99(radiance: np.ndarray, reference: np.ndarray) -> float:
     return float(np.percentile(error, 99.0))
 
 
-def flip(image: np.ndarray, reference: np.ndarray) -> tuple[float, np.ndarray]:
+def flip(
+    image: np.ndarray, reference: np.ndarray, exposure: float = 1.0
+) -> tuple[float, np.ndarray]:
     """See `FLIP_DEFINITION`; images (h, w, 3) of radiance at irradiance 1. Mean and map (h, w)."""
-    shown = [np.ascontiguousarray(display(i), np.float32) for i in (reference, image)]
+    shown = [np.ascontiguousarray(display(i, exposure), np.float32) for i in (reference, image)]
     error, mean, _ = flip_evaluator.evaluate(*shown, "LDR", inputsRGB=False, applyMagma=False)
     return float(mean), np.asarray(error).reshape(image.shape[:2])
 
 
-def to_png(radiance: np.ndarray) -> np.ndarray:
+def to_png(radiance: np.ndarray, exposure: float = 1.0) -> np.ndarray:
     """Radiance image (h, w, 3) at irradiance 1 as uint8 sRGB under irradiance pi."""
-    return (255.0 * encode_srgb(display(radiance)) + 0.5).astype(np.uint8)
+    return (255.0 * encode_srgb(display(radiance, exposure)) + 0.5).astype(np.uint8)

@@ -51,7 +51,8 @@ class Beside:
 
     def flip(self, image: np.ndarray) -> tuple[float, np.ndarray]:
         """Mean and map, (h, w)."""
-        return flip(*(np.ascontiguousarray(self._shown(i)) for i in (image, self.reference)))
+        ours, theirs = (np.ascontiguousarray(self._shown(i)) for i in (image, self.reference))
+        return flip(ours, theirs)
 
     def brightness(self, image: np.ndarray, where: np.ndarray | None = None) -> np.ndarray:
         """Light over the reference's, red, green and blue, (3,), over the asset or `where`."""

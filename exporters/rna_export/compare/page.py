@@ -9,15 +9,13 @@ from pathlib import Path
 import numpy as np
 
 from rna_export.compare.run import Pair
-from rna_export.compare.sheet import comparison_sheet, flip_colours
+from rna_export.compare.sheet import comparison_sheet, pictures_of
 from rna_export.html_pages import write_html
 from rna_export.metrics import (
     FLIP_DEFINITION,
     PSNR_DEFINITION,
     WITHOUT_NOISE_DEFINITION,
     NoiselessPsnr,
-    display,
-    to_png,
 )
 from rna_export.pictures import write_picture
 from rna_sdk.atomic_file import write_atomically
@@ -62,13 +60,8 @@ def is_report(folder: Path) -> bool:
 
 
 def _images(pair: Pair) -> dict[str, np.ndarray]:
-    difference = np.abs(display(pair.ours) - display(pair.cycles))
-    return {
-        "ours": to_png(pair.ours),
-        "cycles": to_png(pair.cycles),
-        "difference": np.clip(255.0 * 4.0 * difference, 0, 255).astype(np.uint8),
-        "flip": flip_colours(pair.flip_map),
-    }
+    pictures = pictures_of(pair.ours, pair.cycles)
+    return dict(zip(("ours", "cycles", "difference", "flip"), pictures, strict=True))
 
 
 def _scores(pair: Pair) -> str:

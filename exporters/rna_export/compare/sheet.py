@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
+from rna_export.metrics import display, flip, to_png
+
 Picture = NDArray[np.uint8]
 
 COLUMNS = ("ours", "Cycles", "difference x 4", "FLIP")
@@ -20,6 +22,19 @@ def flip_colours(error: NDArray[np.floating]) -> Picture:
     """A map of FLIP, (h, w) in [0, 1], as colours, (h, w, 3) uint8."""
     colours = matplotlib.colormaps[_MAP](np.clip(error, 0.0, 1.0))
     return np.asarray(255.0 * colours[..., :3], np.uint8)
+
+
+def pictures_of(
+    ours: NDArray[np.float32], cycles: NDArray[np.float32], exposure: float = 1.0
+) -> list[Picture]:
+    """A picture for each of COLUMNS, of images (h, w, 3) of radiance at irradiance 1."""
+    difference = np.abs(display(ours, exposure) - display(cycles, exposure))
+    return [
+        to_png(ours, exposure),
+        to_png(cycles, exposure),
+        np.clip(255.0 * 4.0 * difference, 0, 255).astype(np.uint8),
+        flip_colours(flip(ours, cycles, exposure)[1]),
+    ]
 
 
 def comparison_sheet(

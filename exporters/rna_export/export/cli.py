@@ -83,6 +83,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.cut import as_cut
     from rna_export.capture.dataset import Dataset
     from rna_export.export.build import build_package
+    from rna_export.export.closing import closing_lines, sheet_of
     from rna_export.export.dressing import dress
     from rna_export.export.trained_tiers import checkpoint_paths
     from rna_export.training.checkpoint import load_checkpoint
@@ -93,7 +94,7 @@ def _run(args: argparse.Namespace) -> None:
     dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
     presets = dict.fromkeys(one.preset_name for one in trained)
     precisions = precisions_of(args.precision, presets)
-    build_package(
+    manifest = build_package(
         trained,
         dataset,
         args.out,
@@ -105,8 +106,10 @@ def _run(args: argparse.Namespace) -> None:
     )
     proxies = sorted(set(args.proxies), reverse=True)
     dress(args.out, dataset, args.poster, proxies, args.coding == "deflate", print)
+    print("\n".join(closing_lines(args.out, manifest, trained, dataset)))
     size = args.out.stat().st_size / 1e6
-    print(f"wrote {args.out}, {size:.2f} MB\nnext: {command_line('rna-validate', args.out)}")
+    print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
+    print(f"next: {command_line('rna-validate', args.out)}")
 
 
 if __name__ == "__main__":

@@ -13,8 +13,8 @@ from rna_export.capture.validation_view import WholeView, all_queries
 from rna_export.export.small_images import flip_at_heights
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
-from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, psnr
-from rna_export.training.validation import score, shade
+from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, plain, psnr
+from rna_export.training.validation import exposure, mean_psnr, score, shade
 from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Cost, Tier, Validation
@@ -36,14 +36,13 @@ def measured(
         for view in views
     ]
     radiance = [np.concatenate(rows) for rows in of_parts]
-    validation = _validation(radiance, views)
+    validation = None if plain([v.reference for v in views]) else _validation(radiance, views)
     light = brightness(
         zip(radiance, (v.reference for v in views), (v.visible for v in views), strict=True)
     )
     cost = _cost(asset, trained, views)
     say(
-        f"{tier.name}: PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f} "
-        f"({validation.definition})\n"
+        f"{tier.name}: {_told(validation)}\n"
         + f"{tier.name}: {light}\n"
         + "".join(f"warning: {tier.name}: {fault}\n" for fault in light.faults)
         + "".join(_part_lines(tier.name, asset, of_parts, views))
@@ -52,10 +51,18 @@ def measured(
     return tier.model_copy(update={"validation": validation, "cost": cost})
 
 
+def _told(validation: Validation | None) -> str:
+    if validation is None:
+        return "no PSNR: the validation images show nothing to compare"
+    scores = f"PSNR {validation.psnr:.2f} dB, FLIP {validation.flip:.4f}"
+    return f"{scores} ({validation.definition})"
+
+
 def check_loss(tier: Tier, trained: TrainedTier, views: list[WholeView], max_loss: float) -> None:
     """Raises ExportError where the tier's PSNR is too far below that of the trained models."""
-    assert tier.validation is not None
-    in_torch = np.mean([psnr(_shaded(trained, view), view.reference) for view in views])
+    if tier.validation is None:
+        return
+    in_torch = mean_psnr([_shaded(trained, view) for view in views], views)
     if not in_torch - tier.validation.psnr <= max_loss:
         raise ExportError(
             f"{tier.name}: found {tier.validation.psnr:.2f} dB, the trained model has "
@@ -77,19 +84,21 @@ def _part_lines(
     lines = []
     for k, part in enumerate(asset.parts):
         rows = [(r[k], v.parts[k].reference) for r, v in zip(of_parts, views, strict=True)]
-        shown = [psnr(r, reference) for r, reference in rows if len(r)]
+        shown = [psnr(r, reference, exposure(views)) for r, reference in rows if len(r)]
         lines.append(f"{name}: part {part.name} PSNR {np.mean(shown):.2f} dB\n")
     return lines
 
 
 def _validation(radiance: list[np.ndarray], views: Sequence[WholeView]) -> Validation:
-    scores = score(radiance, views)
+    scores, factor = score(radiance, views), exposure(views)
+    brighter = f"; both {factor:.3g} times as bright, since the asset is dark"
     return Validation(
         psnr=scores.psnr,
         flip=scores.flip,
         relative_mse=scores.relative_mse,
         images=scores.images,
-        definition=f"psnr: {PSNR_DEFINITION}; flip: {FLIP_DEFINITION}",
+        definition=f"psnr: {PSNR_DEFINITION}; flip: {FLIP_DEFINITION}"
+        + (brighter if factor > 1.0 else ""),
         flip_at_height=flip_at_heights(radiance, views),
     )
 

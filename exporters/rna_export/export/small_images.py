@@ -8,6 +8,7 @@ import numpy as np
 
 from rna_export.capture.validation_view import CapturedImage
 from rna_export.metrics import flip
+from rna_export.training.validation import exposure
 from rna_sdk.package import FlipAtHeight
 
 _SMALLEST = 8  # pixels; an image of fewer says little
@@ -23,13 +24,13 @@ def flip_at_heights(
     a height does not divide are left out.
     """
     images = [(v.image(r), v.image(v.reference)) for r, v in zip(radiance, views, strict=True)]
-    result = []
+    result, e = [], exposure(views)
     for factor in (2**k for k in range(_HALVINGS)):
         height = views[0].resolution // factor
         if height < _SMALLEST and factor > 1:
             break
         errors = [
-            flip(_reduced(ours, factor), _reduced(theirs, factor))[0] for ours, theirs in images
+            flip(_reduced(ours, factor), _reduced(theirs, factor), e)[0] for ours, theirs in images
         ]
         result.append(FlipAtHeight(height=height, flip=float(np.mean(errors))))
     return tuple(result)

@@ -162,6 +162,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.run import CaptureCrew
     from rna_export.capture.settings import CaptureSettings
     from rna_export.capture.worker import Source
+    from rna_export.export.closing import closing_lines, sheet_of
     from rna_export.make.order import Order
     from rna_export.make.run import Make, export
     from rna_export.make.state import WRITTEN, Asked, is_work_folder
@@ -218,12 +219,14 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
         manifest = export(made, args.out, args.source, args.license, precisions)
         marked = _kept_picture(order, args.out)
+        lines = closing_lines(args.out, manifest, made.trained(), made.dataset)
         others = [] if args.keep else folder.dissolve(*WRITTEN)
     if others:
         print(f"kept {work}: rna-make did not write {', '.join(others)}")
-    print(_outcome(made, manifest, goal))
+    print("\n".join([*lines, _outcome(made, manifest, goal)]))
     size = args.out.stat().st_size / 1e6
-    print(f"wrote {args.out}, {size:.2f} MB{f', {work}' if args.keep else ''}")
+    kept = f", {work}" if args.keep else ""
+    print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}{kept}")
     if marked is not None:
         print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
     _tell_next(args)
@@ -269,19 +272,14 @@ def _goal(args: argparse.Namespace) -> Goal | None:
 
 
 def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
-    """The recorded error of each tier, and whether the goal is met."""
-    lines, lead = [], None
-    for tier in manifest.tiers:
-        found = tier.validation
-        assert found is not None  # the export measures it
-        lines.append(f"{tier.name}: PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}")
-        lead = found if tier.name == made.lead else lead
+    """Why it ended, and whether the goal is met."""
+    (lead, *_) = [t.validation for t in manifest.tiers if f"{t.name}-".startswith(f"{made.lead}-")]
     end: str = "the error stopped falling" if made.why == "stopped falling" else made.why
     if goal is not None and lead is not None and goal.met_by(lead):
         end = f"goal met: {goal}"
     elif goal is not None:
         end = f"goal not met, {end}: {goal}"
-    return "\n".join([*lines, f"{end}; capture rounds: {made.rounds}"])
+    return f"{end}; capture rounds: {made.rounds}"
 
 
 if __name__ == "__main__":

@@ -22,7 +22,9 @@ from rna_export.make.progress import Clock, Progress
 from rna_export.make.rays import Rays, open_rays, rays_folder
 from rna_export.make.state import Asked, Last, Round, Score, State, load_state
 from rna_export.make.stop import Verdict, verdict
+from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import PRESETS
+from rna_export.training.validation import reference_warnings
 from rna_sdk.package import Manifest
 
 _RAYS, _PHASE, _LAST = 1.0, 1.0, 3.0  # weights of stages in the progress bar
@@ -37,6 +39,10 @@ class Made:
     rounds: int
     checkpoints: tuple[Path, ...]  # folders of the presets, as they were asked for
     lead: str  # the preset that the goal is for
+
+    def trained(self) -> list[Trained]:
+        """The models of all parts and presets."""
+        return [one for folder in self.checkpoints for one in trained_in(folder, self.dataset)]
 
 
 class Make:
@@ -72,6 +78,8 @@ class Make:
             stage = self._progress.stage("rendering validation images in Cycles", _RAYS)
             self._rays.capture_images(stage)
             stage.done()
+            for line in reference_warnings(self._rays.dataset.whole_views()):
+                self._progress.say(line)
             while (why := self._verdict()) is None:
                 self._round()
             self._progress.say(f"{why} after round {len(self._state.rounds)}")
@@ -227,9 +235,8 @@ def export(
     precisions: Mapping[str, Sequence[Precision]],
 ) -> Manifest:
     """Write the package of what was made; precisions: of each preset's tiers."""
-    trained = [one for folder in made.checkpoints for one in trained_in(folder, made.dataset)]
     manifest = build_package(
-        trained, made.dataset, out, credit, license_, _quiet, precisions, max_loss=math.inf
+        made.trained(), made.dataset, out, credit, license_, _quiet, precisions, max_loss=math.inf
     )
     dress(out, made.dataset, None, (), False, _quiet)
     return manifest

@@ -117,6 +117,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.cut import as_cut
     from rna_export.capture.dataset import Dataset
     from rna_export.memory import keep_freed_memory
+    from rna_export.training.closing import closing_lines
     from rna_export.training.device import chosen_device
     from rna_export.training.part_runs import part_folder, shared_minutes
     from rna_export.training.run import Run, is_of_training, train
@@ -136,9 +137,10 @@ def _run(args: argparse.Namespace) -> None:
             preset = _chosen(args, part.kind)
             run = Run(part, preset, args.preset, out, args.seed, minutes[part.name], begun, device)
             best = train(run)
-            written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'validation'}")
+            print("\n".join(closing_lines(best, part)))
+            written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")
             begun = monotonic()
-    print("\n".join(written))
+    print("\n".join([*(f"note: {note}" for note in dataset.manifest.notes), *written]))
     package = f"{dataset.manifest.name}.rna"
     print(f"next: {command_line('rna-export', _to_export(args.out, dataset), '--out', package)}")
 

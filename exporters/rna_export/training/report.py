@@ -15,6 +15,7 @@ from rna_export.training.validation import (
     shade,
     shade_emission,
     write_images,
+    write_sheet,
 )
 from rna_sdk.errors import TrainingError
 
@@ -55,6 +56,7 @@ class Report:
             (r, view.reference, view.visible) for r, view in zip(radiance, views, strict=True)
         )
         write_images(self._out / "validation", radiance, views)
+        write_sheet(self._out / "sheet.png", radiance, views)
         if self._emission_views:
             write_images(self._out / "emission", emitted, self._emission_views)
         self._pictured = monotonic()

@@ -10,9 +10,13 @@ import numpy as np
 import torch
 
 from rna_export.capture.validation_view import CapturedImage, EmissionView, ValidationView
+from rna_export.compare.sheet import comparison_sheet, pictures_of
 from rna_export.metrics import (
     NoiselessPsnr,
+    emission_exposure,
+    exposure_of,
     flip,
+    plain,
     psnr,
     psnr_without_noise,
     relative_mse,
@@ -64,17 +68,40 @@ def answer(model: NeuralAsset, queries: dict[str, np.ndarray]) -> tuple[np.ndarr
     return both[:, 0], both[:, 1]
 
 
+def exposure(views: Sequence[CapturedImage]) -> float:
+    """Exposure at which the views are scored and shown: 1 unless the asset is dark."""
+    references = [view.reference for view in views]
+    if all(isinstance(view, EmissionView) for view in views):
+        return emission_exposure(references)
+    return exposure_of(references)
+
+
+def reference_warnings(views: Sequence[CapturedImage]) -> list[str]:
+    """What keeps a PSNR of these images from saying what it seems to say."""
+    found = plain([view.reference for view in views])
+    if found is not None:
+        return [
+            f"warning: the validation images are {found}, so no error can be measured: is the "
+            "source lit from outside, and are its textures there?"
+        ]
+    factor = exposure(views)
+    if factor > 1.0:
+        return [f"note: the asset is dark; its scores are taken {factor:.3g} times as bright"]
+    return []
+
+
 def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
     """Scores of shaded rows against the captured ones."""
-    pairs = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)]
+    pairs, e = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)], exposure(views)
+    of_references = [psnr(v.halves[0], v.halves[1], e) for v in views]
     return Scores(
         psnr=mean_psnr(radiance, views),
         flip=mean_flip(radiance, views),
         relative_mse=float(np.mean([relative_mse(r, t) for r, t, _ in pairs])),
         # The mean of both halves has half the variance of either, their difference twice it.
-        psnr_of_references=float(np.mean([psnr(*v.halves) + 6.02 for v in views])),
+        psnr_of_references=float(np.mean(of_references)) + 6.02,
         psnr_without_noise=NoiselessPsnr.mean(
-            [psnr_without_noise(r, *v.halves) for r, _, v in pairs]
+            [psnr_without_noise(r, v.halves[0], v.halves[1], e) for r, _, v in pairs]
         ),
         images=len(views),
     )
@@ -82,21 +109,32 @@ def score(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> Scores:
 
 def mean_psnr(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
     """Mean PSNR of shaded rows against the captured ones: the cheapest score."""
-    pairs = zip(radiance, views, strict=True)
-    return float(np.mean([psnr(shaded, view.reference) for shaded, view in pairs]))
+    pairs, e = zip(radiance, views, strict=True), exposure(views)
+    return float(np.mean([psnr(shaded, view.reference, e) for shaded, view in pairs]))
 
 
 def mean_flip(radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> float:
     """Mean FLIP of shaded rows against the captured ones."""
-    pairs = zip(radiance, views, strict=True)
-    return float(np.mean([flip(v.image(r), v.image(v.reference))[0] for r, v in pairs]))
+    pairs, e = zip(radiance, views, strict=True), exposure(views)
+    return float(np.mean([flip(v.image(r), v.image(v.reference), e)[0] for r, v in pairs]))
 
 
 def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
     """One PNG a view: ours, Cycles, the FLIP map."""
     folder.mkdir(parents=True, exist_ok=True)
+    e = exposure(views)
     for shaded, view in zip(radiance, views, strict=True):
         ours, cycles = view.image(shaded), view.image(view.reference)
-        error = np.clip(255.0 * flip(ours, cycles)[1], 0, 255).astype(np.uint8)
-        row = [to_png(ours), to_png(cycles), np.repeat(error[..., None], 3, axis=2)]
+        error = np.clip(255.0 * flip(ours, cycles, e)[1], 0, 255).astype(np.uint8)
+        row = [to_png(ours, e), to_png(cycles, e), np.repeat(error[..., None], 3, axis=2)]
         write_picture(folder / f"view-{view.index:02d}.png", np.concatenate(row, axis=1))
+
+
+def write_sheet(path: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
+    """A contact sheet of all views in one PNG: ours, Cycles, their difference, FLIP."""
+    rows, e = [], exposure(views)
+    for shaded, view in zip(radiance, views, strict=True):
+        db = psnr(shaded, view.reference, e)
+        caption = f"validation image {view.index}: PSNR {db:.1f} dB"
+        rows.append((pictures_of(view.image(shaded), view.image(view.reference), e), caption))
+    write_picture(path, comparison_sheet(rows))

@@ -19,6 +19,7 @@ from rna_export.metrics import (
     to_png,
 )
 from rna_export.pictures import write_picture
+from rna_export.training.validation import exposure
 
 
 class ViewScores(BaseModel):
@@ -48,13 +49,13 @@ def judge(
     radiance: list[np.ndarray], views: Sequence[CapturedImage]
 ) -> tuple[ModelScores, list[np.ndarray]]:
     """Scores of shaded rows, (n, 3) a view, against the captured ones; FLIP maps (h, w)."""
-    pairs = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)]
-    flips = [flip(view.image(r), view.image(t)) for r, t, view in pairs]
+    pairs, e = [(r, v.reference, v) for r, v in zip(radiance, views, strict=True)], exposure(views)
+    flips = [flip(view.image(r), view.image(t), e) for r, t, view in pairs]
     each = [
-        ViewScores(psnr=psnr(r, t), flip=mean, p99=relative_error_p99(r, t))
+        ViewScores(psnr=psnr(r, t, e), flip=mean, p99=relative_error_p99(r, t))
         for (r, t, _), (mean, _) in zip(pairs, flips, strict=True)
     ]
-    clean = [psnr_without_noise(r, *view.halves) for r, _, view in pairs]
+    clean = [psnr_without_noise(r, view.halves[0], view.halves[1], e) for r, _, view in pairs]
     scores = ModelScores(
         psnr=float(np.mean([view.psnr for view in each])),
         psnr_without_noise=NoiselessPsnr.mean(clean),
@@ -70,7 +71,8 @@ def write_strips(
     stem: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage], flips: list[np.ndarray]
 ) -> None:
     """`<stem>-render.png` and `<stem>-flip.png` (grey): all views in a row."""
-    renders = [to_png(view.image(rows)) for rows, view in zip(radiance, views, strict=True)]
+    e = exposure(views)
+    renders = [to_png(view.image(rows), e) for rows, view in zip(radiance, views, strict=True)]
     errors = np.clip(255.0 * np.concatenate(flips, axis=1) + 0.5, 0, 255).astype(np.uint8)
     write_picture(stem.with_name(f"{stem.name}-render.png"), np.concatenate(renders, axis=1))
     write_picture(stem.with_name(f"{stem.name}-flip.png"), errors)

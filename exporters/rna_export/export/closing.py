@@ -1,0 +1,72 @@
+"""Last lines of commands that write a package: what was made, how good it is, what is missing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.validation_view import WholeView
+from rna_export.effort import Effort
+from rna_export.metrics import plain
+from rna_export.psnr_words import psnr_in_words
+from rna_export.training.checkpoint import Trained
+from rna_export.training.validation import mean_psnr, reference_warnings, write_sheet
+from rna_sdk.package import Manifest
+from rna_sdk.runtime import Asset, load
+
+
+def sheet_of(package: Path) -> Path:
+    """Where the contact sheet of a package goes: beside it."""
+    return package.with_name(f"{package.stem}-sheet.png")
+
+
+def closing_lines(
+    package: Path, manifest: Manifest, trained: Sequence[Trained], dataset: Dataset
+) -> list[str]:
+    """Score, steps and lights of each tier, warnings, and notes of the capture.
+
+    Writes the contact sheet `sheet_of(package)`: validation images of the default tier.
+
+    trained: the models of all parts and presets of the package.
+    """
+    views, lines = dataset.whole_views(), []
+    efforts = {
+        preset: Effort.of([one for one in trained if one.preset_name == preset], dataset)
+        for preset in dict.fromkeys(one.preset_name for one in trained)
+    }
+    for tier in manifest.tiers:
+        effort = next(e for p, e in efforts.items() if f"{tier.name}-".startswith(f"{p}-"))
+        score = "no PSNR is recorded"
+        if tier.validation is not None:
+            found = tier.validation
+            score = f"PSNR {found.psnr:.2f} dB ({psnr_in_words(found.psnr)}), FLIP {found.flip:.4f}"
+        lines.append(f"{tier.name}: {score}; {effort}")
+        lines += _emission_line(tier.name, load(package, tier=tier.name), dataset)
+    asset = load(package)
+    write_sheet(sheet_of(package), [_shaded(asset, view) for view in views], views)
+    lines += reference_warnings(views)
+    lines += dict.fromkeys(line for effort in efforts.values() for line in effort.warnings)
+    return [*lines, *(f"note: {note}" for note in dataset.manifest.notes)]
+
+
+def _emission_line(name: str, asset: Asset, dataset: Dataset) -> list[str]:
+    """PSNR of what the asset emits, over the images of each emitting part."""
+    views, rows = [], []
+    for part, own in zip(dataset.parts, asset.parts, strict=True):
+        for view in part.emission_views() if own.emits else ():
+            if len(view.pixel):
+                views.append(view)
+                rows.append(view.shaded_by(own))
+    if not views or plain([view.reference for view in views]) == "black":
+        return []
+    db = mean_psnr(rows, views)
+    return [f"{name}: PSNR of emission {db:.2f} dB ({psnr_in_words(db)})"]
+
+
+def _shaded(asset: Asset, view: WholeView) -> np.ndarray:
+    """Radiance of the view's rows, (n, 3)."""
+    pairs = zip(view.parts, asset.parts, strict=True)
+    return np.concatenate([part.shaded_by(own) for part, own in pairs])

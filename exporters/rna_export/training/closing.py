@@ -1,0 +1,32 @@
+"""Last lines of a training: how good the model is, and what it was trained with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.effort import Effort
+from rna_export.psnr_words import psnr_in_words
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.curves import read_curves
+from rna_export.training.validation import reference_warnings
+
+
+def closing_lines(best: Path, part: DatasetPart) -> list[str]:
+    """Score, steps and lights of a part's best checkpoint, and warnings."""
+    rows, trained = read_curves(best.parent), load_checkpoint(best)
+    effort, lines = Effort.of([trained], part.dataset), []
+    if rows:
+        row = max(rows, key=lambda row: row["psnr"])
+        score = f"PSNR {row['psnr']:.2f} dB ({psnr_in_words(row['psnr'])})"
+        lines.append(f"{trained.preset_name}: {score}; {effort}")
+        if "emission_psnr" in row:
+            db = row["emission_psnr"]
+            lines.append(
+                f"{trained.preset_name}: PSNR of emission {db:.2f} dB ({psnr_in_words(db)})"
+            )
+    return [*lines, *reference_warnings(part.validation_views()), *effort.warnings]
+
+
+def _told(db: float) -> str:
+    return f"{db:.2f} dB ({psnr_in_words(db)})"

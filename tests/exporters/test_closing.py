@@ -1,0 +1,109 @@
+"""Last lines of rna-train and rna-export: what was done beside what is usual, and what it means."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+from safetensors.numpy import load_file, save_file
+
+from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset_part import DatasetPart
+from rna_export.effort import Effort
+from rna_export.export.build import build_package
+from rna_export.export.closing import closing_lines, sheet_of
+from rna_export.psnr_words import psnr_in_words
+from rna_export.training.checkpoint import load_checkpoint
+from rna_export.training.closing import closing_lines as training_lines
+from rna_export.training.run import Run, train
+from rna_export.training.validation import exposure, mean_psnr
+from tests.exporters.synthetic import make_dataset, tiny
+
+
+def trained(part: DatasetPart, folder: Path) -> Path:
+    """Checkpoint of a few steps."""
+    run = Run(part, tiny(loss="log"), "small", folder, validations=2)
+    return train(run, say=lambda _: None)
+
+
+def darkened(part: DatasetPart, factor: float) -> DatasetPart:
+    """The same dataset with its radiance, of samples and validation images, times a factor."""
+    for path in part.folder.glob("*/*.safetensors"):
+        arrays = load_file(path)
+        scaled = {k: (factor * v).astype(v.dtype) for k, v in arrays.items() if "radiance" in k}
+        save_file({**arrays, **scaled}, path)
+    return Dataset(part.folder).only
+
+
+def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
+    part = make_dataset(tmp_path / "ball.rays")
+    best = trained(part, tmp_path / "run")
+    score, warning = training_lines(best, part)
+    assert score.startswith("small: PSNR ") and score.endswith(
+        "; 40 of 40,000 steps, 24 of 2,000 lights"
+    )
+    assert psnr_in_words(float(score.split()[2])) in score
+    assert warning.startswith(
+        "warning: 40 of 40,000 steps and 24 of 2,000 lights, less than a tenth"
+    )
+    with Image.open(tmp_path / "run" / "sheet.png") as sheet:
+        assert sheet.width == 4 * 24
+
+
+def test_the_usual_work_is_no_warning() -> None:
+    assert Effort(40_000, 40_000, 2_000, 2_000).warnings == []
+    assert str(Effort(100_000, 40_000, 3_520, 2_000)) == "100,000 steps, 3,520 lights"
+    assert Effort(4_000, 40_000, 200, 2_000).warnings == []
+    (only,) = Effort(40_000, 40_000, 199, 2_000).warnings
+    assert "steps" not in only and "199 of 2,000 lights" in only
+
+
+def test_better_psnr_never_has_words_of_a_worse_one() -> None:
+    words = [psnr_in_words(db) for db in np.arange(10.0, 60.0, 0.5)]
+    assert list(dict.fromkeys(words)) == [psnr_in_words(db) for db in (20, 27, 32, 36, 40, 50)]
+    assert sum(a != b for a, b in pairwise(words)) == 5
+
+
+def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -> None:
+    part = make_dataset(tmp_path / "ball.rays")
+    dataset = part.dataset
+    notes = ("texture wood.png: no such file; black",)
+    dataset.manifest = dataset.manifest.model_copy(update={"notes": notes})
+    models = [load_checkpoint(trained(part, tmp_path / "run"))]
+    package = tmp_path / "ball.rna"
+    said: list[str] = []
+    manifest = build_package(models, dataset, package, None, "CC0-1.0", said.append)
+    lines = closing_lines(package, manifest, models, dataset)
+    (tier,) = manifest.tiers
+    assert tier.validation is not None
+    assert f"PSNR {tier.validation.psnr:.2f} dB ({psnr_in_words(tier.validation.psnr)})" in lines[0]
+    assert "40 of 40,000 steps, 24 of 2,000 lights" in lines[0]
+    assert lines[-1] == "note: texture wood.png: no such file; black"
+    assert sum(line.startswith("warning: 40 of 40,000 steps") for line in lines) == 1
+    with Image.open(sheet_of(package)) as sheet:
+        assert sheet.width == 4 * 24
+
+
+def test_a_black_reference_is_a_warning_and_no_record(tmp_path: Path) -> None:
+    part = darkened(make_dataset(tmp_path / "ball.rays"), 0.0)
+    models = [load_checkpoint(trained(part, tmp_path / "run"))]
+    package = tmp_path / "ball.rna"
+    manifest = build_package(models, part.dataset, package, None, "CC0-1.0", lambda _: None)
+    assert manifest.tiers[0].validation is None and manifest.tiers[0].cost is not None
+    lines = closing_lines(package, manifest, models, part.dataset)
+    assert "no PSNR is recorded" in lines[0]
+    assert any(line.startswith("warning: the validation images are black") for line in lines)
+
+
+def test_a_dark_asset_has_the_scores_of_a_bright_one(tmp_path: Path) -> None:
+    bright = make_dataset(tmp_path / "ball.rays")
+    views = bright.validation_views()
+    off = [np.full_like(v.reference, v.reference.mean()) for v in views]
+    expected = mean_psnr(off, views)
+    dark = darkened(make_dataset(tmp_path / "dark.rays"), 0.01)
+    views = dark.validation_views()
+    assert exposure(views) > 10.0
+    off = [np.full_like(v.reference, v.reference.mean()) for v in views]
+    assert abs(mean_psnr(off, views) - expected) < 15.0  # not 40 dB more
