@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from rna_export.capture.orientation import joined_axes, rotation
+from rna_export.compare.origin import Origin
 from rna_export.compare.page import write_page
-from rna_export.compare.run import Pair
+from rna_export.compare.run import Pair, compare
 from rna_export.compare.views import Shot, shots
 from rna_export.metrics import NoiselessPsnr, flip, psnr
+from rna_export.psnr_words import psnr_in_words
 from rna_sdk.errors import CaptureError
-from rna_sdk.package import Curves, Mesh
+from rna_sdk.package import Curves, Mesh, Provenance
+from rna_sdk.package.packing import Unpacked
+from rna_sdk.runtime import Asset, load
 
+TOY = Path(__file__).parents[2] / "examples" / "quickstart" / "toy.rna"
+SHA = "ab" * 32
 CORNERS = np.float32([[-1, 0, -2], [1, 3, 2], [0, 1, 0], [-1, 3, 2]])
 MESH = Mesh(CORNERS, np.float32([[0, 1, 0]] * 4), None, np.uint32([[0, 1, 2], [0, 2, 3]]))
 STRANDS = Curves(CORNERS, np.full(4, 0.02, np.float32), np.uint32([0, 2, 4]))
@@ -91,6 +99,8 @@ def test_an_axis_may_follow_its_option() -> None:
 
 def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
     pairs = [_pair(shot, k) for k, shot in enumerate(shots([MESH], 16, 0.0)[:2])]
+    write_page(tmp_path, "a <b>", pairs[:1], {"samples": 4})  # stopped here, a page is there
+    assert "found here, 1 image<" in (tmp_path / "index.html").read_text()
     write_page(tmp_path, "a <b>", pairs, {"samples": 4})
     results = json.loads((tmp_path / "results.json").read_text())
     assert results["psnr"] == pytest.approx(np.mean([p.psnr for p in pairs]))
@@ -98,10 +108,95 @@ def test_the_page_holds_every_picture_and_its_numbers(tmp_path: Path) -> None:
     assert [p["psnr_without_noise"]["low"] for p in results["pictures"]] == [29.0, 30.0]
     assert [p["name"] for p in results["pictures"]] == [p.shot.name for p in pairs]
     page = (tmp_path / "index.html").read_text()
-    assert "a &lt;b&gt;" in page
+    assert "a &lt;b&gt;" in page and "samples a pixel of ours" in page
     for name in ("0-ours.png", "1-cycles.png", "1-difference.png", "0-flip.png"):
         assert name in page
         assert (tmp_path / name).is_file()
+
+
+def test_the_page_says_what_was_compared_with_recorded_and_found_figures(tmp_path: Path) -> None:
+    package, source = _package(tmp_path), tmp_path / "ball.gltf"
+    source.write_bytes(b"another ball")
+    origin = Origin.of(package, None)
+    doubt = origin.doubt(source)
+    assert doubt is not None and "found SHA-256" in doubt and f"expected {SHA[:12]}" in doubt
+    (pair,) = [_pair(shot, 0) for shot in shots([MESH], 16, 0.0)[:1]]
+    write_page(tmp_path / "out", "ball", [pair], {}, (package, source, origin, doubt))
+    page = (tmp_path / "out" / "index.html").read_text()
+    assert "is not the file that the package was captured from" in page
+    assert "1,234 steps, 56 light directions" in page and "ball.py" in page
+    assert f"{pair.psnr:.2f} dB: {psnr_in_words(pair.psnr)}" in page
+    assert "39.50 dB, 8 images of other views" in page
+
+
+def test_the_source_is_known_by_its_hash(tmp_path: Path) -> None:
+    source = tmp_path / "ball.py"
+    source.write_bytes(b"a ball")
+    sha = hashlib.sha256(b"a ball").hexdigest()
+    in_text = {"source": f"ball.py (sha256 {sha})", "capture": {}}
+    for recorded in ({"capture": {"sourceSha256": sha}}, in_text):
+        assert Origin.of(_package(tmp_path, **recorded), None).doubt(source) is None
+    unknown = Origin.of(_package(tmp_path, source="a friend's ball", capture={}), None)
+    assert "does not record" in str(unknown.doubt(source))
+
+
+def test_images_are_announced_and_handed_over_one_by_one() -> None:
+    told: list[str] = []
+    found: list[int] = []
+    worker = _Cycles()
+    with pytest.raises(KeyboardInterrupt):
+        compare(
+            toy(),
+            TOY,
+            worker,  # type: ignore[arg-type]
+            samples=1,
+            cycles_samples=2,
+            resolution=8,
+            turn_deg=0.0,
+            frame=("Z", "Y"),
+            cameras=("front", "behind"),
+            begin=lambda k, n, shot: told.append(f"{k} of {n}: {shot.name}"),
+            done=lambda pairs: found.append(len(pairs)),
+        )
+    assert told[0] == "1 of 6: front, key light" and len(told) == 3
+    assert found == [1, 2]  # before Ctrl-C in the third
+
+
+class _Cycles:
+    """Renders grey; at its fifth image, half of the third, somebody presses Ctrl-C."""
+
+    def __init__(self) -> None:
+        self.renders = 0
+
+    def render_view(self, *_: object) -> np.ndarray:
+        self.renders += 1
+        if self.renders == 5:
+            raise KeyboardInterrupt
+        return np.full((8, 8, 4), [0.01, 0.01, 0.01, 1.0], np.float32)
+
+
+def toy() -> Asset:
+    return load(TOY, threads=1)
+
+
+def _package(folder: Path, **provenance: object) -> Path:
+    """The quickstart's package with another provenance."""
+    capture = {"sourceSha256": SHA, "lights": 56}
+    training = {"small": {"steps": 1234}, "hq": {"steps": 1}}
+    whole = {"source": "ball.py", "tool": "t", "capture": capture, "training": training}
+    unpacked = Unpacked.read(TOY)
+    tier, *others = unpacked.manifest.tiers
+    assert tier.validation is not None
+    recorded = tier.validation.model_copy(update={"psnr": 39.5})
+    manifest = unpacked.manifest.model_copy(
+        update={
+            "provenance": Provenance(**{**whole, **provenance}),
+            "tiers": (tier.model_copy(update={"validation": recorded}), *others),
+        }
+    )
+    path = folder / "ball.rna"
+    replace(unpacked, manifest=manifest).write(path)
+    return path
 
 
 def _pair(shot: Shot, seed: int) -> Pair:

@@ -6,10 +6,13 @@ import numpy as np
 import pytest
 import torch
 
+from rna_export.training import product_kernels
 from rna_export.training.fitting import Fitting
 from rna_export.training.presets import PRESETS
+from rna_export.training.product_kernels import Product, products_repeat, weight_gradient
 from rna_export.training.samples import SampleTable
-from rna_export.training.step_threads import StepThreads, use_threads
+from rna_export.training.step_threads import StepThreads
+from rna_export.training.threads import use_threads
 from rna_sdk.kernel_threads import kernel_threads
 
 
@@ -125,3 +128,31 @@ def test_steps_give_the_same_bits_with_any_number_of_threads(loss: str) -> None:
         use_threads(before)
     for name, values in states[0].items():
         assert torch.equal(values, states[1][name]), name
+
+
+def test_narrow_products_are_those_of_torch_and_repeat() -> None:
+    generator = torch.Generator().manual_seed(0)
+    gradient, value = (torch.randn(500, k, generator=generator) for k in (6, 16))
+    torch.testing.assert_close(weight_gradient(gradient, value), gradient.t() @ value)
+    before, sizes = kernel_threads(), (3, 6, 9, 12)
+    try:
+        narrow = [Product(n, 64, b, torch.float32) for n in (128, 512, 1024) for b in sizes]
+        assert products_repeat(narrow, before)
+    finally:
+        use_threads(before)
+
+
+def test_products_that_differ_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    def shared_sum(gradient: torch.Tensor, value: torch.Tensor) -> torch.Tensor:
+        parts = zip(gradient.chunk(count), value.chunk(count), strict=True)
+        return torch.stack([g.t() @ v for g, v in parts]).sum(dim=0)
+
+    count = 1
+
+    def use(threads: int) -> None:
+        nonlocal count
+        count = threads
+
+    monkeypatch.setattr(product_kernels, "weight_gradient", shared_sum)
+    monkeypatch.setattr(product_kernels, "use_threads", use)
+    assert not products_repeat([Product(2048, 64, 64, torch.float32)], 7)

@@ -88,14 +88,16 @@ def main(argv: list[str] | None = None) -> int:
         options.error(
             f"argument --cycles-samples: expected at least 2, found {args.cycles_samples}"
         )
-    return run_command(lambda: _run(args, arguments), args.debug, "nothing was written", "train")
+    stopped = f"what is finished is in {args.out}"
+    return run_command(lambda: _run(args, arguments), args.debug, stopped, "train")
 
 
 def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture import blender_env
     from rna_export.capture.worker import BlenderWorker, Source
+    from rna_export.compare.origin import Origin
     from rna_export.compare.page import is_report, write_page
-    from rna_export.compare.run import compare
+    from rna_export.compare.run import Pair, compare
     from rna_export.machine import default_workers
     from rna_sdk.errors import CaptureError
     from rna_sdk.runtime import load
@@ -103,15 +105,38 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     if not args.source.is_file():
         raise CaptureError(f"{args.source}: no such file")
     asset = load(args.package, tier=args.tier, threads=1)
+    origin = Origin.of(args.package, args.tier)
+    doubt = origin.doubt(args.source)
+    if doubt is not None:
+        print(doubt, flush=True)
     python = blender_env.find_python()
-    front, up = _axes_of_capture(args.package)
-    source = Source(args.source, arguments, front=front, up=up)
+    source = Source(args.source, arguments, front=origin.front, up=origin.up)
+    settings = {
+        "tier": origin.tier,
+        "samples": args.samples,
+        "cyclesSamples": args.cycles_samples,
+        "resolution": args.resolution,
+        "threads": default_workers(),
+    }
+
+    def done(pairs: list[Pair]) -> None:
+        """Report the last image, and write what there is: the next ones may take minutes."""
+        p = pairs[-1]
+        print(
+            f"PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, coverage differs by {p.coverage:.2%}, "
+            f"ours {p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s",
+            flush=True,
+        )
+        title = f"{args.package.stem}: the package and Cycles"
+        write_page(args.out, title, pairs, settings, (args.package, args.source, origin, doubt))
+
+    print(f"opening {args.source} in Blender", flush=True)
     with (
         owned(args.out, "rna-compare", is_report),
         tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
         BlenderWorker(python, source, Path(scratch), default_workers()) as worker,
     ):
-        pairs = compare(
+        compare(
             asset,
             args.package,
             worker,
@@ -121,31 +146,12 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             args.turn,
             (args.front or ("-Y" if args.up[-1] == "Z" else "Z"), args.up),
             args.cameras,
-            lambda p: print(
-                f"{p.shot.name}: PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, "
-                f"coverage differs by {p.coverage:.2%}, ours "
-                f"{p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s"
-            ),
+            lambda k, n, shot: print(f"image {k} of {n}: {shot.name}: ", end="", flush=True),
+            done,
         )
-        settings = {
-            "tier": args.tier or "default",
-            "samples": args.samples,
-            "cyclesSamples": args.cycles_samples,
-            "resolution": args.resolution,
-            "threads": default_workers(),
-        }
-        write_page(args.out, f"{args.package.stem}: the package and Cycles", pairs, settings)
+    if doubt is not None:
+        print(doubt)
     print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
-
-
-def _axes_of_capture(package: Path) -> tuple[str | None, str | None]:
-    """`front` and `up` that rna-capture was given: Cycles gets the source turned alike."""
-    from rna_sdk.package import Package
-
-    with Package.open(package) as opened:
-        settings = opened.manifest.provenance.capture
-    front, up = (axis if axis in AXES else None for axis in map(settings.get, ("front", "up")))
-    return front, up
 
 
 if __name__ == "__main__":

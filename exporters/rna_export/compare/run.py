@@ -11,7 +11,7 @@ import numpy as np
 
 from rna_export.capture.worker import BlenderWorker
 from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
-from rna_export.metrics import NoiselessPsnr, flip, psnr, psnr_without_noise
+from rna_export.metrics import NoiselessPsnr, exposure_of, flip, psnr, psnr_without_noise
 from rna_render.render import make_integrator, place_asset, render
 from rna_render.world import World
 from rna_sdk.runtime import Asset
@@ -39,6 +39,7 @@ class Pair:
     coverage: float  # mean difference of alpha over the picture: how far outlines differ
     seconds_ours: float
     seconds_cycles: float
+    exposure: float = 1.0  # that it is scored and shown at
 
 
 def compare(
@@ -51,18 +52,32 @@ def compare(
     turn_deg: float,
     frame: Frame,
     cameras: Collection[str],
-    done: Callable[[Pair], None],
+    begin: Callable[[int, int, Shot], None],
+    done: Callable[[list[Pair]], None],
 ) -> list[Pair]:
-    """The standard shots of the named cameras, one after the other, each program's time its own."""
+    """The standard shots of the named cameras, one after the other, each program's time its own.
+
+    All are scored at the exposure of the first one's reference. begin: gets the number of an image,
+    from 1, how many there are, and its shot. done: gets the images so far.
+    """
     world = World([place_asset(asset, np.eye(4))])
-    pairs = []
-    for shot in shots_of(asset, resolution, turn_deg, frame):
-        if shot.camera_name in cameras:
-            ours = render_ours(shot, world, package, samples)
-            cycles = render_cycles(shot, worker, cycles_samples, asset.emits)
-            pairs.append(judge(shot, ours, cycles))
-            done(pairs[-1])
+    wanted = shots_of(asset, resolution, turn_deg, frame)
+    wanted = [shot for shot in wanted if shot.camera_name in cameras]
+    pairs: list[Pair] = []
+    for number, shot in enumerate(wanted, 1):
+        begin(number, len(wanted), shot)
+        ours = render_ours(shot, world, package, samples)
+        cycles = render_cycles(shot, worker, cycles_samples, asset.emits)
+        exposure = pairs[0].exposure if pairs else exposure_of([_covered(cycles)])
+        pairs.append(judge(shot, ours, cycles, exposure))
+        done(pairs)
     return pairs
+
+
+def _covered(cycles: Timed) -> np.ndarray:
+    """Radiance of the pixels that show the asset, (n, 3)."""
+    mean = cycles.pixels.mean(axis=0)
+    return np.asarray(mean[mean[..., 3] > 0.0][:, :3])
 
 
 def render_ours(shot: Shot, world: World, package: Path, samples: int) -> Timed:
@@ -88,14 +103,15 @@ def render_cycles(shot: Shot, worker: BlenderWorker, samples: int, emits: bool) 
     return Timed(halves, time.perf_counter() - start)
 
 
-def judge(shot: Shot, ours: Timed, cycles: Timed) -> Pair:
+def judge(shot: Shot, ours: Timed, cycles: Timed, exposure: float = 1.0) -> Pair:
     """Compares the images of `render_ours` and `render_cycles`."""
     image, halves = ours.pixels, cycles.pixels
     mean = halves.mean(axis=0, dtype=np.float32)
     covered = (image[..., 3] > 0.0) & (mean[..., 3] > 0.0)
     a, b = np.ascontiguousarray(image[..., :3]), np.ascontiguousarray(mean[..., :3])
-    error, error_map = flip(a, b)
-    clean = psnr_without_noise(a[covered], *(half[covered][:, :3] for half in halves))
+    error, error_map = flip(a, b, exposure)
+    of_halves = [half[covered][:, :3] for half in halves]
+    clean = psnr_without_noise(a[covered], of_halves[0], of_halves[1], exposure)
     coverage = float(np.abs(image[..., 3] - mean[..., 3]).mean())
-    quality = psnr(a[covered], b[covered]), clean, error, coverage
-    return Pair(shot, a, b, error_map, *quality, ours.seconds, cycles.seconds)
+    quality = psnr(a[covered], b[covered], exposure), clean, error, coverage
+    return Pair(shot, a, b, error_map, *quality, ours.seconds, cycles.seconds, exposure)

@@ -12,6 +12,7 @@ import torch
 import rna_sdk
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CapturedPart
+from rna_export.compare.origin import SOURCE_SHA256
 from rna_export.export.measure import check_loss, measured
 from rna_export.export.precision import MAX_LOSS, Precision
 from rna_export.export.tiers import package_tiers
@@ -122,7 +123,10 @@ def _provenance(models: list[TrainedTier], dataset: Dataset, source: str | None)
         source=source or f"{manifest.source} (sha256 {manifest.source_sha256})",
         tool=f"Blender {manifest.blender} Cycles, {manifest.generator}, "
         f"PyTorch {torch.__version__}",
-        capture=manifest.settings.model_dump(mode="json", by_alias=True),
+        capture={
+            **manifest.settings.model_dump(mode="json", by_alias=True),
+            SOURCE_SHA256: manifest.source_sha256,
+        },
         training=runs,
     )
 

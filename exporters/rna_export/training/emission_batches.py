@@ -13,7 +13,7 @@ from rna_export.training.losses import unbiased_l2
 from rna_export.training.samples import SampleTable, columns
 from rna_export.training.triplane import Triplane
 
-_BATCH_SHARE = 2  # a step has half as many samples of emission as of transport
+SHARE = 2  # a step has half as many samples of emission as of transport
 
 
 @dataclass
@@ -28,7 +28,7 @@ class EmissionBatches:
         cls, part: DatasetPart, batch: int, seed: int, device: str, done: int
     ) -> EmissionBatches:
         """Without the first `done`: a stopped run saw them."""
-        table = SampleTable(part.emission_samples(), batch // _BATCH_SHARE, seed, device, done)
+        table = SampleTable(part.emission_samples(), batch // SHARE, seed, device, done)
         return cls(table, iter(table))
 
     def loss(self, emission: EmissionDecoder, triplane: Triplane, blur: float) -> Tensor:

@@ -7,6 +7,8 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
+from rna_export.training.product_kernels import weight_gradient
+
 
 def through(layers: nn.Sequential, x: Tensor, bfloat16: bool = False) -> Tensor:
     """layers(x), of linear layers with a ReLU between each two.
@@ -44,7 +46,7 @@ class _Layers(torch.autograd.Function):
         for k in reversed(range(count)):
             value, weight = values[k], weights[k]
             gradient = gradient.to(weight.dtype)
-            of_weight = gradient.t() @ value.to(weight.dtype)
+            of_weight = weight_gradient(gradient, value.to(weight.dtype))
             of_parameters[:0] = of_weight.float(), gradient.sum(dim=0, dtype=torch.float32)
             gradient = gradient @ weight
             if k > 0:

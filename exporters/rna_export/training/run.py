@@ -14,6 +14,7 @@ from tqdm import tqdm
 
 from rna_export.brightness import Brightness
 from rna_export.capture.dataset_part import DatasetPart
+from rna_export.training import emission_batches
 from rna_export.training.checkpoint import load_progress, save_checkpoint
 from rna_export.training.curves import Curves
 from rna_export.training.emission import INPUTS
@@ -82,9 +83,11 @@ def train(
         fitting.load(saved["fitting"])
     best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
     pace = _pace(run, begun, saved)
+    batch = run.preset.training.batch
+    batches = batch, batch // emission_batches.SHARE
     with (
         bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar,
-        StepThreads.of(run.device) as threads,
+        StepThreads.of(fitting.model, batches) as threads,
     ):
         found = _fit(run, fitting, table, pace, done, bar, threads)
     if found is not None:

@@ -14,8 +14,12 @@ from time import perf_counter
 from typing import TypeVar
 
 import torch
+from torch import nn
 
-from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from rna_export.training.model import NeuralAsset
+from rna_export.training.product_kernels import Product, products_repeat
+from rna_export.training.threads import threads_in_use, use_threads
+from rna_export.training.triplane import Triplane
 
 Result = TypeVar("Result")
 
@@ -27,20 +31,10 @@ _HOPELESS = 4.0  # steps of the number in use, in which a trial has not done one
 _CLEARLY = 0.95  # of the pace of the other, to replace it
 
 
-def use_threads(count: int) -> int:
-    """Let kernels and PyTorch take `count` threads in the calling thread; returns how many.
-
-    No more are taken than numba has.
-    """
-    count = limit_kernel_threads(count)  # first: numba's start sets OpenMP's number, torch's too
-    torch.set_num_threads(count)
-    return count
-
-
 class StepThreads:
     """Runs steps with one thread or with all that the caller has; a context, which restores them.
 
-    Results do not depend on the number: kernels and matrix products give the same bits.
+    Results do not depend on the number: kernels and matrix products give the same bits, see `of`.
 
     use: sets the number. now: clock, s.
     """
@@ -60,9 +54,17 @@ class StepThreads:
         self._is_trial, self._is_warm = False, False
 
     @classmethod
-    def of(cls, device: str) -> StepThreads:
-        """Of the calling thread's number; a GPU's steps always have all."""
-        return cls(min(kernel_threads(), torch.get_num_threads()) if device == "cpu" else 1)
+    def of(cls, model: NeuralAsset, batches: tuple[int, int]) -> StepThreads:
+        """Of the calling thread's number, for steps of a model.
+
+        batches: rows of a step, of transport and of emission. On a GPU, or where results would
+        depend on the number, it stays as it is.
+        """
+        most = threads_in_use()
+        kernels = isinstance(model.triplane, Triplane) and model.ceiling.device.type == "cpu"
+        if most == 1 or not kernels or not products_repeat(_products(model, batches), most):
+            return cls(1)
+        return cls(most)
 
     def __enter__(self) -> StepThreads:
         self._take(1)  # the cheaper mistake
@@ -137,3 +139,13 @@ class StepThreads:
         if count != self.count:
             self.count = count
             self._use(count)
+
+
+def _products(model: NeuralAsset, batches: tuple[int, int]) -> list[Product]:
+    """Products of the model's layers in a step."""
+    decoders = [(model.decoder, batches[0])]
+    if model.emission is not None:
+        decoders.append((model.emission.decoder, batches[1]))
+    layers = [(m, rows) for d, rows in decoders for m in d if isinstance(m, nn.Linear)]
+    dtypes = [torch.float32, *([torch.bfloat16] if model.multiplies_in_bfloat16 else [])]
+    return [Product(n, m.in_features, m.out_features, t) for m, n in layers for t in dtypes]

@@ -60,7 +60,7 @@ class TrialWorker:
 
     def __enter__(self) -> TrialWorker:
         from rna_export.memory import keep_freed_memory
-        from rna_export.training.step_threads import use_threads
+        from rna_export.training.threads import use_threads
 
         keep_freed_memory()
         use_threads(self._threads)

@@ -1,0 +1,85 @@
+"""What a package says of its making, for a comparison: source, training, recorded error."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rna_export.capture.orientation import AXES
+from rna_sdk.package import Package, Tier, Validation
+
+SOURCE_SHA256 = "sourceSha256"
+"""Member of `provenance.capture`: of the file that was captured."""
+
+_IN_TEXT = re.compile(r"\(sha256 ([0-9a-f]{64})\)")
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Of one tier of a package.
+
+    source: its credit. sha256: of the file that was captured; None where the package does not say.
+    front, up: axes that rna-capture was given. steps: of training, the fewest of all parts.
+    lights: captured directions. validation: the recorded error.
+    """
+
+    source: str
+    sha256: str | None
+    front: str | None
+    up: str | None
+    steps: int | None
+    lights: int | None
+    tier: str
+    validation: Validation | None
+
+    @classmethod
+    def of(cls, package: Path, tier: str | None) -> Origin:
+        """tier: None for the first."""
+        with Package.open(package) as opened:
+            manifest = opened.manifest
+        found = manifest.tiers[0] if tier is None else opened.tier(tier)
+        provenance = manifest.provenance
+        capture, in_text = provenance.capture, _IN_TEXT.search(provenance.source)
+        sha256 = capture.get(SOURCE_SHA256) or (in_text and in_text[1])
+        front, up = (axis if axis in AXES else None for axis in map(capture.get, ("front", "up")))
+        lights = capture.get("lights")
+        return cls(
+            source=provenance.source,
+            sha256=sha256 if isinstance(sha256, str) else None,
+            front=front,
+            up=up,
+            steps=_steps(provenance.training, found),
+            lights=lights if isinstance(lights, int) else None,
+            tier=found.name,
+            validation=found.validation,
+        )
+
+    def doubt(self, source: Path) -> str | None:
+        """Why a comparison with this file may say nothing of the package; None if it is the one."""
+        if self.sha256 is None:
+            return (
+                f"note: the package does not record which file it was captured from; {source} may "
+                "be another one"
+            )
+        found = hashlib.sha256(source.read_bytes()).hexdigest()
+        if found == self.sha256:
+            return None
+        return (
+            f"warning: {source} is not the file that the package was captured from, or was changed "
+            f"since: found SHA-256 {found[:12]}..., expected {self.sha256[:12]}...; differences "
+            "may be those of the files"
+        )
+
+
+def _steps(training: dict[str, Any], tier: Tier) -> int | None:
+    """Steps of the tier's training: a run, or runs by part, under its preset's name."""
+    names = [name for name in training if f"{tier.name}-".startswith(f"{name}-")]
+    runs = training[max(names, key=len)] if names else None
+    if not isinstance(runs, dict):
+        return None
+    of_parts = [runs] if "steps" in runs else [r for r in runs.values() if isinstance(r, dict)]
+    steps = [run["steps"] for run in of_parts if isinstance(run.get("steps"), int)]
+    return min(steps, default=None)
