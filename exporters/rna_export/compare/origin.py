@@ -59,17 +59,18 @@ class Origin:
 
     def doubt(self, source: Path) -> str | None:
         """Why a comparison with this file may say nothing of the package; None if it is the one."""
+        name = source.name
         if self.sha256 is None:
             return (
-                f"note: the package does not record which file it was captured from; {source.name} may "
-                "be another one"
+                f"note: the package does not record which file it was captured from; {name} may be "
+                "another one"
             )
         with source.open("rb") as file:
             found = hashlib.file_digest(file, "sha256").hexdigest()
         if found == self.sha256:
             return None
         return (
-            f"warning: {source.name} is not the file that the package was captured from, or was changed "
+            f"warning: {name} is not the file that the package was captured from, or was changed "
             f"since: found SHA-256 {found[:12]}..., expected {self.sha256[:12]}...; differences "
             "may be those of the files"
         )
