@@ -44,6 +44,7 @@ GROUPS: dict[str, tuple[Command, ...]] = {
     "speed of queries": (
         Command("evaluate", "speed.evaluate"),
         Command("evaluate-against", "speed.evaluate_against"),
+        Command("busy", "speed.busy"),
         Command("c-host", "speed.c_host"),
         Command("gpu", "speed.gpu", extra="gpu"),
     ),

@@ -110,8 +110,10 @@ class StepThreads:
         """Whether to try the other number."""
         if self._pace is None or self._compared is None or self._since >= self._interval:
             return True
-        is_changed = not 1.0 / _CHANGE < self._pace / self._compared < _CHANGE
-        return is_changed and (self.count > 1 or self._since >= _FIRST)
+        slower = self._pace / self._compared
+        if self.count > 1:
+            return slower > _CHANGE  # load has come
+        return slower < 1.0 / _CHANGE and self._since >= _FIRST  # it has gone
 
     def _end_trial(self, pace: float) -> None:
         assert self._pace is not None  # of the number before the trial

@@ -1,0 +1,188 @@
+"""Does one kind of work for as long as it is asked to; `busy.py` asks.
+
+    python -m rna_bench.speed.busy_worker NAME
+
+For each line that comes in, a number of seconds, it writes a line of JSON: `rate`, a second. It is
+warm before the first one counts.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from functools import partial
+from pathlib import Path
+from threading import Thread
+
+import numpy as np
+
+from rna_bench.checkout import QUICKSTART, ROOT, TOY
+
+WORK = {
+    "trainer": "steps/s",
+    "rna-run": "samples of a pixel/s",
+    "evaluate": "queries/s",
+    "capture": "paths/s",
+}
+"""Kind of work -> what is counted."""
+
+Task = Callable[[float], float]
+"""Works for about so many seconds; returns how much was done."""
+
+_WARM = 3.0  # s
+_SAMPLES = 1 << 18
+_ROWS = 1 << 18
+_RAYS, _PATHS = 4096, 16
+
+
+def main() -> None:
+    (name,) = sys.argv[1:]
+    makers = {"trainer": trainer, "rna-run": renderer, "evaluate": evaluation, "capture": capture}
+    with makers[name]() as task:
+        task(_WARM)
+        for asked in sys.stdin:
+            begun = time.perf_counter()
+            done = task(float(asked))
+            print(json.dumps({"rate": done / (time.perf_counter() - begun)}), flush=True)
+
+
+def repeated(once: Callable[[], float]) -> Task:
+    """A task that does something again and again."""
+
+    def task(seconds: float) -> float:
+        until, done = time.perf_counter() + seconds, 0.0
+        while time.perf_counter() < until:
+            done += once()
+        return done
+
+    return task
+
+
+@contextmanager
+def trainer() -> Iterator[Task]:
+    """Steps of `small` on random samples, as `rna-train` does them."""
+    import torch
+
+    from rna_export.memory import keep_freed_memory
+    from rna_export.training.fitting import Fitting
+    from rna_export.training.presets import PRESETS
+    from rna_export.training.samples import SampleTable
+    from rna_export.training.step_threads import StepThreads
+
+    keep_freed_memory()
+    preset = PRESETS["surface"]["small"].with_training(loss="log")
+    batch = preset.training.batch
+    table = SampleTable(_samples()).shuffled(batch, 0, 0)
+    bounds = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
+    fitting = Fitting(preset, bounds, 1.5, 0.5, table.fields)
+    batches = iter(table)
+    with StepThreads.of(fitting.model, (batch, batch)) as threads:
+
+        def step() -> float:
+            threads.run(partial(fitting.step, next(batches), 0.5))
+            return 1.0
+
+        yield repeated(step)
+
+
+def _samples() -> dict[str, np.ndarray]:
+    rng = np.random.default_rng(0)
+
+    def directions() -> np.ndarray:
+        v = rng.normal(size=(_SAMPLES, 3))
+        return np.asarray(v / np.linalg.norm(v, axis=1, keepdims=True), np.float32)
+
+    return {
+        "position": rng.uniform(-1.0, 1.0, (_SAMPLES, 3)).astype(np.float32),
+        **{name: directions() for name in ("normal", "wo", "wi")},
+        "radiance": rng.random((_SAMPLES, 3), np.float32),
+        "visible": np.ones(_SAMPLES, np.float32),
+    }
+
+
+@contextmanager
+def renderer() -> Iterator[Task]:
+    """The quickstart's scene, a sample of every pixel at a time."""
+    os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # as rna-run does
+    from rna_render.render import load_world, make_integrator, render
+    from rna_render.scene_file import read_scene
+
+    scene_file = read_scene(QUICKSTART)
+    world = load_world(scene_file)
+    scene = scene_file.scene.model_copy(update={"samples": 1, "quality": None})
+    integrator = make_integrator(scene, world, resolve=scene_file.resolve)
+    pixels = float(np.prod(scene.resolution))
+
+    def sample() -> float:
+        render(scene, integrator)
+        return pixels
+
+    yield repeated(sample)
+
+
+@contextmanager
+def evaluation() -> Iterator[Task]:
+    """Random queries of the quickstart's asset on all cores."""
+    from rna_bench.one_part import load_one_part
+    from rna_bench.speed.query_batches import random_queries
+
+    asset = load_one_part(TOY)
+    rows = random_queries(asset, _ROWS)
+
+    def batch() -> float:
+        asset.evaluate(*rows)
+        return float(_ROWS)
+
+    yield repeated(batch)
+
+
+@contextmanager
+def capture() -> Iterator[Task]:
+    """Rays of the quickstart's source in Cycles, one worker a core, as captures have them."""
+    from rna_export.capture import blender_env
+    from rna_export.capture.worker import BlenderWorker, Source
+    from rna_export.machine import default_workers
+
+    source, python = Source(ROOT / "examples" / "quickstart" / "toy.py"), blender_env.find_python()
+    rng = np.random.default_rng(0)
+    origins = rng.normal(size=(_RAYS, 3))
+    origins *= 3.0 / np.linalg.norm(origins, axis=1, keepdims=True)
+    targets = rng.uniform(-0.3, 0.3, (_RAYS, 3))
+    rays = origins.astype(np.float32), _unit(targets - origins)
+    with tempfile.TemporaryDirectory() as scratch, ExitStack() as stack:
+        blenders = [
+            stack.enter_context(BlenderWorker(python, source, Path(scratch), 1, str(k)))
+            for k in range(default_workers())
+        ]
+
+        def task(seconds: float) -> float:
+            done = [0.0] * len(blenders)
+            until = time.perf_counter() + seconds
+
+            def work(k: int) -> None:
+                while time.perf_counter() < until:
+                    wi = _unit(np.array([0.3, 1.0, 0.2]))
+                    blenders[k].render_rays(*rays, wi, _PATHS, int(done[k]))
+                    done[k] += _RAYS * _PATHS
+
+            threads = [Thread(target=work, args=(k,)) for k in range(len(blenders))]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            return sum(done)
+
+        yield task
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True), np.float32)
+
+
+if __name__ == "__main__":
+    main()
