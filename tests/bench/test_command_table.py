@@ -16,7 +16,13 @@ from tests.conftest import REPOSITORY
 
 PACKAGE = REPOSITORY / "benchmarks" / "rna_bench"
 NEEDED = {"gpu": "wgpu", "mitsuba": "mitsuba", "cluster": "ray"}
-PROGRAMS = {"cli.py", "blender_stage.py", "busy_worker.py", "evaluate_worker.py"}
+PROGRAMS = {
+    "cli.py",
+    "blender_stage.py",
+    "busy_worker.py",
+    "evaluate_worker.py",
+    "fuzz_scenes.py",
+}
 
 
 def imported(path: Path) -> set[str]:
