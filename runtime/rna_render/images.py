@@ -83,7 +83,7 @@ def read_exr_headers(path: Path) -> list[dict[str, Any]]:
     except OSError as error:
         reason = error.strerror or str(error)
         raise SceneError(f"cannot read the image: {reason}", file=path) from error
-    except (RuntimeError, ValueError, TypeError, KeyError) as error:
+    except (RuntimeError, ValueError, TypeError, KeyError, AttributeError) as error:
         raise SceneError(f"cannot read the image: {error}", file=path) from error
 
 

@@ -229,8 +229,11 @@ def _exr_cases(folder: Path) -> list[Case]:
     case("rip levels", lambda path: path.write_bytes(_levels(plain, 2)), "tiles of several sizes")
     case("subsampled", lambda path: path.write_bytes(_subsampled(plain)), "of fewer texels")
     case("cut", lambda path: path.write_bytes(_exr_bytes(plain)[:-200]), "cannot read the image")
-    foreign = _exr_bytes(plain | {"Zq": plain["R"]}).replace(b"Zq\0", b"Z\xff\0")
-    case("a name in latin-1", lambda path: path.write_bytes(foreign), "cannot read the image")
+    latin = _exr_bytes(plain | {"Zq": plain["R"]}).replace(b"Zq\0", b"Z\xff\0")
+    case("a name in latin-1", lambda path: path.write_bytes(latin), "cannot read the image")
+    foreign = _exr_bytes(plain, envmap=OpenEXR.ENVMAP_CUBE)
+    foreign = foreign.replace(b"envmap\0envmap\0", b"envmap\0envmaq\0")
+    case("envmap of another type", lambda path: path.write_bytes(foreign), texels)
     case("cut header", lambda path: path.write_bytes(_exr_bytes(plain)[:60]), "")
     large = _header(WIDTH, HEIGHT, [("B", 1), ("G", 1), ("R", 1)])
     large = large.replace(struct.pack("<2i", WIDTH - 1, HEIGHT - 1), struct.pack("<2i", 8191, 8191))
@@ -265,11 +268,11 @@ def _write_parts(path: Path, plain: Values, **header: object) -> None:
     OpenEXR.File(parts).write(str(path))
 
 
-def _exr_bytes(plain: Values) -> bytes:
+def _exr_bytes(plain: Values, **header: object) -> bytes:
     import tempfile
 
     with tempfile.NamedTemporaryFile(suffix=".exr") as file:
-        _write(Path(file.name), plain)
+        _write(Path(file.name), plain, **header)
         return Path(file.name).read_bytes()
 
 

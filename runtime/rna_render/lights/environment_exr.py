@@ -37,10 +37,10 @@ def read_exr_environment(path: Path) -> np.ndarray:
     header = headers[number]
     names = colours_of(header)
     _check_layout(path, header, len(headers))
-    data, display = _window(header["dataWindow"]), _window(header["displayWindow"])
+    data, display = (_window(path, header, name) for name in ("dataWindow", "displayWindow"))
     for window in (data, display):
         check_image_size(path, window[2] - window[0], window[3] - window[1])
-    values = sum(_values(part) for part in headers)
+    values = sum(_values(path, part) for part in headers)
     if values > MAX_IMAGE_VALUES:
         message = f"has {values} values in all its channels; at most {MAX_IMAGE_VALUES}"
         raise SceneError(message, file=path)
@@ -83,12 +83,11 @@ def _listed(names: Sequence[str], most: int = 12) -> str:
 
 
 def _check_layout(path: Path, header: Header, parts: int) -> None:
-    kind = header["type"].name
     tiles = header.get("tiles")
-    compression = header["compression"].name.removesuffix("_COMPRESSION")
-    if kind in DEEP:
+    compression = _name(header.get("compression")).removesuffix("_COMPRESSION")
+    if _name(header.get("type")) in DEEP:
         message = "is a deep image, with any number of samples a pixel: flatten it"
-    elif "envmap" in header and header["envmap"].name != "ENVMAP_LATLONG":
+    elif _name(header.get("envmap")) not in ("", "ENVMAP_LATLONG"):
         message = "is a cube map: convert it to latitude and longitude"
     elif any(channel.xSampling != 1 or channel.ySampling != 1 for channel in header["channels"]):
         message = "has channels of fewer texels than others: save them all at full size"
@@ -96,20 +95,28 @@ def _check_layout(path: Path, header: Header, parts: int) -> None:
         message = f"has compression {compression}, expected one of {', '.join(COMPRESSIONS)}"
     elif tiles is not None and parts > 1:
         message = "has tiles in one of several parts: save it with scan lines"
-    elif tiles is not None and tiles.mode.name == "RIPMAP_LEVELS":
+    elif tiles is not None and _name(getattr(tiles, "mode", None)) == "RIPMAP_LEVELS":
         message = "has tiles of several sizes by row and column: save it with one size"
     else:
         return
     raise SceneError(message, file=path)
 
 
-def _window(box: tuple[np.ndarray, np.ndarray]) -> Window:
-    (left, top), (right, bottom) = (corner.tolist() for corner in box)
+def _name(value: object) -> str:
+    """Of a number that has one; nothing for an attribute that is missing or of another type."""
+    return str(getattr(value, "name", ""))
+
+
+def _window(path: Path, header: Header, name: str) -> Window:
+    try:
+        (left, top), (right, bottom) = (corner.tolist() for corner in header[name])
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise SceneError(f"broken EXR image: its {name} is no window", file=path) from error
     return left, top, right + 1, bottom + 1
 
 
-def _values(header: Header) -> int:
-    left, top, right, bottom = _window(header["dataWindow"])
+def _values(path: Path, header: Header) -> int:
+    left, top, right, bottom = _window(path, header, "dataWindow")
     return max(right - left, 0) * max(bottom - top, 0) * len(header["channels"])
 
 

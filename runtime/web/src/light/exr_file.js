@@ -126,7 +126,7 @@ function readPart(reader) {
       if (count === 0) return null;
       break;
     }
-    text(reader);
+    const type = text(reader);
     const size = view.getInt32(reader.at, true), at = reader.at + 4;
     if (size < 0 || at + size > reader.bytes.length || count > MAX_ATTRIBUTES) {
       throw new NotSupported("broken EXR image: an attribute goes past the file's end");
@@ -135,7 +135,7 @@ function readPart(reader) {
     if (name === "compression") part.compression = view.getUint8(at);
     if (name === "dataWindow" || name === "displayWindow") part[name] = [0, 4, 8, 12].map((k) => view.getInt32(at + k, true));
     if (name === "type") part.type = String.fromCharCode(...reader.bytes.subarray(at, at + Math.min(size, 64)));
-    if (name === "envmap") part.envmap = view.getUint8(at);
+    if (name === "envmap" && type === "envmap") part.envmap = view.getUint8(at);
     if (name === "tiles") part.levels = view.getUint8(at + 8) & 15;
     reader.at = at + size;
   }
