@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from rna_export.capture import run as run_module
@@ -14,6 +15,7 @@ from rna_export.capture import time_plan
 from rna_export.capture.dataset import Dataset
 from rna_export.capture.manifest import CaptureManifest
 from rna_export.capture.run import CaptureCrew, finish
+from rna_export.capture.sample_files import write_parts
 from rna_export.capture.settings import CaptureSettings
 from rna_export.capture.shift import CaptureWorker
 from rna_export.capture.tasks import TrainingShard, ValidationHalf
@@ -135,7 +137,8 @@ def test_a_slow_capture_ends_in_time(
 ) -> None:
     def run(task: TrainingShard | ValidationHalf, dataset: Dataset, *_: object) -> None:
         clock.now += a_task
-        task.path(dataset).write_bytes(b"")
+        rays = 32 * dataset.manifest.settings.rays
+        write_parts(task.path(dataset), {"asset": {"wo": np.zeros((rays, 3), np.float32)}})
 
     for kind in (TrainingShard, ValidationHalf):
         monkeypatch.setattr(kind, "run", run)

@@ -22,7 +22,7 @@ from rna_export.compare.cli import main as compare
 from rna_export.export.cli import main as export
 from rna_export.fit.cli import main as fit
 from rna_export.make.cli import main as make
-from rna_export.training import report
+from rna_export.training import closing, report
 from rna_export.training import run as training_run
 from rna_export.training.cli import main as train
 from rna_sdk.errors import TrainingError
@@ -226,5 +226,6 @@ def test_trainings_of_an_earlier_version_are_resumed(
     out.mkdir()
     (out / "last.ckpt").touch()
     monkeypatch.setattr(training_run, "train", lambda run: run.out / "best.ckpt")
+    monkeypatch.setattr(closing, "closing_lines", lambda best, part: [])
     assert train([str(dataset.folder), "--out", str(out)]) == 0
     assert (out / ".rna-train").is_file()

@@ -56,7 +56,7 @@ def curve(folder: Path, name: str) -> dict[int, float]:
 
 
 def test_what_a_run_leaves(trained: Path, dataset: DatasetPart) -> None:
-    names = {"best.ckpt", "last.ckpt", "metrics.csv", "curves.png", "validation"}
+    names = {"best.ckpt", "last.ckpt", "metrics.csv", "curves.png", "sheet.png", "validation"}
     assert {path.name for path in trained.iterdir()} == names
     assert (trained / "curves.png").stat().st_size > 5000
     scores = curve(trained, "psnr")

@@ -100,9 +100,18 @@ def test_what_the_address_cannot_have_is_told(chromium_page, site_url):
 
 def test_no_hint_while_an_asset_is_on_its_way(chromium_page, site_url):
     hint = "getComputedStyle(document.getElementById('hint')).display"
+    held = """
+        const begin = fetch, held = [];
+        globalThis.fetch = (...asked) =>
+            new Promise((answer) => held.push(() => answer(begin(...asked))));
+        globalThis.letGo = () => { globalThis.fetch = begin; held.forEach((one) => one()); };
+    """
     chromium_page.call("Page.navigate", url="about:blank")
+    script = chromium_page.call("Page.addScriptToEvaluateOnNewDocument", source=held)
     chromium_page.call("Page.navigate", url=f"{site_url}?{QUERY}")
     chromium_page.wait_for(f"globalThis.rnaViewer && {hint} === 'none'", PATIENCE)
     assert not chromium_page.evaluate("document.body.classList.contains('loaded')")
+    chromium_page.call("Page.removeScriptToEvaluateOnNewDocument", **script)
+    chromium_page.evaluate("letGo()")
     wait_for_picture(chromium_page, 1)
     assert chromium_page.evaluate(hint) == "none"

@@ -27,7 +27,8 @@ def imports(path: object) -> set[str]:
 def test_it_lies_below_renderer_and_exporter() -> None:
     ours = {name for path in FOLDER.glob("*.py") for name in imports(path) if name[:4] == "rna_"}
     above = {name for name in ours if not name.startswith("rna_work.")}
-    assert above == {"rna_sdk.errors"}
+    below = ("atomic_file", "console", "errors", "regular_file")
+    assert above == {f"rna_sdk.{name}" for name in below}
 
 
 def test_ray_is_imported_in_three_files_alone() -> None:
