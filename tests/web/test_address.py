@@ -107,11 +107,13 @@ def test_no_hint_while_an_asset_is_on_its_way(chromium_page, site_url):
         globalThis.letGo = () => { globalThis.fetch = begin; held.forEach((one) => one()); };
     """
     chromium_page.call("Page.navigate", url="about:blank")
+    chromium_page.call("Page.enable")
     script = chromium_page.call("Page.addScriptToEvaluateOnNewDocument", source=held)
     chromium_page.call("Page.navigate", url=f"{site_url}?{QUERY}")
     chromium_page.wait_for(f"globalThis.rnaViewer && {hint} === 'none'", PATIENCE)
     assert not chromium_page.evaluate("document.body.classList.contains('loaded')")
     chromium_page.call("Page.removeScriptToEvaluateOnNewDocument", **script)
+    chromium_page.call("Page.disable")
     chromium_page.evaluate("letGo()")
     wait_for_picture(chromium_page, 1)
     assert chromium_page.evaluate(hint) == "none"
