@@ -1,9 +1,8 @@
-"""Tests that need something outside the repository: skipped with a reason, and counted."""
+"""Tests that need something outside the repository are skipped with a reason."""
 
 from __future__ import annotations
 
 import signal
-from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -14,8 +13,6 @@ from tests.render.chromium import INSTALL, find_chromium
 
 REPOSITORY = Path(__file__).parent.parent
 DATA = REPOSITORY.parent / "shared" / "data"
-
-_skipped: Counter[str] = Counter()
 
 
 def pytest_configure() -> None:
@@ -33,12 +30,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         if marked and (why := reason()):
             for item in marked:
                 item.add_marker(pytest.mark.skip(reason=why))
-            _skipped[f"{marker}: {why}"] += len(marked)
+    for item in items:
+        item.add_marker(pytest.mark.xdist_group(_group(item.path)))
 
 
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    for why, count in _skipped.items():
-        terminalreporter.write_line(f"skipped {count} marked {why}", yellow=True)
+def _group(path: Path) -> str:
+    """Tests that one process runs, one after the other: a file's, and all that start clusters."""
+    return "work" if path.parent.name == "work" else str(path)
 
 
 @pytest.fixture(scope="session")
