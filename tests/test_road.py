@@ -119,5 +119,6 @@ def compare(package: Path, source: Path, page: Path, pictures: int) -> None:
     assert "index.html" in command("rna-compare", package, source, "--out", page, *small)
     results = json.loads((page / "results.json").read_text())
     assert len(results["pictures"]) == pictures
-    assert results["psnr"] > 22.0
+    # At the exposure of an asset that is not dark, which the differences have a part of.
+    assert results["psnr"] + 20.0 * np.log10(results["exposure"]) > 22.0
     assert (page / "sheet.png").is_file()

@@ -23,7 +23,7 @@ from rna_export.pictures import write_picture
 from rna_export.psnr_words import psnr_in_words
 from rna_sdk.atomic_file import write_atomically
 
-_NUMBERS = ("psnr", "flip", "coverage", "seconds_ours", "seconds_cycles")
+_NUMBERS = ("psnr", "flip", "coverage", "exposure", "seconds_ours", "seconds_cycles")
 
 
 Made = tuple[Path, Path, Origin, str | None]
