@@ -21,7 +21,7 @@ from rna_render.sampling import Sampler
 from rna_render.scene_file import read_scene
 from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
 from tests.conftest import REPOSITORY
-from tests.render.whole_scenes import SCENES, write_files
+from tests.render.whole_scenes import SCENES, write_scene
 
 SAMPLES = 3  # memory that is used after it was freed has other contents a while later
 EXAMPLES = sorted((REPOSITORY / "examples").glob("*/scene.yaml"))
@@ -31,9 +31,7 @@ EXAMPLES = sorted((REPOSITORY / "examples").glob("*/scene.yaml"))
 def scene(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     if isinstance(request.param, Path):
         return request.param
-    write_files(tmp_path)
-    (tmp_path / "scene.yaml").write_text(SCENES[request.param])
-    return tmp_path / "scene.yaml"
+    return write_scene(tmp_path, request.param)
 
 
 def test_two_threads_of_a_fresh_process_render_what_one_does(scene: Path, tmp_path: Path) -> None:
@@ -70,9 +68,7 @@ def hurried() -> Iterator[None]:
 def test_small_bands_of_threads_that_switch_all_the_time(
     tmp_path: Path, hurried: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    write_files(tmp_path)
-    (tmp_path / "scene.yaml").write_text(SCENES["everything"])
-    scene_file = read_scene(tmp_path / "scene.yaml")
+    scene_file = read_scene(write_scene(tmp_path, "everything"))
     world = load_world(scene_file)
     images = []
     for threads in (1, 2, 4, 8):

@@ -1,7 +1,13 @@
-"""Scene files with assets, objects, materials and lights of every kind."""
+"""Scene files with assets, objects, materials and lights of every kind.
+
+    python -m tests.render.whole_scenes FOLDER
+
+writes each as FOLDER/NAME/scene.yaml, with its files.
+"""
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -103,3 +109,16 @@ def _write_sky(path: Path) -> None:
     texels = np.stack([0.2 + x, 0.3 + y, 1.2 - y], axis=-1).astype(np.float32)
     texels[3, 20] = 60.0
     write_exr(path, {c: np.ascontiguousarray(texels[..., k]) for k, c in enumerate("RGB")}, {})
+
+
+def write_scene(folder: Path, name: str) -> Path:
+    """Write a scene of `SCENES` with its files; returns the scene file."""
+    folder.mkdir(parents=True, exist_ok=True)
+    write_files(folder)
+    (folder / "scene.yaml").write_text(SCENES[name])
+    return folder / "scene.yaml"
+
+
+if __name__ == "__main__":
+    for scene in SCENES:
+        write_scene(Path(sys.argv[1]) / scene, scene)
