@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.capture.blender_env import find_python
+from rna_export.capture.blender_process.blender_env import find_python
 from rna_sdk.errors import CaptureError
 from tests.render.chromium import INSTALL, find_chromium
 

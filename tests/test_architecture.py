@@ -11,7 +11,7 @@ from types import FrameType
 
 import pytest
 
-from rna_render.cli import main
+from rna_render.command.rna_run import main
 from tests.conftest import REPOSITORY
 
 PAGE = (REPOSITORY / "docs" / "architecture.md").read_text()
@@ -75,5 +75,5 @@ def test_the_walk_is_what_a_render_does(tmp_path: Path) -> None:
     finally:
         sys.setprofile(None)
         threading.setprofile(None)  # type: ignore[arg-type]
-    compiled = {"rna_sdk/runtime/query_kernel.py"}
+    compiled = {"rna_sdk/runtime/kernels/query_kernel.py"}
     assert {name for name in WALK if str(REPOSITORY / name) not in entered} <= compiled

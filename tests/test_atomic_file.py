@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.images import write_png
+from rna_render.image.images import write_png
 from rna_sdk.atomic_file import atomic_file, write_atomically
 from rna_sdk.errors import SceneError
-from rna_sdk.runtime import costs
+from rna_sdk.runtime.engine import costs
 
 
 def test_the_file_is_replaced_at_the_end(tmp_path: Path) -> None:

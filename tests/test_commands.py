@@ -136,13 +136,13 @@ def test_what_the_base_can_do_it_does() -> None:
 @pytest.mark.parametrize(
     "module",
     [
-        "rna_render.cli:_parser",
-        "rna_sdk.package.info_cli:parser",
-        "rna_export.make.cli:parser",
-        "rna_export.capture.cli:parser",
-        "rna_export.training.cli:parser",
-        "rna_export.fit.cli:parser",
-        "rna_export.compare.cli:parser",
+        "rna_render.command.rna_run:_parser",
+        "rna_sdk.package.command.rna_info:parser",
+        "rna_export.make.rna_make:parser",
+        "rna_export.capture.rna_capture:parser",
+        "rna_export.training.rna_train:parser",
+        "rna_export.fit.rna_fit:parser",
+        "rna_export.compare.rna_compare:parser",
         "rna_bench.cli:parser",
     ],
 )

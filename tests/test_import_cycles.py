@@ -11,7 +11,7 @@ import pytest
 from tests.conftest import REPOSITORY
 
 ROOTS = {"rna_sdk": ".", "rna_export": "exporters", "rna_bench": "benchmarks"} | dict.fromkeys(
-    ("rna_work", "rna_render", "rna_gpu", "rna_mitsuba", "rna_view"), "runtime"
+    ("rna_work", "rna_trace", "rna_render", "rna_gpu", "rna_mitsuba", "rna_view"), "runtime"
 )
 
 

@@ -34,7 +34,7 @@ SMALL = (
 
 
 def command(source: Path, out: Path, *options: object) -> list[str]:
-    own = ["-m", "rna_export.make.cli", source, "--out", out, *options]
+    own = ["-m", "rna_export.make.rna_make", source, "--out", out, *options]
     return [sys.executable, *map(str, own)]
 
 

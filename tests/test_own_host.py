@@ -7,8 +7,8 @@ import re
 import numpy as np
 import pytest
 
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.bodies.surface import SurfacePoints
+from rna_trace.parts_scene import PartsScene
+from rna_trace.surface import SurfacePoints
 from tests.conftest import REPOSITORY
 
 PAGE = REPOSITORY / "docs" / "your-own-host.md"

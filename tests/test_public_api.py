@@ -36,7 +36,7 @@ OUR_TOOLS = {
     )
 }
 """How our own commands check arrays, read, write, are compiled, threaded, talk, and serve pages."""
-RENDERERS = {"rna_render": OUR_TOOLS, "rna_mitsuba": set()}
+RENDERERS = {"rna_trace": OUR_TOOLS, "rna_render": OUR_TOOLS, "rna_mitsuba": set()}
 
 
 def imports(source: str) -> list[tuple[str, str]]:
@@ -73,9 +73,9 @@ def test_renderers_import_public_names_alone(renderer: str) -> None:
     "line",
     [
         "from rna_sdk.runtime.transforms import Transform",
-        "from rna_sdk.package.extensions import Proxy",
+        "from rna_sdk.package.manifest.extensions import Proxy",
         "from rna_sdk.package import Container",
-        "import rna_sdk.package.manifest",
+        "import rna_sdk.package.manifest.manifest_model",
         "from rna_sdk.compiled import compiled",
     ],
 )

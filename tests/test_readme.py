@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.make.cli import parser as make_parser
+from rna_export.make.rna_make import parser as make_parser
 from rna_export.make.starter import write_starter
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
@@ -57,8 +57,8 @@ def test_its_commands_run_in_their_order(tmp_path: Path, monkeypatch: pytest.Mon
     """
     monkeypatch.chdir(tmp_path)
     (tmp_path / "out").mkdir()
-    monkeypatch.setattr("rna_render.preview.command.preview", lambda *_: None)
-    monkeypatch.setattr("rna_view.cli._serve", lambda *_: None)
+    monkeypatch.setattr("rna_render.preview.preview_command.preview", lambda *_: None)
+    monkeypatch.setattr("rna_view.rna_view_command._serve", lambda *_: None)
     ran = []
     for command, *arguments in COMMANDS:
         ran.append(command)

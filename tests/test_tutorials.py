@@ -37,15 +37,15 @@ PAGES = [
     "docs/frontier.md",
 ]
 PARSERS = {
-    "rna-run": "rna_render.cli:_parser",
-    "rna-capture": "rna_export.capture.cli:parser",
-    "rna-train": "rna_export.training.cli:parser",
-    "rna-export": "rna_export.export.cli:parser",
-    "rna-fit": "rna_export.fit.cli:parser",
-    "rna-make": "rna_export.make.cli:parser",
-    "rna-compare": "rna_export.compare.cli:parser",
-    "rna-view": "rna_view.cli:_parser",
-    "rna-info": "rna_sdk.package.info_cli:parser",
+    "rna-run": "rna_render.command.rna_run:_parser",
+    "rna-capture": "rna_export.capture.rna_capture:parser",
+    "rna-train": "rna_export.training.rna_train:parser",
+    "rna-export": "rna_export.export.rna_export:parser",
+    "rna-fit": "rna_export.fit.rna_fit:parser",
+    "rna-make": "rna_export.make.rna_make:parser",
+    "rna-compare": "rna_export.compare.rna_compare:parser",
+    "rna-view": "rna_view.rna_view_command:_parser",
+    "rna-info": "rna_sdk.package.command.rna_info:parser",
 }
 RECORDS = {
     "small": ("float32", 38.053, (0.0383, 0.0350, 0.0320, 0.0285)),

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from rna_export.capture import blender_env
-from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
 from rna_export.machine import default_workers
 from rna_sdk.errors import CaptureError
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rna_export.capture.validation_view import ValidationView
-from rna_export.training.model import NeuralAsset
+from rna_export.capture.dataset.validation_view import ValidationView
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.validation import Scores, score, shade
 
 

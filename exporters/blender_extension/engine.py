@@ -128,7 +128,7 @@ def _arguments(scene, folder, size):
     more += ["--denoise"] if own.denoise else []
     every = max(_EVERY, size[0] * size[1] / _PIXELS_A_SECOND)
     out = ["--out", folder / "image.npz", "--every", every]
-    return ["-m", "rna_render.cli", folder / "scene.yaml", *out, *more]
+    return ["-m", "rna_render.command.rna_run", folder / "scene.yaml", *out, *more]
 
 
 def size_of(render):

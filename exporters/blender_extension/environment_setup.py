@@ -27,7 +27,7 @@ def main():
     run(python, *pip, *pinned, f"{sdk}[{extras}]")
     if more:
         print("installing Blender's module, for captures", flush=True)
-        run(python, "-m", "rna_export.capture.cli", "--setup-blender")
+        run(python, "-m", "rna_export.capture.rna_capture", "--setup-blender")
     done.write_text(Path(sdk, "version").read_text())
     print(f"ready: {python}", flush=True)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_export.capture.validation_view import is_lit
+from rna_export.capture.dataset.validation_view import is_lit
 
 LIT, SHADOWED = 0.02, 0.05
 """Shares of the light by which a channel may be off, where light is visible and in shadow."""

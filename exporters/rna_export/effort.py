@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.training.presets import PRESETS
 
 if TYPE_CHECKING:
-    from rna_export.capture.dataset import Dataset
+    from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.training.checkpoint import Trained
 
 _LITTLE = 0.1  # of what is usual

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Package, float_planes
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
-from rna_sdk.runtime.decoder import Graph
+from rna_sdk.runtime.engine.decoder_sessions import Graph
 
 
 def evaluate(

@@ -7,18 +7,24 @@ Examples:
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
-from rna_sdk.package.curves import Curves
-from rna_sdk.package.geometry import quantise
+from rna_sdk.package.decoder.profile_decoder import (
+    ProfileDecoder,
+    ProfileLayer,
+    read_profile_decoder,
+)
+from rna_sdk.package.geometry.curves import Curves
+from rna_sdk.package.geometry.geometry_files import quantise
+from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.issues import Code, Issue, Severity
-from rna_sdk.package.manifest import (
+from rna_sdk.package.manifest.manifest_fields import Bounds, Cone, Domain
+from rna_sdk.package.manifest.manifest_model import (
     Manifest,
     NormalMapRecord,
     Part,
     Provenance,
     TransmittanceRecord,
 )
-from rna_sdk.package.manifest_fields import Bounds, Cone, Domain
-from rna_sdk.package.manifest_tiers import (
+from rna_sdk.package.manifest.manifest_tiers import (
     Agreement,
     Cost,
     FlipAtHeight,
@@ -27,17 +33,11 @@ from rna_sdk.package.manifest_tiers import (
     TierPart,
     Validation,
 )
-from rna_sdk.package.mesh import Mesh
-from rna_sdk.package.normal_maps import NormalMap
+from rna_sdk.package.manifest.tier_ranges import tier_ranges
 from rna_sdk.package.package import Package
-from rna_sdk.package.planes import Int8Planes, Planes, float_planes
-from rna_sdk.package.profile_decoder import (
-    ProfileDecoder,
-    ProfileLayer,
-    read_profile_decoder,
-)
-from rna_sdk.package.tier_ranges import tier_ranges
-from rna_sdk.package.transmittance import Transmittance
+from rna_sdk.package.textures.normal_maps import NormalMap
+from rna_sdk.package.textures.planes import Int8Planes, Planes, float_planes
+from rna_sdk.package.textures.transmittance import Transmittance
 from rna_sdk.package.validator import validate
 from rna_sdk.package.writer import TierData, write_package
 

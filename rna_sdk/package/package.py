@@ -10,16 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.errors import PackageError, QueryError
-from rna_sdk.package.container import Container
-from rna_sdk.package.curves import Curves
-from rna_sdk.package.extensions import Poster, Proxy, ProxyLevel, extension
-from rna_sdk.package.geometry import Geometry, geometry_from_bytes
-from rna_sdk.package.manifest import Manifest, Part
-from rna_sdk.package.manifest_tiers import Tier, TierPart
-from rna_sdk.package.mesh import Mesh
-from rna_sdk.package.normal_maps import NORMALS, NormalMap
-from rna_sdk.package.planes import Planes, planes_from_bytes
-from rna_sdk.package.transmittance import Transmittance, texture_from_bytes
+from rna_sdk.package.container.zip_container import Container
+from rna_sdk.package.geometry.curves import Curves
+from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
+from rna_sdk.package.geometry.mesh import Mesh
+from rna_sdk.package.manifest.extensions import Poster, Proxy, ProxyLevel, extension
+from rna_sdk.package.manifest.manifest_model import Manifest, Part
+from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
+from rna_sdk.package.textures.normal_maps import NORMALS, NormalMap
+from rna_sdk.package.textures.planes import Planes, planes_from_bytes
+from rna_sdk.package.textures.transmittance import Transmittance, texture_from_bytes
 from rna_sdk.package.validator import inspect
 
 

@@ -10,8 +10,10 @@ from os import PathLike
 from pydantic import JsonValue
 
 from rna_sdk.errors import PackageError
-from rna_sdk.package.deflate import encode, largest_decoded
-from rna_sdk.package.extensions import (
+from rna_sdk.package.geometry.geometry_files import Geometry, geometry_to_bytes
+from rna_sdk.package.issues import Code, refuse
+from rna_sdk.package.manifest.deflate import encode, largest_decoded
+from rna_sdk.package.manifest.extensions import (
     Coding,
     Deflate,
     Extension,
@@ -19,11 +21,9 @@ from rna_sdk.package.extensions import (
     Proxy,
     extension,
 )
-from rna_sdk.package.geometry import Geometry, geometry_to_bytes
-from rna_sdk.package.issues import Code, refuse
-from rna_sdk.package.manifest import Manifest
-from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES
-from rna_sdk.package.poster import png_size
+from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
+from rna_sdk.package.manifest.manifest_model import Manifest
+from rna_sdk.package.manifest.poster import png_size
 from rna_sdk.package.validator import inspect
 from rna_sdk.package.writer import write_entries
 

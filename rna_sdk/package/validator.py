@@ -9,26 +9,26 @@ from dataclasses import dataclass, field
 from os import PathLike
 
 from rna_sdk.errors import PackageError
-from rna_sdk.package.container import MANIFEST_NAME, Container
-from rna_sdk.package.decoder import check_decoder
-from rna_sdk.package.decoder_form import emission_form, transport_form
-from rna_sdk.package.deflate import decoded_entry
-from rna_sdk.package.extensions import Deflate, Proxy, extension
-from rna_sdk.package.geometry import QUANTISED_VERSION, Geometry, geometry_from_bytes
+from rna_sdk.package.container.strict_json import pointer
+from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container
+from rna_sdk.package.decoder.decoder_checks import check_decoder
+from rna_sdk.package.decoder.decoder_form import emission_form, transport_form
+from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_from_bytes
+from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.issues import Code, Issue, Severity
-from rna_sdk.package.manifest import Manifest, NormalMapRecord, TransmittanceRecord
-from rna_sdk.package.manifest_checks import manifest_warnings
-from rna_sdk.package.manifest_fields import Bounds, version_number
-from rna_sdk.package.manifest_reader import parse_manifest
-from rna_sdk.package.manifest_short import Places
-from rna_sdk.package.manifest_tiers import TierPart
-from rna_sdk.package.mesh import Mesh
-from rna_sdk.package.normal_maps import NORMALS, check_normal_maps
-from rna_sdk.package.planes import check_finite, planes_from_bytes
-from rna_sdk.package.poster import poster_issues
-from rna_sdk.package.strict_json import pointer
-from rna_sdk.package.texture_form import Texture
-from rna_sdk.package.transmittance import check_records, texture_from_bytes
+from rna_sdk.package.manifest.deflate import decoded_entry
+from rna_sdk.package.manifest.extensions import Deflate, Proxy, extension
+from rna_sdk.package.manifest.manifest_checks import manifest_warnings
+from rna_sdk.package.manifest.manifest_fields import Bounds, version_number
+from rna_sdk.package.manifest.manifest_model import Manifest, NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.manifest.manifest_reader import parse_manifest
+from rna_sdk.package.manifest.manifest_short import Places
+from rna_sdk.package.manifest.manifest_tiers import TierPart
+from rna_sdk.package.manifest.poster import poster_issues
+from rna_sdk.package.textures.normal_maps import NORMALS, check_normal_maps
+from rna_sdk.package.textures.planes import check_finite, planes_from_bytes
+from rna_sdk.package.textures.texture_form import Texture
+from rna_sdk.package.textures.transmittance import check_records, texture_from_bytes
 
 _OUTSIDE_TOLERANCE = 1e-4
 """Part of the bounds' extent that geometry may lie outside before a warning says so."""

@@ -11,19 +11,23 @@ from pathlib import Path
 
 from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import PackageError
-from rna_sdk.package.container import MANIFEST_NAME
-from rna_sdk.package.container_writer import write_container
-from rna_sdk.package.entry_order import ordered
-from rna_sdk.package.geometry import QUANTISED_VERSION, Geometry, geometry_to_bytes
+from rna_sdk.package.container.zip_container import MANIFEST_NAME
+from rna_sdk.package.container.zip_writer import write_container
+from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
-from rna_sdk.package.manifest import EntryRecord, Manifest
-from rna_sdk.package.manifest_short import Places
-from rna_sdk.package.manifest_tiers import Tier, TierPart
-from rna_sdk.package.manifest_writer import is_written_short, manifest_to_json, with_versions
-from rna_sdk.package.normal_maps import NORMALS
-from rna_sdk.package.planes import DTYPES, Planes, planes_to_bytes
-from rna_sdk.package.texture_form import Texture
-from rna_sdk.package.transmittance import TRANSMITTANCE
+from rna_sdk.package.manifest.entry_order import ordered
+from rna_sdk.package.manifest.manifest_model import EntryRecord, Manifest
+from rna_sdk.package.manifest.manifest_short import Places
+from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
+from rna_sdk.package.manifest.manifest_writer import (
+    is_written_short,
+    manifest_to_json,
+    with_versions,
+)
+from rna_sdk.package.textures.normal_maps import NORMALS
+from rna_sdk.package.textures.planes import DTYPES, Planes, planes_to_bytes
+from rna_sdk.package.textures.texture_form import Texture
+from rna_sdk.package.textures.transmittance import TRANSMITTANCE
 from rna_sdk.package.validator import inspect
 
 

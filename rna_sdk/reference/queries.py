@@ -11,8 +11,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.runtime.fiber_blocks import ETA
-from rna_sdk.runtime.surface_blocks import BEND
+from rna_sdk.runtime.kernels.fiber_blocks import ETA
+from rna_sdk.runtime.kernels.surface_blocks import BEND
 
 Float = NDArray[np.float64]
 Blocks = dict[str, Callable[[], Float]]

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from rna_sdk.arrays import vectors
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Domain, NormalMap, Package, Tier, Transmittance
-from rna_sdk.package.manifest_fields import Kind
+from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.runtime.arguments import results
-from rna_sdk.runtime.batch import Batch, Rows
-from rna_sdk.runtime.costs import kept_cost, median_seconds
+from rna_sdk.runtime.engine.batch import Batch, Rows
+from rna_sdk.runtime.engine.costs import kept_cost, median_seconds
 
 if TYPE_CHECKING:
     from rna_sdk.runtime.fiber_asset import FiberAsset
@@ -128,8 +128,8 @@ class AssetPart(Asset):
     def __init__(self, package: Package, tier: Tier, threads: int, part: int, name: str) -> None:
         """package: open. tier: one of its tiers. threads: at least 1. part: index of the part."""
         # onnxruntime and numba load with the first asset, not with this module.
-        from rna_sdk.runtime.decoder import Decoder
-        from rna_sdk.runtime.tiles import QueryFiller, TileEvaluator
+        from rna_sdk.runtime.engine.decoder_sessions import Decoder
+        from rna_sdk.runtime.engine.tiles import QueryFiller, TileEvaluator
 
         record, own = package.manifest.parts[part], tier.parts[part]
         box, emission = record.bounds, package.emission_decoder(tier.name, part)

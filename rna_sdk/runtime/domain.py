@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.arrays import vectors
-from rna_sdk.package.manifest_fields import Region
+from rna_sdk.package.manifest.manifest_fields import Region
 
 
 def in_region(region: Region, directions: NDArray[np.float32]) -> NDArray[np.bool_]:

@@ -8,7 +8,7 @@ from typing import Literal
 from rna_sdk.arrays import scalars, vectors
 from rna_sdk.package import Package, Tier
 from rna_sdk.runtime.asset import AssetPart
-from rna_sdk.runtime.batch import Rows
+from rna_sdk.runtime.engine.batch import Rows
 
 
 class FiberAsset(AssetPart):

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Mesh
-from rna_sdk.package.normal_maps import NormalMap
+from rna_sdk.package.textures.normal_maps import NormalMap
 from rna_sdk.runtime.transmittance import bilinear
 
 Float = NDArray[np.float64]

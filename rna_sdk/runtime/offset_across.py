@@ -27,7 +27,7 @@ def offset_across(
         >>> offset_across(right, up, eye).tolist()  # the right edge of an upright fiber
         [1.0]
     """
-    from rna_sdk.runtime.row_kernels import fill_offsets  # numba loads when it is used
+    from rna_sdk.runtime.kernels.row_kernels import fill_offsets  # numba loads when it is used
 
     normals = vectors("normals", normals)
     tangents = vectors("tangents", tangents, len(normals))

@@ -10,7 +10,7 @@ import numpy as np
 from rna_sdk.arrays import vectors
 from rna_sdk.package import Package, Tier
 from rna_sdk.runtime.asset import AssetPart
-from rna_sdk.runtime.batch import Rows
+from rna_sdk.runtime.engine.batch import Rows
 
 
 class SurfaceAsset(AssetPart):

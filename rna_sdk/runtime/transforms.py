@@ -101,7 +101,7 @@ def _mapped(
     after: NDArray[np.float64],
 ) -> NDArray[np.float32]:
     """linear @ (v - before) + after for each row v, in float64, rounded to float32."""
-    from rna_sdk.runtime.row_kernels import map_rows  # numba loads when it is used
+    from rna_sdk.runtime.kernels.row_kernels import map_rows  # numba loads when it is used
 
     source = vectors("values", values)
     result = np.empty_like(source)

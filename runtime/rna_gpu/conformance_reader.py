@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from rna_gpu.asset import GpuFiber, GpuPart, GpuSurface
 from rna_gpu.device import Device, open_device
 from rna_gpu.loading import load
-from rna_gpu.probe import Probe
+from rna_gpu.scene.probe import Probe
 from rna_sdk.conformance.reader_program import run_reader
 
 Rows = NDArray[np.float32]

@@ -7,7 +7,7 @@ from os import PathLike
 from rna_gpu.asset import GpuAsset, GpuFiber, GpuSurface
 from rna_gpu.device import Device, open_device
 from rna_sdk.package import Package
-from rna_sdk.package.manifest_fields import Kind
+from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.runtime import choose_tier
 
 

@@ -15,15 +15,15 @@ from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Curves, Mesh, Package
 
 if TYPE_CHECKING:
-    from rna_render.bodies.fiber import FiberPoints
-    from rna_render.bodies.surface import SurfacePoints
+    from rna_trace.fiber import FiberPoints
+    from rna_trace.surface import SurfacePoints
 
 
 def visibility(package: str, records: bytes) -> np.ndarray:
     """(n, 3) float32: the visibility, RGB, of the rays of n hits."""
     # Here, since two hundred runs only check a package.
-    from rna_render.bodies.asset_parts import mesh_transmittance
-    from rna_render.bodies.parts_scene import PartsScene
+    from rna_trace.asset_parts import mesh_transmittance
+    from rna_trace.parts_scene import PartsScene
 
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
     with Package.open(package) as opened:
@@ -47,8 +47,8 @@ def visibility(package: str, records: bytes) -> np.ndarray:
 
 def normals(package: str, records: bytes) -> np.ndarray:
     """Shading normals of queries at n hits on meshes, (n, 3) float32."""
-    from rna_render.bodies.normal_maps import NormalMaps
-    from rna_render.bodies.surface import SurfacePoints
+    from rna_trace.normal_maps import NormalMaps
+    from rna_trace.surface import SurfacePoints
 
     words = np.frombuffer(records, "<u4").reshape(-1, 8)
     b = np.ascontiguousarray(words.view("<f4")[:, 1:3].T.astype(np.float32))
@@ -68,8 +68,8 @@ def _points(
     geometry: Mesh | Curves, words: np.ndarray
 ) -> tuple[SurfacePoints | FiberPoints, np.ndarray]:
     """The points of hit records on one part, and their directions."""
-    from rna_render.bodies.fiber import FiberPoints
-    from rna_render.bodies.surface import SurfacePoints
+    from rna_trace.fiber import FiberPoints
+    from rna_trace.surface import SurfacePoints
 
     numbers, primitive = words.view("<f4").astype(np.float32), words[:, 0].astype(np.int32)
     if isinstance(geometry, Mesh):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Future
 from typing import Any, Protocol
 
-from rna_work.worker import MakeWorker
+from rna_work.workers import MakeWorker
 
 
 class Slot(Protocol):

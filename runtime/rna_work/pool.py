@@ -14,8 +14,8 @@ from typing import Any, Generic
 
 from rna_sdk.errors import WorkError
 from rna_work.backend import Backend, Slot
-from rna_work.patience import Patience, Watch
-from rna_work.worker import Item, MakeWorker, Outcome, Result, TimedOut, WorkerLost
+from rna_work.timeouts import Patience, Watch
+from rna_work.workers import Item, MakeWorker, Outcome, Result, TimedOut, WorkerLost
 
 _FAILED_STARTS = 3  # one after the other, for what a worker itself raises
 _NO_ROOM = 60.0  # seconds

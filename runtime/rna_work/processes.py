@@ -16,7 +16,7 @@ from typing import Any
 from rna_sdk.errors import WorkError
 from rna_work.processor_time import process_seconds
 from rna_work.threads import HERE
-from rna_work.worker import MakeWorker, WorkerLost
+from rna_work.workers import MakeWorker, WorkerLost
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import Any
 from tqdm import tqdm
 
 from rna_work.pool import Pool
-from rna_work.worker import Outcome
+from rna_work.workers import Outcome
 
 
 class Progress:

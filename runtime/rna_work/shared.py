@@ -7,7 +7,7 @@ from pathlib import Path
 from uuid import uuid4
 
 from rna_sdk.errors import WorkError
-from rna_work.places import Place
+from rna_work.executors import Place
 
 
 def check_shared(where: Place, folder: Path) -> None:

@@ -9,7 +9,7 @@ from queue import SimpleQueue
 from typing import Any
 
 from rna_work.processor_time import thread_seconds
-from rna_work.worker import Employer, MakeWorker, Worker, WorkerLost
+from rna_work.workers import Employer, MakeWorker, Worker, WorkerLost
 
 HERE = "this machine"
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rna_bench.accuracy.exposure import scores
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.metrics import IRRADIANCE
 
 

@@ -18,7 +18,7 @@ from rna_bench.scenes.kept import Kept
 from rna_bench.scenes.kernel_times import KERNELS, kernel_times
 from rna_bench.scenes.scene_list import NEAR_AND_FAR, find_environment, scenes
 from rna_bench.scenes.stage import Stage
-from rna_render.transforms import world_from_object
+from rna_render.scene.transforms import world_from_object
 from rna_sdk.errors import RnaError, SceneError
 from rna_sdk.runtime import load
 

@@ -215,7 +215,7 @@ def test_a_strangers_file_chooses_neither_folders_nor_sources_nor_commands(
 AUTORUN = """
 import pathlib, sys
 sys.path.append({folder!r})
-import source_scene
+from rna_sources import source_scene
 text = bpy.data.texts.new("evil.py")
 text.use_module = True
 text.write("open('RAN', 'w').write('ran')")
@@ -238,7 +238,7 @@ def test_a_capture_runs_no_script_of_a_blend_file(run_in_blender: RunInBlender) 
 
 
 def test_the_options_of_a_bake_are_of_rna_make() -> None:
-    from rna_export.make.cli import parser
+    from rna_export.make.rna_make import parser
 
     path = REPOSITORY / "exporters" / "blender_extension" / "bake" / "options.py"
     options = runpy.run_path(str(path))

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 import yaml
 
-from rna_render.cli import main as rna_run
-from rna_render.images import read_exr
+from rna_render.command.rna_run import main as rna_run
+from rna_render.image.images import read_exr
 from rna_sdk.package import Package
 from tests.blender.conftest import RunInBlender
 from tests.conftest import REPOSITORY
@@ -201,7 +201,7 @@ bpy.ops.rna.import_package(filepath=TOY)
 write("stopped.exr")
 print("SHOWN", shown)
 import subprocess
-print("LEFT", "rna_render.cli" in subprocess.run(
+print("LEFT", "rna_render.command.rna_run" in subprocess.run(
     ["ps", "--ppid", str(os.getpid()), "-o", "args"], capture_output=True, text=True).stdout)
 """
     )

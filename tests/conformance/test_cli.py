@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.conformance import cli, kit
+from rna_sdk.conformance import kit
+from rna_sdk.conformance import rna_conform as cli
 from tests.conformance.conftest import KIT, MINIMAL
 
 MINIMAL_COMMAND = "--", sys.executable, str(MINIMAL)
@@ -175,7 +176,7 @@ def test_an_installed_sdk_asks_for_the_kit(
 
 def test_help_starts_with_a_command_and_imports_little() -> None:
     code = (
-        "import sys; from rna_sdk.conformance.cli import main\n"
+        "import sys; from rna_sdk.conformance.rna_conform import main\n"
         "try: main(['--help'])\n"
         "except SystemExit: print(sorted({'numba', 'onnxruntime', 'pydantic'} & set(sys.modules)))"
     )

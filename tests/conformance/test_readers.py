@@ -14,14 +14,14 @@ import numpy as np
 import pytest
 
 from rna_render import conformance_reader
-from rna_render.bodies import parts_scene
-from rna_render.bodies.surface import OFFSET, SurfacePoints, leaving_origins
 from rna_sdk.conformance import reader, twin_reader
-from rna_sdk.conformance.cli import run_levels
 from rna_sdk.conformance.kit import LEVELS, Kit
 from rna_sdk.conformance.program import Command, Program, claimed_levels
+from rna_sdk.conformance.rna_conform import run_levels
 from rna_sdk.conformance.scoring import Score
 from rna_sdk.package import Curves, NormalMap, Package, Transmittance
+from rna_trace import parts_scene
+from rna_trace.surface import OFFSET, SurfacePoints, leaving_origins
 from tests.conformance import float32_reader
 from tests.conformance.conftest import KIT, InProcess
 from tests.conformance.float32_reader import Formulas

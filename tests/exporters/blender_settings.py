@@ -1,7 +1,7 @@
 """All properties of Blender 5.0 that may change a render, and what a capture does with each.
 
-A capture sets those of `rna_export.blender.render_settings.OWNED`. The others are here: a property
-that is in neither is new, and has to be decided on.
+A capture sets those of `rna_export.blender.rna_renders.render_settings.OWNED`. The others are
+here: a property that is in neither is new, and has to be decided on.
 """
 
 from __future__ import annotations

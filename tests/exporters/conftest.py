@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
 from tests.exporters.scenes import write_scene
 
 OpenWorker = Callable[..., BlenderWorker]

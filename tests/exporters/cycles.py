@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.exported_parts import ExportedParts
-from rna_export.capture.settings import SHARPEST
-from rna_export.capture.view_rays import ViewRays, outside_rays, sample_view_rays
-from rna_export.capture.weld import weld
-from rna_export.capture.worker import BlenderWorker
-from rna_render.bodies.surface import SurfacePoints
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.capture_settings import SHARPEST
+from rna_export.capture.geometry.exported_parts import ExportedParts
+from rna_export.capture.geometry.mesh_cleanup import weld
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.view_rays import ViewRays, outside_rays, sample_view_rays
+from rna_trace.surface import SurfacePoints
 
 
 @dataclass(frozen=True)

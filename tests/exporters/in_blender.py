@@ -7,9 +7,9 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-import rna_export.capture.worker
+import rna_export.capture.blender_process.blender_worker
 
-_MODULES = Path(rna_export.capture.worker.__file__).parent.parent / "blender"
+_MODULES = Path(rna_export.capture.blender_process.blender_worker.__file__).parents[2] / "blender"
 _START = f"""
 import json, os, sys
 sys.path.insert(0, {str(_MODULES)!r})

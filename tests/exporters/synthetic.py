@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
-from rna_export.capture.sample_files import write_parts
-from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CapturedPart, CaptureManifest
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.training.presets import PRESETS, Preset
 from tests.render.assets import sphere, unit_vectors
 

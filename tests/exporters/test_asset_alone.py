@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.shift import scene_of
-from rna_export.capture.tasks import TrainingShard
-from rna_export.capture.weld import weld
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import TrainingShard
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CapturedPart, CaptureManifest
+from rna_export.capture.geometry.mesh_cleanup import weld
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit
 

@@ -5,9 +5,9 @@ import inspect
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_arguments import emission_arguments, evaluate_arguments
-from rna_export.capture.manifest import SAMPLE_FIELDS
-from rna_export.capture.validation_view import ValidationView, all_queries
+from rna_export.capture.dataset.asset_arguments import emission_arguments, evaluate_arguments
+from rna_export.capture.dataset.dataset_manifest import SAMPLE_FIELDS
+from rna_export.capture.dataset.validation_view import ValidationView, all_queries
 from rna_sdk.runtime import FiberAsset, SurfaceAsset
 
 ASSETS = {"surface": SurfaceAsset, "fiber": FiberAsset}

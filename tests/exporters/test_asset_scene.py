@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.rays.asset_scene import AssetScene
 from tests.exporters.meshes import merged, moved, ring, sphere, square
 from tests.render.assets import unit_vectors
 

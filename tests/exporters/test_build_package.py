@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.export.cli import main
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.export.rna_export import main
 from rna_export.metrics import flip, psnr
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.curves import Curves
-from rna_export.training.run import Run, train
+from rna_export.training.training_run import Run, train
 from rna_export.training.validation import score, shade
 from rna_sdk.package import Package, validate
 from rna_sdk.runtime import load

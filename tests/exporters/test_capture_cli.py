@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.capture import blender_env
-from rna_export.capture.cli import main
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CaptureManifest
+from rna_export.capture.rna_capture import main
 from rna_sdk.errors import CaptureError
 from tests.exporters.synthetic import BALL_PART
 from tests.render.assets import sphere
@@ -122,7 +122,7 @@ def test_wrong_usage_exits_with_2(arguments: list[str], capsys) -> None:
 
 
 def test_help_starts_with_a_sentence_and_a_command() -> None:
-    command = [sys.executable, "-m", "rna_export.capture.cli", "--help"]
+    command = [sys.executable, "-m", "rna_export.capture.rna_capture", "--help"]
     text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     text = " ".join(text.split())
     assert "rna-capture helmet.gltf --out helmet.rays/" in text

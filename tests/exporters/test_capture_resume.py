@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_export.capture.blender_env import VARIABLE
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.blender_process.blender_env import VARIABLE
+from rna_export.capture.dataset.dataset_folder import Dataset
 from tests.exporters.scenes import write_scene
 
 pytestmark = pytest.mark.blender
@@ -49,7 +49,14 @@ def capture(
     python: Blender's interpreter; None takes the usual one.
     """
     environment = {**os.environ, **({VARIABLE: str(python)} if python else {})}
-    command = [sys.executable, "-m", "rna_export.capture.cli", str(source), "--out", str(out)]
+    command = [
+        sys.executable,
+        "-m",
+        "rna_export.capture.rna_capture",
+        str(source),
+        "--out",
+        str(out),
+    ]
     with out.with_suffix(".log").open("w") as log:
         return subprocess.Popen(
             [*command, "--workers", str(workers), *SETTINGS],

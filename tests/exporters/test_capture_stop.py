@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-from rna_export.capture import shift
-from rna_export.capture.shift import CaptureWorker
-from rna_export.capture.worker import Source
+from rna_export.capture.blender_process import capture_worker as shift
+from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.blender_process.capture_worker import CaptureWorker
 from rna_sdk.errors import CaptureError
 from rna_work.pool import Pool
 from rna_work.sources import InPlace

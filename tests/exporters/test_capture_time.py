@@ -10,17 +10,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_export.capture import run as run_module
+from rna_export.capture import capture_run as run_module
 from rna_export.capture import time_plan
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.run import CaptureCrew, finish
-from rna_export.capture.sample_files import write_parts
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.shift import CaptureWorker
-from rna_export.capture.tasks import TrainingShard, ValidationHalf
+from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.blender_process.capture_worker import CaptureWorker
+from rna_export.capture.capture_run import CaptureCrew, finish
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CaptureManifest
+from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit, planned, shrunk
-from rna_export.capture.worker import Source
 from rna_sdk.errors import CaptureError
 from rna_work import pool
 from tests.exporters.synthetic import BALL_PART

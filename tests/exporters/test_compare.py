@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from rna_export.capture.orientation import joined_axes, rotation
+from rna_export.compare.comparison_page import write_page
+from rna_export.compare.comparison_run import Pair, compare
 from rna_export.compare.origin import Origin
-from rna_export.compare.page import write_page
-from rna_export.compare.run import Pair, compare
 from rna_export.compare.views import Shot, shots
 from rna_export.metrics import NoiselessPsnr, flip, psnr
 from rna_export.psnr_words import psnr_in_words

@@ -9,17 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.cut import as_cut, cut_triangles
-from rna_export.capture.dataset import Dataset
-from rna_export.export.cli import main as export
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.geometry.cut import as_cut, cut_triangles
+from rna_export.export.rna_export import main as export
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.curves import Curves
-from rna_export.training.model import NeuralAsset
-from rna_export.training.run import Run, train
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.training_run import Run, train
 from rna_export.training.validation import answer
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Package, quantise
-from rna_sdk.package.mesh import Mesh
+from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.runtime import CompositeAsset, load
 from tests.exporters.meshes import sphere
 from tests.exporters.synthetic import make_dataset, tiny, transport

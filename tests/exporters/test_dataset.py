@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.sample_files import write_arrays
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.sample_files import write_arrays
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import sphere

@@ -19,7 +19,7 @@ from rna_export.export.decoder import (
     random_queries,
 )
 from rna_export.export.graph import OPSET
-from rna_export.training.model import NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import PRESETS
 from rna_sdk.errors import ExportError
 from tests.exporters.synthetic import tiny

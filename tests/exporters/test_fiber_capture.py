@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.manifest import SAMPLE_FIELDS
-from rna_export.capture.run import CaptureCrew, begin, finish
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.view_rays import sample_view_rays
-from rna_export.capture.worker import Source
+from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.capture_run import CaptureCrew, begin, finish
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.dataset_manifest import SAMPLE_FIELDS
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.package import Curves
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.scenes import fur, write_scene

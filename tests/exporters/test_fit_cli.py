@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.fit.cli import main
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.fit.rna_fit import main
 from rna_export.trials import grid as grid_module
 from rna_export.trials.trial import Trial
 from rna_sdk.runtime import load

@@ -10,14 +10,14 @@ import numpy as np
 import OpenEXR
 import pytest
 
-from rna_export.capture import worker
-from rna_export.capture.worker import _read_render
+from rna_export.capture.blender_process import blender_worker as worker
+from rna_export.capture.blender_process.blender_worker import _read_render
 from rna_export.pictures import write_picture
 from rna_export.training.checkpoint import save_checkpoint
-from rna_export.training.model import NeuralAsset
-from rna_export.training.run import padded_bounds
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.training_run import padded_bounds
 from rna_sdk.errors import CaptureError
-from rna_sdk.package.pack_cli import main as pack
+from rna_sdk.package.command.rna_pack import main as pack
 from tests.conftest import REPOSITORY
 from tests.exporters.synthetic import make_dataset, tiny
 

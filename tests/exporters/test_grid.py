@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import torch
 
-from rna_export.training.model import NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.trials.grid import PAPER_ARCHITECTURES, full_grid, short_grid
 from rna_export.trials.trial import Trial
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.rays.asset_scene import AssetScene
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
 

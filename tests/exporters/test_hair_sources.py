@@ -11,8 +11,8 @@ import OpenEXR
 import pytest
 
 from rna_export.blender.rna_hair import Strands, write_hair
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.rays.asset_scene import AssetScene
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
 from tests.exporters.conftest import OpenWorker

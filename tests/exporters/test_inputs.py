@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.training.inputs import assemble, assembled
-from rna_export.training.model import NeuralAsset
+from rna_export.training.model.inputs import assemble, assembled
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import PRESETS, ModelConfig
 from rna_sdk.package import INPUT_BLOCKS, query_width
 from rna_sdk.package.blocks import blocks_for

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 import trimesh
 
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.view_rays import sample_view_rays
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import trace, unit

@@ -10,22 +10,22 @@ import onnx
 import pytest
 import torch
 
-from rna_export.capture.dataset import Dataset
-from rna_export.export.build import build_package
-from rna_export.export.cli import main
+from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.decoder import compare_int8_decoder, export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
+from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision, precision_word, precisions_of, stored_planes
+from rna_export.export.rna_export import main
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.curves import Curves
 from rna_export.training.presets import PRESETS
-from rna_export.training.run import Run, train
+from rna_export.training.training_run import Run, train
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Int8Planes, Package, validate
-from rna_sdk.package.saturation import PAIR_LIMIT, can_saturate, pair_sums
+from rna_sdk.package.decoder.saturation import PAIR_LIMIT, can_saturate, pair_sums
 from rna_sdk.runtime import load
-from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.int8_graph import fuse_int8_layers
+from rna_sdk.runtime.engine.decoder_sessions import Decoder
+from rna_sdk.runtime.engine.int8_graph import fuse_int8_layers
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.exporters.test_decoder_export import make_model, run
 

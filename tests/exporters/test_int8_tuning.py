@@ -11,7 +11,7 @@ from torch import Tensor
 from rna_export.export.decoder import compare_int8_decoder, export_decoder, random_queries
 from rna_export.export.int8_decoder import Int8Decoder, int8_decoder
 from rna_export.export.int8_tuning import Calibration, tuned
-from rna_export.training.model import NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset
 from tests.exporters.test_decoder_export import make_model
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 import torch
 
-from rna_export.capture.manifest import SAMPLE_FIELDS
-from rna_export.training.fitting import Fitting
+from rna_export.capture.dataset.dataset_manifest import SAMPLE_FIELDS
+from rna_export.training.optimization.fitting import Fitting
 from rna_export.training.presets import PRESETS
 from tests.exporters.synthetic import tiny
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 import torch
 
-from rna_export.training.losses import log_l2, unbiased_l2
+from rna_export.training.optimization.losses import log_l2, unbiased_l2
 
 
 def settle(targets: torch.Tensor, loss=log_l2) -> float:

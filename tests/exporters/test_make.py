@@ -11,19 +11,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.run import CaptureCrew
-from rna_export.capture.sample_files import write_parts
-from rna_export.capture.tasks import Task, TrainingShard
+from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.capture_run import CaptureCrew
+from rna_export.capture.capture_tasks import Task, TrainingShard
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit
-from rna_export.capture.worker import Source
 from rna_export.fit.goal import Goal
+from rna_export.make import make_run as run_module
 from rna_export.make import phases as phases_module
 from rna_export.make import rays as rays_module
-from rna_export.make import run as run_module
 from rna_export.make import stop as stop_module
-from rna_export.make.order import Order
-from rna_export.make.run import Made, Make
+from rna_export.make.make_options import Order
+from rna_export.make.make_run import Made, Make
 from rna_export.make.state import Asked
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint

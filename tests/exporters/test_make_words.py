@@ -11,7 +11,7 @@ from rna_export.make import progress as progress_module
 from rna_export.make.progress import Clock, Progress
 from rna_export.make.starter import write_starter
 from rna_export.make.training_picture import TrainingPicture
-from rna_render.scene_file import read_scene
+from rna_render.scene.scene_file import read_scene
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
 

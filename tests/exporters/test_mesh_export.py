@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture.axes import from_blender
-from rna_export.capture.weld import weld
+from rna_export.capture.geometry.mesh_cleanup import weld
 from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender

@@ -7,10 +7,10 @@ import pytest
 import torch
 
 from rna_export.export.decoder import compare_decoder, export_decoder, random_queries
-from rna_export.training.feature_network import ENCODED_DIRECTIONS
-from rna_export.training.losses import sample_loss
-from rna_export.training.model import NeuralAsset
-from rna_export.training.uv_texture import UvTexture
+from rna_export.training.model.feature_network import ENCODED_DIRECTIONS
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.uv_texture import UvTexture
+from rna_export.training.optimization.losses import sample_loss
 from tests.exporters.synthetic import tiny
 
 BOUNDS = torch.tensor([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])

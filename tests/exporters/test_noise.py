@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.validation_view import ValidationView
-from rna_export.training.noise import darkening, with_fitting_loss
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.validation_view import ValidationView
+from rna_export.training.optimization.noise import darkening, with_fitting_loss
 from rna_export.training.presets import PRESETS
 from tests.exporters.synthetic import make_dataset, tiny
 

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.exported_parts import exported_parts
-from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.shift import scene_of
-from rna_export.capture.tasks import TrainingShard
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import TrainingShard
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CaptureManifest
+from rna_export.capture.geometry.exported_parts import exported_parts
 from tests.exporters.conftest import OpenWorker
 
 pytestmark = pytest.mark.blender

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.exported_parts import exported_parts
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.traced_rays import TracedRays
-from rna_export.capture.view_rays import sample_view_rays
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.geometry.exported_parts import exported_parts
+from rna_export.capture.rays.traced_rays import TracedRays
+from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from tests.exporters.conftest import OpenWorker

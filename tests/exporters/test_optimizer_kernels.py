@@ -9,10 +9,10 @@ import pytest
 import torch
 from torch import nn
 
-from rna_export.training import fitting
-from rna_export.training.layers import through
-from rna_export.training.model import NeuralAsset
-from rna_export.training.plane_adam import PlaneAdam
+from rna_export.training.model.layers import through
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.optimization import fitting
+from rna_export.training.optimization.plane_adam import PlaneAdam
 from rna_export.training.presets import PRESETS
 
 

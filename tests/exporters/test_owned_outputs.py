@@ -13,22 +13,22 @@ import pytest
 from safetensors.numpy import load_file, save_file
 
 from rna_bench.cli import main as bench
-from rna_export.capture import blender_env
-from rna_export.capture import run as capture_run
-from rna_export.capture.cli import main as capture
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.settings import MAX_LIGHTS
-from rna_export.compare.cli import main as compare
-from rna_export.export.cli import main as export
-from rna_export.fit.cli import main as fit
-from rna_export.make.cli import main as make
+from rna_export.capture import capture_run as capture_run
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.capture_settings import MAX_LIGHTS
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.rna_capture import main as capture
+from rna_export.compare.rna_compare import main as compare
+from rna_export.export.rna_export import main as export
+from rna_export.fit.rna_fit import main as fit
+from rna_export.make.rna_make import main as make
 from rna_export.training import closing, report
-from rna_export.training import run as training_run
-from rna_export.training.cli import main as train
+from rna_export.training import training_run as training_run
+from rna_export.training.rna_train import main as train
 from rna_sdk.errors import TrainingError
 from rna_sdk.owned_folder import owned
-from rna_sdk.package.pack_cli import main as pack
-from rna_view.cli import main as view
+from rna_sdk.package.command.rna_pack import main as pack
+from rna_view.rna_view_command import main as view
 from tests.conftest import REPOSITORY
 from tests.exporters.synthetic import make_dataset
 

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene, part_counts
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.run import CaptureCrew, begin, finish
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.view_rays import _aimed, outside_rays, sample_view_rays
-from rna_export.capture.worker import Source
+from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.capture_run import CaptureCrew, begin, finish
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.rays.asset_scene import AssetScene, part_counts
+from rna_export.capture.rays.view_rays import _aimed, outside_rays, sample_view_rays
 from rna_sdk.errors import CaptureError
 from tests.exporters.meshes import moved, sphere
 from tests.exporters.scenes import fur, write_scene

@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.dataset import Dataset
-from rna_export.export.cli import main as export
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.export.rna_export import main as export
 from rna_export.metrics import psnr
-from rna_export.training import run as run_module
+from rna_export.training import training_run as run_module
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.cli import main as train
 from rna_export.training.curves import Curves
 from rna_export.training.part_runs import shared_minutes
+from rna_export.training.rna_train import main as train
 from rna_sdk.package import Package
 from rna_sdk.runtime import load
 from tests.exporters.synthetic import tiny
@@ -29,7 +29,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Dataset:
 @pytest.fixture(autouse=True)
 def tiny_presets(monkeypatch: pytest.MonkeyPatch) -> None:
     presets = {kind: {"small": tiny(kind=kind)} for kind in ("surface", "fiber")}
-    monkeypatch.setattr("rna_export.training.cli.PRESETS", presets)
+    monkeypatch.setattr("rna_export.training.rna_train.PRESETS", presets)
     monkeypatch.setattr(Curves, "draw", lambda _: None)
 
 

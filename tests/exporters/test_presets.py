@@ -8,10 +8,10 @@ from itertools import pairwise
 import pytest
 import torch
 
-from rna_export.capture.manifest import SAMPLE_FIELDS
-from rna_export.training import fitting as fitting_module
-from rna_export.training.fitting import Fitting, rate
-from rna_export.training.model import NeuralAsset
+from rna_export.capture.dataset.dataset_manifest import SAMPLE_FIELDS
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.optimization import fitting as fitting_module
+from rna_export.training.optimization.fitting import Fitting, rate
 from rna_export.training.presets import PRESETS
 
 ALL = [(kind, preset) for kind in PRESETS for preset in PRESETS[kind]]

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture import source_help
+from rna_export.capture.blender_process import source_help
 from tests.conftest import REPOSITORY
 
 pytestmark = pytest.mark.blender

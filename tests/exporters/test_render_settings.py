@@ -17,7 +17,7 @@ pytestmark = pytest.mark.blender
 
 # Every owned property is given another value; then all properties are listed.
 SPOILT = """
-import render_settings
+from rna_renders import render_settings
 scene, layer = bpy.context.scene, bpy.context.view_layer
 
 def other(owner, name, value):

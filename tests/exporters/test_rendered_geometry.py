@@ -62,7 +62,8 @@ empty.visible_camera = False
 )
 
 SHAPED_BY_CYCLES = """
-import render_only, source_scene
+from rna_geometry import render_only
+from rna_sources import source_scene
 
 def refusal():
     try:
@@ -94,7 +95,7 @@ answer(found)
 """
 
 OVERRIDDEN = """
-import material_override
+from rna_materials import material_override
 bpy.ops.mesh.primitive_cube_add()
 leaf = bpy.data.materials.new("leaf")
 bpy.context.object.data.materials.append(leaf)
@@ -105,7 +106,7 @@ answer([[slot.material.name for slot in item.material_slots] for item in bpy.dat
 """
 
 HIDDEN_NODES = """
-import gltf_import
+from rna_sources import gltf_import
 notes = gltf_import.load(sys.argv[1])
 answer({"notes": notes, "meshes": sorted(o.name for o in bpy.data.objects if o.type == "MESH")})
 """

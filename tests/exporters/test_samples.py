@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.training.samples import SampleTable, columns
+from rna_export.training.optimization.samples import SampleTable, columns
 
 N = 1000
 

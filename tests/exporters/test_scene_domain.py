@@ -7,19 +7,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.manifest import CaptureManifest
+from rna_export.capture.blender_process.blender_worker import RenderedRays
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import all_tasks
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CaptureManifest
+from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.scene_domain import MARGIN, scene_domain
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.shift import scene_of
-from rna_export.capture.tasks import all_tasks
-from rna_export.capture.worker import RenderedRays
-from rna_render.cli import main as render
-from rna_render.scene_file import read_scene
+from rna_render.command.rna_run import main as render
+from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Domain
-from rna_sdk.package.manifest_fields import Region
+from rna_sdk.package.manifest.manifest_fields import Region
 from rna_sdk.runtime import in_region
 from tests.exporters.meshes import ring, sphere
 from tests.exporters.synthetic import BALL_PART

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.view_rays import sample_view_rays
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves
 from tests.exporters.conftest import OpenWorker

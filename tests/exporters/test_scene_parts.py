@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
 

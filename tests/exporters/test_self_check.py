@@ -11,19 +11,19 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_export.capture import run
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED
-from rna_export.capture.self_check import PICTURE, SelfCheck, picture_side
-from rna_export.capture.traced_rays import TracedRays
-from rna_export.capture.view_rays import ViewRays, sample_view_rays
-from rna_export.capture.worker import RenderedRays, Source
-from rna_export.make.cli import _kept_picture
-from rna_render.camera import Camera
-from rna_render.scene_model import CameraModel
+from rna_export.capture import capture_run as run
+from rna_export.capture.blender_process.blender_worker import RenderedRays, Source
+from rna_export.capture.check.disagreement import ELSEWHERE, EXTRA, MISSING, TURNED
+from rna_export.capture.check.self_check import PICTURE, SelfCheck, picture_side
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.traced_rays import TracedRays
+from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
+from rna_export.make.rna_make import _kept_picture
+from rna_render.paths.camera import Camera
+from rna_render.scene.scene_model import CameraModel
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
-from rna_sdk.package.transmittance import Transmittance
+from rna_sdk.package.textures.transmittance import Transmittance
 from tests.exporters.meshes import merged, moved, sphere, square
 
 WI = np.array([0.0, 1.0, 0.0], np.float32)

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 import trimesh
 
-from rna_export.blender.groom_options import GROOMS
+from rna_export.blender.rna_sources.groom_options import GROOMS
 from rna_export.capture.axes import from_blender, to_blender
-from rna_export.capture.cli import SUFFIXES
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
 from rna_export.capture.orientation import rotation
-from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.capture.rna_capture import SUFFIXES
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.scenes import write_scene

@@ -6,13 +6,17 @@ import numpy as np
 import pytest
 import torch
 
-from rna_export.training import product_kernels
-from rna_export.training.fitting import Fitting
+from rna_export.training.optimization import product_kernels
+from rna_export.training.optimization.fitting import Fitting
+from rna_export.training.optimization.product_kernels import (
+    Product,
+    products_repeat,
+    weight_gradient,
+)
+from rna_export.training.optimization.samples import SampleTable
+from rna_export.training.optimization.step_threads import StepThreads
+from rna_export.training.optimization.training_threads import use_threads
 from rna_export.training.presets import PRESETS
-from rna_export.training.product_kernels import Product, products_repeat, weight_gradient
-from rna_export.training.samples import SampleTable
-from rna_export.training.step_threads import StepThreads
-from rna_export.training.threads import use_threads
 from rna_sdk.kernel_threads import kernel_threads
 
 

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.manifest import CaptureManifest
-from rna_export.capture.run import say_dropped
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.shift import scene_of
-from rna_export.capture.tasks import TrainingShard, ValidationHalf, all_tasks
-from rna_export.capture.worker import RenderedRays
+from rna_export.capture.blender_process.blender_worker import RenderedRays
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_run import say_dropped
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf, all_tasks
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CaptureManifest
+from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from tests.exporters.meshes import ring, sphere

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from rna_export.capture.exported_parts import exported_parts
-from rna_export.capture.settings import CaptureSettings
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.geometry.exported_parts import exported_parts
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import assert_same_cards
 

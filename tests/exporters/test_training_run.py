@@ -13,13 +13,13 @@ import pytest
 import torch
 from PIL import Image
 
-from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.cli import main
 from rna_export.training.curves import Curves
-from rna_export.training.fitting import Fitting
-from rna_export.training.run import Run, padded_bounds, train
-from rna_export.training.samples import SampleTable
+from rna_export.training.optimization.fitting import Fitting
+from rna_export.training.optimization.samples import SampleTable
+from rna_export.training.rna_train import main
+from rna_export.training.training_run import Run, padded_bounds, train
 from rna_export.training.validation import score, shade
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
@@ -207,7 +207,7 @@ def test_bounds_hold_the_geometry_and_are_never_flat(dataset: DatasetPart) -> No
 
 
 def test_the_command_line(dataset: DatasetPart, tmp_path: Path, capsys, monkeypatch) -> None:
-    monkeypatch.setattr("rna_export.training.cli.PRESETS", {"surface": {"small": tiny()}})
+    monkeypatch.setattr("rna_export.training.rna_train.PRESETS", {"surface": {"small": tiny()}})
     arguments = [str(dataset.folder), "--out", str(tmp_path), "--device", "cpu"]
     assert main([*arguments, "--steps", "20"]) == 0
     text = capsys.readouterr().out
@@ -218,7 +218,7 @@ def test_the_command_line(dataset: DatasetPart, tmp_path: Path, capsys, monkeypa
 
 def test_the_loss_is_the_one_asked_for(dataset: DatasetPart, tmp_path: Path, monkeypatch) -> None:
     presets = {kind: {"small": tiny(kind=kind)} for kind in ("surface", "fiber")}
-    monkeypatch.setattr("rna_export.training.cli.PRESETS", presets)
+    monkeypatch.setattr("rna_export.training.rna_train.PRESETS", presets)
     arguments = ["--out", str(tmp_path), "--device", "cpu", "--steps", "20", "--loss", "unbiased"]
     assert main([str(dataset.folder), *arguments]) == 0
     assert load_checkpoint(tmp_path / "best.ckpt").preset.training.loss == "unbiased"
@@ -235,7 +235,7 @@ def test_fibers_have_no_loss_to_choose(tmp_path: Path, capsys) -> None:
 
 @pytest.mark.parametrize("option", ["--steps 0", "--steps -5", "--minutes 0", "--minutes -1"])
 def test_wrong_usage(dataset: DatasetPart, tmp_path: Path, option: str, monkeypatch) -> None:
-    monkeypatch.setattr("rna_export.training.run.train", lambda _: tmp_path)
+    monkeypatch.setattr("rna_export.training.training_run.train", lambda _: tmp_path)
     with pytest.raises(SystemExit) as exit_:
         main([str(dataset.folder), "--out", str(tmp_path), *option.split()])
     assert exit_.value.code == 2

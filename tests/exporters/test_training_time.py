@@ -10,15 +10,15 @@ from typing import Any
 import pytest
 import torch
 
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.training import pace as pace_module
-from rna_export.training import run as run_module
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.training import training_run as run_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.curves import Curves
-from rna_export.training.fitting import Fitting
-from rna_export.training.pace import TimePace
+from rna_export.training.optimization import pace as pace_module
+from rna_export.training.optimization.fitting import Fitting
+from rna_export.training.optimization.pace import TimePace
 from rna_export.training.report import Report
-from rna_export.training.run import Run, train
+from rna_export.training.training_run import Run, train
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset, tiny
 

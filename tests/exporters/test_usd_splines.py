@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.blender.usd_splines import Spline
+from rna_export.blender.rna_sources.usd_splines import Spline
 
 POINTS = np.array([[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 2], [3, 1, 2], [4, 0, 0], [5, 1, 1.0]])
 

@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.view_check import check_seen
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.view_check import check_seen
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
-from rna_sdk.package.transmittance import Transmittance
+from rna_sdk.package.textures.transmittance import Transmittance
 from tests.exporters.meshes import merged, moved, sphere, square
 
 SOURCE = Path("asset.glb")

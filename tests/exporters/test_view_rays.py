@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.directions import reflect
-from rna_export.capture.view_rays import sample_view_rays
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.directions import reflect
+from rna_export.capture.rays.view_rays import sample_view_rays
 from tests.exporters.meshes import ring, sphere
 
 WI = np.float32([0.36, 0.8, 0.48])

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from rna_export.capture.weld import weld
+from rna_export.capture.geometry.mesh_cleanup import weld
 
 TWO_TRIANGLES = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]])
 

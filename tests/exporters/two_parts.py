@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.manifest import CapturedPart, CaptureManifest
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.shift import scene_of
-from rna_export.capture.tasks import all_tasks
-from rna_export.capture.worker import RenderedRays
+from rna_export.capture.blender_process.blender_worker import RenderedRays
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import all_tasks
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CapturedPart, CaptureManifest
 from rna_sdk.package import Curves, Mesh
 from tests.exporters.meshes import sphere
 from tests.render.assets import unit_vectors

@@ -14,7 +14,7 @@ from rna_bench.frontier import frontier_study as study_module
 from rna_bench.frontier.chart_points import front, last_tenth
 from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.frontier_chart import draw
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.trials.grid import full_grid
 from rna_export.trials.packages import TRIAL_PRECISIONS
 from rna_export.trials.trial import Trial

@@ -9,16 +9,16 @@ from typing import Any
 import numpy as np
 
 from rna_gpu import Device
-from rna_gpu.rendering import GpuRenderer
-from rna_render.film import Film
+from rna_gpu.scene.rendering import GpuRenderer
+from rna_render.image.film import Film
 from rna_render.lights import PlacedLight, make_light
 from rna_render.materials import Material, MeshObject, Texture
 from rna_render.materials.textures import LINEAR, SRGB
-from rna_render.render import make_integrator, mesh_light, render
-from rna_render.scene_file import SceneFile
-from rna_render.scene_model import Scene
-from rna_render.transforms import world_from_object
-from rna_render.world import Placement, World
+from rna_render.paths.render import make_integrator, mesh_light, render
+from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import Scene
+from rna_render.scene.transforms import world_from_object
+from rna_render.world.world import Placement, World
 
 Channels = dict[str, np.ndarray]
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from rna_gpu import Device
-from rna_render.domain_watch import DomainWarning, warn_of_extrapolation
-from rna_render.scene_file import SceneFile
-from rna_render.world import World
+from rna_render.scene.scene_file import SceneFile
+from rna_render.world.domain_watch import DomainWarning, warn_of_extrapolation
+from rna_render.world.world import World
 from rna_sdk import runtime
 from rna_sdk.package import Cone, Domain
 from tests.conformance.conftest import KIT

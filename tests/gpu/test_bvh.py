@@ -10,9 +10,9 @@ from rna_gpu import Device
 from rna_gpu.bvh import LEAF, MAX_DEPTH, build_tree
 from rna_gpu.geometry import Geometry, Placed, Strands, Triangles, build_geometry
 from rna_gpu.shaders import compose
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.embree.instances import Instance, InstanceScene
 from rna_sdk import runtime
+from rna_trace.embree.instances import Instance, InstanceScene
+from rna_trace.parts_scene import PartsScene
 from tests.gpu.test_evaluate import BALL, TOY
 
 TRACE = """

@@ -9,16 +9,17 @@ import numpy as np
 import pytest
 
 from rna_gpu import Device
-from rna_render import cli, devices
-from rna_render.images import read_exr
-from rna_render.kept_pieces import Piece
-from rna_render.output import Output
-from rna_render.pieces import render_pieces
-from rna_render.render import load_world
-from rna_render.scene_file import read_scene
+from rna_render.command import devices
+from rna_render.command import rna_run as cli
+from rna_render.command.kept_pieces import Piece
+from rna_render.command.pieces import render_pieces
+from rna_render.image.images import read_exr
+from rna_render.image.output import Output
+from rna_render.paths.render import load_world
+from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import WorkError
-from rna_work import cluster
-from rna_work.places import this_machine
+from rna_work.cluster import ray_cluster as cluster
+from rna_work.executors import this_machine
 from tests.conformance.conftest import KIT
 from tests.gpu.scenes import on_gpu
 
@@ -34,7 +35,7 @@ max_depth: 1
 
 @pytest.fixture(autouse=True)
 def offered(monkeypatch: pytest.MonkeyPatch) -> None:
-    gpu = EntryPoint("gpu", "rna_gpu.rendering:GpuRenderer", devices.GROUP)
+    gpu = EntryPoint("gpu", "rna_gpu.scene.rendering:GpuRenderer", devices.GROUP)
     broken = EntryPoint("tpu", "rna_tpu.rendering:Renderer", devices.GROUP)
     monkeypatch.setattr(devices, "entry_points", lambda group: [gpu, broken])
 

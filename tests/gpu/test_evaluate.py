@@ -12,8 +12,8 @@ from rna_gpu import Device, GpuFiber, GpuSurface, conformance_reader
 from rna_gpu.decoder_packing import pack_decoder
 from rna_gpu.shaders import compose
 from rna_sdk import runtime
-from rna_sdk.conformance.cli import run_levels
 from rna_sdk.conformance.kit import Kit, load_kit
+from rna_sdk.conformance.rna_conform import run_levels
 from rna_sdk.errors import QueryError
 from rna_sdk.package import ProfileDecoder, ProfileLayer
 from tests.conformance.conftest import KIT, InProcess

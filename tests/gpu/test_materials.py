@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from rna_gpu import Device
-from rna_render.bilinear import CLAMP, MIRROR
 from rna_render.materials import Material, MeshObject
-from rna_render.scene_file import SceneFile
-from rna_render.world import World
+from rna_render.scene.scene_file import SceneFile
+from rna_render.world.world import World
+from rna_trace.bilinear import CLAMP, MIRROR
 from tests.gpu.scenes import (
     assert_same_law,
     assert_same_numbers,

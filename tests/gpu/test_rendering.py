@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_gpu import Device, open_device, rendering
-from rna_render.film import Layers
-from rna_render.scene_file import SceneFile
-from rna_render.world import World
+from rna_gpu import Device, open_device
+from rna_gpu.scene import rendering
+from rna_render.image.film import Layers
+from rna_render.scene.scene_file import SceneFile
+from rna_render.world.world import World
 from tests.gpu.scenes import assert_same_law, assert_same_numbers, on_cpu, on_gpu
 from tests.render.whole_scenes import EVERYTHING, GLOW, RELIEF, UNDER_A_SKY, write_files
 

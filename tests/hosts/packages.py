@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from rna_sdk.package import Tier, TierData, TierPart, write_package
-from rna_sdk.package.extensions import Standin, StandinMaterial
-from rna_sdk.package.geometry import quantise
+from rna_sdk.package.geometry.geometry_files import quantise
+from rna_sdk.package.manifest.extensions import Standin, StandinMaterial
 from rna_sdk.package.packing import Unpacked
 from tests.conformance.kit.decoders import make_decoder, make_int8_decoder
 from tests.package.builders import (

@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-from rna_sdk.conformance.cli import run_levels
 from rna_sdk.conformance.kit import load_kit
+from rna_sdk.conformance.rna_conform import run_levels
 from tests.conformance.conftest import KIT, InProcess
 
 

@@ -30,9 +30,9 @@ from rna_sdk.package import (
     Validation,
     write_package,
 )
-from rna_sdk.package.container import MANIFEST_NAME, Container
-from rna_sdk.package.container_writer import write_container
-from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES
+from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container
+from rna_sdk.package.container.zip_writer import write_container
+from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES
 
 INPUTS = ("features", "normal", "wo", "wi", "half_vector")
 FIBER_INPUTS = ("features", "tangent", "h", "wo", "wi", "fiber_angles", "fiber_lobes")

@@ -16,7 +16,7 @@ from rna_sdk.package import (
     TransmittanceRecord,
     write_package,
 )
-from rna_sdk.package.texture_form import Texture
+from rna_sdk.package.textures.texture_form import Texture
 from tests.package.builders import (
     FIBER_INPUTS,
     make_curves,

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from rna_sdk.package import Manifest, NormalMapRecord, write_package
-from rna_sdk.package.texture_form import Texture
+from rna_sdk.package.textures.texture_form import Texture
 from tests.package.builders import (
     make_manifest,
     make_mesh,

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.package import Code, Issue, cli
+from rna_sdk.package import Code, Issue
+from rna_sdk.package.command import rna_validate as cli
 from rna_sdk.package.validator import Inspection, inspect
 from tests.package.corpus.content_cases import mesh_outside_the_bounds
 from tests.package.corpus.manifest_cases import wrong_hash

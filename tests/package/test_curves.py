@@ -15,7 +15,7 @@ import safetensors.numpy
 
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves, Package, PackageError, validate, write_package
-from rna_sdk.package.manifest_reader import parse_manifest
+from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from tests.package.builders import (
     FIBER_INPUTS,
     make_curves,

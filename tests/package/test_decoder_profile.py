@@ -9,8 +9,8 @@ import onnx
 import pytest
 from onnx import helper, numpy_helper
 
-from rna_sdk.package.decoder_profile import outside_profile, saturating_weights
-from rna_sdk.package.onnx_model import read_model
+from rna_sdk.package.decoder.decoder_profile import outside_profile, saturating_weights
+from rna_sdk.package.decoder.onnx_model import read_model
 from tests.package.builders import make_decoder_model, make_int8_decoder_model
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from rna_sdk.package import Cone, Domain, Package, Provenance
-from rna_sdk.package.info import info_lines, package_info
-from rna_sdk.package.info_cli import main
+from rna_sdk.package.command.package_info import info_lines, package_info
+from rna_sdk.package.command.rna_info import main
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
 

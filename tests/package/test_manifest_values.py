@@ -11,8 +11,8 @@ import jsonschema
 import pytest
 
 from rna_sdk.package import PackageError, validate
-from rna_sdk.package.manifest_reader import parse_manifest
-from rna_sdk.package.schema import manifest_schema
+from rna_sdk.package.manifest.manifest_reader import parse_manifest
+from rna_sdk.package.manifest.schema import manifest_schema
 from tests.package.corpus.content_cases import with_gltf
 from tests.package.corpus.curve_cases import with_header
 from tests.package.corpus.registry import Base, Entries

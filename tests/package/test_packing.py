@@ -13,10 +13,17 @@ import pytest
 from PIL import Image
 
 from rna_sdk.package import Package, PackageError, quantise, validate
-from rna_sdk.package.container import Container
-from rna_sdk.package.deflate import decode, encode
-from rna_sdk.package.extensions import Deflate, Poster, Proxy, Standin, StandinMaterial, extension
-from rna_sdk.package.pack_cli import main
+from rna_sdk.package.command.rna_pack import main
+from rna_sdk.package.container.zip_container import Container
+from rna_sdk.package.manifest.deflate import decode, encode
+from rna_sdk.package.manifest.extensions import (
+    Deflate,
+    Poster,
+    Proxy,
+    Standin,
+    StandinMaterial,
+    extension,
+)
 from rna_sdk.package.packing import Unpacked
 from tests.package.builders import make_mesh, read_entries
 

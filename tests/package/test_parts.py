@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 from rna_sdk.errors import QueryError
-from rna_sdk.package import Mesh, Package, PackageError, tier_ranges, validate, write_package
-from rna_sdk.package.manifest_reader import parse_manifest
+from rna_sdk.package import Mesh, Package, PackageError, validate, write_package
+from rna_sdk.package.manifest import tier_ranges
+from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from tests.package.builders import (
     make_curves,
     make_manifest,

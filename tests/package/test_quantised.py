@@ -11,11 +11,11 @@ import pytest
 import trimesh
 
 from rna_sdk.package import Curves, Mesh, Package, quantise, write_package
-from rna_sdk.package.curves_file import curves_from_bytes, curves_to_bytes
-from rna_sdk.package.geometry import Geometry, geometry_from_bytes, geometry_to_bytes
-from rna_sdk.package.glb_reader import mesh_from_glb
-from rna_sdk.package.glb_writer import mesh_to_glb
-from rna_sdk.package.quantised_curves import QuantisedCurves
+from rna_sdk.package.geometry.curves_file import curves_from_bytes, curves_to_bytes
+from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes, geometry_to_bytes
+from rna_sdk.package.geometry.glb_reader import mesh_from_glb
+from rna_sdk.package.geometry.glb_writer import mesh_to_glb
+from rna_sdk.package.geometry.quantised_curves import QuantisedCurves
 from tests.package.builders import (
     make_curves,
     make_manifest,

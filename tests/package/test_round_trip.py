@@ -27,7 +27,7 @@ from rna_sdk.package import (
     validate,
     write_package,
 )
-from rna_sdk.package.container import Container
+from rna_sdk.package.container.zip_container import Container
 from tests.package.builders import (
     make_decoder_model,
     make_manifest,

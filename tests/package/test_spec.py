@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from rna_sdk.package import INPUT_BLOCKS, Code
-from rna_sdk.package.decoder import OPERATORS
+from rna_sdk.package.decoder.decoder_checks import OPERATORS
 from rna_sdk.package.issue_list import ISSUES_FILE, issue_list
-from rna_sdk.package.schema import SCHEMA_FILE, manifest_schema
+from rna_sdk.package.manifest.schema import SCHEMA_FILE, manifest_schema
 
 SPEC = Path(__file__).parents[2] / "spec"
 TEXT = (SPEC / "RNA.md").read_text(encoding="utf-8")
@@ -29,7 +29,9 @@ def test_issue_list_is_current() -> None:
     assert (SPEC / ISSUES_FILE).read_text(encoding="utf-8") == issue_list()
 
 
-@pytest.mark.parametrize("module", ["rna_sdk.package.schema", "rna_sdk.package.issue_list"])
+@pytest.mark.parametrize(
+    "module", ["rna_sdk.package.manifest.schema", "rna_sdk.package.issue_list"]
+)
 def test_generator_checks_and_writes(module: str, tmp_path: Path) -> None:
     command = [sys.executable, "-m", module, "--spec", str(tmp_path)]
     stale = subprocess.run([*command, "--check"], capture_output=True, text=True)

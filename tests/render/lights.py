@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from pydantic import TypeAdapter
 
-from rna_render.embree import TriangleScene
-from rna_render.embree.tracing import ClosestHits, GeometryScene, closest_hits
 from rna_render.lights import InfiniteLight, Light, LightSamples, MeshLight, PlacedLight, make_light
-from rna_render.lights.models import LightModel
+from rna_render.scene.light_models import LightModel
+from rna_trace.embree import TriangleScene
+from rna_trace.embree.tracing import ClosestHits, GeometryScene, closest_hits
 
 ADAPTER: TypeAdapter[Any] = TypeAdapter(LightModel)
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.placements import Placement
-from rna_render.render import make_integrator, render
-from rna_render.scene_model import Scene
-from rna_render.transforms import world_from_object
-from rna_render.world import World
+from rna_render.paths.render import make_integrator, render
+from rna_render.scene.scene_model import Scene
+from rna_render.scene.transforms import world_from_object
+from rna_render.world.placements import Placement
+from rna_render.world.world import World
 
 WHITE = (1.0, 1.0, 1.0)
 SUN = {"type": "directional", "direction": (0, 1, 0), "irradiance": WHITE}

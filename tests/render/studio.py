@@ -11,17 +11,17 @@ from typing import Any, Literal
 import numba
 import numpy as np
 
-from rna_render.bodies.kinds import Thing
-from rna_render.camera import Camera
-from rna_render.integrator import Integrator
 from rna_render.lights import AssetLight, PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
-from rna_render.placements import Placement
-from rna_render.render import emission_of, mesh_light, render
-from rna_render.scene_model import Scene
-from rna_render.transforms import world_from_object
-from rna_render.world import World
+from rna_render.paths.camera import Camera
+from rna_render.paths.integrator import Integrator
+from rna_render.paths.render import emission_of, mesh_light, render
+from rna_render.scene.scene_model import Scene
+from rna_render.scene.transforms import world_from_object
+from rna_render.world.bodies import Thing
+from rna_render.world.placements import Placement
+from rna_render.world.world import World
 from rna_sdk.package import Mesh
 from tests.render.stage import rgb
 

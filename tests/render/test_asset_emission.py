@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.embree import TriangleScene
-from rna_render.embree.tracing import closest_hits
 from rna_render.lights import AssetEmission, AssetLight
-from rna_render.render import emission_of
+from rna_render.paths.render import emission_of
+from rna_trace.embree import TriangleScene
+from rna_trace.embree.tracing import closest_hits
 from tests.render.assets import FiberProbe, LambertAsset, merged, sphere, square
 from tests.render.chi_squared import assert_directions_follow
 from tests.render.glowing import Composite, GlowingStrands, GlowingSurface, Record

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.bodies.asset_parts import part_transmittance
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.embree import TriangleScene
 from rna_sdk.package import Mesh
+from rna_trace.asset_parts import part_transmittance
+from rna_trace.embree import TriangleScene
+from rna_trace.parts_scene import PartsScene
 from tests.render.assets import FiberProbe, LambertAsset, sphere, square
 from tests.render.glowing import Composite, Record, pane
 from tests.render.stage import SKY, rgb

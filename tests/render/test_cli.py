@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_render.cli import INTERRUPTED, main
-from rna_render.images import read_exr
-from rna_render.integrator import Integrator
+from rna_render.command.rna_run import INTERRUPTED, main
+from rna_render.image.images import read_exr
+from rna_render.paths.integrator import Integrator
 from tests.render.assets import sphere, square
 from tests.render.packages import ALBEDO, SHADOWED, write_lambert_package
 
@@ -186,7 +186,14 @@ def test_help_starts_with_a_sentence_and_a_command(capsys):
 @pytest.fixture
 def long_render(folder, tmp_path):
     """rna-run with more samples than anyone waits for, stopped by the test."""
-    command = [sys.executable, "-m", "rna_render.cli", folder / "lit.yaml", "--samples", "1000000"]
+    command = [
+        sys.executable,
+        "-m",
+        "rna_render.command.rna_run",
+        folder / "lit.yaml",
+        "--samples",
+        "1000000",
+    ]
     started = subprocess.Popen(
         [*command, "--out", tmp_path / "out.exr"], stderr=subprocess.PIPE, stdout=subprocess.PIPE
     )
@@ -236,7 +243,7 @@ def test_shadows_of_other_assets_and_shared_packages(folder, tmp_path):
 
 
 def test_the_image_so_far_is_written_after_the_first_sample_and_then_so_often(folder, tmp_path):
-    from rna_render import output
+    from rna_render.image import output
 
     seen = []
     write = output.write_linear

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.embree.instances import Instance, InstanceScene
-from rna_render.scene_model import TransformModel
-from rna_render.transforms import world_from_object
+from rna_render.scene.scene_model import TransformModel
+from rna_render.scene.transforms import world_from_object
 from rna_sdk.errors import PackageError, QueryError, SceneError
 from rna_sdk.package import Curves
+from rna_trace.embree.instances import Instance, InstanceScene
+from rna_trace.parts_scene import PartsScene
 from tests.render.assets import unit_vectors
 from tests.render.round_cones import entries
 from tests.render.strands import curls, straight

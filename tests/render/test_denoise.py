@@ -7,9 +7,9 @@ import sys
 import numpy as np
 import pytest
 
-from rna_render.cli import main
-from rna_render.denoise import Denoiser
-from rna_render.images import read_exr
+from rna_render.command.rna_run import main
+from rna_render.image.denoise import Denoiser
+from rna_render.image.images import read_exr
 from rna_sdk.errors import SceneError
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package

@@ -9,8 +9,13 @@ import numpy as np
 import pytest
 from tqdm import tqdm
 
-from rna_render.cli import main
-from rna_render.domain_watch import DomainWarning, WatchedAsset, warn_of_extrapolation, watched
+from rna_render.command.rna_run import main
+from rna_render.world.domain_watch import (
+    DomainWarning,
+    WatchedAsset,
+    warn_of_extrapolation,
+    watched,
+)
 from rna_sdk.package import Cone, Domain
 from rna_sdk.runtime import load
 from tests.package.builders import make_tiny_package
@@ -69,7 +74,7 @@ def test_a_warning_comes_once(tmp_path: Path) -> None:
         warn_of_extrapolation([watch])
 
 
-@pytest.mark.filterwarnings("default::rna_render.domain_watch.DomainWarning")
+@pytest.mark.filterwarnings("default::rna_render.world.domain_watch.DomainWarning")
 @pytest.mark.parametrize(("direction", "warns"), [("[0, 0.1, 1]", False), ("[0, 1, 0]", True)])
 def test_the_command_warns_of_lights_outside(
     direction: str, warns: bool, tmp_path: Path, capsys

@@ -9,9 +9,9 @@ import weakref
 import numpy as np
 import pytest
 
-from rna_render.embree import TriangleScene
-from rna_render.embree.library import Device, SceneHandle
 from rna_sdk.errors import QueryError, SceneError
+from rna_trace.embree import TriangleScene
+from rna_trace.embree.library import Device, SceneHandle
 from tests.render.assets import EMBREE_ROUNDING, sphere, square, unit_vectors
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.embree import DiscScene, SphereScene
-from rna_render.embree.tracing import closest_hits
 from rna_sdk.errors import SceneError
+from rna_trace.embree import DiscScene, SphereScene
+from rna_trace.embree.tracing import closest_hits
 from tests.render.assets import unit_vectors
 
 

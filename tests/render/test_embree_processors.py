@@ -11,11 +11,11 @@ import gc
 import numpy as np
 import pytest
 
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.embree import TriangleScene
-from rna_render.embree import library as embree_library
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
+from rna_trace.embree import TriangleScene
+from rna_trace.embree import library as embree_library
+from rna_trace.parts_scene import PartsScene
 from tests.render.assets import EMBREE_ROUNDING, sphere, unit_vectors
 
 PROCESSORS = ["avx512", "avx2", "avx", "sse4.2"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rna_render.lights.environment_file import read_environment
+from rna_render.lights.files.environment_file import read_environment
 from rna_sdk.errors import SceneError
 from tests.render.environment_files import cases
 

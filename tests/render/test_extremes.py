@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.cli import main
-from rna_render.images import read_exr
+from rna_render.command.rna_run import main
+from rna_render.image.images import read_exr
 
 WALL = "v -2 0 -1\nv 2 0 -1\nv 2 2 -1\nv -2 2 -1\nf 1 2 3 4\n"
 SCENE = """\

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.bodies.fiber import FiberPoints, hit_points, tangents
-from rna_render.bodies.parts_scene import PartsScene
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Curves
+from rna_trace.fiber import FiberPoints, hit_points, tangents
+from rna_trace.parts_scene import PartsScene
 from tests.render.assets import unit_vectors
 from tests.render.round_cones import depths, entries
 from tests.render.strands import curls, straight

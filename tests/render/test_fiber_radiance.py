@@ -6,10 +6,10 @@ import numba
 import numpy as np
 import pytest
 
-from rna_render.render import load_world, make_integrator, render
-from rna_render.scene_file import read_scene
-from rna_render.scene_model import TransformModel
-from rna_render.transforms import world_from_object
+from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.scene.scene_file import read_scene
+from rna_render.scene.scene_model import TransformModel
+from rna_render.scene.transforms import world_from_object
 from tests.render.assets import FiberProbe, LambertAsset, sphere, square
 from tests.render.packages import SHADOWED, write_offset_package
 from tests.render.stage import ABOVE, SKY, SUN, WHITE, image, rgb
@@ -142,7 +142,7 @@ def test_the_same_seed_gives_the_same_image_on_any_number_of_threads_and_bands(m
     asset = FiberProbe(curls(40, radius=0.05), SHADOW_COLOUR)
     first = image([(asset, {}), (asset, TURN)], [SUN, SKY], camera=ABOVE)
     threads = numba.get_num_threads()
-    monkeypatch.setattr("rna_render.bands.BAND", 37)
+    monkeypatch.setattr("rna_render.paths.bands.BAND", 37)
     try:
         numba.set_num_threads(1)
         second = image([(asset, {}), (asset, TURN)], [SUN, SKY], camera=ABOVE)

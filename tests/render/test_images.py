@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_render.film import Film, Layers
-from rna_render.images import read_attributes, read_exr, write_exr, write_png
-from rna_render.output import Output
-from rna_render.scene_model import Scene
-from rna_render.srgb import decode_srgb, encode_srgb
+from rna_render.image.film import Film, Layers
+from rna_render.image.images import read_attributes, read_exr, write_exr, write_png
+from rna_render.image.output import Output
+from rna_render.image.srgb import decode_srgb, encode_srgb
+from rna_render.scene.scene_model import Scene
 from rna_sdk.errors import SceneError
 
 
@@ -96,7 +96,7 @@ def test_a_full_disk_is_an_error_and_leaves_nothing(tmp_path):
 import resource, signal, sys
 from pathlib import Path
 import numpy as np
-from rna_render.images import write_exr, write_png
+from rna_render.image.images import write_exr, write_png
 from rna_sdk.errors import SceneError
 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))

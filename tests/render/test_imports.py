@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-ENGINES = "numba", "onnxruntime", "embreex", "rna_render.embree", "rna_render.integrator"
+ENGINES = "numba", "onnxruntime", "embreex", "rna_trace.embree", "rna_render.paths.integrator"
 
 
 @pytest.mark.parametrize("module", ["scene_model", "scene_file", "animation"])

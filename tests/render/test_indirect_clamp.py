@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 import trimesh
 
-from rna_render.images import write_exr
-from rna_render.indirect_clamp import AUTO, indirect_clamp
-from rna_render.render import load_world, make_integrator, render
-from rna_render.scene_file import SceneFile
-from rna_render.scene_model import Scene
+from rna_render.image.images import write_exr
+from rna_render.paths.indirect_clamp import AUTO, indirect_clamp
+from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import Scene
 from tests.render.lights import light
 from tests.render.specks import brightest_around
 from tests.render.stage import SKY, rgb

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.integrator_factory import make_integrator
-from rna_render.placements import Placement
-from rna_render.render import render
-from rna_render.world import World
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.render import render
+from rna_render.world.placements import Placement
+from rna_render.world.world import World
 from tests.render.assets import LambertAsset, sphere, square
 from tests.render.stage import SKY, rgb, stage
 

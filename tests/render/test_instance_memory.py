@@ -7,9 +7,9 @@ import ctypes
 import numpy as np
 import pytest
 
-from rna_render.embree import library as embree_library
-from rna_render.placements import Placement
-from rna_render.world import World
+from rna_render.world.placements import Placement
+from rna_render.world.world import World
+from rna_trace.embree import library as embree_library
 from tests.render.assets import LambertAsset, sphere
 
 _Monitor = ctypes.CFUNCTYPE(ctypes.c_bool, ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_bool)

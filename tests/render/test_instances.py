@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.embree import TriangleScene
-from rna_render.embree.instances import (
+from rna_render.scene.scene_model import TransformModel
+from rna_render.scene.transforms import world_from_object
+from rna_trace.embree import TriangleScene
+from rna_trace.embree.instances import (
     ALL_RAYS,
     CAMERA_RAY,
     INDIRECT_RAY,
@@ -15,8 +17,6 @@ from rna_render.embree.instances import (
     Instance,
     InstanceScene,
 )
-from rna_render.scene_model import TransformModel
-from rna_render.transforms import world_from_object
 from tests.render.assets import EMBREE_ROUNDING, sphere, square, unit_vectors
 
 
@@ -93,7 +93,7 @@ def test_one_instance_has_no_others():
 @pytest.mark.parametrize("mask_bits", [0, 3])
 def test_what_rays_pass_through_does_not_depend_on_how_they_are_told(monkeypatch, mask_bits):
     """By a bit of the mask for each instance, or by a filter."""
-    monkeypatch.setattr("rna_render.embree.instances.MASK_BITS", mask_bits)
+    monkeypatch.setattr("rna_trace.embree.instances.MASK_BITS", mask_bits)
     ball = scene_of(sphere(3))
     scene = InstanceScene(
         [

@@ -9,15 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.bodies.asset_parts import mesh_transmittance
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.domain_watch import DomainWarning, WatchedAsset, warn_of_extrapolation
 from rna_render.lights import AssetLight
-from rna_render.render import load_world, make_integrator, render
-from rna_render.scene_file import read_scene
-from rna_render.tier_costs import cost_lines
+from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.scene.scene_file import read_scene
+from rna_render.world.domain_watch import DomainWarning, WatchedAsset, warn_of_extrapolation
+from rna_render.world.tier_costs import cost_lines
 from rna_sdk.package import Cone, Domain
 from rna_sdk.runtime import load, transmittance
+from rna_trace.asset_parts import mesh_transmittance
+from rna_trace.parts_scene import PartsScene
 from tests.package.lantern import make_lantern
 from tests.render.assets import unit_vectors
 from tests.render.packages import write_lamp_package

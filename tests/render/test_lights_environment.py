@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.images import write_exr
-from rna_render.lights.environment_file import read_environment
+from rna_render.image.images import write_exr
 from rna_render.lights.equirectangular import EquirectangularImage
+from rna_render.lights.files.environment_file import read_environment
 from rna_render.lights.intervals import find_interval, interval_near
 from tests.render.chi_squared import assert_directions_follow
 from tests.render.lights import light

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.images import write_exr
-from rna_render.lights.environment_file import read_environment
+from rna_render.image.images import write_exr
+from rna_render.lights.files.environment_file import read_environment
 from rna_sdk.errors import SceneError
 
 HEADER = b"#?RADIANCE\n# a comment\nFORMAT=32-bit_rle_rgbe\n%s\n-Y %d +X %d\n"

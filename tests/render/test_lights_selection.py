@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from rna_render.images import write_exr
+from rna_render.image.images import write_exr
 from rna_render.lights import LightSelection, make_light
-from rna_render.lights.models import EnvironmentModel
+from rna_render.scene.light_models import EnvironmentModel
 from rna_sdk.errors import SceneError
 from tests.render.lights import light
 

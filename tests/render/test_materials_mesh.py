@@ -9,15 +9,15 @@ import pytest
 from PIL import Image
 from pydantic import TypeAdapter
 
-from rna_render.bilinear import CLAMP, MIRROR, REPEAT
-from rna_render.bodies.surface import geometric_normals
 from rna_render.materials import Material, MeshObject, Texture, ground, make_material
 from rna_render.materials.ggx import MIN_ALPHA
 from rna_render.materials.mesh_object import LUMINANCE
-from rna_render.materials.models import MaterialModel
 from rna_render.materials.textures import LINEAR, SRGB, read_texels
-from rna_render.scene_model import GroundModel
+from rna_render.scene.material_models import MaterialModel
+from rna_render.scene.scene_model import GroundModel
 from rna_sdk.errors import SceneError
+from rna_trace.bilinear import CLAMP, MIRROR, REPEAT
+from rna_trace.surface import geometric_normals
 
 ADAPTER = TypeAdapter(MaterialModel)
 

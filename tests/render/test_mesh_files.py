@@ -13,11 +13,11 @@ import trimesh
 from PIL import Image
 from pydantic import TypeAdapter
 
-from rna_render.bilinear import CLAMP, REPEAT
-from rna_render.bodies.surface import geometric_normals
 from rna_render.materials import MeshFileWarning, MeshObject, read_mesh_object
-from rna_render.materials.models import MaterialModel
+from rna_render.scene.material_models import MaterialModel
 from rna_sdk.errors import SceneError
+from rna_trace.bilinear import CLAMP, REPEAT
+from rna_trace.surface import geometric_normals
 
 RED, GREEN, BLUE, WHITE = (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255)
 # Upper row red, green; lower row blue, white.

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.bodies.kinds import FIBER_LOBES, SURFACE_LOBES
-from rna_render.bodies.neural_sampling import LobeMixture
-from rna_render.sampling import Sampler
+from rna_render.paths.sampling import Sampler
+from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
+from rna_render.world.neural_sampling import LobeMixture
 from tests.render.assets import unit_vectors
 from tests.render.chi_squared import assert_directions_follow
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.bodies.normal_maps import NormalMaps
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.bodies.surface import interpolate_normals
 from rna_sdk.package import Mesh
-from rna_sdk.package.normal_maps import NormalMap
+from rna_sdk.package.textures.normal_maps import NormalMap
 from rna_sdk.runtime.normal_maps import mapped_normals
+from rna_trace.normal_maps import NormalMaps
+from rna_trace.parts_scene import PartsScene
+from rna_trace.surface import interpolate_normals
 from tests.render.assets import sphere, unit_vectors
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.bodies.fiber import FiberPoints
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.bodies.surface import OFFSET, SurfacePoints
 from rna_sdk.package import Curves, Mesh
+from rna_trace.fiber import FiberPoints
+from rna_trace.parts_scene import PartsScene
+from rna_trace.surface import OFFSET, SurfacePoints
 from tests.render.assets import merged, sphere, square, unit_vectors
 from tests.render.round_cones import entries
 from tests.render.strands import curls, straight

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.camera import Camera
-from rna_render.lights.models import DirectionalModel, EnvironmentModel, PointModel
+from rna_render.paths.camera import Camera
 from rna_render.preview.lighting import Lighting, lighting_choices, lit, turned
 from rna_render.preview.orbit import MAX_ELEVATION, Orbit
-from rna_render.scene_model import CameraModel, Scene
+from rna_render.scene.light_models import DirectionalModel, EnvironmentModel, PointModel
+from rna_render.scene.scene_model import CameraModel, Scene
 
 LOOK_AT = (1.0, 2.0, -3.0)
 UPS = [(0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -2.0), (1.0, 0.0, 0.0), (0.3, 0.8, -0.5)]
@@ -111,7 +111,7 @@ def test_a_choice_replaces_the_scenes_lights(tmp_path):
 
 
 def test_images_beside_the_scene_and_in_a_folder_are_choices(tmp_path):
-    from rna_render.images import write_exr
+    from rna_render.image.images import write_exr
 
     more = tmp_path / "more"
     more.mkdir()

@@ -15,7 +15,7 @@ from urllib.parse import urlsplit
 import numpy as np
 import pytest
 
-from rna_render.cli import main
+from rna_render.command.rna_run import main
 from tests.render.assets import sphere
 from tests.render.chromium import Page, find_chromium, open_page
 from tests.render.packages import write_lambert_package
@@ -37,7 +37,7 @@ def scene_path(tmp_path_factory) -> Path:
 @contextmanager
 def rna_run(scene_path: Path) -> Iterator[tuple[subprocess.Popen, str]]:
     """rna-run --preview, and the address that it prints."""
-    arguments = [sys.executable, "-m", "rna_render.cli", scene_path, "--preview"]
+    arguments = [sys.executable, "-m", "rna_render.command.rna_run", scene_path, "--preview"]
     pipe = subprocess.PIPE
     with subprocess.Popen(arguments, stdout=pipe, stderr=pipe, text=True) as started:
         try:

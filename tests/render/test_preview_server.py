@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from rna_render.paths.render import load_world
 from rna_render.preview.lighting import lighting_choices
 from rna_render.preview.server import MAX_BODY, PreviewServer
 from rna_render.preview.session import Session
-from rna_render.render import load_world
-from rna_render.scene_file import read_scene
+from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import PreviewError
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from rna_render.paths.render import load_world, make_integrator, render
 from rna_render.preview.change import Change
 from rna_render.preview.lighting import Lighting, lighting_choices
 from rna_render.preview.session import Session
-from rna_render.render import load_world, make_integrator, render
-from rna_render.scene_file import SceneFile, read_scene
+from rna_render.scene.scene_file import SceneFile, read_scene
 from rna_sdk.errors import QueryError, SceneError
 from tests.render.assets import sphere
 from tests.render.packages import ALBEDO, write_lambert_package

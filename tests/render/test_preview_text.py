@@ -10,7 +10,7 @@ import yaml
 
 from rna_render.preview.lighting import Lighting, lit
 from rna_render.preview.scene_text import scene_text
-from rna_render.scene_model import Scene
+from rna_render.scene.scene_model import Scene
 
 SCENE = """
 assets: [{path: ball.rna}]

@@ -6,8 +6,8 @@ import numba
 import numpy as np
 import pytest
 
-from rna_render.bands import SMALL_BAND
-from rna_render.render import make_integrator, render
+from rna_render.paths.bands import SMALL_BAND
+from rna_render.paths.render import make_integrator, render
 from tests.render.assets import LambertAsset, merged, sphere, square
 from tests.render.stage import ABOVE, LOW, SKY, SUN, WHITE, image, rgb, stage
 
@@ -183,7 +183,7 @@ def test_the_same_seed_gives_the_same_image_on_any_number_of_threads(ball):
 def test_the_image_does_not_depend_on_how_it_is_cut_into_bands(ball, monkeypatch):
     whole = image([(ball, {})], [SUN, SKY])
     assert 16 * 12 < SMALL_BAND
-    monkeypatch.setattr("rna_render.bands.BAND", 37)
+    monkeypatch.setattr("rna_render.paths.bands.BAND", 37)
     for name, plane in image([(ball, {})], [SUN, SKY]).items():
         np.testing.assert_array_equal(plane, whole[name], err_msg=name)
 
@@ -223,7 +223,7 @@ def test_a_stopped_render_is_the_mean_of_its_finished_samples(ball):
 
 def test_a_sample_that_was_stopped_half_way_is_dropped(ball, monkeypatch):
     one = image([(ball, {})], [SKY], samples=1)
-    monkeypatch.setattr("rna_render.bands.BAND", 100)
+    monkeypatch.setattr("rna_render.paths.bands.BAND", 100)
     scene, world = stage([(ball, {})], [SKY], samples=64)
     bands = []
     film = render(scene, make_integrator(scene, world), lambda: len(bands) == 3, bands.append)

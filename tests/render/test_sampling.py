@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.sampling import Sampler
+from rna_render.paths.sampling import Sampler
 
 PIXELS = np.arange(64, dtype=np.uint32)
 

@@ -11,7 +11,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from rna_render.lights.models import (
+from rna_render.scene.light_models import (
     DirectionalModel,
     DiskModel,
     EnvironmentModel,
@@ -20,15 +20,15 @@ from rna_render.lights.models import (
     SphereModel,
     SpotModel,
 )
-from rna_render.materials.models import (
+from rna_render.scene.material_models import (
     CoatedModel,
     ConductorModel,
     DiffuseModel,
     ShadowCatcherModel,
 )
-from rna_render.model_base import TransformModel
-from rna_render.scene_file import read_scene
-from rna_render.scene_model import (
+from rna_render.scene.model_base import TransformModel
+from rna_render.scene.scene_file import read_scene
+from rna_render.scene.scene_model import (
     AnimationModel,
     AssetModel,
     CameraModel,

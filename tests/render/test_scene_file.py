@@ -10,10 +10,10 @@ from typing import get_args, get_origin
 import pytest
 from pydantic import BaseModel, ValidationError
 
-from rna_render.lights.models import DirectionalModel, EnvironmentModel
-from rna_render.scene_file import read_scene
-from rna_render.scene_messages import mistakes
-from rna_render.scene_model import Scene
+from rna_render.scene.light_models import DirectionalModel, EnvironmentModel
+from rna_render.scene.scene_file import read_scene
+from rna_render.scene.scene_messages import mistakes
+from rna_render.scene.scene_model import Scene
 from rna_sdk.errors import SceneError
 
 GOOD = """\

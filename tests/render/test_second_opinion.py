@@ -17,9 +17,9 @@ import trimesh
 import yaml
 from PIL import Image
 
-from rna_render.images import write_exr
-from rna_render.render import load_world, make_integrator, render
-from rna_render.scene_file import read_scene
+from rna_render.image.images import write_exr
+from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.scene.scene_file import read_scene
 from tests.render.stage import rgb
 from tests.render.studio import one_thread
 

@@ -15,13 +15,13 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-import rna_render.frame_worker
-from rna_render.animation import frame_scene
-from rna_render.cli import INTERRUPTED, main
-from rna_render.images import read_exr, write_exr
-from rna_render.scene_file import read_scene
-from rna_render.scene_model import Scene
-from rna_render.scene_sources import contents_key
+import rna_render.command.frame_worker
+from rna_render.command.rna_run import INTERRUPTED, main
+from rna_render.image.images import read_exr, write_exr
+from rna_render.scene.animation import frame_scene
+from rna_render.scene.scene_file import read_scene
+from rna_render.scene.scene_model import Scene
+from rna_render.world.scene_sources import contents_key
 from tests.render.assets import sphere
 from tests.render.packages import ALBEDO, write_lambert_package
 
@@ -128,9 +128,11 @@ def times(folder: Path) -> dict[str, int]:
 
 def test_only_what_is_missing_or_was_made_otherwise_is_rendered(folder, capsys, monkeypatch):
     loads = []
-    load = rna_render.frame_worker.load_world
+    load = rna_render.command.frame_worker.load_world
     monkeypatch.setattr(
-        rna_render.frame_worker, "load_world", lambda *given: loads.append(1) or load(*given)
+        rna_render.command.frame_worker,
+        "load_world",
+        lambda *given: loads.append(1) or load(*given),
     )
 
     def rendered(**options: object) -> list[int]:
@@ -214,7 +216,14 @@ def test_an_asset_swapped_for_an_older_one_gets_new_frames(folder):
 
 def test_frames_go_on_after_the_reader_of_their_lines_ended(folder):
     reading, writing = os.pipe()
-    command = [sys.executable, "-m", "rna_render.cli", folder / "scene.yaml", "--frames", "all"]
+    command = [
+        sys.executable,
+        "-m",
+        "rna_render.command.rna_run",
+        folder / "scene.yaml",
+        "--frames",
+        "all",
+    ]
     files = ["--out", folder / "f.%04d.exr"]
     with subprocess.Popen([*command, *files], stdout=writing, stderr=writing) as process:
         os.close(writing)
@@ -242,7 +251,7 @@ def test_frames_do_not_replace_what_the_scene_reads(folder, capsys, name):
 def test_a_sequence_that_was_stopped_goes_on(folder, capsys, number):
     (folder / "scene.yaml").write_text(SCENE.replace("frames: 4", "frames: 100000"))
     files = ["--out", folder / "f.%04d.exr", "--png", folder / "f.%04d.png", "--frames", "all"]
-    command = [sys.executable, "-m", "rna_render.cli", folder / "scene.yaml", *files]
+    command = [sys.executable, "-m", "rna_render.command.rna_run", folder / "scene.yaml", *files]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         for line in process.stdout:
             if line.startswith(b"frame 2 "):
@@ -272,7 +281,7 @@ def test_ctrl_c_ends_a_sequence_at_the_frame_under_way(folder, capsys, monkeypat
         if len(written) == 2:
             os.kill(os.getpid(), signal.SIGINT)
 
-    monkeypatch.setattr("rna_render.output.Output.write", write)
+    monkeypatch.setattr("rna_render.image.output.Output.write", write)
     (folder / "scene.yaml").write_text(SCENE.replace("frames: 4", "frames: 100"))
     assert run(folder, "--samples", 1) == INTERRUPTED
     assert 2 <= len(written) < 100
@@ -297,7 +306,7 @@ def test_bad_input_is_one_line_and_exits_with_1(folder, capsys, text, frames, me
 
 
 def test_a_frame_that_cannot_be_written_is_one_line_and_takes_no_time(folder, capsys, monkeypatch):
-    monkeypatch.setattr(rna_render.frame_worker, "load_world", None)
+    monkeypatch.setattr(rna_render.command.frame_worker, "load_world", None)
     (folder / "f.0002.png").mkdir()
     assert run(folder, frames="2", png=True) == 1
     error = capsys.readouterr().err

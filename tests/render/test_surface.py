@@ -7,16 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.bodies.surface import (
+from rna_sdk.errors import QueryError
+from rna_sdk.package.geometry.mesh import Mesh
+from rna_trace.parts_scene import PartsScene
+from rna_trace.surface import (
     SurfacePoints,
     geometric_normals,
     interpolate_normals,
     interpolate_positions,
     leaving_origins,
 )
-from rna_sdk.errors import QueryError
-from rna_sdk.package.mesh import Mesh
 from tests.render.assets import merged, sphere, square, unit_vectors
 
 

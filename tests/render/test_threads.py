@@ -10,15 +10,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import rna_render.bands
+import rna_render.paths.bands
 from rna_bench.scenes.thread_counts import SWITCH_INTERVAL, differing, rendered
-from rna_render.bands import rendered_bands
-from rna_render.cli import main
-from rna_render.images import read_exr
+from rna_render.command.rna_run import main
+from rna_render.image.images import read_exr
 from rna_render.materials.ggx_albedo import ALBEDO_ADDRESSES, ALBEDO_MEANS, ALBEDO_TABLE
-from rna_render.render import load_world, make_integrator
-from rna_render.sampling import Sampler
-from rna_render.scene_file import read_scene
+from rna_render.paths.bands import rendered_bands
+from rna_render.paths.render import load_world, make_integrator
+from rna_render.paths.sampling import Sampler
+from rna_render.scene.scene_file import read_scene
 from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
 from tests.conftest import REPOSITORY
 from tests.render.whole_scenes import SCENES, write_scene
@@ -72,7 +72,7 @@ def test_small_bands_of_threads_that_switch_all_the_time(
     world = load_world(scene_file)
     images = []
     for threads in (1, 2, 4, 8):
-        monkeypatch.setattr(rna_render.bands, "kernel_threads", lambda count=threads: count)
+        monkeypatch.setattr(rna_render.paths.bands, "kernel_threads", lambda count=threads: count)
         renderer = make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
         bands = rendered_bands(renderer, 40 * 28, [Sampler(0, 0)], most=64)
         images.append(np.concatenate([band.beauty for band, _ in bands]))

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.animation import frame_scene
-from rna_render.render import QualityWarning, load_world
-from rna_render.scene_file import SceneFile, read_scene
-from rna_render.tier_choice import TierChoice, Tiers
+from rna_render.paths.render import QualityWarning, load_world
+from rna_render.scene.animation import frame_scene
+from rna_render.scene.scene_file import SceneFile, read_scene
+from rna_render.world.tier_choice import TierChoice, Tiers
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Package
 from rna_sdk.package.packing import Unpacked

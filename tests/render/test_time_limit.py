@@ -7,14 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render import time_limit, world_loading
-from rna_render.cli import main
-from rna_render.film import Layers
-from rna_render.images import read_exr
-from rna_render.render import load_world, make_integrator, render
-from rna_render.sampling import Sampler
-from rna_render.scene_file import read_scene
-from rna_render.time_limit import in_time, seconds_a_sample
+from rna_render.command.rna_run import main
+from rna_render.image.film import Layers
+from rna_render.image.images import read_exr
+from rna_render.paths import time_limit
+from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.paths.sampling import Sampler
+from rna_render.paths.time_limit import in_time, seconds_a_sample
+from rna_render.scene.scene_file import read_scene
+from rna_render.world import world_loading
 from tests.package.builders import make_measured_tier
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.scene_model import TransformModel
-from rna_render.transforms import world_from_object
+from rna_render.scene.scene_model import TransformModel
+from rna_render.scene.transforms import world_from_object
 
 X, Y, Z = np.eye(3)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.bodies.fiber import FiberPoints
-from rna_render.bodies.parts_scene import PartsScene
-from rna_render.bodies.transmittance import Transmittance, TransmittanceTexture
-from rna_render.embree import TriangleScene
-from rna_render.embree.instances import Instance, InstanceScene
+from rna_trace.embree import TriangleScene
+from rna_trace.embree.instances import Instance, InstanceScene
+from rna_trace.fiber import FiberPoints
+from rna_trace.parts_scene import PartsScene
+from rna_trace.transmittance import Transmittance, TransmittanceTexture
 from tests.render.assets import sphere, square
 from tests.render.strands import curls
 

@@ -82,7 +82,7 @@ def test_max_depth_counts_the_points_that_scatter(depth, way):
 def test_ending_paths_at_random_changes_no_mean(monkeypatch):
     found = {}
     for first in (1, 3, 1000):
-        monkeypatch.setattr("rna_render.integrator.FIRST_ROULETTE", first)
+        monkeypatch.setattr("rna_render.paths.integrator.FIRST_ROULETTE", first)
         found[first] = cavity(inside(flat(sphere(2))), max_depth=8, seed=first)
         expected = EMISSION * sum(ALBEDO**k for k in range(9))
         assert_is(found[first], expected, relative=0.01)

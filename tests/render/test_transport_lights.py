@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.images import write_exr
+from rna_render.image.images import write_exr
 from tests.render.assets import LambertAsset, square
 from tests.render.studio import assert_is, at_point, flat, made_of, seen, shoot
 

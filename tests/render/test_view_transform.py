@@ -7,10 +7,10 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from rna_render.cli import VIEWS
-from rna_render.scene_model import Scene
-from rna_render.srgb import decode_srgb, encode_srgb
-from rna_render.view_transform import to_display
+from rna_render.command.rna_run import VIEWS
+from rna_render.image.srgb import decode_srgb, encode_srgb
+from rna_render.image.view_transform import to_display
+from rna_render.scene.scene_model import Scene
 
 
 def grey(values, view: str) -> np.ndarray:

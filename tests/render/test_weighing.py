@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rna_render.bands import BAND, SMALL_BAND, _bands
-from rna_render.light_sampling import LightChoice
 from rna_render.lights import LightSamples
 from rna_render.lights.equirectangular import EquirectangularImage
-from rna_render.weighing import (
+from rna_render.paths.bands import BAND, SMALL_BAND, _bands
+from rna_render.paths.light_sampling import LightChoice
+from rna_render.paths.weighing import (
     Tried,
     clamp_paths,
     weigh_met,

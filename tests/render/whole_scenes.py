@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from rna_render.images import write_exr
+from rna_render.image.images import write_exr
 from tests.conformance.conftest import KIT
 from tests.conftest import REPOSITORY
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Bounds, Int8Planes, Planes, query_width
-from rna_sdk.runtime.tiles import Batch, QueryFiller
+from rna_sdk.runtime.engine.tiles import Batch, QueryFiller
 from tests.package.builders import make_tier_part
 from tests.runtime.points import FiberPoints, Points
 

@@ -10,9 +10,13 @@ import onnx
 import pytest
 from onnx import helper, numpy_helper
 
-from rna_sdk.package.profile_decoder import ProfileDecoder, ProfileLayer, read_profile_decoder
-from rna_sdk.runtime.compiled_decoder import CompiledDecoder
-from rna_sdk.runtime.decoder import COMPILED_WIDTH, Decoder, Graph, _fast_form
+from rna_sdk.package.decoder.profile_decoder import (
+    ProfileDecoder,
+    ProfileLayer,
+    read_profile_decoder,
+)
+from rna_sdk.runtime.engine.compiled_decoder import CompiledDecoder
+from rna_sdk.runtime.engine.decoder_sessions import COMPILED_WIDTH, Decoder, Graph, _fast_form
 from tests.package.builders import make_decoder_model, make_int8_decoder_model
 
 SIZES = [(22, 16, 4), (25, 32, 4), (36, 64, 3), (3, 8, 1), (16, 12, 2), (17, 24, 2), (48, 6, 1)]
@@ -99,7 +103,9 @@ def test_registers_of_either_width_give_the_same_bits(monkeypatch: pytest.Monkey
     queries = random_queries(200, 22)
     found = []
     for lanes in (8, 16):
-        monkeypatch.setattr("rna_sdk.runtime.compiled_decoder.register_lanes", lambda n=lanes: n)
+        monkeypatch.setattr(
+            "rna_sdk.runtime.engine.compiled_decoder.register_lanes", lambda n=lanes: n
+        )
         found.append(compiled(model).run(queries))
     np.testing.assert_array_equal(*found)
 
@@ -146,8 +152,8 @@ def test_narrow_decoders_run_in_it_and_wide_ones_do_not() -> None:
 
 def test_later_processes_find_the_kernels_on_disk() -> None:
     program = (
-        "from rna_sdk.runtime.compiled_decoder import decoder_kernel, register_lanes\n"
-        "from rna_sdk.runtime.query_kernel import query_kernel\n"
+        "from rna_sdk.runtime.engine.compiled_decoder import decoder_kernel, register_lanes\n"
+        "from rna_sdk.runtime.kernels.query_kernel import query_kernel\n"
         "kernels = decoder_kernel(register_lanes()), query_kernel('surface', 8, 'float16')\n"
         "print(*(sum(kernel.stats.cache_hits.values()) for kernel in kernels))"
     )

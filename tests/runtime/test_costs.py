@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.runtime import costs, is_no_worse, load
+from rna_sdk.runtime import is_no_worse, load
+from rna_sdk.runtime.engine import costs
 from tests.package.builders import (
     make_measured_tier,
     make_tier,

@@ -10,10 +10,10 @@ import pytest
 from onnx import helper, numpy_helper
 from onnx.reference import ReferenceEvaluator
 
-from rna_sdk.runtime import decoder as decoder_module
-from rna_sdk.runtime.decoder import Decoder, DecoderWarning
-from rna_sdk.runtime.decoder_graph import convolve_layers
-from rna_sdk.runtime.tiles import QueryFiller
+from rna_sdk.runtime.engine import decoder_sessions as decoder_module
+from rna_sdk.runtime.engine.decoder_graph import convolve_layers
+from rna_sdk.runtime.engine.decoder_sessions import Decoder, DecoderWarning
+from rna_sdk.runtime.engine.tiles import QueryFiller
 from tests.package.builders import (
     make_decoder_model,
     make_int8_decoder_model,

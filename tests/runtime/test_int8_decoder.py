@@ -10,8 +10,8 @@ import pytest
 from onnx import helper, numpy_helper
 from onnx.reference import ReferenceEvaluator
 
-from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.int8_graph import fuse_int8_layers
+from rna_sdk.runtime.engine.decoder_sessions import Decoder
+from rna_sdk.runtime.engine.int8_graph import fuse_int8_layers
 from tests.package.builders import make_decoder_model, make_int8_decoder_model
 
 Change = Callable[[onnx.ModelProto], None]

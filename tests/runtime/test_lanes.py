@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from rna_sdk.compiled import compiled
-from rna_sdk.runtime.lane_memory import load_lanes, load_vectors, store_lanes
-from rna_sdk.runtime.lane_vectors import between, exp, log2, unit
-from rna_sdk.runtime.lanes import LANES
+from rna_sdk.runtime.kernels.lane_memory import load_lanes, load_vectors, store_lanes
+from rna_sdk.runtime.kernels.lane_vectors import between, exp, log2, unit
+from rna_sdk.runtime.kernels.lanes import LANES
 
 
 def in_lanes(values: list[float]) -> np.ndarray:

@@ -176,7 +176,7 @@ def test_planes_stay_in_the_file(asset_path: Callable[..., Path], precision: str
     assert not views[0].flags.writeable
 
 
-TRAINER_OR_RENDERER = ("torch", "lightning", "onnx", "bpy", "rna_render", "rna_export")
+TRAINER_OR_RENDERER = ("torch", "lightning", "onnx", "bpy", "rna_trace", "rna_render", "rna_export")
 ENGINES = ("numba", "llvmlite", "onnxruntime")
 PACKAGE_ALONE = (*ENGINES, "rna_sdk.runtime")
 

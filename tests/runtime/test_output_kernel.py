@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_sdk.runtime.output_kernel import write_colours
+from rna_sdk.runtime.kernels.output_kernel import write_colours
 
 
 def test_any_decoder_output_becomes_finite_and_non_negative() -> None:

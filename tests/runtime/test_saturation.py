@@ -10,9 +10,9 @@ import pytest
 from onnx import numpy_helper
 from onnx.reference import ReferenceEvaluator
 
-from rna_sdk.package.saturation import PAIR_LIMIT, can_saturate, pair_sums
-from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.int8_graph import fuse_int8_layers
+from rna_sdk.package.decoder.saturation import PAIR_LIMIT, can_saturate, pair_sums
+from rna_sdk.runtime.engine.decoder_sessions import Decoder
+from rna_sdk.runtime.engine.int8_graph import fuse_int8_layers
 from tests.package.builders import make_int8_decoder_model
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from rna_bench.stability.cases import grazing, sharp, unseen
 from rna_bench.stability.view_errors import joined_views
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset.dataset_folder import Dataset
 from tests.exporters.synthetic import make_dataset, transport
 
 Queries = dict[str, np.ndarray]

@@ -9,7 +9,7 @@ import pytest
 
 from rna_bench.stability.answers import of_package
 from rna_bench.stability.cases import energy, numbers
-from rna_export.capture.asset_scene import AssetScene
+from rna_export.capture.rays.asset_scene import AssetScene
 from rna_sdk.runtime import load
 from tests.package.builders import make_tier, make_tiny_package
 from tests.render.assets import LambertAsset, sphere, unit_vectors

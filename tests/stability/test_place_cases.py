@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from rna_bench.stability.cases import shadow_edges, thin, zoom
-from rna_export.capture.validation_view import ValidationView
-from rna_render.camera import Camera
+from rna_export.capture.dataset.validation_view import ValidationView
+from rna_render.paths.camera import Camera
 from rna_sdk.package import Curves
 
 SIZE = 32

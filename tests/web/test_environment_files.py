@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.lights.environment_file import read_environment
+from rna_render.lights.files.environment_file import read_environment
 from rna_sdk.errors import SceneError
 from tests.render.environment_files import cases
 

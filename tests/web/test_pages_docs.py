@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from rna_render import cli as rna_run
-from rna_view import cli as rna_view
+from rna_render.command import rna_run as rna_run
+from rna_view import rna_view_command as rna_view
 from rna_view.site_export import EMBED
 from tests.conftest import REPOSITORY
 from tests.package.builders import make_tiny_package
@@ -33,7 +33,9 @@ def test_commands(command, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     served = []
     monkeypatch.setattr(rna_view, "_serve", lambda site, options: served.append(site))
-    monkeypatch.setattr("rna_render.preview.command.preview", lambda *a, **k: served.append(a))
+    monkeypatch.setattr(
+        "rna_render.preview.preview_command.preview", lambda *a, **k: served.append(a)
+    )
     name, *arguments = shlex.split(command)
     assert {"rna-view": rna_view, "rna-run": rna_run}[name].main(arguments) == 0
     assert bool(served) != (tmp_path / "site" / "index.html").is_file()

@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from rna_sdk.errors import PackageError
-from rna_view.cli import main
 from rna_view.errors import ViewError
 from rna_view.page_server import PageServer
+from rna_view.rna_view_command import main
 from rna_view.scene_page import scene_site
 from rna_view.site_export import MARKER, export_site
 from rna_view.site_files import VIEWER_FILES, Site, site_for, viewer_file
@@ -202,6 +202,7 @@ def test_port_that_is_taken(package):
 
 def test_viewer_needs_no_renderer():
     code = (
-        "import rna_view.cli, sys; sys.exit('rna_render' in sys.modules or 'torch' in sys.modules)"
+        "import rna_view.rna_view_command, sys; "
+        "sys.exit('rna_render' in sys.modules or 'torch' in sys.modules)"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_render.view_transform import to_display
+from rna_render.image.view_transform import to_display
 from rna_view.site_files import site_for
 from tests.render.chromium import Page
 from tests.web.pages import APIS, PATIENCE, picture, viewer, wait_for_picture

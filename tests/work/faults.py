@@ -24,9 +24,9 @@ from typing import Any
 
 import numpy as np
 
-from rna_work.patience import Patience
-from rna_work.places import Needs, place
+from rna_work.executors import Needs, place
 from rna_work.pool import Pool
+from rna_work.timeouts import Patience
 from tests.work.conftest import start_cluster
 from tests.work.workers import Writing
 

@@ -58,7 +58,7 @@ settings="--lights 512 --rays 64 --samples 1 --validation-views 1 --validation-r
 capture() { # OUT ARGUMENTS...
     local out=$1
     shift
-    "$@" -m rna_export.capture.cli "$folder/ball.py" --out "$out" $settings $cluster
+    "$@" -m rna_export.capture.rna_capture "$folder/ball.py" --out "$out" $settings $cluster
 }
 
 mkdir -p "$folder/here" "$folder/there"

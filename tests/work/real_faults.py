@@ -84,9 +84,10 @@ def write_inputs(folder: Path) -> None:
 
 def command(arguments: list[str]) -> int:
     """What a user would run; a Blender that hangs is given up after seconds, not minutes."""
-    from rna_export.capture import cli, run
-    from rna_render.cli import main as render
-    from rna_work import patience
+    from rna_export.capture import capture_run as run
+    from rna_export.capture import rna_capture as cli
+    from rna_render.command.rna_run import main as render
+    from rna_work import timeouts as patience
 
     patience._FACTOR = FACTOR
     run.Patience = partial(patience.Patience, least=MOST_HANG)

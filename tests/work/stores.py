@@ -9,7 +9,7 @@ from uuid import uuid4
 
 import pytest
 
-from rna_work.store import Store
+from rna_work.cluster.store import Store
 
 HAS_MOTO = all(map(importlib.util.find_spec, ("moto", "s3fs", "flask")))
 

@@ -11,10 +11,10 @@ import pytest
 
 from rna_export.trials.pool import Crew
 from rna_sdk.errors import WorkError
-from rna_work.patience import Patience
-from rna_work.places import Needs, Place, place
+from rna_work.executors import Needs, Place, place
 from rna_work.pool import Pool
-from rna_work.worker import WorkerLost
+from rna_work.timeouts import Patience
+from rna_work.workers import WorkerLost
 from tests.work.workers import CannotStart, Doubling, Once, Repeating
 
 pytestmark = pytest.mark.filterwarnings("ignore")  # Ray's own, of its future versions
@@ -81,7 +81,7 @@ def test_a_source_travels_with_what_lies_beside_it(
 
 
 def test_files_that_are_elsewhere_and_missing_are_an_error(where: Place, tmp_path: Path) -> None:
-    from rna_work.travelling import check_elsewhere
+    from rna_work.cluster.travelling import check_elsewhere
 
     source, outside = tmp_path / "a" / "toy.blend", tmp_path / "b" / "wood.png"
     for path in (source, outside):
@@ -121,7 +121,7 @@ class BusyHead:
 
 def test_a_busy_head_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
     head = BusyHead(failures=2)
-    monkeypatch.setattr("rna_work.cluster.imported_ray", lambda: head)
+    monkeypatch.setattr("rna_work.cluster.ray_cluster.imported_ray", lambda: head)
     with place("auto"):
         assert head.connected
     head.failures = 3
@@ -171,14 +171,14 @@ def test_local_is_a_cluster_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     ray = SimpleNamespace(
         is_initialized=lambda: False, init=lambda **o: seen.update(o), shutdown=seen.clear
     )
-    monkeypatch.setattr("rna_work.cluster.imported_ray", lambda: ray)
+    monkeypatch.setattr("rna_work.cluster.ray_cluster.imported_ray", lambda: ray)
     with place("local"):
         assert seen["address"] == "local"
     assert not seen
 
 
 def test_ray_s_reason_of_a_death_is_told() -> None:
-    from rna_work.cluster import first_line
+    from rna_work.cluster.ray_cluster import first_line
 
     message = "The actor died.\n\tpid: 3\nThe actor is dead because its node has died.\n\tmore"
     expected = "The actor died. The actor is dead because its node has died."

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.capture.cli import main as capture
+from rna_export.capture.rna_capture import main as capture
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.trial import Trial
-from rna_render.cli import main as render
-from rna_work.places import place
+from rna_render.command.rna_run import main as render
+from rna_work.executors import place
 from tests.exporters.scenes import write_scene
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.render.assets import sphere

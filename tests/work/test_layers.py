@@ -45,9 +45,10 @@ def test_ray_is_imported_in_three_files_alone() -> None:
 @pytest.mark.parametrize(
     "code",
     [
-        "from rna_work.places import place; place(None).__enter__()",
-        "import rna_export.capture.run, rna_export.trials.pool, rna_export.fit.run",
-        "import rna_render.sequence, rna_render.pieces, rna_work.cluster, rna_work.ray_slots",
+        "from rna_work.executors import place; place(None).__enter__()",
+        "import rna_export.capture.capture_run, rna_export.trials.pool, rna_export.fit.fit_run",
+        "import rna_render.command.sequence, rna_render.command.pieces",
+        "import rna_work.cluster.ray_cluster, rna_work.cluster.ray_slots",
         *(f"import {entry.partition(':')[0]}" for entry in COMMANDS.values()),
     ],
 )
@@ -59,7 +60,7 @@ def test_without_the_option_there_is_no_ray(code: str) -> None:
 def test_where_ray_is_missing_a_line_says_how_to_get_it() -> None:
     program = (
         "import sys; sys.modules['ray'] = None\n"
-        "from rna_render.cli import main; sys.exit(main(sys.argv[1:]))"
+        "from rna_render.command.rna_run import main; sys.exit(main(sys.argv[1:]))"
     )
     scene = REPOSITORY / "examples" / "quickstart" / "scene.yaml"
     command = [sys.executable, "-c", program, scene, "--out", "a.exr", "--cluster", "auto"]

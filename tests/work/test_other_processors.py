@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_export.capture.cli import main as capture
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.rna_capture import main as capture
 from rna_sdk.cpu import processor_key
 from tests.exporters.scenes import write_scene
 

@@ -9,8 +9,8 @@ import time
 
 import pytest
 
-from rna_work.patience import Patience, Watch
 from rna_work.processor_time import process_seconds, thread_seconds
+from rna_work.timeouts import Patience, Watch
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="no /proc")
 

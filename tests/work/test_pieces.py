@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from rna_render.cli import main as render
-from rna_render.kept_pieces import KeptPieces, Piece, missing_pieces
-from rna_render.output import Output
-from rna_render.pieces import PieceWorker, render_pieces
-from rna_render.scene_file import SceneFile, read_scene
+from rna_render.command.kept_pieces import KeptPieces, Piece, missing_pieces
+from rna_render.command.pieces import PieceWorker, render_pieces
+from rna_render.command.rna_run import main as render
+from rna_render.image.output import Output
+from rna_render.scene.scene_file import SceneFile, read_scene
 from rna_sdk.errors import SceneError
-from rna_work.places import this_machine
+from rna_work.executors import this_machine
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
 from tests.render.test_sequence import SCENE
@@ -93,7 +93,7 @@ def test_what_is_missing_between_pieces() -> None:
 def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
     blocked = tmp_path / "file"
     blocked.touch()
-    from rna_render.film import Film
+    from rna_render.image.film import Film
 
     with pytest.raises(SceneError, match="cannot be written"):
         KeptPieces(blocked, "key").keep(Piece(0, 4), Film((4, 1)))

@@ -12,11 +12,11 @@ import pytest
 
 from rna_sdk.errors import WorkError
 from rna_work.backend import Backend
-from rna_work.patience import Patience
 from rna_work.pool import Pool
 from rna_work.processes import Processes
 from rna_work.threads import Caller, Threads
-from rna_work.worker import TimedOut, WorkerLost
+from rna_work.timeouts import Patience
+from rna_work.workers import TimedOut, WorkerLost
 from tests.work.workers import CannotStart, Doubling, Once, Repeating
 
 BACKENDS = [Threads(2), Processes(2)]

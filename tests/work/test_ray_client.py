@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_render.cli import main as render
+from rna_render.command.rna_run import main as render
 from tests.conftest import REPOSITORY
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
@@ -82,7 +82,7 @@ def scene(tmp_path: Path) -> Path:
 
 
 def run(environment: dict[str, str], *arguments: object) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "rna_render.cli", *map(str, arguments)]
+    command = [sys.executable, "-m", "rna_render.command.rna_run", *map(str, arguments)]
     return subprocess.run(command, env=environment, capture_output=True, text=True, timeout=SECONDS)
 
 

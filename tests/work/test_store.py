@@ -11,15 +11,15 @@ from uuid import uuid4
 import numpy as np
 import pytest
 
-from rna_export.capture import run as run_module
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.run import CaptureCrew, finish
-from rna_export.capture.sample_files import write_arrays
-from rna_export.capture.worker import Source
+from rna_export.capture import capture_run as run_module
+from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.capture_run import CaptureCrew, finish
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.sample_files import write_arrays
 from rna_sdk.errors import WorkError
-from rna_work.mirror import Mirror
-from rna_work.store import Store
-from rna_work.stored import StoredFolder
+from rna_work.cluster.mirror import Mirror
+from rna_work.cluster.store import Store
+from rna_work.cluster.stored import StoredFolder
 from tests.exporters.test_capture_time import WithoutBlender
 from tests.exporters.test_capture_time import dataset as dataset
 from tests.work.stores import s3

@@ -9,17 +9,17 @@ from uuid import uuid4
 
 import pytest
 
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.training.fitting import Fitting
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.training.optimization.fitting import Fitting
 from rna_export.trials.pool import Crew, TrialPool
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
-from rna_export.trials.worker import Job, TrialWorker
-from rna_work.mirror import Mirror
-from rna_work.places import place
+from rna_export.trials.trial_worker import Job, TrialWorker
+from rna_work.cluster.mirror import Mirror
+from rna_work.cluster.store import Store
+from rna_work.cluster.stored import StoredFolder
+from rna_work.executors import place
 from rna_work.sources import InPlace
-from rna_work.store import Store
-from rna_work.stored import StoredFolder
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.work.stores import s3
 
@@ -78,7 +78,7 @@ def test_a_lost_worker_s_training_goes_on_from_its_last_checkpoint(
 ) -> None:
     manifest = InPlace(dataset.folder / "manifest.json")
     trial = Trial(name="long", family="ours", preset=tiny(steps=12), seed=1)
-    monkeypatch.setattr("rna_export.trials.run._VALIDATED_EVERY", 4)
+    monkeypatch.setattr("rna_export.trials.trial_run._VALIDATED_EVERY", 4)
 
     def trained(store: Store) -> Record:
         with TrialWorker(manifest, 1, "cpu", "0") as worker:

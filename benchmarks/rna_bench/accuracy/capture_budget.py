@@ -21,14 +21,14 @@ from rna_bench.options import add_out
 from rna_bench.plot_style import figure, save_chart
 from rna_bench.results import publish
 from rna_bench.scores import scores_of
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.memory import keep_freed_memory
 from rna_export.metrics import WITHOUT_NOISE_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.presets import PRESETS
-from rna_export.training.run import Run, train
+from rna_export.training.training_run import Run, train
 
 RESOLUTIONS = (16, 32, 128)
 
@@ -73,7 +73,7 @@ def run(args: argparse.Namespace) -> None:
 
 def _capture(plan: Plan, args: argparse.Namespace, arguments: tuple[str, ...]) -> DatasetPart:
     out = args.work / f"{plan.samples}x{plan.rays}.rays"
-    command = [sys.executable, "-m", "rna_export.capture.cli", args.source, "--out", out]
+    command = [sys.executable, "-m", "rna_export.capture.rna_capture", args.source, "--out", out]
     command += ["--samples", plan.samples, "--rays", plan.rays, "--lights", plan.lights(args.paths)]
     command += "--validation-views 1 --validation-resolution 32 --validation-samples 2".split()
     subprocess.run([*map(str, command), "--", *arguments], check=True)

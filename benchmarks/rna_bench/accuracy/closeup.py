@@ -18,11 +18,11 @@ from PIL import Image
 from rna_bench.cycles import cycles
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_export.compare.run import Pair, judge, render_cycles, render_ours
+from rna_export.compare.comparison_run import Pair, judge, render_cycles, render_ours
 from rna_export.compare.views import shots_of
 from rna_export.metrics import WITHOUT_NOISE_DEFINITION, NoiselessPsnr, to_png
-from rna_render.render import place_asset
-from rna_render.world import World
+from rna_render.paths.render import place_asset
+from rna_render.world.world import World
 from rna_sdk.runtime import load
 
 

@@ -25,8 +25,8 @@ from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
 from rna_bench.scenes.stage import Stage
-from rna_export.capture.worker import BlenderWorker
-from rna_render.scene_model import Scene
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_render.scene.scene_model import Scene
 from rna_sdk.runtime import load
 
 

@@ -18,8 +18,8 @@ from rna_bench.one_part import load_one_part
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION, Beside
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.validation_view import ValidationView, is_lit
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.validation_view import ValidationView, is_lit
 from rna_export.metrics import IRRADIANCE, WITHOUT_NOISE_DEFINITION, psnr_without_noise
 from rna_sdk.package import Package
 

@@ -24,12 +24,12 @@ import numpy as np
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_bench.scores import scores_of
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.directions import light_direction
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.rays.directions import light_direction
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint
-from rna_sdk.package.manifest_fields import Region
+from rna_sdk.package.manifest.manifest_fields import Region
 from rna_sdk.runtime import in_region
 
 

@@ -23,8 +23,8 @@ import numpy as np
 from rna_bench.one_part import load_one_part
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.validation_view import picked
+from rna_export.capture.dataset.validation_view import picked
+from rna_export.capture.rays.asset_scene import AssetScene
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, TierData, float_planes, write_package
 from rna_sdk.runtime import SurfaceAsset

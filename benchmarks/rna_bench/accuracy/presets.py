@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from rna_bench.results import write_results
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.validation import score, shade
@@ -36,7 +36,7 @@ def run(args: argparse.Namespace) -> None:
     }
     for preset in args.presets:
         out = args.runs / preset
-        command = [sys.executable, "-m", "rna_export.training.cli", str(args.dataset)]
+        command = [sys.executable, "-m", "rna_export.training.rna_train", str(args.dataset)]
         command += ["--preset", preset, "--out", str(out), "--minutes", str(args.minutes)]
         subprocess.run(command, check=True)
         results["presets"][preset] = _scores(out / "best.ckpt", dataset)

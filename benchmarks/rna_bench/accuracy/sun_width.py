@@ -19,12 +19,12 @@ import numpy as np
 from rna_bench.cycles import cycles
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_export.capture.weld import weld
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.capture.geometry.mesh_cleanup import weld
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.compare.views import FOV_Y, Shot, shots
-from rna_render.lights.models import DirectionalModel
-from rna_render.scene_model import Scene
+from rna_render.scene.light_models import DirectionalModel
+from rna_render.scene.scene_model import Scene
 
 WIDTHS_DEG = (0.0, 0.53, 2.0, 10.0)
 

@@ -22,19 +22,19 @@ from typing import Any
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_export.capture import blender_env
-from rna_export.capture.gathered import Gathered
-from rna_export.capture.run import CaptureCrew, begin
-from rna_export.capture.settings import CaptureSettings
-from rna_export.capture.shift import CaptureJob, CaptureWorker
-from rna_export.capture.tasks import TrainingShard
-from rna_export.capture.worker import Source
-from rna_render.frame_worker import Frame, FrameJob, FrameWorker
-from rna_render.output import Output
-from rna_render.scene_file import read_scene
-from rna_render.scene_model import Scene
-from rna_render.scene_sources import carried_scene
-from rna_work.places import Place, place
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker
+from rna_export.capture.capture_run import CaptureCrew, begin
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import TrainingShard
+from rna_export.capture.dataset.collect import Gathered
+from rna_render.command.frame_worker import Frame, FrameJob, FrameWorker
+from rna_render.image.output import Output
+from rna_render.scene.scene_file import read_scene
+from rna_render.scene.scene_model import Scene
+from rna_render.world.scene_sources import carried_scene
+from rna_work.executors import Place, place
 from rna_work.pool import Pool
 
 FRAMES = 10  # those of a new process are slower at first

@@ -17,7 +17,7 @@ from typing import Any
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_work.places import Needs, place
+from rna_work.executors import Needs, place
 from rna_work.pool import Pool
 
 _SHARD_SECONDS = 60.0  # what a shard of a capture takes, about

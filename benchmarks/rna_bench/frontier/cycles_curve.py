@@ -11,14 +11,14 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
-from rna_export.capture import blender_env
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.sample_files import read_part
-from rna_export.capture.shift import scene_of
-from rna_export.capture.tasks import ValidationHalf
-from rna_export.capture.validation_view import ValidationView
-from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_tasks import ValidationHalf
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.sample_files import read_part
+from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.machine import default_workers
 from rna_export.trials.scores import ModelScores, judge, write_strips
 

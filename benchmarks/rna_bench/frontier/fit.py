@@ -18,10 +18,10 @@ from typing import Any
 from rna_bench.frontier.chart_points import label_of
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.fit.fit_page import write_page
+from rna_export.fit.fit_run import Fit, fit
 from rna_export.fit.goal import Goal
-from rna_export.fit.page import write_page
-from rna_export.fit.run import Fit, fit
 from rna_export.training.options import add_device
 from rna_export.trials.pool import Crew
 from rna_export.trials.record import Record

@@ -11,7 +11,7 @@ import argparse
 from pathlib import Path
 
 from rna_export.training.options import add_trainings
-from rna_work.places import Place, place
+from rna_work.executors import Place, place
 
 _PARTS = ("train", "cost", "cycles", "chart")
 

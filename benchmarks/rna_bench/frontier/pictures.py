@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.compare.sheet import flip_colours
 from rna_export.metrics import display
 

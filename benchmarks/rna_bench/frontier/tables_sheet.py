@@ -11,7 +11,7 @@ import numpy as np
 from rna_bench.frontier.paper_tables import paper_tables
 from rna_bench.frontier.pictures import brightest, cut, strip_path
 from rna_bench.plot_style import figure
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.metrics import to_png
 
 _INCHES = 1.5  # of a picture

@@ -24,10 +24,10 @@ from PIL import Image
 from rna_bench.checkout import ROOT
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_export.capture.blender_env import find_python
+from rna_export.capture.blender_process.blender_env import find_python
 from rna_export.metrics import IRRADIANCE, psnr
-from rna_render.images import read_exr
-from rna_render.view_transform import to_display
+from rna_render.image.images import read_exr
+from rna_render.image.view_transform import to_display
 
 WIDTH = 1024  # pixels of the sheet
 BLOCK = 4
@@ -90,7 +90,14 @@ def rendered(name: str, folder: Path, extension: Path, args: Any) -> dict[str, n
     for engine in (ours, cycles):
         in_blender(folder, {**order, **engine})
     out = folder / f"{name}-run.exr"
-    command = [sys.executable, "-m", "rna_render.cli", f"{scene}/scene.yaml", "--out", str(out)]
+    command = [
+        sys.executable,
+        "-m",
+        "rna_render.command.rna_run",
+        f"{scene}/scene.yaml",
+        "--out",
+        str(out),
+    ]
     subprocess.run(command, check=True)
     files = {"rna-run": out, "engine": Path(ours["out"]), "cycles": Path(cycles["out"])}
     return {who: rgb(path) for who, path in files.items()}

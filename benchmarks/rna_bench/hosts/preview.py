@@ -98,7 +98,7 @@ def rna_run(scene: Path) -> Iterator[tuple[str, float]]:
     """The address that the command prints, and after how many seconds."""
     start = time.perf_counter()
     options = ["--preview", "--resolution", "640x360", "--samples", "100000"]
-    command = [sys.executable, "-m", "rna_render.cli", str(scene), *options]
+    command = [sys.executable, "-m", "rna_render.command.rna_run", str(scene), *options]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as started:
         assert started.stdout is not None
         found = re.search(r"http://\S+", started.stdout.readline())

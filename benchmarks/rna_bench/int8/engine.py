@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import onnxruntime
 
-from rna_sdk.runtime import onnx_bytes as pb
+from rna_sdk.runtime.engine import onnx_bytes as pb
 
 
 def sums_in_16_bits() -> bool:

@@ -16,8 +16,8 @@ from typing import Any
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_export.capture.dataset import Dataset
-from rna_export.export.build import build_package
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision
 from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION
 from rna_export.training.checkpoint import load_checkpoint

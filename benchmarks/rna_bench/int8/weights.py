@@ -22,15 +22,15 @@ import torch
 from rna_bench.int8.engine import sums_in_16_bits
 from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.export.decoder import export_decoder
 from rna_export.export.int8_decoder import WeightScale, int8_decoder, pair_scale
 from rna_export.export.tiers import calibration
 from rna_export.machine import seconds_of
 from rna_export.metrics import PSNR_DEFINITION, psnr
 from rna_export.training.checkpoint import load_checkpoint
-from rna_sdk.runtime.decoder import Decoder
+from rna_sdk.runtime.engine.decoder_sessions import Decoder
 
 
 def largest(limit: float) -> WeightScale:

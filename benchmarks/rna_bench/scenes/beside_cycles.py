@@ -8,17 +8,17 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
+from rna_export.compare.comparison_run import Timed
 from rna_export.compare.cycles_scene import cycles_scene
-from rna_export.compare.run import Timed
 from rna_export.compare.sheet import flip_colours
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
-from rna_render.camera import Camera
-from rna_render.denoise import Denoiser
+from rna_render.image.denoise import Denoiser
 from rna_render.lights.directions import LUMINANCE
-from rna_render.render import load_world, make_integrator, render
-from rna_render.scene_file import SceneFile
-from rna_render.scene_model import Scene
+from rna_render.paths.camera import Camera
+from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import Scene
 
 EXPOSURE_DEFINITION = (
     "radiance times the scene's exposure, which puts the 95th percentile of the asset's luminance "

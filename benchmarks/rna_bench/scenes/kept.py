@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from safetensors.numpy import load_file
 
-from rna_export.capture.sample_files import write_arrays
+from rna_export.capture.dataset.sample_files import write_arrays
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import RnaError
 

@@ -11,9 +11,9 @@ from unittest.mock import patch
 
 import numpy as np
 
-from rna_render.embree import kernels as embree_kernels
-from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.tiles import QueryFiller
+from rna_sdk.runtime.engine.decoder_sessions import Decoder
+from rna_sdk.runtime.engine.tiles import QueryFiller
+from rna_trace.embree import kernels as embree_kernels
 
 KERNELS = ("decoder", "queries", "rays", "rest")
 

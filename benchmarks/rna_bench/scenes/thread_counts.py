@@ -22,7 +22,7 @@ import numpy as np
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_render.images import read_exr
+from rna_render.image.images import read_exr
 from rna_sdk.errors import RnaError
 
 SWITCH_INTERVAL = 1e-6
@@ -33,7 +33,7 @@ import sys
 interval = float(sys.argv.pop(1))
 if interval:
     sys.setswitchinterval(interval)
-from rna_render.cli import main
+from rna_render.command.rna_run import main
 sys.exit(main())
 """
 

@@ -69,10 +69,10 @@ def trainer() -> Iterator[Task]:
     import torch
 
     from rna_export.memory import keep_freed_memory
-    from rna_export.training.fitting import Fitting
+    from rna_export.training.optimization.fitting import Fitting
+    from rna_export.training.optimization.samples import SampleTable
+    from rna_export.training.optimization.step_threads import StepThreads
     from rna_export.training.presets import PRESETS
-    from rna_export.training.samples import SampleTable
-    from rna_export.training.step_threads import StepThreads
 
     keep_freed_memory()
     preset = PRESETS["surface"]["small"].with_training(loss="log")
@@ -109,8 +109,8 @@ def _samples() -> dict[str, np.ndarray]:
 def renderer() -> Iterator[Task]:
     """The quickstart's scene, a sample of every pixel at a time."""
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # as rna-run does
-    from rna_render.render import load_world, make_integrator, render
-    from rna_render.scene_file import read_scene
+    from rna_render.paths.render import load_world, make_integrator, render
+    from rna_render.scene.scene_file import read_scene
 
     scene_file = read_scene(QUICKSTART)
     world = load_world(scene_file)
@@ -144,8 +144,8 @@ def evaluation() -> Iterator[Task]:
 @contextmanager
 def capture() -> Iterator[Task]:
     """Rays of the quickstart's source in Cycles, one worker a core, as captures have them."""
-    from rna_export.capture import blender_env
-    from rna_export.capture.worker import BlenderWorker, Source
+    from rna_export.capture.blender_process import blender_env
+    from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
     from rna_export.machine import default_workers
 
     source, python = Source(ROOT / "examples" / "quickstart" / "toy.py"), blender_env.find_python()

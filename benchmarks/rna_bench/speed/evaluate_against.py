@@ -29,7 +29,7 @@ from rna_bench.results import publish
 from rna_bench.speed.query_batches import arguments_of, random_points, sphere_scan
 from rna_bench.speed.random_package import HIDDEN_LAYERS, INPUTS, write_random_package
 from rna_sdk.package import query_width
-from rna_sdk.package.manifest_fields import Kind
+from rna_sdk.package.manifest.manifest_fields import Kind
 
 Figures = dict[str, Any]
 

@@ -12,9 +12,9 @@ from rna_bench.speed.query_batches import unit
 from rna_export.export.decoder import export_decoder, random_queries
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.precision import PRECISIONS, Precision, stored_planes
-from rna_export.training.model import NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.model.triplane import Triplane
 from rna_export.training.presets import PRESETS, ModelConfig
-from rna_export.training.triplane import Triplane
 from rna_sdk.package import (
     Bounds,
     Curves,
@@ -28,7 +28,7 @@ from rna_sdk.package import (
     TierPart,
     write_package,
 )
-from rna_sdk.package.manifest_fields import GEOMETRY_ENTRIES, Kind
+from rna_sdk.package.manifest.manifest_fields import GEOMETRY_ENTRIES, Kind
 
 INPUTS = {kind: presets["small"].model.inputs for kind, presets in PRESETS.items()}
 HIDDEN_LAYERS = 4

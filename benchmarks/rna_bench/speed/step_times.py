@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Package
-from rna_sdk.runtime.batch import Batch
-from rna_sdk.runtime.decoder import Decoder
-from rna_sdk.runtime.output_kernel import write_colours
-from rna_sdk.runtime.tiles import QueryFiller
+from rna_sdk.runtime.engine.batch import Batch
+from rna_sdk.runtime.engine.decoder_sessions import Decoder
+from rna_sdk.runtime.engine.tiles import QueryFiller
+from rna_sdk.runtime.kernels.output_kernel import write_colours
 
 STEPS = ("gather", "inputs", "decoder", "output")
 """Features from the planes; the decoder's other inputs; the decoder; copies to the results."""

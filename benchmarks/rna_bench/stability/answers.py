@@ -7,9 +7,9 @@ from collections.abc import Callable
 import numpy as np
 
 from rna_bench.one_part import OnePart
-from rna_export.capture import validation_view
-from rna_export.capture.asset_arguments import evaluate_arguments
-from rna_export.training.model import NeuralAsset
+from rna_export.capture.dataset import validation_view
+from rna_export.capture.dataset.asset_arguments import evaluate_arguments
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.validation import answer
 
 Queries = dict[str, np.ndarray]

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.validation_view import ValidationView
 
 Samples = dict[str, np.ndarray]
 

@@ -13,8 +13,8 @@ from typing import Any
 
 from rna_export.machine import default_workers
 from rna_sdk.errors import CaptureError
-from rna_work.cluster_option import add_cluster_option
-from rna_work.places import place
+from rna_work.cluster.cluster_option import add_cluster_option
+from rna_work.executors import place
 
 # As in `suite.CASES`, which takes seconds to import: not for --help.
 CASE_NAMES = (
@@ -111,8 +111,8 @@ def run(args: argparse.Namespace) -> None:
 
 def _workshop(args: argparse.Namespace) -> Any:
     from rna_bench.stability.workshop import Subject, Workshop
-    from rna_export.capture.dataset import Dataset
-    from rna_export.capture.worker import Source
+    from rna_export.capture.blender_process.blender_worker import Source
+    from rna_export.capture.dataset.dataset_folder import Dataset
 
     for name in ("dataset", "package", "source", "out", "work") if args.cluster else ():
         if (path := getattr(args, name)) is not None:

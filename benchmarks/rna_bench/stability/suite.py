@@ -29,7 +29,7 @@ from rna_bench.stability.workshop import Workshop
 from rna_export.memory import keep_freed_memory
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
-from rna_work.places import Place, this_machine
+from rna_work.executors import Place, this_machine
 from rna_work.pool import Pool
 from rna_work.shared import check_shared
 
@@ -154,7 +154,7 @@ def _told(cases: list[Case], say: Callable[[str], None]) -> Iterator[Case]:
 
 @dataclass
 class _CaseWorker:
-    """Measures cases: see `rna_work.worker.Worker`."""
+    """Measures cases: see `rna_work.workers.Worker`."""
 
     workshop: Workshop
     name: str

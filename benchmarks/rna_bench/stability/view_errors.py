@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.metrics import display
 
 

@@ -18,15 +18,15 @@ from safetensors.numpy import load_file
 
 from rna_bench.one_part import OnePart, load_one_part
 from rna_bench.stability.answers import Answers, of_package
-from rna_export.capture import blender_env
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.sample_files import write_arrays
-from rna_export.capture.worker import BlenderWorker, Source
-from rna_export.export.build import build_package
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.sample_files import write_arrays
+from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import PRESETS, Preset
-from rna_export.training.run import Run, train
+from rna_export.training.training_run import Run, train
 from rna_export.trials.packages import write_packages
 from rna_sdk.errors import CaptureError
 from rna_work.locks import locked
@@ -117,7 +117,14 @@ class Workshop:
         """A dataset of one of the suite's own assets; settings as in `CaptureSettings`."""
         out = self._folder / "captures" / f"{name}.rays"
         out.parent.mkdir(parents=True, exist_ok=True)
-        command = [sys.executable, "-m", "rna_export.capture.cli", ASSETS / script, "--out", out]
+        command = [
+            sys.executable,
+            "-m",
+            "rna_export.capture.rna_capture",
+            ASSETS / script,
+            "--out",
+            out,
+        ]
         command += ["--workers", self._workers]
         for key, value in settings.items():
             command += [f"--{key.replace('_', '-')}", value]

@@ -17,18 +17,11 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-import curves_export
-import material_override
-import mesh_export
-import ray_render
-import read_files
-import render_settings
-import scene_parts
-import scene_render
-import source_scene
-import surface_textures
-import white_card
-from rendered_geometry import as_rendered
+from rna_geometry import curves_export, mesh_export, scene_parts
+from rna_geometry.rendered_geometry import as_rendered
+from rna_materials import material_override, surface_textures
+from rna_renders import ray_render, render_settings, scene_render, white_card
+from rna_sources import read_files, source_scene
 
 _PR_SET_PDEATHSIG = 1  # prctl(2)
 

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, field
 from time import monotonic
 
-from rna_export.capture.settings import MAX_LIGHTS, CaptureSettings
+from rna_export.capture.capture_settings import MAX_LIGHTS, CaptureSettings
 from rna_sdk.errors import CaptureError
 
 LEAST_LIGHTS = 16

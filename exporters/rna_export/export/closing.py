@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.validation_view import WholeView
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.effort import Effort
 from rna_export.metrics import plain
 from rna_export.psnr_words import psnr_in_words

@@ -9,11 +9,11 @@ from torch import Tensor
 
 from rna_export.export.graph import Graph
 from rna_export.export.int8_decoder import Int8Decoder
-from rna_export.training.inputs import Points
-from rna_export.training.model import NeuralAsset
+from rna_export.training.model.inputs import Points
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Agreement
-from rna_sdk.runtime.agreement import ABSOLUTE, RELATIVE, TIES, close_rows
+from rna_sdk.runtime.engine.agreement import ABSOLUTE, RELATIVE, TIES, close_rows
 
 LARGEST_INPUT = 65504.0  # keeps sums finite whatever is asked
 _RANDOM_QUERIES = 20_000

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.poster import render_poster
 from rna_export.export.proxy import proxy_of
 from rna_export.export.standin import standin_material
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Package
-from rna_sdk.package.extensions import Standin
-from rna_sdk.package.geometry import Geometry
+from rna_sdk.package.geometry.geometry_files import Geometry
+from rna_sdk.package.manifest.extensions import Standin
+from rna_sdk.package.manifest.poster import png_size
 from rna_sdk.package.packing import Unpacked
-from rna_sdk.package.poster import png_size
 
 _SHARDS = 12  # of training samples that a stand-in is estimated from
 

@@ -2,7 +2,7 @@
 
 Activations are uint8, one scale a layer; weights int8, one scale an output; sums int32. Zero is
 the smallest activation, so that storing one in uint8 is the ReLU, too. No two weights that an
-engine may multiply as a pair can saturate 16 bits (`rna_sdk/package/saturation.py`).
+engine may multiply as a pair can saturate 16 bits (`rna_sdk/package/decoder/saturation.py`).
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from rna_export.training.model import NeuralAsset
-from rna_sdk.package.saturation import PAIR_LIMIT, pair_sums
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_sdk.package.decoder.saturation import PAIR_LIMIT, pair_sums
 
 WeightScale = Callable[[Tensor], Tensor]
 """From weights (outputs, inputs) to what one step of int8 means for each output, (outputs,)."""

@@ -14,8 +14,8 @@ import torch
 from torch import Tensor, nn
 
 from rna_export.export.int8_decoder import Int8Decoder, TorchInt8Layer, bias_steps, stored
-from rna_export.training.losses import unbiased_l2
-from rna_export.training.model import NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.optimization.losses import unbiased_l2
 
 _STEPS, _BATCH, _RATE = 300, 2048, 1e-3
 

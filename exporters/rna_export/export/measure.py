@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from rna_export.brightness import brightness
-from rna_export.capture.asset_arguments import Arguments, rows_of
-from rna_export.capture.validation_view import WholeView, all_queries
+from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
+from rna_export.capture.dataset.validation_view import WholeView, all_queries
 from rna_export.export.small_images import flip_at_heights
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of

@@ -10,7 +10,7 @@ import numpy as np
 
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Int8Planes, Planes
-from rna_sdk.package.manifest_fields import DecoderPrecision, PlanePrecision
+from rna_sdk.package.manifest.manifest_fields import DecoderPrecision, PlanePrecision
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rna_export.capture.validation_view import CapturedImage
+from rna_export.capture.dataset.validation_view import CapturedImage
 from rna_export.metrics import flip
 from rna_export.training.validation import exposure
 from rna_sdk.package import FlipAtHeight

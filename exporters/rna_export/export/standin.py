@@ -13,8 +13,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rna_export.capture.validation_view import is_lit
-from rna_sdk.package.extensions import StandinMaterial
+from rna_export.capture.dataset.validation_view import is_lit
+from rna_sdk.package.manifest.extensions import StandinMaterial
 
 _ROWS = 400_000
 _ROUGHNESS = np.linspace(0.1, 1.0, 19)

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 import torch
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.validation_view import queries_of
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.validation_view import queries_of
 from rna_export.export.decoder import (
     EmissionModel,
     compare_decoder,
@@ -21,10 +21,10 @@ from rna_export.export.int8_tuning import Calibration, tuned
 from rna_export.export.precision import Precision, stored_planes
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.training.checkpoint import Trained
-from rna_export.training.triplane import Triplane
+from rna_export.training.model.triplane import Triplane
 from rna_sdk.package import Agreement, Tier, TierData, TierPart
-from rna_sdk.package.manifest_fields import DecoderPrecision
-from rna_sdk.package.manifest_tiers import TierEmission
+from rna_sdk.package.manifest.manifest_fields import DecoderPrecision
+from rna_sdk.package.manifest.manifest_tiers import TierEmission
 
 _CALIBRATION_ROWS = 50_000
 _CALIBRATION_SHARDS = 12

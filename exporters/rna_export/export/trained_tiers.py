@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.training.checkpoint import Trained
 from rna_sdk.errors import ExportError
 

@@ -10,16 +10,16 @@ from time import monotonic
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.make.plan import Length
 from rna_export.make.progress import Stage
 from rna_export.make.state import Score
 from rna_export.make.training_picture import TrainingPicture
 from rna_export.training.checkpoint import Trained, load_checkpoint
+from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
-from rna_export.training.run import Run, train
-from rna_export.training.samples import SampleTable
+from rna_export.training.training_run import Run, train
 from rna_export.training.validation import mean_flip, mean_psnr, shade
 
 

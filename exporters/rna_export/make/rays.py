@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.run import begin, finish
-from rna_export.capture.tasks import Task, ValidationHalf, all_tasks
+from rna_export.capture.capture_run import begin, finish
+from rna_export.capture.capture_tasks import Task, ValidationHalf, all_tasks
+from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.time_plan import TimeLimit
-from rna_export.make.order import Order
+from rna_export.make.make_options import Order
 from rna_export.make.plan import CAPTURE
 from rna_export.make.progress import Stage
 from rna_export.make.state import Round

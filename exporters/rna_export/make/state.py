@@ -6,7 +6,7 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from rna_export.capture.manifest import what_is_wrong
+from rna_export.capture.dataset.dataset_manifest import what_is_wrong
 from rna_export.make.plan import Length
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError

@@ -12,8 +12,8 @@ import torch
 from pydantic import ValidationError
 from torch import Tensor
 
-from rna_export.capture.manifest import CaptureManifest, what_is_wrong
-from rna_export.training.model import NeuralAsset
+from rna_export.capture.dataset.dataset_manifest import CaptureManifest, what_is_wrong
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import ModelConfig, Preset
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import ExportError, TrainingError

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.effort import Effort
 from rna_export.psnr_words import psnr_in_words
 from rna_export.training.checkpoint import load_checkpoint

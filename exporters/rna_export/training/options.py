@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from rna_work.cluster_option import add_cluster_option
-from rna_work.store import add_store_option
+from rna_work.cluster.cluster_option import add_cluster_option
+from rna_work.cluster.store import add_store_option
 
 
 def add_device(parser: argparse.ArgumentParser, what: str) -> None:

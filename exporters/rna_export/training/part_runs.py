@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_export.capture.dataset import Dataset
-from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_part import DatasetPart
 
 _ALIKE = 0.5  # of the minutes, that all parts get as many of
 

@@ -7,8 +7,8 @@ from pathlib import Path
 from time import monotonic
 
 from rna_export.brightness import Brightness, brightness
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.training.model import NeuralAsset
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.validation import (
     mean_flip,
     mean_psnr,

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import torch
 
-from rna_export.capture.validation_view import CapturedImage, EmissionView, ValidationView
+from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView, ValidationView
 from rna_export.compare.sheet import comparison_sheet, pictures_of
 from rna_export.metrics import (
     NoiselessPsnr,
@@ -23,7 +23,7 @@ from rna_export.metrics import (
     to_png,
 )
 from rna_export.pictures import write_picture
-from rna_export.training.model import NeuralAsset
+from rna_export.training.model.neural_asset import NeuralAsset
 
 _ROWS = 65536
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
-from rna_export.capture.asset_arguments import Arguments, rows_of
+from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
 from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
 from rna_sdk.cpu import processor
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.export.build import build_package
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision
 from rna_export.training.checkpoint import Trained
 

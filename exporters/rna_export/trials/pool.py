@@ -12,15 +12,15 @@ from pathlib import Path
 
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
-from rna_export.trials.worker import Job, TrialWorker
+from rna_export.trials.trial_worker import Job, TrialWorker
 from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend
-from rna_work.places import Needs, Place, this_machine
+from rna_work.cluster.store import Store
+from rna_work.cluster.stored import StoredFolder
+from rna_work.executors import Needs, Place, this_machine
 from rna_work.pool import Pool
 from rna_work.shared import check_shared
 from rna_work.sources import Carried, InPlace
-from rna_work.store import Store
-from rna_work.stored import StoredFolder
 
 _OWN_BYTES = 1_000_000_000  # of a worker without samples
 

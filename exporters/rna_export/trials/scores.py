@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from pydantic import BaseModel, ConfigDict
 
-from rna_export.capture.validation_view import CapturedImage
+from rna_export.capture.dataset.validation_view import CapturedImage
 from rna_export.metrics import (
     NoiselessPsnr,
     flip,

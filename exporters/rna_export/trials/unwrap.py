@@ -7,12 +7,12 @@ from types import ModuleType
 
 import numpy as np
 
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.validation_view import ValidationView
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.trials.trial import Trial
-from rna_render.embree import TriangleScene
 from rna_sdk.errors import TrainingError
 from rna_sdk.package import Mesh
+from rna_trace.embree import TriangleScene
 
 _STEP = 1e-3  # of the asset's size, away from the point towards its viewer
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.embree.tracing import ClosestHits
 from rna_render.lights.base import PlacedLight
 from rna_render.lights.directions import luminance
 from rna_render.lights.kinds import light_row
-from rna_render.lights.models import DiskModel, RectangleModel, SphereModel
-from rna_render.rays import vectors
+from rna_render.scene.light_models import DiskModel, RectangleModel, SphereModel
+from rna_trace.embree.tracing import ClosestHits
+from rna_trace.rays import vectors
 
 
 class AreaLight(PlacedLight):

@@ -6,23 +6,23 @@ from itertools import pairwise
 
 import numpy as np
 
-from rna_render.bodies.asset_parts import (
+from rna_render.lights.base import ShapeLight
+from rna_render.lights.directions import luminance
+from rna_render.lights.mesh import TriangleLight
+from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
+from rna_sdk.runtime import Transform, offset_across
+from rna_trace.asset_parts import (
     Asset,
     FiberPart,
     SurfacePart,
     part_normal_maps,
     part_transmittance,
 )
-from rna_render.bodies.fiber import FiberPoints
-from rna_render.bodies.surface import SurfacePoints, geometric_normals, interpolate_normals
-from rna_render.bodies.transmittance import Transmittance
-from rna_render.embree.tracing import ClosestHits
-from rna_render.lights.base import ShapeLight
-from rna_render.lights.directions import luminance
-from rna_render.lights.mesh import TriangleLight
-from rna_render.materials.mesh_object import EMISSION_FLOOR, points_of_a_triangle
-from rna_render.rays import vectors
-from rna_sdk.runtime import Transform, offset_across
+from rna_trace.embree.tracing import ClosestHits
+from rna_trace.fiber import FiberPoints
+from rna_trace.rays import vectors
+from rna_trace.surface import SurfacePoints, geometric_normals, interpolate_normals
+from rna_trace.transmittance import Transmittance
 
 # Emission is asked at so many points at least of a part's mesh, in as many equal parts of each
 # triangle as that takes, but no more than the square of the second number.

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rna_render.embree.tracing import ClosestHits, GeometryScene
-from rna_render.rays import vectors
+from rna_trace.embree.tracing import ClosestHits, GeometryScene
+from rna_trace.rays import vectors
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,9 +7,9 @@ import numpy as np
 from rna_render.lights.base import InfiniteLight, Light
 from rna_render.lights.directions import cone_direction, luminance, unit
 from rna_render.lights.kinds import DIRECTIONAL, OWN, SUN, light_row
-from rna_render.lights.models import DirectionalModel
-from rna_render.vectors import Vector
+from rna_render.scene.light_models import DirectionalModel
 from rna_sdk.compiled import compiled
+from rna_trace.vectors import Vector
 
 # Radians from the axis to the rim. Below it float32 directions no longer tell the rim apart.
 MIN_ANGLE = 1e-5

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
+from rna_trace.vectors import Vector
 
 # Rec. ITU-R BT.709-6, item 3.2: luminance of linear RGB.
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])

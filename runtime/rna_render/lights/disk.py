@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.embree import DiscScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.lights.kinds import DISK, OWN
-from rna_render.lights.models import DiskModel
-from rna_render.vectors import Vector
+from rna_render.scene.light_models import DiskModel
 from rna_sdk.compiled import compiled
+from rna_trace.embree import DiscScene
+from rna_trace.vectors import Vector
 
 
 class DiskLight(AreaLight):

@@ -9,9 +9,9 @@ from rna_render.lights.directions import cone_direction, luminance
 from rna_render.lights.equirectangular import EquirectangularImage
 from rna_render.lights.image_kernels import look_up_image_batch, sample_image_batch
 from rna_render.lights.kinds import IMAGE, OWN, UNIFORM, light_row
-from rna_render.lights.models import EnvironmentModel
-from rna_render.vectors import Vector
+from rna_render.scene.light_models import EnvironmentModel
 from rna_sdk.compiled import compiled
+from rna_trace.vectors import Vector
 
 _SPHERE_PDF = 1.0 / (4.0 * np.pi)
 

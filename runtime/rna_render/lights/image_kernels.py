@@ -9,12 +9,12 @@ from __future__ import annotations
 import numpy as np
 from numba import carray, prange  # type: ignore[attr-defined]
 
-from rna_render.angles import sine_and_cosine, turns_of
 from rna_render.lights.directions import LUMINANCE
 from rna_render.lights.intervals import guide_entry, interval_near, place_within
-from rna_render.memory import pointer_f32, pointer_f64, pointer_i32, signed
-from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
+from rna_trace.angles import sine_and_cosine, turns_of
+from rna_trace.memory import pointer_f32, pointer_f64, pointer_i32, signed
+from rna_trace.vectors import Vector
 
 # What `sample_image_batch` and `look_up_image_batch` read. Addresses of arrays, and the image's
 # size; and numbers: the turn about +y, the sum of all cells' weights, the mean that they leave out.

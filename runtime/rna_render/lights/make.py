@@ -9,8 +9,11 @@ from rna_render.lights.base import Light
 from rna_render.lights.directional import directional_light
 from rna_render.lights.disk import DiskLight
 from rna_render.lights.environment import EnvironmentImageLight, EnvironmentLight
-from rna_render.lights.environment_file import environment_image
-from rna_render.lights.models import (
+from rna_render.lights.files.environment_file import environment_image
+from rna_render.lights.point import PointLight, SpotLight
+from rna_render.lights.rectangle import RectangleLight
+from rna_render.lights.sphere import SphereLight
+from rna_render.scene.light_models import (
     DirectionalModel,
     DiskModel,
     EnvironmentModel,
@@ -20,9 +23,6 @@ from rna_render.lights.models import (
     SphereModel,
     SpotModel,
 )
-from rna_render.lights.point import PointLight, SpotLight
-from rna_render.lights.rectangle import RectangleLight
-from rna_render.lights.sphere import SphereLight
 
 _SHAPES: dict[type, Callable[..., Light]] = {
     DirectionalModel: directional_light,

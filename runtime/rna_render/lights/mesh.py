@@ -8,16 +8,16 @@ from collections.abc import Callable
 import numpy as np
 from numba import carray, prange  # type: ignore[attr-defined]
 
-from rna_render.embree.tracing import ClosestHits
 from rna_render.lights.base import LightRow, ShapeLight
 from rna_render.lights.directions import Axes, flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
 from rna_render.lights.kinds import OWN, TRIANGLES, light_row
-from rna_render.memory import pointer_f64, signed
-from rna_render.rays import vectors
-from rna_render.vectors import Vector
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
+from rna_trace.embree.tracing import ClosestHits
+from rna_trace.memory import pointer_f64, signed
+from rna_trace.rays import vectors
+from rna_trace.vectors import Vector
 
 Emission = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 

@@ -7,9 +7,9 @@ import numpy as np
 from rna_render.lights.base import Light
 from rna_render.lights.directions import luminance, unit
 from rna_render.lights.kinds import OWN, POINT, light_row
-from rna_render.lights.models import PointModel, SpotModel
-from rna_render.vectors import Vector
+from rna_render.scene.light_models import PointModel, SpotModel
 from rna_sdk.compiled import compiled
+from rna_trace.vectors import Vector
 
 
 class _PointLike(Light):

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.embree import TriangleScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
 from rna_render.lights.kinds import OWN, RECTANGLE
-from rna_render.lights.models import RectangleModel
-from rna_render.vectors import Vector
+from rna_render.scene.light_models import RectangleModel
 from rna_sdk.compiled import compiled
+from rna_trace.embree import TriangleScene
+from rna_trace.vectors import Vector
 
 # Steradians. The solid angle is a difference of angles, exact to 1e-15; below this it is sampled
 # uniformly over the area instead, which is as good for what looks so small.

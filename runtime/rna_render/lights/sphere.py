@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.embree import SphereScene
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import cone_direction
 from rna_render.lights.kinds import OWN, SPHERE
-from rna_render.lights.models import SphereModel
-from rna_render.vectors import Vector
+from rna_render.scene.light_models import SphereModel
 from rna_sdk.compiled import compiled
+from rna_trace.embree import SphereScene
+from rna_trace.vectors import Vector
 
 
 class SphereLight(AreaLight):

@@ -32,8 +32,8 @@ from rna_render.lights.mesh import sample_triangles
 from rna_render.lights.point import sample_point_light
 from rna_render.lights.rectangle import rectangle_density, sample_rectangle
 from rna_render.lights.sphere import sample_sphere, sphere_density
-from rna_render.vectors import Vector, vector_at
 from rna_sdk.compiled import compiled
+from rna_trace.vectors import Vector, vector_at
 
 
 @compiled(fastmath=())

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 from rna_render.lazy_names import lazy_names
 
 if TYPE_CHECKING:
+    from rna_render.materials.files.mesh_file import MeshFileWarning, read_mesh_object
     from rna_render.materials.ground_plane import ground
     from rna_render.materials.material import Material, make_material
-    from rna_render.materials.mesh_file import MeshFileWarning, read_mesh_object
     from rna_render.materials.mesh_object import MeshObject
     from rna_render.materials.scattering import Scattering
     from rna_render.materials.textures import Texture
@@ -32,7 +32,7 @@ __getattr__ = lazy_names(
     {
         "rna_render.materials.ground_plane": ("ground",),
         "rna_render.materials.material": ("Material", "make_material"),
-        "rna_render.materials.mesh_file": ("MeshFileWarning", "read_mesh_object"),
+        "rna_render.materials.files.mesh_file": ("MeshFileWarning", "read_mesh_object"),
         "rna_render.materials.mesh_object": ("MeshObject",),
         "rna_render.materials.scattering": ("Scattering",),
         "rna_render.materials.textures": ("Texture",),

@@ -34,7 +34,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_render.angles import sine_and_cosine
 from rna_render.materials.ggx import (
     MIN_ALPHA,
     distribution,
@@ -44,7 +43,9 @@ from rna_render.materials.ggx import (
     visibility,
 )
 from rna_render.materials.ggx_albedo import albedo_terms, albedo_views, mean_albedo_terms
-from rna_render.vectors import (
+from rna_sdk.compiled import compiled
+from rna_trace.angles import sine_and_cosine
+from rna_trace.vectors import (
     Vector,
     dot,
     half_cosines,
@@ -53,7 +54,6 @@ from rna_render.vectors import (
     unit,
     vector_at,
 )
-from rna_sdk.compiled import compiled
 
 # Reflectance of the clear coat seen straight on: KHR_materials_clearcoat, of index 1.5.
 CLEAR_F0 = 0.04

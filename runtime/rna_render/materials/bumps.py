@@ -9,8 +9,9 @@ from __future__ import annotations
 import numpy as np
 from numba import prange
 
-from rna_render.vectors import Vector, cross, dot, unit, vector_at
 from rna_sdk.compiled import compiled
+from rna_trace.normal_maps import derived_tangent
+from rna_trace.vectors import Vector, cross, dot, plus, unit, vector_at
 
 # A mirror direction keeps this cosine to the geometric normal, or 0.9 of wo's if that is less, as
 # in Cycles: else relief that leans away from the viewer would mirror the inside of the surface.
@@ -42,17 +43,6 @@ def bumped_normals(
 
 
 @compiled(fastmath=())
-def _minus(a: Vector, b: Vector) -> Vector:
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-@compiled(fastmath=())
-def _plus(a: Vector, s: float, b: Vector) -> Vector:
-    """a + s b"""
-    return a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
-
-
-@compiled(fastmath=())
 def _given(tangents: np.ndarray, corners: np.ndarray, u: float, v: float) -> tuple[Vector, float]:
     """The interpolated tangent and its sign; a sign of 0 where a corner has none."""
     if len(tangents) == 0:
@@ -60,30 +50,9 @@ def _given(tangents: np.ndarray, corners: np.ndarray, u: float, v: float) -> tup
     t, sign = (0.0, 0.0, 0.0), float(tangents[corners[0], 3])
     for k in range(3):
         weight = 1.0 - u - v if k == 0 else (u if k == 1 else v)
-        t = _plus(t, weight, vector_at(tangents, corners[k]))
+        t = plus(t, weight, vector_at(tangents, corners[k]))
         sign = sign if tangents[corners[k], 3] != 0.0 else 0.0
     return t, sign
-
-
-@compiled(fastmath=())
-def derived_tangent(
-    positions: np.ndarray, uvs: np.ndarray, corners: np.ndarray, n: Vector
-) -> tuple[Vector, float]:
-    """The direction of u on the triangle, and the sign that makes the bitangent go against v."""
-    e1 = _minus(vector_at(positions, corners[1]), vector_at(positions, corners[0]))
-    e2 = _minus(vector_at(positions, corners[2]), vector_at(positions, corners[0]))
-    du1 = np.float64(uvs[corners[1], 0]) - uvs[corners[0], 0]
-    dv1 = np.float64(uvs[corners[1], 1]) - uvs[corners[0], 1]
-    du2 = np.float64(uvs[corners[2], 0]) - uvs[corners[0], 0]
-    dv2 = np.float64(uvs[corners[2], 1]) - uvs[corners[0], 1]
-    area = du1 * dv2 - du2 * dv1
-    along_u = _plus((dv2 * e1[0], dv2 * e1[1], dv2 * e1[2]), -dv1, e2)
-    along_v = _plus((du1 * e2[0], du1 * e2[1], du1 * e2[2]), -du2, e1)
-    if area < 0.0:
-        along_u = -along_u[0], -along_u[1], -along_u[2]
-        along_v = -along_v[0], -along_v[1], -along_v[2]
-    sign = -1.0 if dot(cross(n, along_u), along_v) > 0.0 else 1.0
-    return along_u, (sign if area != 0.0 else 0.0)
 
 
 @compiled(fastmath=())
@@ -94,7 +63,7 @@ def _kept_above(m: Vector, g: Vector, o: Vector) -> Vector:
     missing = min(0.9 * dot(g, o), MIN_MIRROR_COSINE) - dot(g, mirror)
     if missing <= 0.0:
         return m
-    return unit(_plus(o, 1.0, unit(_plus(mirror, missing, g))))
+    return unit(plus(o, 1.0, unit(plus(mirror, missing, g))))
 
 
 @compiled(fastmath=())
@@ -119,12 +88,12 @@ def bumped_normal(
     t, sign = _given(tangents, corners, u, v)
     if sign == 0.0:
         t, sign = derived_tangent(positions, uvs, corners, m)
-    t = unit(_plus(t, -dot(t, m), m))
+    t = unit(plus(t, -dot(t, m), m))
     x, y = scale * (2.0 * texel[0] - 1.0), scale * (2.0 * texel[1] - 1.0)
     z = 2.0 * texel[2] - 1.0
     if sign == 0.0 or dot(t, t) == 0.0:
         return m
-    bent = unit(_plus(_plus((z * m[0], z * m[1], z * m[2]), x, t), y * sign, cross(m, t)))
+    bent = unit(plus(plus((z * m[0], z * m[1], z * m[2]), x, t), y * sign, cross(m, t)))
     # All on the side of the surface that wo is on, and back.
     side = -1.0 if dot(g, o) < 0.0 else 1.0
     own = side if dot(m, g) >= 0.0 else -side

@@ -6,8 +6,8 @@ import numpy as np
 from numba import carray  # type: ignore[attr-defined]
 
 from rna_render.materials.ggx import ALBEDO_FILE, TABLE_SIZE
-from rna_render.memory import pointer_f64
 from rna_sdk.compiled import compiled
+from rna_trace.memory import pointer_f64
 
 
 def _means(table: np.ndarray) -> np.ndarray:

@@ -10,10 +10,10 @@ import numpy as np
 
 from rna_render.materials.material import make_material
 from rna_render.materials.mesh_object import MeshObject
-from rna_render.materials.models import ShadowCatcherModel
+from rna_render.scene.material_models import ShadowCatcherModel
 
 if TYPE_CHECKING:
-    from rna_render.scene_model import GroundModel  # which itself needs this package
+    from rna_render.scene.scene_model import GroundModel  # which itself needs this package
 
 
 _LEAST_SIZE, _REACHES = 100.0, 20.0  # metres; side over the distance of what stands on it

@@ -6,14 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
-from rna_render.materials.models import (
+from rna_render.materials.textures import SRGB, Texture, read_texels
+from rna_render.scene.material_models import (
     CoatedModel,
     ConductorModel,
     MaterialModel,
     ShadowCatcherModel,
 )
-from rna_render.materials.textures import SRGB, Texture, read_texels
-from rna_render.model_base import Vector
+from rna_render.scene.model_base import Vector
 
 
 @dataclass(frozen=True, slots=True, eq=False)

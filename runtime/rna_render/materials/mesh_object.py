@@ -9,8 +9,6 @@ from functools import cached_property
 import numpy as np
 from numba import prange
 
-from rna_render.bodies.surface import interpolate_normals
-from rna_render.bodies.transmittance import Transmittance
 from rna_render.materials.bumps import bumped_normals
 from rna_render.materials.ggx import MIN_ALPHA
 from rna_render.materials.material import Material
@@ -18,6 +16,8 @@ from rna_render.materials.scattering import ClearCoat, Scattering
 from rna_render.materials.textures import Texture
 from rna_render.materials.transmission import object_transmittance
 from rna_sdk.compiled import compiled
+from rna_trace.surface import interpolate_normals
+from rna_trace.transmittance import Transmittance
 
 # Luminance of linear sRGB: ITU-R BT.709-6, section 3.2.
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])

@@ -17,13 +17,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import prange
 
-from rna_render.bilinear import REPEAT, texels_around
-from rna_render.limits import MAX_IMAGE_PIXELS
-from rna_render.srgb import decode_srgb
-from rna_render.vectors import Vector
+from rna_render.image.srgb import decode_srgb
+from rna_render.scene.limits import MAX_IMAGE_PIXELS
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 from rna_sdk.regular_file import check_regular
+from rna_trace.bilinear import REPEAT, texels_around
+from rna_trace.vectors import Vector
 
 if TYPE_CHECKING:
     from PIL.ImageFile import ImageFile

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rna_render.bilinear import REPEAT
-from rna_render.bodies.transmittance import Transmittance, TransmittanceTexture
 from rna_render.materials.material import Material
 from rna_render.materials.textures import Texture
+from rna_trace.bilinear import REPEAT
+from rna_trace.transmittance import Transmittance, TransmittanceTexture
 
 if TYPE_CHECKING:
     from rna_render.materials.mesh_object import MeshObject

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from rna_render.lights.models import AreaModel, EnvironmentModel, LightModel
-from rna_render.model_base import Vector
-from rna_render.scene_model import Scene
+from rna_render.scene.light_models import AreaModel, EnvironmentModel, LightModel
+from rna_render.scene.model_base import Vector
+from rna_render.scene.scene_model import Scene
 
 SCENE_LIGHTS = "scene"
 """The choice that a preview begins with."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from rna_render.model_base import Vector
-from rna_render.scene_model import CameraModel
+from rna_render.scene.model_base import Vector
+from rna_render.scene.scene_model import CameraModel
 
 # At a pole the camera's `up` lies along its line of sight, and no image is upright.
 MAX_ELEVATION = np.radians(89.0)

@@ -7,7 +7,7 @@ from typing import Any
 
 import yaml
 
-from rna_render.scene_model import Scene
+from rna_render.scene.scene_model import Scene
 
 _DIGITS = 6
 

@@ -16,19 +16,19 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.bands import SMALL_BAND, rendered_bands
-from rna_render.film import Film, Layers
-from rna_render.integrator import Integrator
+from rna_render.image.film import Film, Layers
+from rna_render.paths.bands import SMALL_BAND, rendered_bands
+from rna_render.paths.integrator import Integrator
+from rna_render.paths.render import make_integrator
+from rna_render.paths.sampling import Sampler
 from rna_render.preview.change import Change
 from rna_render.preview.lighting import SCENE_LIGHTS, Lighting, lit
 from rna_render.preview.orbit import Orbit
 from rna_render.preview.picture import Label, Picture, rgba
 from rna_render.preview.scene_text import scene_text
-from rna_render.render import make_integrator
-from rna_render.sampling import Sampler
-from rna_render.scene_file import SceneFile
-from rna_render.scene_model import Scene
-from rna_render.world import World
+from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import Scene
+from rna_render.world.world import World
 from rna_sdk.errors import QueryError, RnaError
 
 # Short enough that turning looks smooth.

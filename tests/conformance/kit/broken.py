@@ -8,8 +8,8 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from rna_sdk.package.extension_checks import KNOWN_EXTENSIONS
 from rna_sdk.package.issues import Code, Severity
+from rna_sdk.package.manifest.extension_checks import KNOWN_EXTENSIONS
 from tests.package.corpus.every import CASES
 from tests.package.corpus.registry import good_entries
 

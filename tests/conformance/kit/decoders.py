@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_sdk.runtime import onnx_bytes as pb
+from rna_sdk.runtime.engine import onnx_bytes as pb
 
 LARGEST_INPUT = 65504.0
 OUTPUTS = {"transport": 6, "emission": 3}

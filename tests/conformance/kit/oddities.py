@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from rna_sdk.package.container import MANIFEST_NAME
+from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from tests.package.builders import pack, read_entries
 
 EXTENSION = "ACME_wetness"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 from unittest import mock
 
-from rna_sdk.package import zip_layout as z
+from rna_sdk.package.container import zip_layout as z
 from tests.package.builders import pack
 from tests.package.corpus.registry import DECODER, MESH, Entries, case
 
@@ -241,7 +241,7 @@ def bytes_between_the_entries_and_the_directory(entries: Entries) -> bytes:
 
 @case("ZIP_ALIGNMENT")
 def unaligned_entry(entries: Entries) -> bytes:
-    with mock.patch("rna_sdk.package.container_writer.ALIGNMENT", 4):
+    with mock.patch("rna_sdk.package.container.zip_writer.ALIGNMENT", 4):
         return pack(entries.items())
 
 

@@ -12,9 +12,9 @@ import numpy as np
 import onnx
 from onnx import TensorProto, helper, numpy_helper
 
-from rna_sdk.package.glb_writer import CHUNK, CHUNK_BIN, HEADER, mesh_to_glb, pack_glb
-from rna_sdk.package.planes import planes_to_bytes
-from rna_sdk.package.tensor_file import tensors_to_bytes
+from rna_sdk.package.container.tensor_file import tensors_to_bytes
+from rna_sdk.package.geometry.glb_writer import CHUNK, CHUNK_BIN, HEADER, mesh_to_glb, pack_glb
+from rna_sdk.package.textures.planes import planes_to_bytes
 from tests.package.builders import (
     make_decoder_model,
     make_int8_decoder_model,

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_sdk.package.tensor_file import tensors_to_bytes
+from rna_sdk.package.container.tensor_file import tensors_to_bytes
 from tests.package.builders import make_curves
 from tests.package.corpus.registry import CURVES, Entries, case, with_entry
 

@@ -7,7 +7,7 @@ import struct
 import zlib
 from typing import Any
 
-from rna_sdk.package.deflate import encode
+from rna_sdk.package.manifest.deflate import encode
 from tests.package.corpus.registry import MESH, Entries, case, with_entry, with_manifest
 
 POSTER = "extensions/RNA_poster/poster.png"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from rna_sdk.package.container import MANIFEST_NAME
+from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from tests.package.builders import pack
 from tests.package.corpus.registry import DECODER, MESH, PLANES, Entries, case, with_manifest
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from rna_sdk.package.glb_writer import mesh_to_glb
-from rna_sdk.package.tensor_file import tensors_to_bytes
+from rna_sdk.package.container.tensor_file import tensors_to_bytes
+from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from tests.package.builders import make_mesh
 from tests.package.corpus.registry import MESH, Entries, case, with_entry, with_manifest
 from tests.package.lantern import LEAF

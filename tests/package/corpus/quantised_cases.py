@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from rna_sdk.package.curves_file import curves_to_bytes
-from rna_sdk.package.geometry import quantise
-from rna_sdk.package.glb_writer import mesh_to_glb
-from rna_sdk.package.tensor_file import tensors_to_bytes
+from rna_sdk.package.container.tensor_file import tensors_to_bytes
+from rna_sdk.package.geometry.curves_file import curves_to_bytes
+from rna_sdk.package.geometry.geometry_files import quantise
+from rna_sdk.package.geometry.glb_writer import mesh_to_glb
 from tests.package.builders import make_curves, make_mesh
 from tests.package.corpus.content_cases import with_gltf
 from tests.package.corpus.registry import CURVES, MESH, Entries, case, in_parts, with_entry

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from rna_sdk.package.container import MANIFEST_NAME
+from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from tests.package.builders import make_tiny_fiber_package, make_tiny_package, pack, read_entries
 from tests.package.lantern import make_lantern
 from tests.package.relief import make_relief

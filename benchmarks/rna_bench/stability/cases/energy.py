@@ -8,12 +8,12 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.asset_scene import AssetScene, ShadePoints
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.directions import sphere
-from rna_export.capture.shift import scene_of
-from rna_export.capture.validation_view import is_lit
-from rna_export.capture.view_rays import sample_view_rays
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.validation_view import is_lit
+from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
+from rna_export.capture.rays.directions import sphere
+from rna_export.capture.rays.view_rays import sample_view_rays
 
 MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above
 

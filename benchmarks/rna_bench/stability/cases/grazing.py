@@ -11,7 +11,7 @@ from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.view_errors import joined_views, relative_error
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.validation_view import is_lit
+from rna_export.capture.dataset.validation_view import is_lit
 from rna_export.metrics import display
 
 FACTOR = 3.0  # the mark

@@ -10,9 +10,9 @@ from rna_bench.scores import scores_of
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, light_numbers, rows_of
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.dataset_part import DatasetPart
+from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import Trained
-from rna_export.training.losses import sample_loss
+from rna_export.training.optimization.losses import sample_loss
 
 LOSS_DB, GAP_DB = 1.0, 1.0  # the mark
 

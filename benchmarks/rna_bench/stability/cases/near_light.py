@@ -17,7 +17,7 @@ from rna_bench.scenes.beside_cycles import Beside, CyclesScene, OurScene
 from rna_bench.scenes.stage import Stage
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.worker import BlenderWorker
+from rna_export.capture.blender_process.blender_worker import BlenderWorker
 
 LOST_DB = 3.0  # the mark
 

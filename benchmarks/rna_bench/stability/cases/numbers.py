@@ -19,8 +19,8 @@ from rna_bench.stability.case import Case, Row, Verdict
 from rna_bench.stability.chosen import Samples, rows_of
 from rna_bench.stability.view_errors import joined_views
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.asset_arguments import evaluate_arguments
-from rna_export.capture.validation_view import queries_of
+from rna_export.capture.dataset.asset_arguments import evaluate_arguments
+from rna_export.capture.dataset.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
 from rna_sdk.package import Package, float_planes
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference

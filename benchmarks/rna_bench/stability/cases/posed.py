@@ -10,7 +10,7 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import Samples
 from rna_bench.stability.view_errors import joined_views, relative_error
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.dataset import Dataset
+from rna_export.capture.dataset.dataset_folder import Dataset
 
 MOST, AT_DEG = 2.0, 30.0  # the mark: times a part's error at rest, at that angle
 

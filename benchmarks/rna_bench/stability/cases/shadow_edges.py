@@ -12,7 +12,7 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples
 from rna_bench.stability.view_errors import relative_error
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.validation_view import ValidationView, is_lit
+from rna_export.capture.dataset.validation_view import ValidationView, is_lit
 
 FACTOR = 2.0  # the mark
 

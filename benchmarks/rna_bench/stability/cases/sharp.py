@@ -12,14 +12,14 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import ASSETS, Workshop
-from rna_export.capture.asset_scene import AssetScene
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.directions import frame, light_direction
-from rna_export.capture.settings import SHARPEST
-from rna_export.capture.shift import scene_of
-from rna_export.capture.validation_view import is_lit, queries_of
-from rna_export.capture.view_rays import sample_view_rays
-from rna_export.capture.worker import BlenderWorker, Source
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.capture_settings import SHARPEST
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.validation_view import is_lit, queries_of
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.directions import frame, light_direction
+from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_export.metrics import psnr
 
 WIDTH, PEAK, INSIDE = 1.25, 1.25, 25.0  # the mark: factors, dB

@@ -11,8 +11,8 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
 from rna_bench.stability.view_errors import joined_views, relative_error
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.dataset_part import DatasetPart
-from rna_export.capture.shift import scene_of
+from rna_export.capture.blender_process.capture_worker import scene_of
+from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_sdk.package import Curves
 
 FACTOR = 1.4  # the mark

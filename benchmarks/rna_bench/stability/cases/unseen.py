@@ -12,8 +12,8 @@ from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
 from rna_bench.stability.view_errors import joined_views, relative_error
 from rna_bench.stability.workshop import Workshop
-from rna_export.capture.directions import sphere
-from rna_export.capture.validation_view import queries_of
+from rna_export.capture.dataset.validation_view import queries_of
+from rna_export.capture.rays.directions import sphere
 
 FACTOR = 1.5  # the mark: of the largest trained value
 

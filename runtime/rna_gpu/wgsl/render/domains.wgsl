@@ -1,4 +1,4 @@
-// Counts queries outside the directions that an asset was trained for: rna_render/domain_watch.py.
+// Counts queries outside the directions that an asset was trained for: rna_render/world/domain_watch.py.
 // A part has (cones of wo, the first, cones of wi, the first) in `table`, as bits; a cone is its axis
 // and the cosine to its rim.
 

@@ -1,4 +1,4 @@
-// Directions for rays that leave a neural asset: the mixtures of rna_render.bodies.neural_sampling, which
+// Directions for rays that leave a neural asset: the mixtures of rna_render.world.neural_sampling, which
 // says why. Shares: uniform, cosine, mirror, cone, forward.
 
 struct LobeFrame {

@@ -1,4 +1,4 @@
-// What rays pass through: rna_render/embree/filters.py. Rays pass hits at random, as often as these
+// What rays pass through: rna_trace/embree/filters.py. Rays pass hits at random, as often as these
 // let light through; shadow rays pass all and are weakened.
 
 const ALL_STOP: u32 = 0u;

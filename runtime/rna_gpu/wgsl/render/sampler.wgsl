@@ -1,4 +1,4 @@
-// Owen-scrambled Sobol' points, the very ones of rna_render.sampling: a pure function of seed, pixel,
+// Owen-scrambled Sobol' points, the very ones of rna_render.paths.sampling: a pure function of seed, pixel,
 // sample and dimension.
 
 const CHOICES: u32 = 1u; // dimensions at each point of a path

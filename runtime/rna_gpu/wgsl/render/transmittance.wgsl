@@ -1,5 +1,5 @@
 // What triangles let through, of materials and of assets: spec/RNA.md, 4.4 Transmittance, and
-// rna_render/bodies/transmittance.py.
+// rna_trace/transmittance.py.
 
 // Unpolarised, of an interface of relative index eta.
 fn dielectric_reflectance(eta: f32, cosine: f32) -> f32 {

@@ -1,5 +1,5 @@
 // Environments in OpenEXR files: pixels by three, the choice of part and window as in
-// runtime/rna_render/lights/environment_exr.py. docs/scene.md has the table.
+// runtime/rna_render/lights/files/environment_exr.py. docs/scene.md has the table.
 import { FloatType } from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
 import { NotSupported } from "../package/errors.js";

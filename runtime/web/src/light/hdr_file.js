@@ -1,4 +1,4 @@
-// Radiance pictures (.hdr), as runtime/rna_render/lights/radiance_hdr.py reads them.
+// Radiance pictures (.hdr), as runtime/rna_render/lights/files/radiance_hdr.py reads them.
 // G. Ward, The RADIANCE Picture File Format, and Real Pixels (Graphics Gems II, 1991).
 import { NotSupported } from "../package/errors.js";
 import { checkImageSize } from "./image_limits.js";

@@ -1,4 +1,4 @@
-// How large an environment's image may be: the numbers of runtime/rna_render/limits.py.
+// How large an environment's image may be: the numbers of runtime/rna_render/scene/limits.py.
 import { NotSupported } from "../package/errors.js";
 
 const MAX_PIXELS_A_SIDE = 32768, MAX_IMAGE_PIXELS = 2 ** 27, MAX_FREE_BYTES = 2 ** 28, MAX_EXPANSION = 1024;

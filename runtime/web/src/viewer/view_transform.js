@@ -4,7 +4,7 @@ const DOT = (row, c) => row.reduce((sum, value, k) => sum + value * c[k], 0);
 const RRT = [[0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]];
 const ODT = [[1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]];
 
-/** Linear light of the screen of linear radiance; rna_render/view_transform.py names the source. */
+/** Linear light of the screen of linear radiance; rna_render/image/view_transform.py names the source. */
 export function filmic(rgb) {
   const curved = RRT.map((row) => {
     const x = 1.461926 * DOT(row, rgb);

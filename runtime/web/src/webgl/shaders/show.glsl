@@ -14,7 +14,7 @@ vec4 at(ivec2 place) {
   return texelFetch(picture, clamp(place, ivec2(0), textureSize(picture, 0) - 1), 0);
 }
 
-// As rna_render/view_transform.py, which names the source.
+// As rna_render/image/view_transform.py, which names the source.
 vec3 filmic(vec3 radiance) {
   vec3 c = 1.461926 * min(radiance, vec3(1e9));
   vec3 x = vec3(dot(c, vec3(0.59719, 0.35458, 0.04823)), dot(c, vec3(0.07600, 0.90834, 0.01566)),

@@ -24,7 +24,7 @@ fn picture_at(x: f32, y: f32) -> vec4f {
     return sums[place.y * u32(shown.picture.x) + place.x];
 }
 
-// As rna_render/view_transform.py, which names the source.
+// As rna_render/image/view_transform.py, which names the source.
 fn filmic(radiance: vec3f) -> vec3f {
     let c = 1.461926 * min(radiance, vec3f(1e9));
     let x = vec3f(dot(c, vec3f(0.59719, 0.35458, 0.04823)), dot(c, vec3f(0.07600, 0.90834, 0.01566)),

@@ -1,0 +1,52 @@
+"""Files that a source references: needed to open it on another machine."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+import bpy
+
+_opened: set[str] = set()  # by Python
+
+
+def watch() -> None:
+    """Remember from now on what Python opens."""
+    sys.addaudithook(_hear)
+
+
+def _hear(event: str, arguments: tuple[object, ...]) -> None:
+    if event == "open" and isinstance(arguments[0], str):
+        _opened.add(arguments[0])
+
+
+def files_of(source: str) -> dict[str, list[str]]:
+    """Paths: `travel` is named by its place to the source, `fixed` by an absolute path."""
+    folder = os.path.dirname(os.path.abspath(source))
+    kinds: dict[str, str] = {}
+    for path in [*_opened, *(getattr(m, "__file__", None) or "" for m in [*sys.modules.values()])]:
+        kinds[os.path.abspath(path)] = "travel" if _is_below(path, folder) else "fixed"
+    for path in bpy.utils.blend_paths(absolute=False, packed=False, local=False):
+        # What an importer names in Blender by an absolute path lies where the source says.
+        imported = not source.endswith(".blend") and _is_below(path, folder)
+        kind = "travel" if path.startswith("//") or imported else "fixed"
+        kinds[os.path.abspath(bpy.path.abspath(path))] = kind
+    kinds.pop(os.path.abspath(source), None)
+    found: dict[str, list[str]] = {"travel": [], "fixed": []}
+    for path, kind in sorted(kinds.items()):
+        if os.path.isfile(path) and not any(_is_below(path, other) for other in _not_the_users()):
+            found[kind].append(path)
+    return {name: [p for p in paths if "__pycache__" not in p] for name, paths in found.items()}
+
+
+def _is_below(path: str, folder: str) -> bool:
+    return os.path.abspath(path).startswith(folder.rstrip("/") + "/")
+
+
+def _not_the_users() -> set[str]:
+    """Folders of Python, Blender, ours and the system."""
+    own = {sys.prefix, sys.base_prefix, bpy.utils.resource_path("LOCAL")}
+    own |= {bpy.utils.resource_path("USER"), bpy.app.tempdir, str(Path(__file__).parents[1])}
+    system = ("/proc", "/sys", "/dev", "/usr", "/etc", "/lib", "/var")
+    return {os.path.abspath(folder) for folder in (*own, *system) if folder}

@@ -1,0 +1,179 @@
+"""Loads the source (a scene, model, groom or script) and removes everything but the asset."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import runpy
+import sys
+from pathlib import Path
+
+import bpy
+from rna_geometry import render_only, shown_objects
+from rna_geometry.rendered_geometry import as_rendered
+from rna_materials import material_check
+from rna_materials.emission import nodes_of
+from rna_sources import (
+    camera_visibility,
+    gltf_import,
+    groom_source,
+    hair_scene,
+    mesh_repair,
+    orientation,
+    scene_import,
+    usd_curves,
+)
+from rna_sources.groom_options import ALEMBIC_AND_USD, GROOMS, USD
+
+_UP_IS_Z = (".blend", ".ply", ".hair", ".py")  # or no up that they say; Blender's then
+
+
+def load(source: str, arguments: list[str], front: str | None, up: str | None) -> list[str]:
+    """Replace the current scene by `source`; returns notes for the user.
+
+    `arguments` become a script's `sys.argv[1:]`, or set what a groom does not say of its hair.
+    `front`, `up`: axes of the file, such as "-Y"; None for the usual ones of its kind.
+    """
+    suffix = Path(source).suffix.lower()
+    notes = _open(source, suffix, arguments)
+    notes += mesh_repair.repair()
+    up_is_z = usd_curves.up_is_z(source) if suffix in USD else suffix in _UP_IS_Z
+    orientation.turn(front, up, up_is_z)
+    return notes
+
+
+def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
+    notes: list[str] = []  # of the import
+    if suffix == ".blend":
+        bpy.ops.wm.open_mainfile(filepath=source, use_scripts=False)
+        _check_libraries()
+        _make_local()
+        return notes
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    if suffix in (".gltf", ".glb"):
+        notes = gltf_import.load(source)
+    elif suffix == ".obj":
+        bpy.ops.wm.obj_import(filepath=source)
+    elif suffix == ".ply":
+        bpy.ops.wm.ply_import(filepath=source)
+    elif suffix == ".py":
+        _run_script(source, arguments)
+    elif suffix in GROOMS:
+        notes = groom_source.load(source, arguments)
+    elif suffix in ALEMBIC_AND_USD:
+        scene_import.load(source, arguments)
+    else:
+        kinds = ".blend, .gltf, .glb, .obj, .ply, .abc, .usd, .hair, .tfx or .py"
+        raise ValueError(f"cannot load {source}: expected {kinds}")
+    return notes
+
+
+def _check_libraries() -> None:
+    """Refuse a file with missing libraries; Blender would show nothing in their place."""
+    kinds = "objects collections meshes hair_curves curves materials node_groups images".split()
+    missing = [item for kind in kinds for item in getattr(bpy.data, kind) if item.is_missing]
+    if not missing:
+        return
+    library = missing[0].library
+    path = bpy.path.abspath(library.filepath, library=library.parent)
+    here = [item for item in missing if item.library == library]
+    names = ", ".join(f"{item.rna_type.identifier} {item.name!r}" for item in here[:3])
+    more = f" and {len(here) - 3} more" if len(here) > 3 else ""
+    lacks = f"has no {names}{more}"
+    raise ValueError(f"the linked library {path} {lacks if Path(path).is_file() else 'is missing'}")
+
+
+def _make_local() -> None:
+    """Linked objects and their collections cannot change; converted hair has to."""
+    for kind in (bpy.data.collections, bpy.data.objects):
+        for item in list(kind):
+            if item.library is not None:
+                item.make_local()
+
+
+def _run_script(source: str, arguments: list[str]) -> None:
+    sys.argv = [source, *arguments]
+    sys.path.append(str(Path(source).parent))  # modules that lie beside it
+    said = io.StringIO()
+    try:
+        with contextlib.redirect_stderr(said):
+            runpy.run_path(source, run_name="__main__")
+    except SystemExit as end:  # so does argparse refuse arguments
+        if end.code not in (None, 0):
+            line = said.getvalue().strip().rpartition("\n")[2]
+            raise ValueError(f"the script ended itself: {line or end.code}") from None
+    finally:
+        sys.stderr.write(said.getvalue())
+
+
+def keep_only_the_asset() -> list[str]:
+    """Remove lights and cameras, blacken the world.
+
+    Returns what a user should know about, one sentence each.
+    """
+    _show_what_is_rendered()
+    notes: list[str] = []
+    for item in list(bpy.data.objects):
+        if item.type in ("LIGHT", "CAMERA", "LIGHT_PROBE"):
+            bpy.data.objects.remove(item, do_unlink=True)
+    world = bpy.data.worlds.new("black")
+    world.use_nodes = True
+    world.node_tree.nodes.clear()  # a world without an output is black
+    bpy.context.scene.world = world
+    notes += hair_scene.prepare_hair(
+        [(m, list(nodes_of(m.node_tree))) for m in bpy.data.materials if m.use_nodes]
+    )
+    notes += [*camera_visibility.leave_out_unseen(), *_hide_what_no_package_holds()]
+    as_rendered(render_only.refuse)
+    return [*notes, *as_rendered(material_check.problems)]
+
+
+def _hide_what_no_package_holds() -> list[str]:
+    """Points and volumes, which would shade the rest; a note for each."""
+    notes = []
+    for item in as_rendered(_points_and_volumes).values():
+        item.hide_render = item.hide_viewport = True
+        kind = "a volume" if item.type == "VOLUME" else "a point cloud"
+        notes.append(f"object {item.name!r} is {kind}, which no package holds, and was hidden")
+    return notes
+
+
+def _points_and_volumes() -> dict[str, bpy.types.Object]:
+    found = {}
+    for instance in shown_objects.instances():
+        item = instance.object
+        if item.type == "VOLUME" or (item.type == "POINTCLOUD" and len(item.data.points)):
+            found[item.original.name_full] = item.original
+    return found
+
+
+def _show_what_is_rendered() -> None:
+    """Set the viewport to the settings of renders: particle hair is converted there."""
+    scene, layer = bpy.context.scene, bpy.context.view_layer
+    scene.render.simplify_subdivision = scene.render.simplify_subdivision_render
+    collections = [layer.layer_collection]
+    for collection in collections:  # grows as it goes
+        collection.hide_viewport = False
+        collections += collection.children
+    for item in layer.objects:
+        item.hide_set(False)
+    for group in bpy.data.collections:
+        group.hide_viewport = group.hide_render
+    for item in bpy.data.objects:
+        item.hide_viewport = item.hide_render
+        item.show_instancer_for_viewport = item.show_instancer_for_render
+        for modifier in item.modifiers:
+            modifier.show_viewport = modifier.show_render
+            if modifier.type in ("SUBSURF", "MULTIRES"):
+                modifier.levels = modifier.render_levels
+            elif modifier.type == "SCREW":
+                modifier.steps = modifier.render_steps
+    for curve in bpy.data.curves:
+        curve.resolution_u = curve.render_resolution_u or curve.resolution_u
+        curve.resolution_v = curve.render_resolution_v or curve.resolution_v
+    for ball in bpy.data.metaballs:
+        ball.resolution = ball.render_resolution
+
+
+def blender_version() -> str:
+    return str(bpy.app.version_string)

@@ -1,0 +1,1 @@
+"""Blender in processes of its own: environment, protocol, workers."""

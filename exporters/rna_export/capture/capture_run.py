@@ -1,0 +1,339 @@
+"""Runs a capture: opens the source, plans, renders missing tasks; resumable at any time."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from time import monotonic
+from typing import Any
+
+import numpy as np
+from tqdm import tqdm
+
+import rna_sdk
+from rna_export.capture.blender_process import blender_env
+from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker, opened
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
+from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck, picture_side
+from rna_export.capture.dataset.collect import Gathered
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.capture.dataset.dataset_manifest import CaptureManifest
+from rna_export.capture.geometry.exported_parts import exported_parts
+from rna_export.capture.rays.asset_scene import AssetScene
+from rna_export.capture.rays.directions import light_direction
+from rna_export.capture.rays.traced_rays import TracedRays
+from rna_export.capture.rays.view_check import check_seen
+from rna_export.capture.rays.view_rays import sample_view_rays
+from rna_export.capture.scene_domain import scene_domain
+from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
+from rna_render.scene.scene_file import SceneFile
+from rna_sdk.atomic_file import write_atomically
+from rna_sdk.cpu import processor_key
+from rna_sdk.errors import CaptureError
+from rna_sdk.package import Curves, Domain, Mesh
+from rna_sdk.package.manifest.manifest_fields import Region
+from rna_sdk.runtime import in_region
+from rna_work.backend import Backend
+from rna_work.cluster.store import Store
+from rna_work.executors import Needs, Place, this_machine
+from rna_work.pool import Pool
+from rna_work.progress import Progress
+from rna_work.sources import Carried
+from rna_work.timeouts import Patience
+
+_COUNTED = 4096
+_RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
+_ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
+
+
+@dataclass(frozen=True)
+class CaptureCrew:
+    """Who captures.
+
+    python, scratch: of Blender on this machine. workers: how many, each with one thread, since a
+    small render scales badly; None for all that there is room for. store: where workers put what is
+    finished; None if they all see the dataset's folder.
+    """
+
+    python: Path
+    scratch: Path
+    workers: int | None
+    place: Place = field(default_factory=this_machine)
+    store: Store | None = None
+
+    def probe(self, source: Source) -> BlenderWorker:
+        """A Blender of this machine that is not one of the workers."""
+        return BlenderWorker(self.python, source, self.scratch, threads=1, name="probe")
+
+    def carried(self, source: Source) -> Carried:
+        """The source for workers, with the other files that it reads, found by opening it here."""
+        if not self.place.far:
+            return self.place.carry(source.path)
+        with self.probe(source) as worker:
+            files = worker.opened["files"]
+        travel, fixed = ([Path(path) for path in files[kind]] for kind in ("travel", "fixed"))
+        return self.place.carry(source.path, travel, fixed)
+
+    def backend(self) -> Backend:
+        """The place's room for workers."""
+        return self.place.workers(Needs("threads", resource=_RESOURCE), self.workers)
+
+
+def begin(
+    source: Source,
+    asked: dict[str, Any],
+    out: Path,
+    crew: CaptureCrew,
+    limit: TimeLimit | None,
+    say: Callable[[str], None],
+    for_scene: SceneFile | None = None,
+) -> Dataset:
+    """Open the source once: export the geometry, measure the speed, fix and write the plan.
+
+    `asked`: settings, by name, that are not to be the usual ones of the asset's kind. `limit`
+    replaces the number of lights by as many as fit, and may make the validation images smaller.
+    `for_scene` limits views and lights to its own.
+    """
+    start = monotonic()
+    with crew.probe(source) as worker:
+        opening = monotonic() - start
+        settings = CaptureSettings.usual(worker.kind, **asked)
+        exported = exported_parts(worker, settings)
+        geometries = exported.geometries
+        materials = exported.transmittances(), exported.normal_maps()
+        scene = AssetScene(tuple(geometries.values()), settings.sharpest, *materials)
+        limited = None if for_scene is None else scene_domain(for_scene, out.stem, scene)
+        domain = limited or Domain(wo=settings.domain, wi=settings.domain)
+        exported.notes += check_seen(source.path, scene, geometries, domain.wo)
+        check = SelfCheck(
+            scene,
+            settings.samples,
+            normals=not exported.has_learnt_relief,
+            side=picture_side(settings.rays),
+        )
+        cutouts = exported.has_opaque_cutouts
+        rate = _paths_a_second(check, settings, domain, worker, cutouts) * crew.backend().width()
+        _refuse_nothing(check, source)
+        check.render_card(worker)
+        check.render_picture(worker, source.path.name)
+        opened = worker.opened
+    if limit is not None:
+        usual, settings = settings, planned(settings, limit, opening, rate, asked)
+        if note := shrunk(usual, settings):
+            say(note)
+    manifest = CaptureManifest(
+        name=source.path.stem,
+        parts=exported.captured(),
+        source=source.path.name,
+        source_sha256=hashlib.sha256(source.path.read_bytes()).hexdigest(),
+        arguments=source.arguments,
+        settings=settings,
+        blender=opened["blender"],
+        generator=f"rna-capture {rna_sdk.__version__}",
+        opaque_cutouts=exported.has_opaque_cutouts,
+        emitters=tuple(opened["emitters"]),
+        notes=(*opened["notes"], *exported.notes, *_found(check, out)),
+        processors=(processor_key(),),
+        scene_domain=limited,
+    )
+    for note in manifest.notes:
+        say(f"note: {note}")
+    dataset = Dataset.create(out, manifest, geometries, exported.textures)
+    say(_plan(dataset, geometries, rate))
+    return dataset
+
+
+def finish(
+    dataset: Dataset,
+    source: Source,
+    crew: CaptureCrew,
+    limit: TimeLimit | None = None,
+    say: Callable[[str], None] = print,
+    tasks: Sequence[Task] | None = None,
+    bars: Callable[..., tqdm] = tqdm,
+) -> None:
+    """Render every task whose file is missing. Ctrl-C loses only the tasks under way.
+
+    When the time of `limit` is up, the lights that are left are taken out of the plan. tasks: of
+    the plan; None: all of it. bars: makes the progress bar. Raises CaptureError where a task fails
+    twice, WorkError where a cluster cannot do the work.
+    """
+    dataset.remove_unfinished()
+    asked = all_tasks(dataset) if tasks is None else tasks
+    missing = [task for task in asked if not task.path(dataset).is_file()]
+    if not missing:
+        return
+    gathered = Gathered.of(dataset, crew.place, crew.store)
+    missing = gathered.fetch(missing)
+    crew.place.on_every_node(blender_env.find_or_set_up, _RESOURCE)
+    scratch = None if crew.place.far else crew.scratch
+    job = CaptureJob(gathered.carried(), gathered.store, source, crew.carried(source), scratch)
+    cost = partial(_cost, dataset)
+    total = sum(map(cost, missing))
+    make = partial(CaptureWorker, job)
+    progress = Progress(total, "path", "capture", bars=bars)
+    pool: Pool[Task, str] = Pool(
+        crew.backend(), make, _ATTEMPTS, patience=Patience(cost), tell=progress.tell
+    )
+    with progress, pool:
+        clock = _TaskClock(dataset, limit)
+        for outcome in progress.of(pool, pool.run(clock.in_time(missing)), cost):
+            dataset.record_processors([outcome.value()])
+            gathered.finished(outcome.item)
+            clock.took = outcome.seconds
+    opened.cache_clear()
+    lights, there = dataset.manifest.settings.lights, dataset.lights_finished()
+    if limit is not None and there < lights:
+        dataset.plan_lights(there)
+        say(f"time limit reached: {there:,} of {lights:,} lights; the dataset is complete")
+    say_dropped(dataset, say)
+
+
+def say_dropped(dataset: Dataset, say: Callable[[str], None]) -> None:
+    """Say how many view rays made no sample, from 1% on; CaptureError if none did."""
+    asked, kept = dataset.rays_captured(), dataset.kept_rays()
+    if not asked:
+        return
+    if not kept:
+        raise CaptureError(
+            f"{dataset.folder}: none of {asked:,} view rays made a sample: Cycles met nothing at "
+            "their points"
+        )
+    if asked - kept >= WORTH_A_NOTE * asked:
+        say(
+            f"note: {asked - kept:,} of {asked:,} view rays ({1.0 - kept / asked:.1%}) made no "
+            "sample: Cycles met nothing at their points"
+        )
+
+
+def _cost(dataset: Dataset, task: Task) -> float:
+    return float(task.paths_to_trace(dataset))
+
+
+@dataclass
+class _TaskClock:
+    """Hands out tasks while there is time for them.
+
+    took: seconds, of the last task that was finished.
+    """
+
+    dataset: Dataset
+    limit: TimeLimit | None
+    took: float = 0.0
+
+    def in_time(self, tasks: list[Task]) -> Iterator[Task]:
+        """The tasks, up to the first for which it is too late."""
+        for task in tasks:
+            if self._is_too_late(task):
+                return
+            yield task
+
+    def _is_too_late(self, task: Task) -> bool:
+        """Whether there is no time for half of the task, if it takes as long as the last one."""
+        if self.limit is None or not isinstance(task, TrainingShard):
+            return False
+        first = task.index * self.dataset.manifest.settings.lights_per_shard
+        return first >= LEAST_LIGHTS and self.limit.left() < self.took / 2.0
+
+
+def _paths_a_second(
+    check: SelfCheck,
+    settings: CaptureSettings,
+    domain: Domain,
+    worker: BlenderWorker,
+    opaque_cutouts: bool,
+) -> float:
+    """The mean of three renders as the capture will do them, after one that only warms up.
+
+    All of them are checked.
+    """
+    seconds = []
+    for k in range(4):
+        wi = light_direction(k, settings.seed, domain.wi)
+        if k == 0:
+            check.render_chords(worker, wi, settings.rays, domain.wo, k)
+            continue
+        start = time.perf_counter()
+        rng = np.random.default_rng(k)
+        rays = sample_view_rays(check.scene, wi, settings.rays, domain.wo, rng)
+        traced = TracedRays.of(
+            check.scene, worker, rays, wi, settings.samples, k, rng, opaque_cutouts, check.normals
+        )
+        seconds.append(time.perf_counter() - start)
+        check.add(traced)
+    return settings.rays * settings.samples / float(np.mean(seconds))
+
+
+def _refuse_nothing(check: SelfCheck, source: Source) -> None:
+    """Raise CaptureError if no ray would make a sample."""
+    if not check.kept:
+        why = check.note() or "Cycles met nothing at their points"
+        raise CaptureError(f"{source.path}: none of {check.asked:,} view rays can be kept: {why}")
+
+
+def _found(check: SelfCheck, out: Path) -> list[str]:
+    """The note of the check; its picture is written into the dataset's folder."""
+    note = check.note()
+    if note is None:
+        return []
+    if check.picture is None:
+        return [note]
+    path = out / PICTURE
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, check.picture)
+    return [f"{note}; {path} marks it"]
+
+
+def _plan(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float) -> str:
+    settings = dataset.manifest.settings
+    paths = sum(task.paths_to_trace(dataset) for task in all_tasks(dataset))
+    samples = settings.lights * settings.rays
+    return (
+        f"{_parts_lines(dataset.manifest.name, geometries)}"
+        f"{_domain_line(dataset.manifest)}"
+        f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
+        f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
+        f"validation: {settings.validation_views} images of {settings.validation_resolution}"
+        f"x{settings.validation_resolution}, {settings.validation_samples} paths a pixel\n"
+        f"about {paths / rate / 60.0:.1f} minutes at {rate / 1e6:.2f} M paths/s, "
+        f"{samples * 4 * _widest(dataset) / 1e6:,.0f} MB"
+    )
+
+
+def _parts_lines(name: str, geometries: Mapping[str, Mesh | Curves]) -> str:
+    sizes = {part: _size(geometry) for part, geometry in geometries.items()}
+    if len(sizes) == 1:
+        return f"{name}: {next(iter(sizes.values()))}\n"
+    lines = (f"  {part}: {size}\n" for part, size in sizes.items())
+    return f"{name}, {len(sizes)} parts:\n{''.join(lines)}"
+
+
+def _widest(dataset: Dataset) -> int:
+    """Columns of the samples that have the most."""
+    return max(sum(part.fields.values()) for part in dataset.parts)
+
+
+def _domain_line(manifest: CaptureManifest) -> str:
+    """The remaining share of directions with --for; empty without it."""
+    if manifest.scene_domain is None:
+        return ""
+    domain = manifest.scene_domain
+    return f"of all directions: {_share(domain.wo)} of views, {_share(domain.wi)} of lights\n"
+
+
+def _share(region: Region) -> str:
+    """Fraction of the sphere, counted on evenly spread directions."""
+    spread = np.array([light_direction(k, 0, "sphere") for k in range(_COUNTED)])
+    return f"{in_region(region, spread).mean():.1%}"
+
+
+def _size(geometry: Mesh | Curves) -> str:
+    if isinstance(geometry, Curves):
+        return f"{len(geometry.offsets) - 1:,} strands, {len(geometry.points):,} points"
+    return f"{len(geometry.triangles):,} triangles"

@@ -1,0 +1,1 @@
+"""The check of a capture against Cycles."""

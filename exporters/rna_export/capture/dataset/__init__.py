@@ -1,0 +1,1 @@
+"""Datasets: folders of captured rays and images."""

@@ -1,0 +1,187 @@
+"""A dataset of captured rays: a folder with a manifest, the geometry, shards and whole images.
+
+toy.rays/
+  manifest.json               parts, settings, source, what is planned
+  geometry/NAME.safetensors   the mesh or the strands of a part, object space
+  transmittance/0.safetensors texture of a material that lets light through, as in a package
+  normals/0.safetensors       normal map of a material, as in a package
+  train/00000.safetensors     samples of some lights, arrays NAME/FIELD
+  emission/00000.safetensors  samples of what the asset emits, if it does
+  validation/00-0.safetensors one half (of two seeds) of one whole image, likewise
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from pydantic import ValidationError
+
+from rna_export.capture.dataset.dataset_manifest import CaptureManifest, what_is_wrong
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.capture.dataset.sample_files import rows_of, write_arrays
+from rna_export.capture.dataset.validation_view import WholeView
+from rna_export.capture.geometry.stored_geometry import geometry_arrays
+from rna_sdk.atomic_file import write_atomically
+from rna_sdk.errors import CaptureError
+from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.textures.normal_maps import NORMALS
+from rna_sdk.package.textures.transmittance import TRANSMITTANCE
+
+_FOLDERS = ("geometry", "transmittance", "normals", "train", "emission", "validation")
+
+
+class Dataset:
+    """A dataset folder, complete or not. Raises `CaptureError` when it is not one.
+
+    Attributes:
+        cut: of each surface, how many parts are made: see `rna_export.capture.geometry.cut`.
+    """
+
+    cut = 1
+
+    def __init__(self, folder: Path):
+        self.folder = Path(folder)
+        path = self.folder / "manifest.json"
+        if not path.is_file():
+            raise CaptureError(f"{self.folder}: not a dataset, it has no manifest.json")
+        try:
+            self.manifest = CaptureManifest.model_validate_json(path.read_bytes())
+        except ValidationError as error:
+            raise CaptureError(f"{path}: {what_is_wrong(error)}") from error
+
+    @classmethod
+    def create(
+        cls,
+        folder: Path,
+        manifest: CaptureManifest,
+        geometries: Mapping[str, Mesh | Curves],
+        textures: Mapping[str, np.ndarray] | None = None,
+    ) -> Dataset:
+        """Write geometry and textures, and the manifest, that last: with one it is a dataset.
+
+        geometries: of each part. textures: of all transmittance, by the names that records have.
+        """
+        folder = Path(folder)
+        for inner in _FOLDERS:
+            (folder / inner).mkdir(parents=True, exist_ok=True)
+        for name, texture in (textures or {}).items():
+            form = NORMALS if name.startswith("normals/") else TRANSMITTANCE
+            write_atomically(folder / name, form.to_bytes(texture, name))
+        for name, geometry in geometries.items():
+            write_arrays(_geometry_path(folder, name), geometry_arrays(geometry))
+        manifest.write(folder / "manifest.json")
+        return cls(folder)
+
+    @cached_property
+    def parts(self) -> tuple[DatasetPart, ...]:
+        """The parts, in the order that the package has them."""
+        return tuple(DatasetPart(self, part) for part in self.manifest.parts)
+
+    @property
+    def only(self) -> DatasetPart:
+        """The part of an asset that has one. Raises `CaptureError` for one that has several."""
+        if len(self.parts) > 1:
+            names = ", ".join(part.name for part in self.parts)
+            raise CaptureError(f"{self.folder}: found parts {names}; expected an asset of one part")
+        return self.parts[0]
+
+    def part(self, name: str) -> DatasetPart:
+        """The part of this name. Raises `CaptureError` if there is none."""
+        for part in self.parts:
+            if part.name == name:
+                return part
+        names = ", ".join(part.name for part in self.parts)
+        raise CaptureError(f"{self.folder}: found no part {name!r}, expected one of {names}")
+
+    def whole_views(self) -> list[WholeView]:
+        """The finished validation images, each of all parts together."""
+        return [WholeView(tuple(p.view(k) for p in self.parts)) for k in self.finished_views()]
+
+    def lights_finished(self) -> int:
+        """Number of captured lights before the first gap."""
+        settings = self.manifest.settings
+        shards = 0
+        while shards < self.manifest.shards and self.train_path(shards).is_file():
+            shards += 1
+        return min(shards * settings.lights_per_shard, settings.lights)
+
+    def kept_rays(self) -> int:
+        """Samples of the finished training shards, of all parts."""
+        shards = [p for k in range(self.manifest.shards) if (p := self.train_path(k)).is_file()]
+        return sum(rows_of(p, part.name, "wo") for p in shards for part in self.manifest.parts)
+
+    def rays_captured(self) -> int:
+        """View rays of the finished training shards, kept or not."""
+        settings = self.manifest.settings
+        lights = 0
+        for k in range(self.manifest.shards):
+            if self.train_path(k).is_file():
+                first = k * settings.lights_per_shard
+                lights += min(settings.lights_per_shard, settings.lights - first)
+        return lights * settings.rays
+
+    def plan_lights(self, lights: int) -> None:
+        """Change the planned number of lights; those captured already stay the same."""
+        settings = self.manifest.settings.model_copy(update={"lights": lights})
+        self.manifest = self.manifest.model_copy(update={"settings": settings})
+        self.manifest.write(self.folder / "manifest.json")
+
+    def remove_unfinished(self) -> None:
+        """Delete what a killed capture left: files with temporary names of finished ones."""
+        for folder in _FOLDERS:
+            for path in (self.folder / folder).glob("*.safetensors.*.part"):
+                path.unlink(missing_ok=True)
+
+    def record_processors(self, keys: Iterable[str]) -> None:
+        """Note in the manifest which processors rendered, by `rna_sdk.cpu.processor_key`."""
+        processors = tuple(sorted({*self.manifest.processors, *keys}))
+        if processors != self.manifest.processors:
+            self.manifest = self.manifest.model_copy(update={"processors": processors})
+            self.manifest.write(self.folder / "manifest.json")
+
+    def geometry_path(self, part: str) -> Path:
+        return _geometry_path(self.folder, part)
+
+    def train_path(self, shard: int) -> Path:
+        return self.folder / "train" / f"{shard:05d}.safetensors"
+
+    def validation_path(self, view: int, half: int) -> Path:
+        return self.folder / "validation" / f"{view:02d}-{half}.safetensors"
+
+    def emission_path(self, shard: int) -> Path:
+        return self.folder / "emission" / f"{shard:05d}.safetensors"
+
+    def emission_image_path(self, view: int, half: int) -> Path:
+        return self.folder / "validation" / f"emission-{view:02d}-{half}.safetensors"
+
+    def finished_emission(self) -> list[Path]:
+        """Paths of the shards of emission that are there. Raises `CaptureError` if none is."""
+        shards = range(self.manifest.emission_shards)
+        paths = [path for k in shards if (path := self.emission_path(k)).is_file()]
+        if not paths:
+            raise CaptureError(f"{self.folder}: no finished shard of emission")
+        return paths
+
+    def finished_shards(self) -> list[Path]:
+        """Paths of the training shards that are there. Raises `CaptureError` if none is."""
+        paths = [p for k in range(self.manifest.shards) if (p := self.train_path(k)).is_file()]
+        if not paths:
+            raise CaptureError(f"{self.folder}: no finished training shard")
+        return paths
+
+    def finished_views(self) -> list[int]:
+        """Validation images of which both halves are there. `CaptureError` if none is."""
+        views = [k for k in range(self.manifest.settings.validation_views) if self._is_finished(k)]
+        if not views:
+            raise CaptureError(f"{self.folder}: no finished validation image")
+        return views
+
+    def _is_finished(self, view: int) -> bool:
+        return all(self.validation_path(view, half).is_file() for half in (0, 1))
+
+
+def _geometry_path(folder: Path, part: str) -> Path:
+    return folder / "geometry" / f"{part}.safetensors"

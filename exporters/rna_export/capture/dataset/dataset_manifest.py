@@ -1,0 +1,121 @@
+"""`manifest.json` of a dataset: the parts, the source, what is planned."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field, ValidationError, model_validator
+
+from rna_export.capture.capture_settings import CaptureSettings, DatasetModel
+from rna_sdk.atomic_file import write_atomically
+from rna_sdk.package import Domain
+from rna_sdk.package.manifest.manifest_fields import Name
+from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+
+SAMPLE_FIELDS: dict[str, dict[str, int]] = {
+    "surface": {"position": 3, "normal": 3, "wo": 3, "wi": 3, "radiance": 3, "visible": 1},
+    "fiber": {
+        "position": 3,
+        "tangent": 3,
+        "h": 1,
+        "wo": 3,
+        "wi": 3,
+        "radiance": 3,
+        "direct": 3,  # the part of the radiance that scattered once; it has no noise
+        "visible": 1,
+    },
+}
+"""Kind of part -> what a sample holds, with its number of columns."""
+
+EMISSION_SHARE = 0.15  # of the training shards
+_OF_A_LIGHT = ("wi", "direct", "visible")
+
+
+def emission_fields(kind: str) -> dict[str, int]:
+    """The same for samples of emission."""
+    return {name: n for name, n in SAMPLE_FIELDS[kind].items() if name not in _OF_A_LIGHT}
+
+
+def what_is_wrong(error: ValidationError) -> str:
+    """The first error in one line: its location and cause."""
+    first = error.errors()[0]
+    where = ".".join(map(str, first["loc"]))
+    return f"{where}: {first['msg']}" if where else str(first["msg"])
+
+
+class CapturedPart(DatasetModel):
+    """A mesh or all strands of an asset, which get planes and a decoder of their own."""
+
+    name: Name
+    kind: Literal["surface", "fiber"]
+    bounds: tuple[tuple[float, float, float], tuple[float, float, float]]
+    transmittance: tuple[TransmittanceRecord, ...] = ()  # textures are files of the dataset
+    normal_maps: tuple[NormalMapRecord, ...] = ()  # likewise
+
+
+class CaptureManifest(DatasetModel):
+    """`manifest.json` of a dataset."""
+
+    name: str
+    parts: tuple[CapturedPart, ...] = Field(min_length=1)
+    source: str
+    source_sha256: str
+    arguments: tuple[str, ...] = ()
+    settings: CaptureSettings
+    blender: str
+    generator: str
+    opaque_cutouts: bool  # light through some materials counts as theirs: alpha may be below 1
+    emitters: tuple[str, ...] = ()  # materials that emit light
+    notes: tuple[str, ...] = ()
+    processors: tuple[str, ...] = ()  # that rendered: where one is another, bits may differ
+    scene_domain: Domain | None = None  # of --for; in the place of settings.domain
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_this_form(cls, data: Any) -> Any:
+        if isinstance(data, dict) and "parts" not in data and "kind" in data:
+            raise ValueError(
+                "found a dataset of an older version without parts, expected `parts`: capture it "
+                "again"
+            )
+        return data
+
+    @property
+    def domain(self) -> Domain:
+        """Directions of all samples."""
+        everywhere = self.settings.domain
+        return self.scene_domain or Domain(wo=everywhere, wi=everywhere)
+
+    @property
+    def transmits(self) -> bool:
+        """Whether rays pass through any part."""
+        return any(part.transmittance for part in self.parts)
+
+    @property
+    def shards(self) -> int:
+        return -(-self.settings.lights // self.settings.lights_per_shard)
+
+    @property
+    def emission_shards(self) -> int:
+        """Number of shards of emission, each with as many rays as a training shard."""
+        return max(1, round(EMISSION_SHARE * self.shards)) if self.emitters else 0
+
+    @property
+    def emission_images(self) -> int:
+        """Number of images of emission, which are not used in training."""
+        return max(1, self.settings.validation_views // 4) if self.emitters else 0
+
+    def fields(self, kind: str) -> dict[str, int]:
+        """Fields of a sample of a kind of part: see SAMPLE_FIELDS.
+
+        Where rays pass through parts, the visibility has a colour: 255 times it.
+        """
+        fields = SAMPLE_FIELDS[kind]
+        return {**fields, "visible": 3} if self.transmits else fields
+
+    def write(self, path: Path) -> None:
+        """Writes JSON atomically."""
+        text = json.dumps(self.model_dump(mode="json", by_alias=True), indent=1) + "\n"
+        write_atomically(path, text.encode())

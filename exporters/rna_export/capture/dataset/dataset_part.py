@@ -1,0 +1,171 @@
+"""One part of a dataset: what a model is trained on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+from safetensors import SafetensorError
+from safetensors.numpy import load_file
+
+from rna_export.capture.dataset.dataset_manifest import (
+    CapturedPart,
+    CaptureManifest,
+    emission_fields,
+)
+from rna_export.capture.dataset.sample_files import DAMAGED, damaged, joined, read_part
+from rna_export.capture.dataset.validation_view import EmissionView, ValidationView
+from rna_export.capture.geometry.stored_geometry import geometry_from_arrays
+from rna_sdk.errors import CaptureError, PackageError
+from rna_sdk.package import Curves, Mesh
+from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.textures.normal_maps import NORMALS, NormalMap
+from rna_sdk.package.textures.transmittance import Transmittance, texture_from_bytes
+
+if TYPE_CHECKING:
+    from rna_export.capture.dataset.dataset_folder import Dataset
+
+View = TypeVar("View", ValidationView, EmissionView)
+
+_SHARED = 0.95  # of the pixels of a half, at least, that the other one has, too
+_LEAST_SHARE = 1 / 500  # of an image's pixels; fewer say nothing of a part
+
+
+class DatasetPart:
+    """The samples, images and geometry of one part.
+
+    Attributes:
+        dataset: that it is a part of.
+        captured: what the manifest says of it.
+        name, kind, bounds, fields: see `CapturedPart`.
+    """
+
+    def __init__(self, dataset: Dataset, part: CapturedPart):
+        self.dataset, self.captured = dataset, part
+        self.name, self.kind = part.name, part.kind
+        self.bounds, self.fields = part.bounds, dataset.manifest.fields(part.kind)
+
+    @property
+    def folder(self) -> Path:
+        """Folder of the dataset."""
+        return self.dataset.folder
+
+    @property
+    def manifest(self) -> CaptureManifest:
+        """Manifest of the dataset."""
+        return self.dataset.manifest
+
+    def geometry(self) -> Mesh | Curves:
+        """The captured mesh, or the strands: object space, +Y up, metres."""
+        path = self.dataset.geometry_path(self.name)
+        try:
+            return geometry_from_arrays(load_file(path), self.kind)
+        except (OSError, TypeError, SafetensorError, PackageError) as error:
+            raise CaptureError(DAMAGED.format(path, error)) from error
+
+    def transmittance(self) -> tuple[Transmittance, ...]:
+        """Transmittance of its triangles; empty for an opaque part."""
+        return tuple(
+            Transmittance(*record.triangles, self._texture(record), record.cutoff, record.ior)
+            for record in self.captured.transmittance
+        )
+
+    def normal_maps(self) -> tuple[NormalMap, ...]:
+        """The relief of its triangles; none of a part without."""
+        return tuple(
+            NormalMap(*record.triangles, self._map(record)) for record in self.captured.normal_maps
+        )
+
+    def textures(self) -> dict[str, np.ndarray]:
+        """Textures of transmittance and normal maps, by the names in their records."""
+        found = {record.texture: self._texture(record) for record in self.captured.transmittance}
+        maps = {record.texture: self._map(record) for record in self.captured.normal_maps}
+        return {**found, **maps}
+
+    def _texture(self, record: TransmittanceRecord) -> np.ndarray:
+        return self._read_texture(record.texture, lambda data: texture_from_bytes(data, record))
+
+    def _map(self, record: NormalMapRecord) -> np.ndarray:
+        return self._read_texture(
+            record.texture, lambda data: NORMALS.from_bytes(data, record.texture)
+        )
+
+    def _read_texture(self, name: str, parse: Callable[[memoryview], np.ndarray]) -> np.ndarray:
+        path = self.folder / name
+        try:
+            return parse(memoryview(path.read_bytes()))
+        except (OSError, PackageError) as error:
+            raise CaptureError(DAMAGED.format(path, error)) from error
+
+    def training_samples(self, shards: int | None = None) -> dict[str, np.ndarray]:
+        """The part's rows of the finished shards joined, one array a field.
+
+        shards: take so many at most, spread over all; None takes all.
+        """
+        paths = self.dataset.finished_shards()
+        if shards is not None:
+            paths = paths[:: -(-len(paths) // shards)]
+        return self.samples_of(paths)
+
+    def samples_of(self, paths: Iterable[Path]) -> dict[str, np.ndarray]:
+        """The part's rows of these shards joined, one array a field."""
+        samples = joined([self._read(path, self.fields) for path in paths])
+        if not len(samples["visible"]):
+            raise CaptureError(f"{self.folder}: no view ray met part {self.name}")
+        return samples
+
+    def emission_samples(self) -> dict[str, np.ndarray]:
+        """The part's samples of emission, one array per field of `emission_fields`."""
+        paths = self.dataset.finished_emission()
+        return joined([self._read(path, emission_fields(self.kind)) for path in paths])
+
+    def emission_views(self) -> list[EmissionView]:
+        """The finished images of emission; the part may have no row in them."""
+        fields = emission_fields(self.kind)
+        return [
+            self._view(EmissionView, index, self.dataset.emission_image_path, fields)
+            for index in range(self.manifest.emission_images)
+        ]
+
+    def _read(self, path: Path, fields: Iterable[str]) -> dict[str, np.ndarray]:
+        """Rows of a file; a visibility with colours as (n, 3) float32 from 0 to 1."""
+        rows = read_part(path, self.name, fields)
+        if "visible" in rows and rows["visible"].ndim == 2:
+            rows["visible"] = rows["visible"].astype(np.float32) / np.float32(255.0)
+        return rows
+
+    def validation_views(self) -> list[ValidationView]:
+        """The finished validation images that show the part in more than a few pixels."""
+        views = [self.view(index) for index in self.dataset.finished_views()]
+        views = [v for v in views if len(v.pixel) > _LEAST_SHARE * v.resolution**2]
+        if not views:
+            raise CaptureError(
+                f"{self.folder}: no validation image shows part {self.name} in more than a few "
+                "pixels: hide it from renders or join it to another object"
+            )
+        return views
+
+    def view(self, index: int) -> ValidationView:
+        """The part in one validation image; it may have no row there."""
+        return self._view(ValidationView, index, self.dataset.validation_path, self.fields)
+
+    def _view(
+        self,
+        kind: type[View],
+        index: int,
+        path_of: Callable[[int, int], Path],
+        fields: Mapping[str, int],
+    ) -> View:
+        paths = [path_of(index, half) for half in (0, 1)]
+        first, second = (self._read(p, (*fields, "pixel")) for p in paths)
+        # Where a ray just misses in Cycles and meets glass, alpha is noise: one half may lack it.
+        pixel, *rows = np.intersect1d(first["pixel"], second["pixel"], return_indices=True)
+        if len(pixel) < _SHARED * max(len(first["pixel"]), len(second["pixel"])):
+            raise damaged(paths[1], "its pixels are not those of the first half")
+        halves = np.stack([first["radiance"][rows[0]], second["radiance"][rows[1]]])
+        samples = {name: first[name][rows[0]] for name in fields}
+        samples["radiance"] = halves.mean(axis=0)
+        resolution = self.manifest.settings.validation_resolution
+        return kind(index, resolution, pixel, samples, halves)

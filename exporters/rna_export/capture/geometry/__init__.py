@@ -1,0 +1,1 @@
+"""The exported geometry: repair, pieces, and stored form."""

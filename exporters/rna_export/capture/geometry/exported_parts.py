@@ -1,0 +1,154 @@
+"""The exported scene as parts of an asset: geometry and transmittance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rna_export.capture.blender_process.blender_worker import (
+    BlenderWorker,
+    MaterialTextures,
+    ScenePart,
+)
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.dataset.dataset_manifest import CapturedPart
+from rna_export.capture.geometry.mesh_cleanup import weld, with_last
+from rna_export.capture.geometry.size_notes import size_notes, too_coarse
+from rna_sdk.errors import CaptureError
+from rna_sdk.package import Curves, Mesh, quantise
+from rna_sdk.package.manifest.manifest_model import NormalMapRecord, TransmittanceRecord
+from rna_sdk.package.textures.normal_maps import NormalMap
+from rna_sdk.package.textures.transmittance import Transmittance
+
+
+@dataclass
+class ExportedParts:
+    """The parts of an opened source, by name, in order.
+
+    geometries: the mesh or strands of each. records: what lets light through, of each surface.
+    maps: its normal maps. textures: those of both, by name. notes: what of the materials could not
+    be told. has_opaque_cutouts: whether some of it lets light through. has_learnt_relief: whether
+    some relief is in no map.
+    """
+
+    parts: tuple[ScenePart, ...]
+    geometries: dict[str, Mesh | Curves] = field(default_factory=dict)
+    records: dict[str, list[TransmittanceRecord]] = field(default_factory=dict)
+    maps: dict[str, list[NormalMapRecord]] = field(default_factory=dict)
+    textures: dict[str, np.ndarray] = field(default_factory=dict)
+    has_opaque_cutouts: bool = False
+    has_learnt_relief: bool = True
+    notes: list[str] = field(default_factory=list)
+
+    def captured(self) -> tuple[CapturedPart, ...]:
+        """The parts as records of the dataset's manifest."""
+        return tuple(self._captured(part) for part in self.parts)
+
+    def _captured(self, part: ScenePart) -> CapturedPart:
+        low, high = self.geometries[part.name].box()
+        return CapturedPart(
+            name=part.name,
+            kind=part.kind,
+            bounds=(tuple(low.tolist()), tuple(high.tolist())),
+            transmittance=tuple(self.records.get(part.name, ())),
+            normal_maps=tuple(self.maps.get(part.name, ())),
+        )
+
+    def transmittances(self) -> list[tuple[Transmittance, ...]]:
+        """Transmittance records of each part, with their textures."""
+        return [
+            tuple(
+                Transmittance(*r.triangles, self.textures[r.texture], r.cutoff, r.ior)
+                for r in self.records.get(part.name, ())
+            )
+            for part in self.parts
+        ]
+
+    def normal_maps(self) -> list[tuple[NormalMap, ...]]:
+        """Normal maps of each part, with their textures."""
+        return [
+            tuple(
+                NormalMap(*r.triangles, self.textures[r.texture])
+                for r in self.maps.get(part.name, ())
+            )
+            for part in self.parts
+        ]
+
+
+def exported_parts(worker: BlenderWorker, settings: CaptureSettings) -> ExportedParts:
+    """All parts of the source that the worker has opened."""
+    textures = worker.export_textures(settings.normal_texels)
+    exported = ExportedParts(
+        worker.parts,
+        has_opaque_cutouts=textures.captured_holes,
+        has_learnt_relief=textures.learnt_relief,
+        notes=list(textures.notes),
+    )
+    for part in worker.parts:
+        if part.kind == "fiber":
+            exported.geometries[part.name] = worker.export_curves(part.owner)
+        else:
+            _add_surface(exported, worker, part, textures)
+    _check_not_empty(exported, worker)
+    if not settings.exact_geometry:
+        _quantise(exported)
+    exported.notes += size_notes(exported.geometries)
+    return exported
+
+
+def _check_not_empty(exported: ExportedParts, worker: BlenderWorker) -> None:
+    """Leaves parts out whose triangles all had no area; CaptureError if none is left."""
+    if not exported.geometries:
+        raise CaptureError(
+            f"{worker.source.path}: no triangles (only lines, points or triangles without area)"
+        )
+    for part in exported.parts:
+        if part.name not in exported.geometries:
+            note = f"part {part.name!r} has no triangle with an area and was left out"
+            exported.notes.append(note)
+    exported.parts = tuple(part for part in exported.parts if part.name in exported.geometries)
+
+
+def _quantise(exported: ExportedParts) -> None:
+    """Geometry in the package's steps, but for surfaces whose details are too small for them."""
+    for name, geometry in exported.geometries.items():
+        if isinstance(geometry, Mesh) and (note := too_coarse(name, geometry)):
+            exported.notes.append(note)
+        else:
+            exported.geometries[name] = quantise(geometry)
+
+
+def _add_surface(
+    exported: ExportedParts, worker: BlenderWorker, part: ScenePart, of: MaterialTextures
+) -> None:
+    last = list(dict.fromkeys([*of.normals, *of.see_through]))
+    corners = with_last(worker.export_corners(part.owner, of.charts), last)
+    if not len(corners["material"]):
+        return
+    exported.geometries[part.name] = weld(corners)
+    for name in last:
+        rows = np.flatnonzero(corners["material"] == name)
+        if not len(rows):
+            continue
+        triangles = int(rows[0]), len(rows)
+        if found := of.see_through.get(name):
+            texture = f"transmittance/{list(of.see_through).index(name)}.safetensors"
+            exported.textures[texture] = found.texture
+            record = TransmittanceRecord(
+                triangles=triangles, texture=texture, cutoff=found.cutoff, ior=found.ior
+            )
+            exported.records.setdefault(part.name, []).append(record)
+        if name in of.normals:
+            number = _first_equal(of.normals, name)
+            texture = f"normals/{number}.safetensors"
+            exported.textures[texture] = of.normals[name]
+            mapped = NormalMapRecord(triangles=triangles, texture=texture)
+            exported.maps.setdefault(part.name, []).append(mapped)
+
+
+def _first_equal(textures: dict[str, np.ndarray], name: str) -> int:
+    """Place of the first texture that is equal to this one: they are stored once."""
+    return next(
+        k for k, texture in enumerate(textures.values()) if np.array_equal(texture, textures[name])
+    )

@@ -1,0 +1,1 @@
+"""Which rays and lights a capture has, and what they hit."""

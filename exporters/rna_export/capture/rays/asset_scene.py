@@ -1,0 +1,205 @@
+"""The exported geometry in Embree, with the renderer's intersection code."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_export.capture.capture_settings import SHARPEST
+from rna_export.capture.rays.fiber_shape import FiberShape
+from rna_export.capture.rays.surface_shape import SurfaceShape
+from rna_sdk.package import Curves, Mesh, NormalMap
+from rna_sdk.package.textures.transmittance import Transmittance
+from rna_trace.asset_parts import mesh_transmittance
+from rna_trace.normal_maps import NormalMaps
+from rna_trace.parts_scene import PartHits, PartPoints, PartsScene
+
+_MOST_LAYERS = 64  # that a ray passes
+_CLEAR = 0.95  # transmittance from which a surface shows too little of itself to be learnt
+_MOST_PASS = 0.75  # the share of rays that go on behind, at most: thin layers are learnt as well
+
+
+@dataclass(frozen=True)
+class PartRows:
+    """Ray hits on one part.
+
+    rows: (k,) int64, which of the rays. points: (k) of them. fields: what a sample records of the
+    point, but for its directions: name -> (k,) or (k, c) rows.
+    """
+
+    rows: np.ndarray
+    points: PartPoints
+    fields: dict[str, np.ndarray]
+
+
+@dataclass(frozen=True)
+class ShadePoints:
+    """Ray hits on the asset; arrays have one row per ray, zero for misses."""
+
+    part: np.ndarray  # (n,) int32, place of the part; -1 for a miss
+    position: np.ndarray  # (n, 3) float32
+    geometric_normal: np.ndarray  # (n, 3) float32
+    transmittance: np.ndarray  # (n, 3) float32, of the point itself
+    on: tuple[PartRows, ...]  # for each part
+
+    @property
+    def hit(self) -> np.ndarray:
+        """(n,) bool."""
+        return self.part >= 0
+
+
+class AssetScene:
+    """Ray queries against all parts of an asset.
+
+    sharpest: roughness of the smoothest material whose highlights views are to find.
+    transmittances: what each part lets through; none at all if left out. normal_maps: likewise.
+
+    Attributes:
+        transmits: whether rays pass through any part.
+        shapes: of the parts, in order.
+        centre: (3,) float32, of the bounding box; radius: of the sphere around it.
+    """
+
+    def __init__(
+        self,
+        geometries: Sequence[Mesh | Curves],
+        sharpest: float = SHARPEST,
+        transmittances: Sequence[Sequence[Transmittance]] = (),
+        normal_maps: Sequence[Sequence[NormalMap]] = (),
+    ):
+        self.shapes = tuple(
+            FiberShape(g) if isinstance(g, Curves) else SurfaceShape(g, sharpest)
+            for g in geometries
+        )
+        tables = [
+            mesh_transmittance(geometry, records) if isinstance(geometry, Mesh) else None
+            for geometry, records in zip(
+                geometries, transmittances or [()] * len(geometries), strict=True
+            )
+        ]
+        maps = [
+            NormalMaps(geometry, of_part) if of_part and isinstance(geometry, Mesh) else None
+            for geometry, of_part in zip(
+                geometries, normal_maps or [()] * len(geometries), strict=True
+            )
+        ]
+        self._scene = PartsScene(geometries, tables, maps)
+        self.transmits = self._scene.transmits
+        corners = np.concatenate([shape.points for shape in self.shapes])
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        self.centre = ((low + high) / 2).astype(np.float32)
+        self.radius = max(shape.reach(self.centre) for shape in self.shapes)
+        area = np.array([shape.area for shape in self.shapes])
+        self._by_area = area / area.sum()
+
+    def distance(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Distance to the asset along rays (n, 3): (n,), inf for misses."""
+        return self._solid_hits(origins, directions)[0].t
+
+    def part_hit(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Part hit first by each ray, (n,) int32; -1 for misses."""
+        return self._solid_hits(origins, directions)[0].part
+
+    def meets(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Whether each ray meets a triangle or strand, holes included: (n,) bool."""
+        return np.asarray(self._scene.intersect(origins, directions).part >= 0)
+
+    def coverage(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """The alpha of rays (n, 3) from outside: 1 less what all layers let through, (n,)."""
+        return np.asarray(1.0 - self._scene.transmitted(origins, directions).mean(axis=1))
+
+    def free_distance(self, points: np.ndarray, normals: np.ndarray, wo: np.ndarray) -> np.ndarray:
+        """Distance to the asset from points (n, 3) along wo: (n,), inf for misses."""
+        return self.distance(points + np.float32(1e-4 * self.radius) * normals, wo)
+
+    def _solid_hits(
+        self, origins: np.ndarray, directions: np.ndarray, rng: np.random.Generator | None = None
+    ) -> tuple[PartHits, np.ndarray]:
+        """Closest hits of rays (n, 3), without holes, and their transmittance, (n, 3) float32.
+
+        rng: where a hit lets a part of the light through, the ray goes on as often; None: never.
+        """
+        hits = self._scene.intersect(origins, directions)
+        tau = np.zeros((len(origins), 3), np.float32)
+        left = np.flatnonzero(hits.part >= 0) if self.transmits else np.zeros(0, int)
+        for _ in range(_MOST_LAYERS):
+            if not len(left):
+                break
+            tau[left] = self._scene.hit_transmittance(_taken(hits, left), directions[left])
+            share = np.minimum(tau[left].mean(axis=1), _MOST_PASS)
+            passes = tau[left].min(axis=1) > _CLEAR
+            if rng is not None:
+                passes |= rng.random(len(left)) < share
+            left = left[passes]
+            nearest = np.nextafter(hits.t[left], np.float32(np.inf)) * np.float32(1.0 + 1e-6)
+            behind = self._scene.intersect(origins[left], directions[left], nearest)
+            for name in PartHits.__slots__:
+                getattr(hits, name)[left] = getattr(behind, name)
+            tau[left] = 0.0
+            left = left[behind.part >= 0]
+        return hits, tau
+
+    def shade_points(
+        self, origins: np.ndarray, directions: np.ndarray, rng: np.random.Generator | None = None
+    ) -> ShadePoints:
+        """First hits of rays (n, 3), with everything that a sample records; rng: `_solid_hits`."""
+        hits, tau = self._solid_hits(origins, directions, rng)
+        position = np.zeros((len(origins), 3), np.float32)
+        on = []
+        for part, shape in enumerate(self.shapes):
+            rows = np.flatnonzero(hits.part == part)
+            found = (a[rows] for a in (hits.primitive, hits.u, hits.v, hits.normals))
+            points = self._scene.points(part, *found)
+            position[rows] = points.x
+            on.append(PartRows(rows, points, shape.sample_fields(points, directions[rows])))
+        return ShadePoints(hits.part, position, hits.normals, tau, tuple(on))
+
+    def visible(self, points: ShadePoints, wi: np.ndarray) -> np.ndarray:
+        """The visibility of the transport contract along wi (n, 3) at each point.
+
+        (n,) bool; where the asset transmits, (n, 3) float32.
+        """
+        shape, dtype = ((len(points.part), 3), np.float32) if self.transmits else (len(wi), bool)
+        free = np.zeros(shape, dtype)
+        for part, on in enumerate(points.on):
+            free[on.rows] = self._scene.visible(part, on.points, wi[on.rows])
+        return free
+
+    def sample_points(
+        self, n: int, rng: np.random.Generator, shares: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """n points and their geometric normals, (n, 3) float32 each, uniform by area on each part.
+
+        shares: of each part among the points, which add up to 1; None: by area, too.
+        """
+        wanted = part_counts(n, self._by_area if shares is None else shares)
+        drawn = [s.sample_points(k, rng) for s, k in zip(self.shapes, wanted, strict=True)]
+        points, normals = (np.concatenate(arrays) for arrays in zip(*drawn, strict=True))
+        return points, normals
+
+    def highlight_views(
+        self, points: ShadePoints, wi: np.ndarray, rng: np.random.Generator
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """View directions at which light from wi (3,) makes highlights on the points.
+
+        Returns the rows (k,) that have one, and the unit directions (k, 3).
+        """
+        rows, views = [], []
+        for shape, on in zip(self.shapes, points.on, strict=True):
+            of_part, wo = shape.highlight_views(on.points, wi, rng)
+            rows.append(on.rows[of_part])
+            views.append(wo)
+        every = np.concatenate(rows)
+        order = np.argsort(every)
+        return every[order], np.concatenate(views)[order]
+
+
+def _taken(hits: PartHits, row: np.ndarray) -> PartHits:
+    return PartHits(*(getattr(hits, name)[row] for name in PartHits.__slots__))
+
+
+def part_counts(n: int, shares: np.ndarray) -> np.ndarray:
+    """n divided among parts as the shares say, whole numbers that add up to n."""
+    return np.diff(np.round(n * np.concatenate([[0.0], np.cumsum(shares)])).astype(int))

@@ -1,0 +1,74 @@
+"""Direction sampling and frames for view rays and lights."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_sdk.package.manifest.manifest_fields import Region
+
+# R2, the two-dimensional golden ratio: M. Roberts, "The Unreasonable Effectiveness of
+# Quasirandom Sequences", 2018.
+_R2 = 1.0 / np.array([1.32471795724474602596, 1.32471795724474602596**2])
+
+
+def light_direction(index: int, seed: int, region: Region) -> np.ndarray:
+    """The `index`-th light direction, (3,) float32: evenly spread over the region at any count."""
+    shift = np.random.default_rng([seed, 7]).random(2)
+    u = (shift + (index + 1) * _R2) % 1.0
+    (direction,) = directions_in(region, u[None])
+    return np.asarray(direction)
+
+
+def directions_in(region: Region, u: np.ndarray) -> np.ndarray:
+    """Directions (n, 3) float32 in a region of a domain, from u (n, 2) in [0, 1).
+
+    Uniform in "sphere", "hemisphere" and one cone. Of several cones, half of the directions go to
+    each cone alike and half in proportion to its size: no small light is starved by a large one.
+    """
+    if isinstance(region, str):
+        return sphere(u, region)
+    height = 1.0 - np.cos([cone.half_angle for cone in region])  # of the cap; its area over 2 pi
+    share = np.full(len(region), 1.0 / len(region))
+    if height.sum() > 0.0:
+        share = 0.5 * share + 0.5 * height / height.sum()
+    ends = np.cumsum(share)
+    chosen = np.minimum(np.searchsorted(ends, u[:, 0], side="right"), len(region) - 1)
+    within = np.clip((u[:, 0] - (ends - share)[chosen]) / share[chosen], 0.0, 1.0)
+    axes = np.array([cone.axis for cone in region])[chosen]
+    return around(axes, 1.0 - within * height[chosen], 2.0 * np.pi * u[:, 1])
+
+
+def sphere(u: np.ndarray, domain: str = "sphere") -> np.ndarray:
+    """Uniform directions from u (n, 2) in [0, 1); `domain` "hemisphere" keeps +Y."""
+    y = u[:, 0] if domain == "hemisphere" else 1.0 - 2.0 * u[:, 0]
+    r = np.sqrt(np.maximum(0.0, 1.0 - y * y))
+    phi = 2.0 * np.pi * u[:, 1]
+    return np.stack([r * np.cos(phi), y, r * np.sin(phi)], axis=1).astype(np.float32)
+
+
+def frame(n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Two unit vectors that complete n (k, 3) to an orthonormal frame.
+
+    Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
+    """
+    sign = np.copysign(1.0, n[:, 2])
+    a = -1.0 / (sign + n[:, 2])
+    b = n[:, 0] * n[:, 1] * a
+    s = np.stack([1.0 + sign * n[:, 0] ** 2 * a, sign * b, -sign * n[:, 0]], axis=1)
+    t = np.stack([b, sign + n[:, 1] ** 2 * a, -n[:, 1]], axis=1)
+    return s, t
+
+
+def around(n: np.ndarray, cosine: np.ndarray, phi: np.ndarray) -> np.ndarray:
+    """Directions at polar cosine (k,) and azimuth (k,) about n (k, 3)."""
+    s, t = frame(n)
+    r = np.sqrt(np.maximum(0.0, 1.0 - cosine**2))
+    x, y = r * np.cos(phi), r * np.sin(phi)
+    directions: np.ndarray = x[:, None] * s + y[:, None] * t + cosine[:, None] * n
+    return directions.astype(np.float32)
+
+
+def reflect(wi: np.ndarray, h: np.ndarray) -> np.ndarray:
+    """wi mirrored about h; both (k, 3)."""
+    mirrored: np.ndarray = 2.0 * np.sum(wi * h, axis=1, keepdims=True) * h - wi
+    return mirrored.astype(np.float32)

@@ -1,0 +1,280 @@
+"""`rna-capture`: renders an asset under all view and light directions into a dataset."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import math
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pydantic import ValidationError
+
+from rna_export.blender.rna_sources.groom_options import ALEMBIC_AND_USD, GROOMS
+from rna_export.capture.blender_process import blender_env, source_help
+from rna_export.capture.capture_settings import CaptureSettings
+from rna_export.capture.orientation import AXES, joined_axes
+from rna_export.machine import default_workers
+from rna_export.memory import keep_freed_memory
+from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
+from rna_sdk.errors import CaptureError
+from rna_sdk.file_kinds import not_a
+from rna_sdk.owned_folder import owned
+from rna_work.cluster.cluster_option import add_cluster_option
+from rna_work.cluster.store import add_store_option
+from rna_work.executors import place
+
+if TYPE_CHECKING:
+    from rna_export.capture.dataset.dataset_folder import Dataset
+    from rna_render.scene.scene_file import SceneFile
+
+_GO_ON = "run the same command again to resume"
+SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", *ALEMBIC_AND_USD, *GROOMS, ".py")
+_BECOMES = {
+    "front": "+Z (X, Y, Z, -X, -Y or -Z, default: -Y for Z up, as in Blender; else Z, as in glTF)",
+    "up": "+Y (as --front, default: Z for .blend, .ply, .hair, .py; upAxis for USD; else Y)",
+}
+_OPTIONS = (  # fields of CaptureSettings
+    "samples",
+    "rays",
+    "lights",
+    "domain",
+    "parts",
+    "sharpest",
+    "normal_texels",
+    "clamp_direct",
+    "clamp_indirect",
+    "validation_views",
+    "validation_resolution",
+    "validation_samples",
+    "seed",
+)
+_CHOICES = {"domain": ("sphere", "hemisphere"), "parts": ("kinds", "objects")}
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-capture`."""
+    p = command_parser(
+        "rna-capture",
+        "Render an asset under all view and light directions with Blender Cycles.",
+        "rna-capture helmet.gltf --out helmet.rays/ --minutes 30",
+        epilog="The same command resumes an interrupted capture.\nArguments after -- are passed to "
+        "a Python source, or set what a groom, Alembic or\nUSD file lacks; to list them: "
+        "rna-capture groom.tfx -- --help",
+    )
+    p.add_argument(
+        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(SUFFIXES)}"
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        metavar="FOLDER",
+        help="dataset to write or resume (path, no default: required with a source)",
+    )
+    p.add_argument(
+        "--setup-blender",
+        action="store_true",
+        help="install Blender's Python module in its own environment, then exit (default: off)",
+    )
+    p.add_argument(
+        "--for",
+        dest="for_scene",
+        type=Path,
+        metavar="SCENE",
+        help="capture only the view and light directions that this scene file uses (path, default: "
+        "all of --domain)",
+    )
+    p.add_argument(
+        "--minutes",
+        type=float,
+        help="wall-clock budget of the whole command; sets --lights, and shrinks the validation "
+        "images if they would take more than a quarter of it (float, default: no limit)",
+    )
+    add_settings(p, _OPTIONS)
+    add_workers(p)
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def add_settings(p: argparse.ArgumentParser, names: Sequence[str]) -> None:
+    """Options for these fields of `CaptureSettings`, and for those of the geometry."""
+    for name in names:
+        info = CaptureSettings.model_fields[name]
+        p.add_argument(
+            "--" + name.replace("_", "-"),
+            type=type(info.default),
+            choices=_CHOICES.get(name),
+            help=f"{info.description or 'random seed'} ({_usual(name)})",
+        )
+    for name in ("front", "up"):
+        p.add_argument(
+            f"--{name}",
+            choices=AXES,
+            metavar="AXIS",
+            help=f"{CaptureSettings.model_fields[name].description}, mapped to {_BECOMES[name]}",
+        )
+    p.add_argument(
+        "--exact-geometry",
+        action="store_const",
+        const=True,
+        help=f"{CaptureSettings.model_fields['exact_geometry'].description} (default: off)",
+    )
+
+
+def add_workers(p: argparse.ArgumentParser) -> None:
+    """The options `--workers`, `--cluster` and `--store`."""
+    p.add_argument(
+        "--workers",
+        type=int,
+        help="single-threaded Blender processes (int, default: one per core, here "
+        f"{default_workers()})",
+    )
+    add_cluster_option(p)
+    add_store_option(p, "rays")
+
+
+def _usual(name: str) -> str:
+    default = CaptureSettings.model_fields[name].default
+    hair, both = (getattr(CaptureSettings.usual(kind), name) for kind in ("fiber", "both"))
+    text = f"{type(default).__name__}, default {default}"
+    text += f", for hair {hair}" if hair != default else ""
+    return text + (f", with a surface {both}" if both != hair else "")
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    own, arguments = split_script_arguments(argv)
+    options = parser()
+    args = options.parse_args(joined_axes(own))
+    if args.source is not None and source_help.is_asked(arguments):
+        return run_command(lambda: source_help.show(args.source), args.debug, _GO_ON, "capture")
+    if not args.setup_blender and (args.source is None or args.out is None):
+        options.error("a source and --out are required (or --setup-blender)")
+    if args.minutes is not None and args.lights is not None:
+        options.error("--minutes sets --lights: give only one of them")
+    for name in ("minutes", "workers"):
+        value = getattr(args, name)
+        if value is not None and not 0 < value < math.inf:
+            options.error(f"argument --{name}: expected a number above 0, found {value:g}")
+    check_settings(args, options)
+    return run_command(lambda: _run(args, arguments), args.debug, _GO_ON, "capture")
+
+
+def asked_settings(args: argparse.Namespace) -> dict[str, Any]:
+    """The settings given on the command line."""
+    return {
+        name: value
+        for name in (*_OPTIONS, "front", "up", "exact_geometry")
+        if (value := getattr(args, name, None)) is not None
+    }
+
+
+def check_settings(args: argparse.Namespace, options: argparse.ArgumentParser) -> None:
+    """Exit with an error line for the first invalid setting."""
+    if args.for_scene is not None and args.domain is not None:
+        options.error("--for sets the domain: give only one of --for and --domain")
+    try:
+        CaptureSettings(**asked_settings(args))
+    except ValidationError as error:
+        first = error.errors()[0]
+        name = str(first["loc"][0]).replace("_", "-")
+        options.error(f"argument --{name}: {first['msg']}, found {first['input']}")
+
+
+def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
+    if args.setup_blender:
+        print(f"Blender {blender_env.BPY_VERSION} is ready: {blender_env.set_up()}")
+        return
+    check_source(args.source)
+    from rna_export.capture.blender_process.blender_worker import Source
+    from rna_export.capture.capture_run import CaptureCrew, begin, finish
+    from rna_export.capture.time_plan import TimeLimit
+    from rna_render.scene.scene_file import read_scene
+
+    keep_freed_memory()
+    asked = asked_settings(args)
+    for_scene = None if args.for_scene is None else read_scene(args.for_scene)
+    limit = None if args.minutes is None else TimeLimit(args.minutes)
+    python = blender_env.find_python()
+    with (
+        owned(args.out, "rna-capture", _is_dataset) as folder,
+        folder.scratch() as scratch,
+        place(args.cluster) as where,
+    ):
+        crew = CaptureCrew(python, scratch, args.workers, where, args.store)
+        begun = _is_dataset(args.out)
+        if begun:
+            dataset = _continue(args.out, args.source, arguments, asked)
+            _check_scene(dataset, for_scene)
+            settings = dataset.manifest.settings
+        else:
+            settings = CaptureSettings(**asked)
+        source = Source.captured(args.source, arguments, settings)
+        if not begun:
+            dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
+        finish(dataset, source, crew, limit)
+    train = "rna-train", args.out, "--preset", "small", "--out", Path("runs", args.source.stem)
+    print(f"wrote {args.out}\nnext: {command_line(*train)}")
+
+
+def check_source(source: Path) -> None:
+    """Raises `CaptureError` for a missing file or an unsupported format."""
+    if not source.is_file():
+        raise CaptureError(f"{source}: no such file")
+    if source.suffix.lower() not in SUFFIXES:
+        if (wrong := not_a("model", source)) is not None:
+            raise CaptureError(f"{source}: {wrong}")
+        raise CaptureError(
+            f"{source}: found {source.suffix!r}, expected one of {', '.join(SUFFIXES)}"
+        )
+
+
+def _is_dataset(folder: Path) -> bool:
+    """Whether a capture has begun there; CaptureError if the manifest is not that of a dataset."""
+    from rna_export.capture.dataset.dataset_folder import Dataset
+
+    return (folder / "manifest.json").is_file() and bool(Dataset(folder))
+
+
+def _continue(
+    out: Path, source: Path, arguments: tuple[str, ...], asked: dict[str, object]
+) -> Dataset:
+    """The unfinished dataset in `out`; raises CaptureError if source or settings differ."""
+    from rna_export.capture.dataset.dataset_folder import Dataset
+
+    dataset = Dataset(out)
+    manifest = dataset.manifest
+    sha = hashlib.sha256(source.read_bytes()).hexdigest()
+    if (sha, arguments) != (manifest.source_sha256, manifest.arguments):
+        raise CaptureError(
+            f"{out} was started from another {manifest.source} or with other arguments"
+        )
+    for field, value in asked.items():
+        begun = getattr(manifest.settings, field)
+        if value != begun:
+            raise CaptureError(f"{out} was started with {field} {begun}, found {value}")
+    print(f"resuming {out}")
+    return dataset
+
+
+def _check_scene(dataset: Dataset, for_scene: SceneFile | None) -> None:
+    """Raises CaptureError if the scene uses other directions than the dataset."""
+    from rna_export.capture.blender_process.capture_worker import scene_of
+    from rna_export.capture.scene_domain import scene_domain
+
+    manifest = dataset.manifest
+    if for_scene is None:
+        return
+    domain = scene_domain(for_scene, dataset.folder.stem, scene_of(dataset))
+    if domain != manifest.scene_domain:
+        raise CaptureError(
+            f"{dataset.folder} was started for other view or light directions than {for_scene.path}"
+        )
+
+
+if __name__ == "__main__":
+    sys.exit(main())

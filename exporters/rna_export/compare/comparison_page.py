@@ -1,0 +1,134 @@
+"""The report of a comparison: a table of images, the numbers as JSON, and one sheet as PNG."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from rna_export.compare.comparison_run import Pair
+from rna_export.compare.origin import Origin
+from rna_export.compare.sheet import comparison_sheet, pictures_of
+from rna_export.html_pages import write_html
+from rna_export.metrics import (
+    FLIP_DEFINITION,
+    PSNR_DEFINITION,
+    WITHOUT_NOISE_DEFINITION,
+    NoiselessPsnr,
+)
+from rna_export.pictures import write_picture
+from rna_export.psnr_words import psnr_in_words
+from rna_sdk.atomic_file import write_atomically
+
+_NUMBERS = ("psnr", "flip", "coverage", "exposure", "seconds_ours", "seconds_cycles")
+
+
+Made = tuple[Path, Path, Origin, str | None]
+"""Package, source, what the package says of its making, and why the source may be another one."""
+
+_WORDS = {
+    "tier": "tier",
+    "samples": "samples a pixel of ours",
+    "cyclesSamples": "samples a pixel of Cycles",
+    "resolution": "width and height, pixels",
+    "threads": "threads",
+}
+"""Settings in words."""
+
+
+def write_page(
+    folder: Path,
+    title: str,
+    pairs: list[Pair],
+    settings: dict[str, object],
+    made: Made | None = None,
+) -> None:
+    """Write `index.html`, `results.json`, `sheet.png` and the single pictures into `folder`.
+
+    To be called again with more pairs: pictures of those before are not written again.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    shots, strips = [], []
+    for number, pair in enumerate(pairs):
+        images = _images(pair)
+        strips.append((list(images.values()), _scores(pair)))
+        files = {kind: f"{number}-{kind}.png" for kind in images}
+        if number == len(pairs) - 1 or not all((folder / f).is_file() for f in files.values()):
+            for kind, image in images.items():
+                write_picture(folder / files[kind], image)
+        shots.append({"pair": pair, "files": files})
+    summary = _summary(pairs)
+    write_html(
+        folder / "index.html",
+        "compare.html",
+        title=title,
+        settings={_WORDS.get(name, name): value for name, value in settings.items()},
+        facts=_facts(made),
+        doubt=made[3] if made else None,
+        summary=summary,
+        clean=NoiselessPsnr.mean([pair.psnr_without_noise for pair in pairs]),
+        recorded=made[2].validation if made else None,
+        words=psnr_in_words,
+        date=datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
+        shots=shots,
+        psnr_definition=PSNR_DEFINITION,
+        flip_definition=FLIP_DEFINITION,
+        without_noise_definition=WITHOUT_NOISE_DEFINITION,
+    )
+    results = {"title": title, "settings": settings, **summary, "pictures": _numbers(pairs)}
+    write_atomically(folder / "results.json", (json.dumps(results, indent=1) + "\n").encode())
+    write_picture(folder / "sheet.png", comparison_sheet(strips))
+
+
+def is_report(folder: Path) -> bool:
+    """Whether a folder holds a report."""
+    return all((folder / name).is_file() for name in ("index.html", "results.json", "sheet.png"))
+
+
+def _facts(made: Made | None) -> dict[str, str]:
+    """Rows of the page's first table."""
+    if made is None:
+        return {}
+    package, source, origin, _ = made
+    training = [
+        f"{origin.steps:,} steps" if origin.steps else "steps not recorded",
+        f"{origin.lights:,} light directions" if origin.lights else "lights not recorded",
+    ]
+    return {
+        "package": package.name,
+        "rendered with Cycles": source.name,
+        "captured from": origin.source,
+        "tier": origin.tier,
+        "trained": ", ".join(training),
+    }
+
+
+def _images(pair: Pair) -> dict[str, np.ndarray]:
+    pictures = pictures_of(pair.ours, pair.cycles, pair.exposure)
+    return dict(zip(("ours", "cycles", "difference", "flip"), pictures, strict=True))
+
+
+def _scores(pair: Pair) -> str:
+    clean = pair.psnr_without_noise
+    bound = "at least " if clean.high is None else ""
+    return f"{pair.shot.name}: PSNR without noise {bound}{clean.db:.1f} dB, FLIP {pair.flip:.3f}"
+
+
+def _summary(pairs: list[Pair]) -> dict[str, object]:
+    clean = NoiselessPsnr.mean([pair.psnr_without_noise for pair in pairs])
+    means = {name: float(np.mean([getattr(pair, name) for pair in pairs])) for name in _NUMBERS}
+    return {**means, "psnr_without_noise": asdict(clean)}
+
+
+def _numbers(pairs: list[Pair]) -> list[dict[str, object]]:
+    return [
+        {
+            "name": p.shot.name,
+            **{n: getattr(p, n) for n in _NUMBERS},
+            "psnr_without_noise": asdict(p.psnr_without_noise),
+        }
+        for p in pairs
+    ]

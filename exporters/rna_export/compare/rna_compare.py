@@ -1,0 +1,158 @@
+"""`rna-compare`: a package against the original in Cycles."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+from rna_export.capture.orientation import AXES, joined_axes
+from rna_export.compare.cameras import CAMERAS
+from rna_sdk.console import command_parser, run_command, split_script_arguments
+from rna_sdk.owned_folder import owned
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-compare`."""
+    p = command_parser(
+        "rna-compare",
+        "Render a package, and its original with Cycles, and write an HTML comparison.",
+        "rna-compare helmet.rna helmet.gltf --out compare/helmet",
+        epilog="Three cameras (one a close-up; for pure hair a fourth, strand close-up) x three "
+        "lights.\nArguments after -- are passed to a source that is a Python script.",
+    )
+    p.add_argument("package", type=Path, help="the package (path)")
+    p.add_argument("source", type=Path, help="the model it was captured from (path)")
+    p.add_argument("--out", type=Path, required=True, help="folder for the report (path, required)")
+    p.add_argument("--tier", help="tier to render (text, default: the package's first)")
+    p.add_argument(
+        "--samples",
+        type=int,
+        default=16,
+        help="rna-run samples per pixel (int, default: %(default)s)",
+    )
+    p.add_argument(
+        "--cycles-samples",
+        type=int,
+        default=256,
+        help="Cycles samples per pixel, at least 2, split over two renders (int, default: "
+        "%(default)s)",
+    )
+    p.add_argument(
+        "--resolution",
+        type=int,
+        default=384,
+        help="width and height, pixels (int, default: %(default)s)",
+    )
+    p.add_argument(
+        "--front",
+        choices=AXES,
+        metavar="AXIS",
+        help="front axis of the package (X, Y, Z, -X, -Y or -Z, default: Z, the front in glTF and "
+        "Blender's -Y)",
+    )
+    p.add_argument(
+        "--up",
+        choices=AXES,
+        default="Y",
+        metavar="AXIS",
+        help="up axis of the package (as --front, default: Y, Blender's Z)",
+    )
+    p.add_argument(
+        "--turn",
+        type=float,
+        default=0.0,
+        metavar="DEG",
+        help="rotate the cameras about the up axis, degrees (float, default: 0)",
+    )
+    p.add_argument(
+        "--cameras",
+        nargs="+",
+        choices=CAMERAS,
+        default=CAMERAS,
+        help="cameras to use (default: all; strands only for pure hair)",
+    )
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    own, arguments = split_script_arguments(argv)
+    options = parser()
+    args = options.parse_args(joined_axes(own))
+    if args.cycles_samples < 2:
+        options.error(
+            f"argument --cycles-samples: expected at least 2, found {args.cycles_samples}"
+        )
+    stopped = f"what is finished is in {args.out}"
+    return run_command(lambda: _run(args, arguments), args.debug, stopped, "train")
+
+
+def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
+    from rna_export.capture.blender_process import blender_env
+    from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
+    from rna_export.compare.comparison_page import is_report, write_page
+    from rna_export.compare.comparison_run import Pair, compare
+    from rna_export.compare.origin import Origin
+    from rna_export.machine import default_workers
+    from rna_sdk.errors import CaptureError
+    from rna_sdk.runtime import load
+
+    if not args.source.is_file():
+        raise CaptureError(f"{args.source}: no such file")
+    asset = load(args.package, tier=args.tier, threads=1)
+    origin = Origin.of(args.package, args.tier)
+    doubt = origin.doubt(args.source)
+    if doubt is not None:
+        print(doubt, flush=True)
+    python = blender_env.find_python()
+    source = Source(args.source, arguments, front=origin.front, up=origin.up)
+    settings = {
+        "tier": origin.tier,
+        "samples": args.samples,
+        "cyclesSamples": args.cycles_samples,
+        "resolution": args.resolution,
+        "threads": default_workers(),
+    }
+
+    def done(pairs: list[Pair]) -> None:
+        """Report the last image, and write what there is: the next ones may take minutes."""
+        p = pairs[-1]
+        print(
+            f"PSNR {p.psnr:.2f} dB, FLIP {p.flip:.4f}, coverage differs by {p.coverage:.2%}, "
+            f"ours {p.seconds_ours:.2f} s, Cycles {p.seconds_cycles:.2f} s",
+            flush=True,
+        )
+        title = f"{args.package.stem}: the package and Cycles"
+        write_page(args.out, title, pairs, settings, (args.package, args.source, origin, doubt))
+
+    print(f"opening {args.source} in Blender", flush=True)
+    with (
+        owned(args.out, "rna-compare", is_report),
+        tempfile.TemporaryDirectory(prefix="rna-compare-") as scratch,
+        BlenderWorker(python, source, Path(scratch), default_workers()) as worker,
+    ):
+        compare(
+            asset,
+            args.package,
+            worker,
+            args.samples,
+            args.cycles_samples,
+            args.resolution,
+            args.turn,
+            (args.front or ("-Y" if args.up[-1] == "Z" else "Z"), args.up),
+            args.cameras,
+            lambda k, n, shot: print(f"image {k} of {n}: {shot.name}: ", end="", flush=True),
+            done,
+        )
+    if doubt is not None:
+        print(doubt)
+    print(f"wrote {args.out / 'index.html'}, {args.out / 'results.json'}, {args.out / 'sheet.png'}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

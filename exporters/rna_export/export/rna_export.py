@@ -1,0 +1,116 @@
+"""`rna-export`: makes an `.rna` package from trained checkpoints."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from rna_export.export.credit import add_credit
+from rna_export.export.precision import MAX_LOSS, add_precision, precisions_of
+from rna_sdk.console import command_line, command_parser, run_command
+from rna_sdk.outputs import check_outputs
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-export`."""
+    p = command_parser(
+        "rna-export",
+        "Export trained checkpoints to one .rna package, one tier per checkpoint.",
+        "rna-export runs/helmet --out helmet.rna",
+    )
+    p.add_argument(
+        "checkpoints",
+        nargs="+",
+        type=Path,
+        help="checkpoints or output folders of rna-train, one per tier, the default tier first; an "
+        "asset of several parts needs its folder (paths)",
+    )
+    p.add_argument("--out", type=Path, required=True, help="output package (path, required)")
+    p.add_argument(
+        "--dataset",
+        type=Path,
+        help="dataset of rna-capture (path, default: the one the first checkpoint was trained on)",
+    )
+    add_precision(p)
+    p.add_argument(
+        "--max-loss",
+        type=float,
+        default=MAX_LOSS,
+        metavar="DB",
+        help="largest PSNR loss of a tier against the trained model, dB; the export fails beyond "
+        "it (float, default: %(default)s)",
+    )
+    p.add_argument(
+        "--poster",
+        type=Path,
+        metavar="PNG",
+        help="thumbnail stored in the package (path, default: rendered from the front)",
+    )
+    p.add_argument(
+        "--proxies",
+        nargs="+",
+        type=int,
+        default=[],
+        metavar="PIXELS",
+        help="add simplified proxy meshes for these heights of the asset in the image; rna-run "
+        "uses them in scenes with `quality` (ints, default: none)",
+    )
+    p.add_argument(
+        "--coding",
+        choices=["raw", "deflate"],
+        default="raw",
+        help="deflate: lossless compression by RNA_deflate; readers without this extension reject "
+        "the package (default: %(default)s)",
+    )
+    add_credit(p)
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    options = parser()
+    args = options.parse_args(argv)
+    if any(pixels < 1 for pixels in args.proxies):
+        options.error(f"argument --proxies: expected 1 or more, found {min(args.proxies)}")
+    return run_command(lambda: _run(args), args.debug, "nothing was written", "train")
+
+
+def _run(args: argparse.Namespace) -> None:
+    from rna_export.capture.dataset.dataset_folder import Dataset
+    from rna_export.capture.geometry.cut import as_cut
+    from rna_export.export.closing import closing_lines, sheet_of
+    from rna_export.export.dressing import dress
+    from rna_export.export.package_build import build_package
+    from rna_export.export.trained_tiers import checkpoint_paths
+    from rna_export.training.checkpoint import load_checkpoint
+
+    checkpoints = checkpoint_paths(args.checkpoints)
+    check_outputs([args.out], checkpoints if args.poster is None else [*checkpoints, args.poster])
+    trained = [load_checkpoint(path) for path in checkpoints]
+    dataset = as_cut(Dataset(args.dataset or trained[0].dataset), trained[0].cut)
+    presets = dict.fromkeys(one.preset_name for one in trained)
+    precisions = precisions_of(args.precision, presets)
+    manifest = build_package(
+        trained,
+        dataset,
+        args.out,
+        args.source,
+        args.license,
+        print,
+        precisions,
+        max_loss=args.max_loss,
+    )
+    proxies = sorted(set(args.proxies), reverse=True)
+    dress(args.out, dataset, args.poster, proxies, args.coding == "deflate", print)
+    print("\n".join(closing_lines(args.out, manifest, trained, dataset)))
+    size = args.out.stat().st_size / 1e6
+    print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")
+    print(f"next: {command_line('rna-validate', args.out)}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

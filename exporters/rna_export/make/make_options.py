@@ -1,0 +1,36 @@
+"""The settings of an `rna-make` run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rna_export.capture.blender_process.blender_worker import Source
+from rna_export.capture.capture_run import CaptureCrew
+from rna_export.fit.goal import Goal
+from rna_export.make.training_picture import TrainingPicture
+from rna_render.scene.scene_file import SceneFile
+
+
+@dataclass(frozen=True)
+class Order:
+    """One make, as asked for."""
+
+    source: Source
+    settings: dict[str, Any]  # of the capture, that are not to be the usual ones
+    for_scene: SceneFile | None
+    work: Path
+    presets: tuple[str, ...]
+    goal: Goal | None
+    minutes: float | None
+    steps: int | None  # of the last phase; None: the preset's
+    seed: int
+    device: str
+    crew: CaptureCrew
+    picture: TrainingPicture | None = None
+
+    @property
+    def fixes_lights(self) -> bool:
+        """Whether --lights was given: all of them are captured in one round."""
+        return "lights" in self.settings

@@ -1,0 +1,255 @@
+"""Runs `rna-make`: alternates capture and training until the stopping criterion, then exports."""
+
+from __future__ import annotations
+
+import math
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from time import monotonic
+
+from rna_export.capture.capture_run import say_dropped
+from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.export.dressing import dress
+from rna_export.export.package_build import build_package
+from rna_export.export.precision import Precision
+from rna_export.fit.goal import Goal
+from rna_export.make.make_options import Order
+from rna_export.make.phases import Phase, phase_folder, score, trained_in
+from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan
+from rna_export.make.progress import Clock, Progress
+from rna_export.make.rays import Rays, open_rays, rays_folder
+from rna_export.make.state import Asked, Last, Round, Score, State, load_state
+from rna_export.make.stop import Verdict, verdict
+from rna_export.training.checkpoint import Trained
+from rna_export.training.presets import PRESETS
+from rna_export.training.validation import reference_warnings
+from rna_sdk.package import Manifest
+
+_RAYS, _PHASE, _LAST = 1.0, 1.0, 3.0  # weights of stages in the progress bar
+
+
+@dataclass(frozen=True)
+class Made:
+    """The outcome of an `rna-make` run."""
+
+    dataset: Dataset
+    why: Verdict
+    rounds: int
+    checkpoints: tuple[Path, ...]  # folders of the presets, as they were asked for
+    lead: str  # the preset that the goal is for
+
+    def trained(self) -> list[Trained]:
+        """The models of all parts and presets."""
+        return [one for folder in self.checkpoints for one in trained_in(folder, self.dataset)]
+
+
+class Make:
+    """One `rna-make` run in its work folder; a interrupted one resumes.
+
+    begun: when its time began, of `time.monotonic`. Raises `TrainingError` where the work folder is
+    of another make.
+    """
+
+    def __init__(self, order: Order, asked: Asked, begun: float, say: Callable[[str], None]):
+        self._order, self._begun = order, begun
+        self._by_cost = sorted(order.presets, key=_decoder_size, reverse=True)
+        self._lead = self._by_cost[0]
+        self._state = load_state(order.work, asked) or self._first_state(asked, say)
+        if self._state.rounds:
+            minutes = f"after {self._state.seconds / 60:.1f} min"
+            say(f"resuming {order.work} {minutes}, in round {len(self._state.rounds)}")
+        self._spent_before = self._state.seconds
+        dataset = Dataset(rays_folder(order))
+        for note in dataset.manifest.notes:
+            say(f"note: {note}")
+        self._rays = Rays(order, dataset)
+        self._goal = order.goal or Goal("min_psnr", math.inf)
+        self._plan = self._chosen_plan(dataset)
+        say(self._told_plan())
+
+    def run(self) -> Made:
+        """Capture and train to the end."""
+        minutes = self._order.minutes
+        clock = Clock(self._spent, None if minutes is None else 60.0 * minutes)
+        self._progress = Progress(self._known_weight(), clock, self._finished_weight())
+        try:
+            stage = self._progress.stage("rendering validation images in Cycles", _RAYS)
+            self._rays.capture_images(stage)
+            stage.done()
+            for line in reference_warnings(self._rays.dataset.whole_views()):
+                self._progress.say(line)
+            while (why := self._verdict()) is None:
+                self._round()
+            self._progress.say(f"{why} after round {len(self._state.rounds)}")
+            say_dropped(self._rays.dataset, self._progress.say)
+            for preset in self._by_cost:
+                if preset != self._lead or why != "goal met":
+                    self._last_phase(preset)
+        finally:
+            self._progress.close()
+            self._save()
+        folders = tuple(self._best_folder(preset) for preset in self._order.presets)
+        return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
+
+    def _first_state(self, asked: Asked, say: Callable[[str], None]) -> State:
+        order = self._order
+        say(f"opening {order.source.path.name} in Blender: its geometry, the speed of Cycles here")
+        shutil.rmtree(rays_folder(order), ignore_errors=True)  # of a start that was not finished
+        order.work.mkdir(parents=True, exist_ok=True)
+        dataset = open_rays(order, self._begun)
+        state = State(asked=asked, lights=dataset.manifest.settings.lights)
+        state.seconds = monotonic() - self._begun
+        state.save(order.work)
+        self._begun = monotonic()
+        return state
+
+    def _chosen_plan(self, dataset: Dataset) -> Plan:
+        order, lights = self._order, self._state.lights
+        shard = dataset.manifest.settings.lights_per_shard
+        if order.minutes is not None:
+            seconds, tiers = 60.0 * order.minutes, len(order.presets)
+            return TimedPlan(lights, shard, seconds, tiers, order.goal is not None)
+        if order.fixes_lights:
+            return FixedPlan(lights, order.steps)
+        kinds = {part.kind for part in dataset.parts}
+        usual = max(PRESETS[kind][self._lead].training.steps for kind in kinds)
+        return OpenPlan(lights, shard, order.steps or usual)
+
+    def _round(self) -> None:
+        """The round that is not finished, or a new one."""
+        rounds = self._state.rounds
+        if not rounds or rounds[-1].score is not None:
+            before = rounds[-1].lights if rounds else 0
+            lights = self._plan.lights_of(len(rounds), before)
+            rounds.append(Round(lights=lights))
+            if self._plan.rounds is None and len(rounds) > 1:
+                self._progress.more(_RAYS + _PHASE)
+            self._save()
+        number, round_ = len(rounds) - 1, rounds[-1]
+        stage = self._progress.stage(f"round {number + 1}: rendering light in Cycles", _RAYS)
+        if not round_.is_captured:
+            self._rays.capture(round_, self._plan.capture_seconds(number, self._left()), stage)
+            self._save()
+        stage.done()
+        round_.phase = round_.phase or self._plan.phase(number, self._left())
+        if round_.phase is not None:
+            self._save()
+            self._short_phase(number, round_)
+
+    def _short_phase(self, number: int, round_: Round) -> None:
+        """The training of the leading preset in a round."""
+        assert round_.phase is not None
+        work, lead = self._order.work, self._lead
+        stage = self._progress.stage(f"round {number + 1}: training {lead}", _PHASE)
+        folder = phase_folder(work, lead, number)
+        dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
+        phase = Phase(dataset, lead, round_.phase, folder, seed, device, self._order.picture)
+        phase.run(dataset.finished_shards(), stage)
+        stage.done()
+        round_.score = score(trained_in(folder, dataset), dataset)
+        self._save()
+        told = f"{round_.lights:,} lights, {lead} has {_told(round_.score)}"
+        self._progress.say(f"round {number + 1}: {told}")
+
+    def _last_phase(self, preset: str) -> None:
+        """The full one, on all rays."""
+        stage = self._progress.stage(f"last training: {preset}", _LAST)
+        last = self._state.last.get(preset)
+        if last is None:
+            ahead = len(self._by_cost) - self._by_cost.index(preset)
+            last = Last(phase=self._plan.last_phase(self._left(), ahead))
+            self._state.last[preset] = last
+            self._save()
+        if last.score is None:
+            folder = phase_folder(self._order.work, preset, None)
+            dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
+            phase = Phase(dataset, preset, last.phase, folder, seed, device, self._order.picture)
+            phase.run(dataset.finished_shards(), stage)
+            last.score = score(trained_in(folder, dataset), dataset)
+            self._save()
+            self._progress.say(f"last training: {preset} has {_told(last.score)}")
+        stage.done()
+
+    def _verdict(self) -> Verdict | None:
+        rounds = self._state.rounds
+        errors = [self._goal.error_db(r.score) for r in rounds if r.score is not None]
+        found = verdict(errors, self._goal.limit_db)
+        if self._plan.rounds is None or found == "goal met":
+            return found
+        captured = sum(r.is_captured for r in rounds)
+        return self._plan.end if captured == self._plan.rounds else None
+
+    def _best_folder(self, preset: str) -> Path:
+        """Folder of the phase with the smallest error."""
+        found: dict[int | None, Score | None] = {}
+        if preset == self._lead:
+            found |= {k: r.score for k, r in enumerate(self._state.rounds)}
+        if preset in self._state.last:
+            found[None] = self._state.last[preset].score
+        errors = {k: self._goal.error_db(s) for k, s in found.items() if s is not None}
+        return phase_folder(self._order.work, preset, min(errors, key=errors.__getitem__))
+
+    def _left(self) -> float:
+        """Seconds; infinite without --minutes."""
+        minutes = self._order.minutes
+        return math.inf if minutes is None else 60.0 * minutes - self._spent()
+
+    def _spent(self) -> float:
+        return self._spent_before + monotonic() - self._begun
+
+    def _save(self) -> None:
+        self._state.seconds = self._spent()
+        self._state.save(self._order.work)
+
+    def _told_plan(self) -> str:
+        """What is going to happen, in a line."""
+        rounds, presets = self._plan.rounds, " and ".join(self._order.presets)
+        if rounds is None:
+            goal = "" if self._order.goal is None else f"the goal is met ({self._order.goal}) or "
+            until = f"until {goal}the error stops falling"
+            told = f"rounds of rendering in Cycles and training, {until}"
+        elif rounds == 1:
+            told = "rendering in Cycles"
+        else:
+            told = f"{rounds} rounds of rendering in Cycles and training"
+        return f"plan: {told}; then the last training of {presets}, and the package"
+
+    def _finished_weight(self) -> float:
+        """Weight of the rounds that earlier runs finished, which have no stage any more."""
+        return sum(_RAYS + _PHASE for round_ in self._state.rounds if round_.score is not None)
+
+    def _known_weight(self) -> float:
+        """Total weight of all known stages."""
+        rounds = self._plan.rounds or max(len(self._state.rounds), 1)
+        phases = rounds if self._plan.rounds is None else rounds - 1
+        return _RAYS * (1 + rounds) + _PHASE * phases + _LAST * len(self._by_cost)
+
+
+def export(
+    made: Made,
+    out: Path,
+    credit: str | None,
+    license_: str,
+    precisions: Mapping[str, Sequence[Precision]],
+) -> Manifest:
+    """Write the package of what was made; precisions: of each preset's tiers."""
+    manifest = build_package(
+        made.trained(), made.dataset, out, credit, license_, _quiet, precisions, max_loss=math.inf
+    )
+    dress(out, made.dataset, None, (), False, _quiet)
+    return manifest
+
+
+def _decoder_size(preset: str) -> int:
+    model = PRESETS["surface"][preset].model
+    return model.hidden_layers * model.width**2
+
+
+def _told(found: Score) -> str:
+    return f"PSNR {found.psnr:.2f} dB, FLIP {found.flip:.4f}"
+
+
+def _quiet(_: str) -> None:
+    pass

@@ -1,0 +1,286 @@
+"""`rna-make`: captures, trains and exports a model until it meets an error target."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import math
+import sys
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from rna_export.capture.blender_process import source_help
+from rna_export.capture.orientation import joined_axes
+from rna_export.capture.rna_capture import (
+    add_settings,
+    add_workers,
+    asked_settings,
+    check_settings,
+    check_source,
+)
+from rna_export.export.credit import add_credit
+from rna_export.export.precision import add_precision, precisions_of
+from rna_export.training.options import add_device
+from rna_export.training.presets import PRESETS
+from rna_sdk.atomic_file import write_atomically
+from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
+from rna_sdk.outputs import check_outputs, check_outside
+from rna_sdk.owned_folder import owned
+from rna_work.executors import place
+
+if TYPE_CHECKING:
+    from rna_export.fit.goal import Goal
+    from rna_export.make.make_options import Order
+    from rna_export.make.make_run import Made
+    from rna_sdk.package import Manifest
+
+_GO_ON = "run the same command again to resume"
+_SETTINGS = (
+    "samples",
+    "rays",
+    "domain",
+    "parts",
+    "sharpest",
+    "normal_texels",
+    "validation_views",
+    "validation_resolution",
+    "validation_samples",
+)
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-make`."""
+    p = command_parser(
+        "rna-make",
+        "Capture, train and export a model in one command, up to an error target.",
+        "rna-make helmet.gltf --out helmet.rna --min-psnr 36",
+        epilog="Without --minutes or --lights it runs until the target is met or the error stops "
+        "falling.\nThe same command resumes an interrupted run. Arguments after -- are passed to "
+        "the source,\nas in rna-capture.",
+    )
+    p.add_argument("model", type=Path, help="any model that rna-capture reads (path)")
+    p.add_argument(
+        "--out", type=Path, metavar="RNA", help="output package (path, no default: required)"
+    )
+    goal = p.add_mutually_exclusive_group()
+    goal.add_argument(
+        "--max-error",
+        type=float,
+        metavar="FLIP",
+        help="target mean FLIP of the validation images (float, default: none)",
+    )
+    goal.add_argument(
+        "--min-psnr",
+        type=float,
+        metavar="DB",
+        help="target PSNR of the validation images (float, default: none)",
+    )
+    p.add_argument(
+        "--minutes",
+        type=float,
+        help="wall-clock limit of the whole command; it ends earlier once the target is met "
+        "(float, default: no limit)",
+    )
+    p.add_argument(
+        "--lights",
+        type=int,
+        help="capture exactly so many light directions, then train each preset once (int, default: "
+        "rounds of more and more)",
+    )
+    p.add_argument(
+        "--presets",
+        nargs="+",
+        choices=PRESETS["surface"],
+        default=["small"],
+        help="one tier per preset, the default tier first; the target applies to the most "
+        "expensive (default: small)",
+    )
+    p.add_argument(
+        "--for",
+        dest="for_scene",
+        type=Path,
+        metavar="SCENE",
+        help="capture only the view and light directions that this scene file uses (path, default: "
+        "all of --domain)",
+    )
+    p.add_argument(
+        "--steps",
+        type=int,
+        help="training steps of the last phase; earlier phases are shorter (int, default: the "
+        "preset's)",
+    )
+    add_settings(p, _SETTINGS)
+    p.add_argument("--seed", type=int, default=0, help="random seed (int, default: 0)")
+    add_device(p, "trainings")
+    add_workers(p)
+    p.add_argument(
+        "--work",
+        type=Path,
+        metavar="FOLDER",
+        help="folder for rays and trainings, deleted at the end (path, default: OUT with suffix "
+        ".make)",
+    )
+    p.add_argument("--keep", action="store_true", help="keep the work folder (default: off)")
+    add_precision(p)
+    add_credit(p)
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    begun = monotonic()
+    own, arguments = split_script_arguments(argv)
+    options = parser()
+    args = options.parse_args(joined_axes(own))
+    if source_help.is_asked(arguments):
+        return run_command(lambda: source_help.show(args.model), args.debug, _GO_ON, "capture")
+    if args.out is None:
+        options.error("the following arguments are required: --out")
+    if args.minutes is not None and (args.lights is not None or args.steps is not None):
+        options.error("--minutes sets --lights and --steps: give either it or them")
+    for name in ("minutes", "workers", "max_error", "min_psnr", "steps"):
+        value = getattr(args, name)
+        if value is not None and not 0 < value < math.inf:
+            options.error(
+                f"argument --{name.replace('_', '-')}: expected a number above 0, found {value:g}"
+            )
+    if not 0 <= args.seed < 2**32:
+        options.error(f"argument --seed: expected 0 to 2^32 - 1, found {args.seed}")
+    if len(set(args.presets)) < len(args.presets):
+        options.error(f"argument --presets: expected each once, found {' '.join(args.presets)}")
+    check_settings(args, options)
+    return run_command(lambda: _run(args, arguments, begun), args.debug, _GO_ON, "train")
+
+
+def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> None:
+    check_source(args.model)
+    from rna_export.capture.blender_process.blender_env import find_python
+    from rna_export.capture.blender_process.blender_worker import Source
+    from rna_export.capture.capture_run import CaptureCrew
+    from rna_export.capture.capture_settings import CaptureSettings
+    from rna_export.export.closing import closing_lines, sheet_of
+    from rna_export.make.make_options import Order
+    from rna_export.make.make_run import Make, export
+    from rna_export.make.state import WRITTEN, Asked, is_work_folder
+    from rna_export.make.training_picture import TrainingPicture
+    from rna_export.memory import keep_freed_memory
+    from rna_export.training.device import chosen_device
+    from rna_render.scene.scene_file import read_scene
+
+    keep_freed_memory()
+    work = args.work or args.out.with_suffix(".make")
+    given = [args.model] if args.for_scene is None else [args.model, args.for_scene]
+    check_outputs([args.out], given)
+    check_outside(work, [args.out, *given])
+    settings = {**asked_settings(args), "seed": args.seed}
+    goal = _goal(args)
+    asked = Asked(
+        source=args.model.name,
+        source_sha256=hashlib.sha256(args.model.read_bytes()).hexdigest(),
+        arguments=arguments,
+        settings=settings,
+        scene=None if args.for_scene is None else args.for_scene.read_text(),
+        presets=tuple(args.presets),
+        goal="none" if goal is None else str(goal),
+        minutes=args.minutes,
+        steps=args.steps,
+        seed=args.seed,
+    )
+    precisions = precisions_of(args.precision, args.presets)
+    source = Source.captured(args.model, arguments, CaptureSettings(**settings))
+    for_scene = None if args.for_scene is None else read_scene(args.for_scene)
+    device, python = chosen_device(args.device), find_python()
+    picture = TrainingPicture.beside(args.out)
+    print(f"{work} holds rays and trainings; Ctrl-C stops, and the same command resumes")
+    print(
+        f"{picture.path} shows the model while it is trained: ours, Cycles, the error", flush=True
+    )
+    with owned(work, "rna-make", is_work_folder) as folder:
+        with folder.scratch() as scratch, place(args.cluster) as where:
+            order = Order(
+                source=source,
+                settings=settings,
+                for_scene=for_scene,
+                work=work,
+                presets=tuple(args.presets),
+                goal=goal,
+                minutes=args.minutes,
+                steps=args.steps,
+                seed=args.seed,
+                device=device,
+                crew=CaptureCrew(python, scratch, args.workers, where, args.store),
+                picture=picture,
+            )
+            made = Make(order, asked, begun, print).run()
+        print("writing the package: measuring its error and cost, rendering its poster", flush=True)
+        manifest = export(made, args.out, args.source, args.license, precisions)
+        marked = _kept_picture(order, args.out)
+        lines = closing_lines(args.out, manifest, made.trained(), made.dataset)
+        others = [] if args.keep else folder.dissolve(*WRITTEN)
+    if others:
+        print(f"kept {work}: rna-make did not write {', '.join(others)}")
+    print("\n".join([*lines, _outcome(made, manifest, goal)]))
+    size = args.out.stat().st_size / 1e6
+    kept = f", {work}" if args.keep else ""
+    print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}{kept}")
+    if marked is not None:
+        print(f"note: the exported geometry is not what Cycles renders; {marked} marks it")
+    _tell_next(args)
+
+
+def _tell_next(args: argparse.Namespace) -> None:
+    """Write the scene beside the package, and print the commands that show and check both."""
+    from rna_export.make.starter import write_starter
+    from rna_sdk.package import Package
+    from rna_sdk.size_note import size_note
+
+    with Package.open(args.out) as package:
+        note = size_note(*package.box())
+    if note is not None:
+        print(f"note: {note}")
+    scene = write_starter(args.out)
+    if scene is not None:
+        print(f"wrote {scene}, a scene that shows it")
+    compare = "rna-compare", args.out, args.model, "--out", f"{args.out.stem}-compare"
+    print(f"next: {command_line('rna-view', args.out)}")
+    print(f"      {command_line(*compare)}")
+
+
+def _kept_picture(order: Order, out: Path) -> Path | None:
+    """A copy, beside the package, of what the capture's check marked; None if it found nothing."""
+    from rna_export.capture.check.self_check import PICTURE
+    from rna_export.make.rays import rays_folder
+
+    marked = rays_folder(order) / PICTURE
+    if not marked.is_file():
+        return None
+    copy = out.with_suffix(f".{PICTURE}")
+    write_atomically(copy, marked.read_bytes())
+    return copy
+
+
+def _goal(args: argparse.Namespace) -> Goal | None:
+    from rna_export.fit.goal import Goal
+
+    if args.max_error is not None:
+        return Goal("max_error", args.max_error)
+    return None if args.min_psnr is None else Goal("min_psnr", args.min_psnr)
+
+
+def _outcome(made: Made, manifest: Manifest, goal: Goal | None) -> str:
+    """Why it ended, and whether the goal is met."""
+    (lead, *_) = [t.validation for t in manifest.tiers if f"{t.name}-".startswith(f"{made.lead}-")]
+    end: str = "the error stopped falling" if made.why == "stopped falling" else made.why
+    if goal is not None and lead is not None and goal.met_by(lead):
+        end = f"goal met: {goal}"
+    elif goal is not None:
+        end = f"goal not met, {end}: {goal}"
+    return f"{end}; capture rounds: {made.rounds}"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""The neural asset in PyTorch: planes, input blocks, decoder."""

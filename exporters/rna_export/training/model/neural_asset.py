@@ -1,0 +1,108 @@
+"""The neural asset in PyTorch: planes, input blocks, decoder."""
+
+from __future__ import annotations
+
+import torch
+from torch import Tensor, nn
+
+from rna_export.training.model.emission import EmissionDecoder
+from rna_export.training.model.feature_network import FeatureNetwork
+from rna_export.training.model.inputs import Points, assemble
+from rna_export.training.model.layers import through
+from rna_export.training.model.triplane import Triplane
+from rna_export.training.model.uv_texture import UvTexture
+from rna_export.training.presets import ModelConfig
+from rna_sdk.package import query_width
+
+
+class NeuralAsset(nn.Module):
+    """T(x, wo, wi) as a triplane and an MLP (the paper, section 3).
+
+    The decoder gives colours as y = log(x / unit + 1); `colours` inverts that. In the paper there
+    are two, `visible` and `shadowed`. A model that `separates_direct` has three: direct light, and
+    scattered light where the light is visible and where it is shadowed. `transport` sums them up
+    to the paper's two. Without `visibility_hint` there is one instead of each two.
+
+    `bounds` is (2, 3). `unit` is a radiance: 1 in the paper, what is usual on the asset in our
+    presets. `ceiling` bounds what a colour can be: nothing brighter was seen in training.
+    `multiplies_in_bfloat16`: see `layers.through` and `FeatureNetwork`; where gradients are asked
+    for, and only there.
+    """
+
+    multiplies_in_bfloat16 = False
+
+    ceiling: Tensor
+    unit: Tensor
+    triplane: Triplane | UvTexture | FeatureNetwork
+
+    def __init__(self, config: ModelConfig, bounds: Tensor):
+        super().__init__()
+        self.config = config
+        if config.texture == "network":
+            self.triplane = FeatureNetwork(config.width, config.channels, *bounds)
+        elif config.texture == "uv":
+            self.triplane = UvTexture(config.resolution, config.channels, *bounds)
+        else:
+            self.triplane = Triplane(config.resolution, config.channels, *bounds)
+        width = config.width
+        layers: list[nn.Module] = []
+        columns = query_width(config.inputs, config.channels)
+        for _ in range(config.hidden_layers):
+            layers += [nn.Linear(columns, width), nn.ReLU()]
+            columns = width
+        self.decoder = nn.Sequential(*layers, nn.Linear(columns, 3 * len(config.colour_sums[0])))
+        self.emission = (
+            EmissionDecoder(config.emission_inputs, config.channels, width)
+            if config.emission_inputs
+            else None
+        )
+        self.register_buffer("ceiling", torch.tensor(100.0))
+        self.register_buffer("unit", torch.tensor(1.0))
+
+    output = "transport"
+
+    @property
+    def colour_sums(self) -> tuple[tuple[int, ...], ...]:
+        """See `ModelConfig`."""
+        return self.config.colour_sums
+
+    @property
+    def multiply_adds(self) -> int:
+        """Multiply-adds of all matrix products of a query, without the emission decoder."""
+        layers = [*self.decoder, *self.triplane.modules()]
+        return sum(m.weight.numel() for m in layers if isinstance(m, nn.Linear))
+
+    @property
+    def emitting(self) -> tuple[EmissionDecoder, Triplane]:
+        """The decoder of emission with its planes, of a model that has one."""
+        assert self.emission is not None and isinstance(self.triplane, Triplane)
+        return self.emission, self.triplane
+
+    def forward(self, at: Points, blur: float = 1.0) -> Tensor:
+        """y = log(x / unit + 1) of each colour, (k, 1 to 3, 3)."""
+        y = through(self.decoder, self.queries(at, blur), self._in_bfloat16)
+        return y.reshape(len(y), y.shape[1] // 3, 3)
+
+    @property
+    def _in_bfloat16(self) -> bool:
+        return self.multiplies_in_bfloat16 and torch.is_grad_enabled()
+
+    def queries(self, at: Points, blur: float = 1.0) -> Tensor:
+        """The decoder's queries, (k, K)."""
+        grid, position = self.triplane, at["position"]
+        p = ((position - grid.low) / (grid.high - grid.low)).clamp(0.0, 1.0)
+        if self.config.texture == "network":
+            features = grid(position, at["wo"], at["wi"], self._in_bfloat16)
+        else:
+            features = grid(at["uv"] if self.config.texture == "uv" else position, blur)
+        return assemble(self.config.inputs, features, p, at)
+
+    def colours(self, y: Tensor) -> Tensor:
+        """Radiance from y: the inverse of log(x / unit + 1), between 0 and the ceiling."""
+        highest = torch.log1p(self.ceiling / self.unit)
+        return self.unit * torch.expm1(y.clamp(min=0.0).minimum(highest))
+
+    def transport(self, y: Tensor) -> Tensor:
+        """Radiance where the light is visible and where it is shadowed, (k, 2, 3)."""
+        sums = torch.tensor(self.config.colour_sums, dtype=y.dtype, device=y.device)
+        return torch.einsum("sc,kcr->ksr", sums, self.colours(y))

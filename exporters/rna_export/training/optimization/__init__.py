@@ -1,0 +1,1 @@
+"""Steps of training: batches, losses, optimizers and their kernels."""

@@ -1,0 +1,70 @@
+"""The loss between the decoder's y = log(x / unit + 1) and radiance targets, (n, 3) each."""
+
+from __future__ import annotations
+
+import torch
+from torch import Tensor
+
+from rna_export.training.model.inputs import Points
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.presets import ModelConfig
+
+_LEAST_VISIBLE = 0.05
+
+
+def sample_loss(model: NeuralAsset, at: Points, blur: float, loss: str = "log") -> Tensor:
+    """The loss of a batch of samples, of the outputs alone that match their visibility.
+
+    loss: "log" or "unbiased"; of a model with an output for direct light, of that light alone:
+    scattered light is next to nothing but noise, and its loss is always the unbiased one.
+    """
+    config, y = model.config, model(at, blur)
+    if not config.separates_direct:
+        return _LOSSES[loss](_of_visibility(y, at, config), at["radiance"], model.unit)
+    v, of_light = at["visible"], at["direct"]
+    if v.dim() == 1:
+        v = v[:, None]
+    else:  # weakened by what it came through
+        of_light = of_light / v.clamp(min=_LEAST_VISIBLE)
+    of_direct = v if config.visibility_hint else 1.0
+    direct = _LOSSES[loss](y[:, 0], of_light, model.unit, of_direct)
+    scattered = _of_visibility(y[:, 1:], at, config)
+    return direct + unbiased_l2(scattered, at["radiance"] - at["direct"], model.unit)
+
+
+def _of_visibility(y: Tensor, at: Points, config: ModelConfig) -> Tensor:
+    """Outputs (k, 2, 3) for visible and shadowed light, blended by each sample's hint."""
+    if not config.visibility_hint:
+        return y[:, 0]
+    v = at["visible"]
+    if v.dim() == 1:
+        return torch.where(v[:, None] > 0.5, y[:, 0], y[:, 1])
+    # v visible + (1 - v) shadowed, of radiance x = unit (exp(y) - 1).
+    return torch.log(v * torch.exp(y[:, 0]) + (1.0 - v) * torch.exp(y[:, 1]))
+
+
+def log_l2(
+    y: Tensor, target: Tensor, unit: Tensor | float = 1.0, weight: Tensor | float = 1.0
+) -> Tensor:
+    """Squared error of log(x / unit + 1): the paper, section 4.2, where the unit is 1.
+
+    Noise in the targets darkens what it learns: see `rna_export.training.optimization.noise`.
+    """
+    return (weight * (y - torch.log1p(target / unit)).square()).mean()
+
+
+def unbiased_l2(
+    y: Tensor, target: Tensor, unit: Tensor | float = 1.0, weight: Tensor | float = 1.0
+) -> Tensor:
+    """Squared error of x over (x + unit)^2, x as predicted: near the truth it is `log_l2`.
+
+    Its minimum is the mean of noisy targets, since the denominator is held fixed: Lehtinen et
+    al., "Noise2Noise", 2018, section 3.2; Mueller et al., "Real-time Neural Radiance Caching for
+    Path Tracing", 2021, section 4.1.
+    """
+    x_over_unit = torch.expm1(y)
+    scale = 1.0 / (x_over_unit.detach().clamp(min=0.0) + 1.0)
+    return (weight * (scale * (x_over_unit - target / unit)).square()).mean()
+
+
+_LOSSES = {"log": log_l2, "unbiased": unbiased_l2}

@@ -1,0 +1,69 @@
+"""Products of matrices whose bits do not depend on the number of threads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from rna_export.training.optimization.training_threads import use_threads
+from rna_sdk.compiled import compiled
+
+_NARROW = 12  # columns: of such products BLAS shares the sum over rows among its threads
+
+
+def weight_gradient(gradient: Tensor, value: Tensor) -> Tensor:
+    """gradient.t() @ value, (b, a), of (n, b) and (n, a)."""
+    if gradient.shape[1] > _NARROW or gradient.dtype != torch.float32 or gradient.is_cuda:
+        return gradient.t() @ value
+    product = torch.zeros(gradient.shape[1], value.shape[1])
+    _add_products(gradient.contiguous().numpy(), value.contiguous().numpy(), product.numpy())
+    return product
+
+
+@compiled()
+def _add_products(
+    gradient: NDArray[np.float32], value: NDArray[np.float32], product: NDArray[np.float32]
+) -> None:
+    """In the order of the rows."""
+    for i in range(len(gradient)):
+        for k in range(gradient.shape[1]):
+            g = gradient[i, k]
+            for c in range(value.shape[1]):
+                product[k, c] += g * value[i, c]
+
+
+class Product(NamedTuple):
+    """A linear layer's: rows, columns in and out, type of the factors."""
+
+    rows: int
+    columns_in: int
+    columns_out: int
+    dtype: torch.dtype
+
+
+def products_repeat(products: Iterable[Product], most: int) -> bool:
+    """Whether layers forwards and backwards have the same bits with one thread and with `most`.
+
+    BLAS may share a sum among threads; where it does so depends on sizes and processor. Leaves
+    `most` threads in use.
+    """
+    generator, factors = torch.Generator().manual_seed(0), []
+    for n, a, b, dtype in dict.fromkeys(products):
+        sizes = (n, a), (n, b), (b, a), (b,)
+        factors.append([torch.randn(size, generator=generator).to(dtype) for size in sizes])
+    found = []
+    for count in (1, most):
+        use_threads(count)
+        found.append([p for each in factors for p in _products(*each)])
+    return all(torch.equal(one, other) for one, other in zip(*found, strict=True))
+
+
+def _products(x: Tensor, gradient: Tensor, weight: Tensor, bias: Tensor) -> list[Tensor]:
+    """Of a layer, forwards and backwards."""
+    forwards = torch.addmm(bias, x, weight.t())
+    return [forwards, weight_gradient(gradient, x), gradient.sum(dim=0), gradient @ weight]

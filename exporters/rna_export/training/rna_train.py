@@ -1,0 +1,179 @@
+"""`rna-train`: trains a neural asset on a captured dataset."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from rna_export.training.options import add_device
+from rna_export.training.presets import LOSSES, PRESETS, Preset
+from rna_sdk.console import command_line, command_parser, run_command
+from rna_sdk.errors import TrainingError
+from rna_sdk.owned_folder import owned
+from rna_sdk.package.blocks import INPUT_BLOCKS, blocks_for
+
+if TYPE_CHECKING:
+    from rna_export.capture.dataset.dataset_folder import Dataset
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-train`."""
+    p = command_parser(
+        "rna-train",
+        "Train a neural asset on a captured dataset.",
+        "rna-train helmet.rays/ --preset small --out runs/helmet --minutes 10",
+        epilog="The same command resumes an interrupted training.",
+    )
+    p.add_argument("dataset", type=Path, help="dataset written by rna-capture (path)")
+    p.add_argument(
+        "--out",
+        type=Path,
+        required=True,
+        metavar="FOLDER",
+        help="folder for checkpoints, loss curves and images, or a run to resume; one subfolder "
+        "per part if there are several (path, required)",
+    )
+    p.add_argument(
+        "--part",
+        metavar="NAME",
+        help="train only this part (str, default: all parts in turn)",
+    )
+    p.add_argument(
+        "--cut",
+        type=int,
+        default=1,
+        metavar="N",
+        help="split surfaces into N pieces with their own planes and decoder, for more detail in "
+        "close-ups; package size grows in proportion (int, default: %(default)s)",
+    )
+    p.add_argument(
+        "--preset",
+        choices=PRESETS["surface"],
+        default="small",
+        help="model preset (default: %(default)s)",
+    )
+    p.add_argument(
+        "--inputs",
+        nargs="+",
+        choices=INPUT_BLOCKS,
+        metavar="BLOCK",
+        help="decoder inputs, for ablations: "
+        + ", ".join(INPUT_BLOCKS)
+        + " (default: the preset's)",
+    )
+    p.add_argument(
+        "--loss",
+        choices=LOSSES,
+        help="log; unbiased: capture noise does not darken the result, but sharp highlights lose "
+        "accuracy; auto: chosen by the noise level (default: the preset's, auto for ours)",
+    )
+    lengths = sorted({preset.training.steps for preset in PRESETS["surface"].values()})
+    usual = " or ".join(f"{steps:,}" for steps in lengths)
+    length = p.add_mutually_exclusive_group()
+    length.add_argument(
+        "--minutes",
+        type=float,
+        help="wall-clock budget, including loading and validation; parts share it in proportion to "
+        "their visible area (float, default: the preset's steps)",
+    )
+    length.add_argument(
+        "--steps",
+        type=int,
+        help=f"training steps per part (int, default: the preset's, {usual})",
+    )
+    p.add_argument(
+        "--seed",
+        type=int,
+        default=0,
+        help="random seed; with --steps, CPU runs are reproducible (int, default: %(default)s)",
+    )
+    add_device(p, "the training")
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Entry point; returns the exit status."""
+    options = parser()
+    args = options.parse_args(argv)
+    for name in ("minutes", "steps", "cut"):
+        value = getattr(args, name)
+        if value is not None and not 0 < value < math.inf:
+            options.error(f"argument --{name}: expected a number above 0, found {value:g}")
+    if not 0 <= args.seed < 2**32:
+        options.error(f"argument --seed: expected 0 to 2^32 - 1, found {args.seed}")
+    go_on = "run the same command again to resume"
+    return run_command(lambda: _run(args), args.debug, go_on, "train")
+
+
+def _run(args: argparse.Namespace) -> None:
+    begun = monotonic()  # the imports take seconds
+    from rna_export.capture.dataset.dataset_folder import Dataset
+    from rna_export.capture.geometry.cut import as_cut
+    from rna_export.memory import keep_freed_memory
+    from rna_export.training.closing import closing_lines
+    from rna_export.training.device import chosen_device
+    from rna_export.training.part_runs import part_folder, shared_minutes
+    from rna_export.training.training_run import Run, is_of_training, train
+
+    keep_freed_memory()
+    device = chosen_device(args.device)
+    dataset = as_cut(Dataset(args.dataset), args.cut)
+    parts = dataset.parts if args.part is None else (dataset.part(args.part),)
+    minutes = shared_minutes(args.minutes, parts)
+    folders = {part.name: part_folder(args.out, dataset, part.name) for part in dataset.parts}
+    written = []
+    with owned(args.out, "rna-train", lambda _: any(map(is_of_training, folders.values()))):
+        for part in parts:
+            out = folders[part.name]
+            if len(dataset.parts) > 1:
+                print(f"part {part.name}, {part.kind}:")
+            preset = _chosen(args, part.kind)
+            run = Run(part, preset, args.preset, out, args.seed, minutes[part.name], begun, device)
+            best = train(run)
+            print("\n".join(closing_lines(best, part)))
+            written.append(f"wrote {best}, {out / 'curves.png'}, {out / 'sheet.png'}")
+            begun = monotonic()
+    print("\n".join([*(f"note: {note}" for note in dataset.manifest.notes), *written]))
+    package = f"{dataset.manifest.name}.rna"
+    print(f"next: {command_line('rna-export', _to_export(args.out, dataset), '--out', package)}")
+
+
+def _to_export(out: Path, dataset: Dataset) -> Path:
+    return out / "best.ckpt" if len(dataset.parts) == 1 else out
+
+
+def _chosen(args: argparse.Namespace, kind: str) -> Preset:
+    """The named preset, with what the options change of it."""
+    preset = PRESETS[kind][args.preset]
+    if args.steps is not None:
+        preset = preset.with_training(steps=args.steps)
+    if args.loss is not None:
+        if preset.model.separates_direct:
+            raise TrainingError(
+                f"--loss: expected none, {args.preset} of a {kind} has one for each"
+            )
+        preset = preset.with_training(loss=args.loss)
+    if args.inputs is not None:
+        _check_inputs(args.inputs, kind)
+        preset = preset.with_model(inputs=tuple(args.inputs))
+    return preset
+
+
+def _check_inputs(inputs: list[str], kind: str) -> None:
+    known = blocks_for(kind)
+    if not set(inputs) <= set(known) or len(set(inputs)) < len(inputs):
+        raise TrainingError(
+            f"--inputs: found {' '.join(inputs)}, expected each once and, for a {kind}, of "
+            + " ".join(known)
+        )
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,240 @@
+"""Runs a training: length, checkpoints, curves, resume."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from time import monotonic
+from typing import Any
+
+import torch
+from tqdm import tqdm
+
+from rna_export.brightness import Brightness
+from rna_export.capture.dataset.dataset_part import DatasetPart
+from rna_export.training.checkpoint import load_progress, save_checkpoint
+from rna_export.training.curves import Curves
+from rna_export.training.model.emission import INPUTS
+from rna_export.training.optimization import emission_batches
+from rna_export.training.optimization.emission_batches import EmissionBatches
+from rna_export.training.optimization.fitting import Fitting
+from rna_export.training.optimization.noise import with_fitting_loss
+from rna_export.training.optimization.pace import Pace, StepPace, TimePace, length
+from rna_export.training.optimization.samples import SampleTable
+from rna_export.training.optimization.step_threads import StepThreads
+from rna_export.training.presets import Preset
+from rna_export.training.report import Report
+from rna_sdk.errors import TrainingError
+
+_SO_FAR = "best-so-far.ckpt"  # until the run is finished
+_ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class Run:
+    """One training, as asked for."""
+
+    dataset: DatasetPart
+    preset: Preset
+    preset_name: str
+    out: Path
+    seed: int = 0
+    minutes: float | None = None  # by the clock; replaces the preset's steps
+    begun: float | None = None  # when the minutes began, of `time.monotonic`; None: with `train`
+    device: str = "cpu"
+    validations: int = 10  # over the run; the best checkpoint is one of as many
+    after_checkpoint: Callable[[], None] = lambda: None
+
+
+def train(
+    run: Run,
+    table: SampleTable | None = None,
+    say: Callable[[str], None] = print,
+    bars: Callable[..., tqdm] = tqdm,
+) -> Path:
+    """Train to the end; returns the best checkpoint, `best.ckpt`.
+
+    `<out>/last.ckpt` of an earlier, stopped call is continued. table: the samples to train on, on
+    the run's device; None: all of the dataset's. bars: makes the progress bar. Raises
+    `TrainingError` when the checkpoint belongs to another run, or the model diverges.
+    """
+    begun = monotonic() if run.begun is None else run.begun
+    if table is None:
+        table = SampleTable(run.dataset.training_samples(), device=run.device)
+    # Nothing brighter than the training data: a network asked beyond it may answer anything.
+    ceiling = 1.5 * table.largest_radiance
+    # Radiance that the loss calls 1.
+    unit = table.usual_radiance if run.preset.training.unit == "usual" else 1.0
+    run = replace(run, preset=with_fitting_loss(run.preset, run.dataset, unit))
+    if run.dataset.manifest.emitters:
+        inputs = INPUTS[run.dataset.kind]
+        run = replace(run, preset=run.preset.with_model(emission_inputs=inputs))
+    run.out.mkdir(parents=True, exist_ok=True)
+    saved = _continued(run.out / "last.ckpt", run)
+    done = saved["step"] if saved else 0
+    table = table.shuffled(run.preset.training.batch, run.seed, done)
+    say(_plan(run, len(table)))
+    torch.manual_seed(run.seed)
+    bounds, emission = padded_bounds(run.dataset), _emission(run, done)
+    fitting = Fitting(run.preset, bounds, ceiling, unit, table.fields, emission, run.device)
+    if saved:
+        fitting.load(saved["fitting"])
+    best, so_far = run.out / "best.ckpt", run.out / _SO_FAR
+    pace = _pace(run, begun, saved)
+    batch = run.preset.training.batch
+    batches = batch, batch // emission_batches.SHARE
+    with (
+        bars(initial=done, total=run.preset.training.steps, unit="step", mininterval=0.5) as bar,
+        StepThreads.of(fitting.model, batches) as threads,
+    ):
+        found = _fit(run, fitting, table, pace, done, bar, threads)
+    if found is not None:
+        say(str(found))
+    if so_far.is_file():
+        so_far.replace(best)
+    if not best.is_file():
+        raise TrainingError(f"{best}: the run is finished, and this file is gone; delete {run.out}")
+    return best
+
+
+def is_of_training(folder: Path) -> bool:
+    """Whether a training has begun there."""
+    return any((folder / name).is_file() for name in ("last.ckpt", _SO_FAR, "best.ckpt"))
+
+
+def _fit(
+    run: Run,
+    fitting: Fitting,
+    table: SampleTable,
+    pace: Pace,
+    done: int,
+    bar: tqdm,
+    threads: StepThreads,
+) -> Brightness | None:
+    """All steps after the first `done`, with validations at equal parts of the run.
+
+    Returns the brightness that the last of them found.
+    """
+    curves, report = Curves(run.out, done), Report(run.dataset, run.out)
+    batches, losses = iter(table), []
+    while pace.progress < 1.0:
+        validated = _validations(run, pace)
+        losses.append(threads.run(partial(fitting.step, next(batches), pace.progress)))
+        pace.advance()
+        done += 1
+        if run.minutes is not None:
+            bar.total = round(done / pace.progress)
+        bar.update()
+        if _validations(run, pace) == validated:
+            continue
+        with threads.all():
+            row = report.of(fitting.model, is_last=pace.progress >= 1.0)
+        is_best = row["psnr"] >= curves.best_psnr
+        curves.add({"step": done, "loss": float(torch.stack(losses).mean()), **row})
+        losses.clear()
+        if "flip" in row:
+            curves.draw()
+        record = _record(run, done)
+        if is_best:
+            save_checkpoint(run.out / _SO_FAR, fitting.model, record)
+        pace.validated()
+        progress = {"step": done, "fitting": fitting.state(), "pace": pace.state()}
+        save_checkpoint(run.out / "last.ckpt", fitting.model, record, progress)
+        run.after_checkpoint()
+        bar.set_postfix(psnr=f"{row['psnr']:.2f} dB")
+    return report.brightness
+
+
+def _validations(run: Run, pace: Pace) -> int:
+    """Number of validations due by now."""
+    return int(pace.progress * run.validations + _ROUNDING)
+
+
+def _emission(run: Run, done: int) -> EmissionBatches | None:
+    """Batches of emission, if the model has a decoder of it."""
+    if not run.preset.model.emission_inputs:
+        return None
+    return EmissionBatches.of(run.dataset, run.preset.training.batch, run.seed, run.device, done)
+
+
+def padded_bounds(dataset: DatasetPart) -> torch.Tensor:
+    """The triplane's box (2, 3): the geometry's, a little larger, no side thinner than a tenth."""
+    low, high = torch.tensor(dataset.bounds, dtype=torch.float32)
+    centre, half = (low + high) / 2, (high - low) / 2
+    half = torch.maximum(1.01 * half, 0.1 * half.max())
+    return torch.stack([centre - half, centre + half])
+
+
+def _pace(run: Run, begun: float, saved: dict[str, Any] | None) -> Pace:
+    """Pace of the run, or of its remainder."""
+    if run.minutes is not None:
+        return TimePace(60.0 * run.minutes, begun, saved["pace"] if saved else None)
+    return StepPace(run.preset.training.steps, saved["step"] if saved else 0)
+
+
+def _record(run: Run, done: int) -> dict[str, Any]:
+    """Record of a run in its checkpoints, enough to repeat it."""
+    return {
+        "preset": run.preset.model_dump(mode="json"),
+        "preset_name": run.preset_name,
+        "seed": run.seed,
+        "steps": run.preset.training.steps if run.minutes is None else done,
+        "minutes": run.minutes,
+        "part": run.dataset.name,
+        "cut": run.dataset.dataset.cut,
+        "dataset": str(run.dataset.folder.resolve()),
+        "capture": run.dataset.manifest.model_dump(mode="json", by_alias=True),
+    }
+
+
+def _continued(last: Path, run: Run) -> dict[str, Any] | None:
+    """The progress to go on from, if there is one; `TrainingError` when it is of another run."""
+    if not last.is_file():
+        return None
+    saved = load_progress(last)
+    begun, asked = saved["record"], _record(run, saved["progress"]["step"])
+    begun_preset = Preset.model_validate(begun["preset"])
+    for what, before, now in (
+        ("preset", begun["preset_name"], run.preset_name),
+        ("seed", begun["seed"], run.seed),
+        ("part", begun["part"], run.dataset.name),
+        ("cut", begun["cut"], run.dataset.dataset.cut),
+        (
+            "length",
+            length(begun["minutes"], begun["steps"]),
+            length(run.minutes, run.preset.training.steps),
+        ),
+        ("model or training", begun_preset.model_dump(mode="json"), asked["preset"]),
+        ("dataset", begun["capture"], asked["capture"]),
+    ):
+        if before != now:
+            told = f" {before}, found {now}" if isinstance(now, str | int) else ""
+            raise TrainingError(
+                f"{last} belongs to a run with another {what}{told}: choose another --out"
+            )
+    progress: dict[str, Any] = saved["progress"]
+    return progress
+
+
+def _plan(run: Run, samples: int) -> str:
+    model, training = run.preset.model, run.preset.training
+    loss = (
+        "losses of direct and scattered light"
+        if model.separates_direct
+        else f"{training.loss} loss"
+    )
+    return (
+        f"{run.preset_name}: {model.hidden_layers} x {model.width}, planes 3 x "
+        f"{model.resolution}^2 x {model.channels}, inputs {', '.join(model.inputs)}\n"
+        f"{samples / 1e6:.2f} M samples, {_length(run, samples)}, {loss}"
+    )
+
+
+def _length(run: Run, samples: int) -> str:
+    training = run.preset.training
+    if run.minutes is not None:
+        return f"{run.minutes:g} minutes of steps of {training.batch:,}"
+    epochs = training.steps * training.batch / samples
+    return f"{training.steps:,} steps of {training.batch:,} = {epochs:.1f} epochs"

@@ -1,0 +1,1 @@
+"""The commands `rna-info`, `rna-validate` and `rna-pack`."""

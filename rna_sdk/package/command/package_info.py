@@ -1,0 +1,181 @@
+"""What a package is: size, parts, tiers, error, cost and origin, as data and as text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from rna_sdk.package.geometry.curves import Curves
+from rna_sdk.package.manifest.extensions import Poster, extension
+from rna_sdk.package.manifest.manifest_model import Part
+from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
+from rna_sdk.package.package import Package
+from rna_sdk.size_note import size_note
+
+Info = dict[str, Any]
+
+
+def package_info(path: Path) -> Info:
+    """What the package's files say, with names of keys for programs; JSON's types alone.
+
+    Lengths are in metres. Raises PackageError for a broken package.
+    """
+    with Package.open(path) as package:
+        manifest = package.manifest
+        low, high = package.box()
+        poster = extension(manifest, Poster)
+        origin = manifest.provenance
+        return {
+            "file": str(path),
+            "bytes": path.stat().st_size,
+            "name": manifest.name,
+            "format": manifest.version,
+            "size": [float(f"{side:.6g}") for side in high - low],
+            "size_note": size_note(low, high),
+            "parts": [_part(package, k) for k in range(len(manifest.parts))],
+            "tiers": [_tier(tier) for tier in manifest.tiers],
+            "directions": manifest.domain.model_dump(mode="json"),
+            "source": origin.source,
+            "tool": origin.tool,
+            "generator": manifest.generator,
+            "capture": origin.capture,
+            "training": origin.training,
+            "license": manifest.license,
+            "poster": poster and {"width": poster.width, "height": poster.height},
+            "extensions": {
+                name: "required" if name in manifest.extensions_required else "optional"
+                for name in manifest.extensions_used
+            },
+        }
+
+
+def _part(package: Package, index: int) -> Info:
+    record = package.manifest.parts[index]
+    geometry = package.geometry(index)
+    counts = (
+        {"strands": len(geometry.offsets) - 1, "points": len(geometry.points)}
+        if isinstance(geometry, Curves)
+        else {"triangles": len(geometry.triangles), "vertices": len(geometry.positions)}
+    )
+    emits = package.manifest.tiers[0].parts[index].emission is not None
+    return {
+        "name": record.name,
+        "kind": record.kind,
+        **counts,
+        "has": [*features_of(record), *(["emission"] if emits else [])],
+        "proxies": list(package.proxy_heights(index)),
+    }
+
+
+def features_of(part: Part) -> list[str]:
+    """What a part has beside its geometry: transmittance, normal maps."""
+    named = {"transmittance": part.transmittance, "normal maps": part.normal_maps}
+    return [name for name, records in named.items() if records]
+
+
+def _tier(tier: Tier) -> Info:
+    found, cost = tier.validation, tier.cost
+    return {
+        "name": tier.name,
+        "psnr": found and found.psnr,
+        "flip": found and found.flip,
+        "images": found and found.images,
+        "ns_per_query": cost and cost.ns_per_query,
+        "threads": cost and cost.threads,
+        "machine": cost and cost.machine,
+        "multiply_adds": cost and cost.multiply_adds,
+        "parts": [_tier_part(part) for part in tier.parts],
+    }
+
+
+def _tier_part(part: TierPart) -> Info:
+    return {
+        "resolution": part.resolution,
+        "channels": part.channels,
+        "planes": part.plane_precision,
+        "decoder": part.decoder_precision,
+    }
+
+
+def info_lines(info: Info) -> Iterator[str]:
+    """The same for a person; characters that a terminal would obey are shown as `?`."""
+    for label, text in _rows(info):
+        plain = "".join(c if c.isprintable() else "?" for c in text)
+        yield f"{label:12}{plain}".rstrip()
+
+
+def _rows(info: Info) -> Iterator[tuple[str, str]]:
+    """Label and text of each line; the label is empty below the first line of a kind."""
+    size = f"{info['bytes'] / 1e6:.2f} MB, format {info['format']}"
+    yield "package", f"{info['name']}, {size}, {info['file']}"
+    yield "size", " x ".join(f"{side:.3g}" for side in info["size"]) + " m (x, y up, z)"
+    if info["size_note"]:
+        yield "note", info["size_note"]
+    yield from _labelled("parts", map(_part_text, info["parts"]))
+    yield from _labelled("tiers", map(_tier_text, info["tiers"]))
+    yield "directions", _directions_text(info["directions"])
+    yield "made from", info["source"]
+    yield "captured", _capture_text(info["capture"])
+    yield from _labelled("trained", map(_training_text, info["training"].items()))
+    yield "made with", f"{info['tool']}; {info['generator']}"
+    yield "license", info["license"]
+    poster = info["poster"]
+    yield "poster", f"{poster['width']} x {poster['height']} pixels" if poster else "none"
+    extensions = [
+        name + " (required)" * (use == "required") for name, use in info["extensions"].items()
+    ]
+    yield "extensions", ", ".join(extensions) or "none"
+
+
+def _labelled(label: str, texts: Iterator[str]) -> Iterator[tuple[str, str]]:
+    for text in texts:
+        yield label, text
+        label = ""
+
+
+def _part_text(part: Info) -> str:
+    counts = [f"{part[key]:,} {key}" for key in _COUNTS if key in part]
+    proxies = [f"{len(part['proxies'])} proxies"] if part["proxies"] else []
+    return f"{part['name']}: {part['kind']}, {', '.join([*counts, *part['has'], *proxies])}"
+
+
+_COUNTS = ("triangles", "vertices", "strands", "points")
+
+
+def _tier_text(tier: Info) -> str:
+    error = "error not measured"
+    if tier["psnr"] is not None:
+        error = f"PSNR {tier['psnr']:.2f} dB, FLIP {tier['flip']:.4f}"
+    cost = "cost not measured"
+    if tier["ns_per_query"] is not None:
+        threads = "1 thread" if tier["threads"] == 1 else f"{tier['threads']} threads"
+        cost = f"{tier['ns_per_query']:.0f} ns/query ({threads}, {tier['machine']})"
+    first = tier["parts"][0]
+    planes = f"{first['resolution']}^2 x {first['channels']} {first['planes']} planes"
+    return f"{tier['name']}: {error}; {cost}; {planes}, {first['decoder']} decoder"
+
+
+def _directions_text(domain: Info) -> str:
+    """Light and view directions in words."""
+    words = {"sphere": "all", "hemisphere": "those above the horizon"}
+    view, light = (
+        words.get(region, region)
+        if isinstance(region, str)
+        else f"{len(region)} cone{'s' * (len(region) > 1)}"
+        for region in (domain["wo"], domain["wi"])
+    )
+    return f"seen from {view}, lit from {light}"
+
+
+def _capture_text(capture: Info) -> str:
+    words = {"lights": "lights", "rays": "rays a light", "samples": "samples a ray"}
+    shown = [(words[key], capture.get(key)) for key in words]
+    told = [f"{value:,} {word}" for word, value in shown if isinstance(value, int)]
+    return ", ".join(told) or "not recorded"
+
+
+def _training_text(item: tuple[str, Any]) -> str:
+    preset, record = item
+    steps = record.get("steps") if isinstance(record, dict) else None
+    return f"{preset}: {f'{steps:,} steps' if isinstance(steps, int) else 'not recorded'}"

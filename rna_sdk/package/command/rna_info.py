@@ -1,0 +1,70 @@
+"""`rna-info`: what a package is."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from rna_sdk.atomic_file import write_atomically
+from rna_sdk.console import command_parser, run_command
+from rna_sdk.errors import RnaError
+from rna_sdk.file_kinds import not_a
+from rna_sdk.outputs import check_outputs
+from rna_sdk.package.command.package_info import info_lines, package_info
+from rna_sdk.package.package import Package
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; returns the exit status."""
+    options = parser().parse_args(arguments)
+    return run_command(lambda: _run(options), options.debug, "nothing was written")
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options of `rna-info`."""
+    p = command_parser(
+        "rna-info",
+        "Show what a package is: size, parts, tiers, error, cost, origin and training.",
+        "rna-info asset.rna",
+        epilog="Errors are those that the package records; `rna-compare` measures them against\n"
+        "the original. A tier's cost is that on the machine that made it.",
+    )
+    p.add_argument("package", type=Path, help="the package (path)")
+    p.add_argument("--json", action="store_true", help="print JSON (default: text)")
+    p.add_argument(
+        "--poster",
+        type=Path,
+        metavar="PNG",
+        help="write the package's picture to this file (path, default: none)",
+    )
+    p.add_argument(
+        "--debug", action="store_true", help="show the traceback of an error (default: off)"
+    )
+    return p
+
+
+def _run(options: argparse.Namespace) -> None:
+    path = options.package
+    if path.is_file() and (wrong := not_a("package", path)) is not None:
+        raise RnaError(f"{path}: {wrong}")
+    info = package_info(path)
+    print(json.dumps(info, indent=2) if options.json else "\n".join(info_lines(info)))
+    if options.poster is not None:
+        _write_poster(path, options.poster)
+
+
+def _write_poster(path: Path, png: Path) -> None:
+    with Package.open(path) as package:
+        poster = package.poster()
+    if poster is None:
+        raise RnaError(f"{path}: has no poster: rna-pack --poster adds one")
+    check_outputs([png], [path])
+    write_atomically(png, poster)
+    print(f"wrote {png}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

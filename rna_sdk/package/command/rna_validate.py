@@ -1,0 +1,113 @@
+"""`rna-validate`: check packages and print what is wrong with them."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+
+from rna_sdk.console import command_parser, run_command
+from rna_sdk.package.issues import is_valid
+from rna_sdk.package.manifest.manifest_model import Manifest
+from rna_sdk.package.manifest.manifest_short import has_short_form
+from rna_sdk.package.validator import Inspection, inspect
+
+VALID, INVALID = 0, 1
+"""Exit statuses; argparse exits with 2 for wrong usage."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command. Returns 0 when every file is valid, 1 when one is not."""
+    options = _parser().parse_args(arguments)
+    return run_command(lambda: _run(options), options.debug, "no verdict on the other files")
+
+
+def _run(options: argparse.Namespace) -> int:
+    status, records = VALID, []
+    for path in options.files:
+        try:
+            found = inspect(path)
+        except Exception as error:  # a defect of the validator: say so, in one line, and go on
+            if options.debug:
+                raise
+            print(f"{path}: internal error, {error!r}; try --debug", file=sys.stderr)
+            status = INVALID
+            continue
+        if not is_valid(found.issues):
+            status = INVALID
+        if options.json:
+            records.append(_as_json(path, found))
+        else:
+            _print_report(path, found)
+    if options.json:
+        print(json.dumps(records, indent=2))
+    return status
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = command_parser(
+        "rna-validate",
+        "Validate .rna packages against the specification.",
+        "rna-validate asset.rna",
+        usage=argparse.SUPPRESS,
+        epilog="Prints one line per issue, one line per part (if there are several, or "
+        "transmittance\n"
+        "or emission), then `FILE: valid` or `FILE: invalid`. Warnings do not make a package\n"
+        "invalid. Exit status: 0 all valid, 1 any invalid or unreadable, 2 bad usage.\n"
+        "Issue codes: spec/ISSUES.md.",
+    )
+    parser.add_argument("files", nargs="+", metavar="FILE", help="packages to validate (paths)")
+    parser.add_argument("--json", action="store_true", help="print JSON (default: text)")
+    parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
+    return parser
+
+
+def _as_json(path: str, found: Inspection) -> dict[str, object]:
+    """Parts are null where the manifest cannot be read."""
+    return {
+        "file": path,
+        "valid": is_valid(found.issues),
+        "parts": found.manifest and [_part_as_json(part) for part in _parts(found.manifest)],
+        "issues": [asdict(issue) for issue in found.issues],
+    }
+
+
+def _part_as_json(part: _Part) -> dict[str, object]:
+    return {"name": part.name, "kind": part.kind, **dict.fromkeys(part.has, True)}
+
+
+def _print_report(path: str, found: Inspection) -> None:
+    for issue in found.issues:
+        print(f"{path}: {issue}")
+    if found.manifest and not has_short_form(found.manifest):
+        for part in _parts(found.manifest):
+            print(f"{path}: part {part.name}: {', '.join((part.kind, *part.has))}")
+    print(f"{path}: {'valid' if is_valid(found.issues) else 'invalid'}")
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A part as `rna-validate` shows it; has: "transmittance", "normal maps", "emission"."""
+
+    name: str
+    kind: str
+    has: tuple[str, ...]
+
+
+def _parts(manifest: Manifest) -> list[_Part]:
+    return [
+        _Part(
+            part.name,
+            part.kind,
+            ("transmittance",) * bool(part.transmittance)
+            + ("normal maps",) * bool(part.normal_maps)
+            + ("emission",) * bool(manifest.tiers[0].parts[k].emission),
+        )
+        for k, part in enumerate(manifest.parts)
+    ]
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""The ZIP container, and the encodings of its entries: safetensors and strict JSON."""

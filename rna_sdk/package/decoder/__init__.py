@@ -1,0 +1,1 @@
+"""The decoder: what an ONNX graph may be, read and checked without onnxruntime."""

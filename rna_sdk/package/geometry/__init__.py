@@ -1,0 +1,1 @@
+"""Meshes and curves, and their files: GLB and tensors, quantised or float32."""

@@ -1,0 +1,1 @@
+"""The manifest: its model, extensions and schema; reading, writing and checks."""

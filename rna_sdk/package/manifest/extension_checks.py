@@ -1,0 +1,91 @@
+"""What must hold of the extensions that the specification defines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from pydantic import ValidationError
+
+from rna_sdk.package.container.strict_json import model_of, pointer
+from rna_sdk.package.issues import Code, Issue
+from rna_sdk.package.limits import MAX_FILE_BYTES
+from rna_sdk.package.manifest.deflate import largest_decoded
+from rna_sdk.package.manifest.extensions import (
+    EXTENSIONS,
+    Deflate,
+    Extension,
+    Poster,
+    Proxy,
+    Standin,
+)
+from rna_sdk.package.manifest.manifest_model import Manifest
+from rna_sdk.package.manifest.schema_issues import schema_issues
+
+KNOWN_EXTENSIONS = frozenset(extension.NAME for extension in EXTENSIONS)
+
+
+def extension_issues(manifest: Manifest) -> list[Issue]:
+    """The errors in the data of known extensions."""
+    issues: list[Issue] = []
+    for known in EXTENSIONS:
+        where = ("extensions", known.NAME)
+        if known.NAME in manifest.extensions:
+            try:
+                data = model_of(known, manifest.extensions[known.NAME])
+            except ValidationError as error:
+                issues += schema_issues(error, *where)
+            else:
+                issues += _data_issues(data, manifest)
+        elif known.NAME in manifest.extensions_used:
+            found = f"{known.NAME} in extensionsUsed"
+            issues.append(Issue.of(Code.FIELD_MISSING, pointer(*where), found, "its data"))
+    return issues
+
+
+def _data_issues(data: Extension, manifest: Manifest) -> Iterator[Issue]:
+    if isinstance(data, Deflate):
+        yield from _deflate_issues(data, manifest)
+    if isinstance(data, Standin | Proxy) and len(data.parts) != len(manifest.parts):
+        where, expected = pointer("extensions", data.NAME, "parts"), f"{len(manifest.parts)}"
+        yield Issue.of(Code.PARTS_DIFFER, where, f"{len(data.parts)} parts", expected)
+        return
+    for path, entry in _references(data):
+        if entry not in manifest.entries:
+            where = pointer("extensions", data.NAME, *path)
+            yield Issue.of(Code.REFERENCE_MISSING, where, entry, "a key of /entries")
+    if isinstance(data, Proxy):
+        for k, (part, proxies) in enumerate(zip(manifest.parts, data.parts, strict=True)):
+            if (part.transmittance or part.normal_maps) and proxies:
+                where = pointer("extensions", data.NAME, "parts", k)
+                found = "proxies of a part with textures"
+                yield Issue.of(Code.FIELD_VALUE, where, found, "null")
+
+
+def _deflate_issues(data: Deflate, manifest: Manifest) -> Iterator[Issue]:
+    where = pointer("extensions", data.NAME)
+    if data.NAME not in manifest.extensions_required:
+        yield Issue.of(Code.EXTENSION_UNDECLARED, where, data.NAME, "a name in extensionsRequired")
+    total = sum(coding.size for coding in data.entries.values())
+    if total > MAX_FILE_BYTES:
+        found, expected = f"{total} decoded bytes", f"at most {MAX_FILE_BYTES}"
+        yield Issue.of(Code.FIELD_VALUE, f"{where}/entries", found, expected)
+        return
+    for name, coding in data.entries.items():
+        stored = manifest.entries[name].size if name in manifest.entries else 0
+        if name in manifest.entries and coding.size > largest_decoded(stored):
+            place = pointer("extensions", data.NAME, "entries", name, "size")
+            expected = f"at most {largest_decoded(stored)}, for {stored} bytes stored"
+            yield Issue.of(Code.DEFLATE_SIZE, place, f"{coding.size} bytes", expected)
+
+
+def _references(data: Extension) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    """(path in the data, entry) of every entry that the data names."""
+    if isinstance(data, Deflate):
+        for name in data.entries:
+            yield ("entries", name), name
+    if isinstance(data, Poster):
+        yield ("image",), data.image
+    if isinstance(data, Proxy):
+        for k, proxies in enumerate(data.parts):
+            for j, proxy in enumerate(proxies or ()):
+                yield ("parts", k, j, "geometry"), proxy.geometry

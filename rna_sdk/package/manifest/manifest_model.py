@@ -1,0 +1,131 @@
+"""The model of manifest.json: one class an object, one field a member.
+
+A `Manifest` always has parts. The short form that a file of one part may have is read and written
+by `manifest_short.py`.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, JsonValue, field_validator
+
+from rna_sdk.package.container.zip_container import MANIFEST_NAME
+from rna_sdk.package.limits import MAX_PARTS, MAX_TEXTURE_RECORDS, MAX_TIERS
+from rna_sdk.package.manifest.manifest_fields import (
+    Bounds,
+    Count,
+    Domain,
+    EntryPath,
+    Kind,
+    Name,
+    NotEmpty,
+    NotNull,
+    Positive,
+    Record,
+    SparseRecord,
+    Units,
+    Version,
+)
+from rna_sdk.package.manifest.manifest_tiers import Tier, check_unique
+
+REQUIRED_IN_FILE = ("format", "version", "minReaderVersion", "units", "entries")
+"""Members with a default for whoever makes a Manifest; a file must have them all the same."""
+
+Cutoff = Annotated[float, Field(gt=0, lt=1)]
+Index = Annotated[float, Field(ge=0.01, le=100)]
+
+
+class TransmittanceRecord(SparseRecord):
+    """Triangles that let light through, and how much of it."""
+
+    triangles: tuple[Count, Positive] = Field(description="The first, and how many.")
+    texture: EntryPath = Field(description="Entry with the texture.")
+    cutoff: Annotated[Cutoff | None, NotNull()] = Field(
+        default=None, description="A hole where the texture is greater than this, else none."
+    )
+    ior: Annotated[tuple[Index, Index] | None, NotNull()] = Field(
+        default=None, description="Relative indices of refraction, from the front and the back."
+    )
+
+
+class NormalMapRecord(SparseRecord):
+    """Triangles with relief, and the map of it."""
+
+    triangles: tuple[Count, Positive] = Field(description="The first, and how many.")
+    texture: EntryPath = Field(description="Entry with the map.")
+
+
+class Part(SparseRecord):
+    """One geometry with planes and decoders of its own."""
+
+    name: Name = Field(description="Unique in the package.")
+    kind: Kind = Field(description="What the geometry is: a mesh, or curves.")
+    bounds: Bounds
+    geometry: EntryPath = Field(description="Entry with the mesh or the curves.")
+    transmittance: Annotated[
+        tuple[TransmittanceRecord, ...], Field(max_length=MAX_TEXTURE_RECORDS), NotEmpty()
+    ] = Field(default=(), description="Holes and thin glass of a surface.")
+    normal_maps: Annotated[
+        tuple[NormalMapRecord, ...], Field(max_length=MAX_TEXTURE_RECORDS), NotEmpty()
+    ] = Field(default=(), description="Relief of a surface.")
+
+
+class EntryRecord(Record):
+    """Size and hash of one entry."""
+
+    size: Count = Field(description="Bytes.")
+    sha256: str = Field(pattern="^[0-9a-f]{64}$", description="SHA-256, lower-case hex.")
+
+
+class Provenance(Record):
+    """Origin of the asset."""
+
+    source: str = Field(description="The original model: name, author, address.")
+    tool: str = Field(description="What made the training data, with its version.")
+    capture: dict[str, JsonValue] = Field(default={}, description="Capture settings.")
+    training: dict[str, JsonValue] = Field(default={}, description="Training settings.")
+
+
+class ManifestFields(Record):
+    """Fields that both forms of the file share."""
+
+    format: Literal["rna"] = "rna"
+    version: Version = Field(default="1.0", description="Version of the format it follows.")
+    min_reader_version: Version = Field(default="1.0", description="Oldest reader that can.")
+    generator: str = Field(description="What wrote the package, with its version.")
+    name: str = Field(min_length=1, description="The asset's name, for a person.")
+    domain: Domain
+    units: Units = Units(length="metre")
+    entries: dict[EntryPath, EntryRecord] = Field(
+        default={}, description=f"Every entry of the archive except {MANIFEST_NAME}."
+    )
+    provenance: Provenance
+    license: str = Field(min_length=1, description="SPDX expression, or the terms.")
+    extensions_used: tuple[Name, ...] = ()
+    extensions_required: tuple[Name, ...] = ()
+    extensions: dict[Name, JsonValue] = Field(
+        default={}, description="Data of extensions, by name; each in extensionsUsed."
+    )
+    extras: dict[str, JsonValue] = Field(default={}, description="Anything; readers ignore it.")
+
+
+class Manifest(ManifestFields):
+    """manifest.json. `write_package` computes `entries` and the versions; leave them out."""
+
+    parts: tuple[Part, ...] = Field(
+        min_length=1, max_length=MAX_PARTS, description="What the asset is made of."
+    )
+    tiers: tuple[Tier, ...] = Field(min_length=1, max_length=MAX_TIERS)
+
+    @field_validator("parts")
+    @classmethod
+    def _unique_parts(cls, value: tuple[Part, ...]) -> tuple[Part, ...]:
+        check_unique((part.name for part in value), "PART_DUPLICATE", "part")
+        return value
+
+    @field_validator("tiers")
+    @classmethod
+    def _unique_tiers(cls, value: tuple[Tier, ...]) -> tuple[Tier, ...]:
+        check_unique((tier.name for tier in value), "TIER_DUPLICATE", "tier")
+        return value

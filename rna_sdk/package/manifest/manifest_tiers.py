@@ -1,0 +1,129 @@
+"""The manifest's tiers: choices of speed and accuracy, each with one tier part for every part."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Annotated
+
+from pydantic import Field, field_validator
+from pydantic_core import PydanticCustomError
+
+from rna_sdk.package.blocks import query_width
+from rna_sdk.package.limits import MAX_CHANNELS, MAX_PARTS, MAX_RESOLUTION
+from rna_sdk.package.manifest.manifest_fields import (
+    Count,
+    DecoderPrecision,
+    EntryPath,
+    Inputs,
+    Measure,
+    Name,
+    NotNull,
+    PlanePrecision,
+    Positive,
+    Record,
+    SparseRecord,
+)
+
+
+class FlipAtHeight(Record):
+    """Error of an asset that is seen small."""
+
+    height: Positive = Field(description="Height of the validation images, pixels.")
+    flip: Measure = Field(description="Mean FLIP at that height.")
+
+
+class Validation(Record):
+    """Error against reference images the training never saw."""
+
+    psnr: float = Field(description="Peak signal-to-noise ratio, dB.")
+    flip: Measure = Field(description="Mean FLIP.")
+    relative_mse: Measure = Field(description="Mean relative squared error.")
+    images: Positive = Field(description="Number of images compared.")
+    definition: str = Field(description="What exactly was compared, for a person.")
+    flip_at_height: tuple[FlipAtHeight, ...] = Field(
+        default=(),
+        description="`flip` of the images reduced to other heights, which the bounds fill; "
+        "from the largest.",
+    )
+
+    @field_validator("flip_at_height")
+    @classmethod
+    def _descends(cls, value: tuple[FlipAtHeight, ...]) -> tuple[FlipAtHeight, ...]:
+        if any(a.height <= b.height for a, b in pairwise(value)):
+            raise PydanticCustomError("FIELD_VALUE", "each height below the one before")
+        return value
+
+
+class Cost(Record):
+    """Cost of a query."""
+
+    multiply_adds: Count = Field(description="Multiply-adds of the decoder per query.")
+    ns_per_query: Measure = Field(description="Nanoseconds per query, everything included.")
+    threads: Positive = Field(description="Threads used in the measurement.")
+    machine: str = Field(description="What it was measured on.")
+
+
+class Agreement(Record):
+    """Largest difference between the exported decoder and the trained model."""
+
+    max_absolute: Measure
+    max_relative: Measure
+
+
+class TierEmission(SparseRecord):
+    """Emission of a part: a separate decoder on features of the same planes."""
+
+    decoder: EntryPath = Field(description="Entry with the ONNX decoder of emission.")
+    inputs: Inputs
+    decoder_precision: DecoderPrecision = Field(description="Arithmetic of the decoder.")
+    agreement: Agreement | None = None
+
+
+class TierPartFields(Record):
+    """Fields that a tier of the short form and a tier part share."""
+
+    planes: EntryPath = Field(description="Entry with the triplane.")
+    decoder: EntryPath = Field(description="Entry with the ONNX decoder.")
+    inputs: Inputs
+    resolution: int = Field(ge=1, le=MAX_RESOLUTION, description="R, texels along a plane's side.")
+    channels: int = Field(ge=1, le=MAX_CHANNELS, description="C, features a texel.")
+    plane_precision: PlanePrecision = Field(description="dtype of the planes.")
+    decoder_precision: DecoderPrecision = Field(
+        description="Arithmetic of the decoder; int8 means quantised by QDQ nodes."
+    )
+    agreement: Agreement | None = None
+
+
+class TierPart(TierPartFields, SparseRecord):
+    """Planes and decoders of one part: of transport, and optionally of emission."""
+
+    emission: Annotated[TierEmission | None, NotNull()] = None
+
+    @property
+    def query_width(self) -> int:
+        """K, the number of columns of `queries`."""
+        return query_width(self.inputs, self.channels)
+
+    @property
+    def emission_query_width(self) -> int:
+        """K of the decoder of emission; 0 where there is none."""
+        return query_width(self.emission.inputs, self.channels) if self.emission else 0
+
+
+class Tier(Record):
+    """One choice of speed and accuracy: planes and decoders of every part."""
+
+    name: Name = Field(description="What hosts call the tier; unique in the package.")
+    parts: tuple[TierPart, ...] = Field(
+        min_length=1, max_length=MAX_PARTS, description="One for each part, in their order."
+    )
+    validation: Validation | None = None
+    cost: Cost | None = None
+
+
+def check_unique(names: Iterable[str], code: str, what: str) -> None:
+    """Raises PydanticCustomError of the code, where a name is there twice."""
+    names = list(names)
+    if len(set(names)) < len(names):
+        raise PydanticCustomError(code, f"each {what} name once")

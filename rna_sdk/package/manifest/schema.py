@@ -1,0 +1,74 @@
+"""The JSON Schema of manifest.json; `python -m rna_sdk.package.manifest.schema` writes it."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue, models_json_schema
+from pydantic_core import core_schema
+
+from rna_sdk.package.generated import generate
+from rna_sdk.package.manifest.manifest_model import REQUIRED_IN_FILE, Manifest
+from rna_sdk.package.manifest.manifest_short import ShortManifest
+
+SCHEMA_FILE = "schema/manifest.schema.json"
+
+
+_NO_LINE_BREAK = {"not": {"pattern": "\n"}}
+"""The `$` of some regular expressions matches before a line break at the end as well."""
+
+
+class _Generator(GenerateJsonSchema):
+    """Leaves out titles, which only repeat the names, and binds all keys of an object."""
+
+    def field_title_should_be_set(self, schema: object) -> bool:
+        return False
+
+    def str_schema(self, schema: core_schema.StringSchema) -> JsonSchemaValue:
+        result = super().str_schema(schema)
+        return result | _NO_LINE_BREAK if "pattern" in result else result
+
+    def dict_schema(self, schema: core_schema.DictSchema) -> JsonSchemaValue:
+        """Keys of another pattern than that of `patternProperties` would be let through."""
+        result = super().dict_schema(schema)
+        if "patternProperties" in result:
+            ((pattern, values),) = result.pop("patternProperties").items()
+            result["additionalProperties"] = values
+            result["propertyNames"] = {"pattern": pattern, **result.get("propertyNames", {})}
+        return result
+
+
+def manifest_schema() -> str:
+    """The schema (draft 2020-12), as the text of the file.
+
+    It covers each field by itself. What spans fields or numbers (names that must be unique, parts
+    that must be the same in all tiers, blocks and transmittance for the kind, versions, ranges,
+    paths and extensions that must be declared, bounds with an extent, axes of unit length, heights
+    that descend) is the validator's.
+    """
+    _, definitions = models_json_schema(
+        [(Manifest, "validation"), (ShortManifest, "validation")],
+        by_alias=True,
+        schema_generator=_Generator,
+    )
+    forms = definitions["$defs"]
+    for name in ("Manifest", "ShortManifest"):
+        form = forms[name]
+        form["required"] = [*REQUIRED_IN_FILE, *form["required"]]
+        for member in REQUIRED_IN_FILE:
+            form["properties"][member].pop("default", None)
+    schema = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "RNA 1.1 manifest.json",
+        "type": "object",
+        "if": {"required": ["parts"]},
+        "then": {"$ref": "#/$defs/Manifest"},
+        "else": {"$ref": "#/$defs/ShortManifest"},
+        "$defs": forms,
+    }
+    return json.dumps(schema, indent=2) + "\n"
+
+
+if __name__ == "__main__":
+    sys.exit(generate(SCHEMA_FILE, manifest_schema(), "rna_sdk.package.manifest.schema"))

@@ -1,0 +1,1 @@
+"""Feature planes, and textures over the surface: transmittance and normal maps."""

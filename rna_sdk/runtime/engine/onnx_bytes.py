@@ -1,0 +1,123 @@
+"""ONNX messages as protobuf bytes, for graphs that the runtime makes itself.
+
+Wire format: https://protobuf.dev/programming-guides/encoding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from numpy.typing import NDArray
+
+from rna_sdk.package.decoder import onnx_fields as fields
+
+Attributes = Mapping[str, int | Sequence[int]]
+
+
+def model(
+    nodes: Iterable[bytes | memoryview],
+    tensors: Iterable[bytes | memoryview],
+    inputs: Iterable[bytes | memoryview],
+    outputs: Iterable[bytes | memoryview],
+    opsets: Iterable[tuple[str, int]],
+    ir_version: int,
+    name: str = "decoder",
+    producer: str = "",
+) -> bytes:
+    """A ModelProto of one graph. nodes, tensors, inputs, outputs: what functions below give."""
+    graph = [_chunk(fields.GraphProto.NODE, node) for node in nodes]
+    graph += [_chunk(fields.GraphProto.NAME, name.encode())]
+    graph += [_chunk(fields.GraphProto.INITIALIZER, tensor) for tensor in tensors]
+    graph += [_chunk(fields.GraphProto.INPUT, value) for value in inputs]
+    graph += [_chunk(fields.GraphProto.OUTPUT, value) for value in outputs]
+    parts = [_integer(fields.ModelProto.IR_VERSION, ir_version)]
+    parts += [_chunk(fields.ModelProto.PRODUCER_NAME, producer.encode())] if producer else []
+    parts += [_chunk(fields.ModelProto.GRAPH, b"".join(graph))]
+    parts += [_chunk(fields.ModelProto.OPSET_IMPORT, _opset(*opset)) for opset in opsets]
+    return b"".join(parts)
+
+
+def node(
+    operator: str,
+    inputs: Iterable[str],
+    output: str,
+    attributes: Attributes | None = None,
+    domain: str = "",
+) -> bytes:
+    """A NodeProto with one output; attributes are integers or lists of them."""
+    parts = [_chunk(fields.NodeProto.INPUT, name.encode()) for name in inputs]
+    parts += [_chunk(fields.NodeProto.OUTPUT, output.encode())]
+    parts += [_chunk(fields.NodeProto.OP_TYPE, operator.encode())]
+    for name, values in (attributes or {}).items():
+        parts.append(_chunk(fields.NodeProto.ATTRIBUTE, _attribute(name, values)))
+    parts += [_chunk(fields.NodeProto.DOMAIN, domain.encode())] if domain else []
+    return b"".join(parts)
+
+
+def _attribute(name: str, values: int | Sequence[int]) -> bytes:
+    named = _chunk(fields.AttributeProto.NAME, name.encode())
+    if isinstance(values, int):
+        kind = _integer(fields.AttributeProto.TYPE, fields.AttributeType.INT)
+        return named + _integer(fields.AttributeProto.I, values) + kind
+    kind = _integer(fields.AttributeProto.TYPE, fields.AttributeType.INTS)
+    return named + b"".join(_integer(fields.AttributeProto.INTS, value) for value in values) + kind
+
+
+def tensor(name: str, values: NDArray[Any]) -> bytes:
+    """A TensorProto that holds `values`, of a dtype in _TYPES."""
+    dims = b"".join(_integer(fields.TensorProto.DIMS, size) for size in values.shape)
+    little_endian = values.astype(values.dtype.newbyteorder("<")).tobytes()
+    data_type = _integer(fields.TensorProto.DATA_TYPE, _TYPES[values.dtype.name])
+    named = _chunk(fields.TensorProto.NAME, name.encode())
+    return dims + data_type + named + _chunk(fields.TensorProto.RAW_DATA, little_endian)
+
+
+def value(name: str, dims: Sequence[int | str], dtype: str = "float32") -> bytes:
+    """A ValueInfoProto of a tensor; a dimension is a size or a symbol."""
+    shape = b"".join(_chunk(fields.TensorShapeProto.DIM, _dimension(dim)) for dim in dims)
+    element = _integer(fields.TensorTypeProto.ELEM_TYPE, _TYPES[dtype])
+    tensor_type = element + _chunk(fields.TensorTypeProto.SHAPE, shape)
+    named = _chunk(fields.ValueInfoProto.NAME, name.encode())
+    return named + _chunk(
+        fields.ValueInfoProto.TYPE, _chunk(fields.TypeProto.TENSOR_TYPE, tensor_type)
+    )
+
+
+_TYPES = {
+    "float32": fields.DataType.FLOAT,
+    "uint8": fields.DataType.UINT8,
+    "int8": fields.DataType.INT8,
+    "int32": fields.DataType.INT32,
+    "int64": fields.DataType.INT64,
+}
+
+
+def _dimension(dim: int | str) -> bytes:
+    if isinstance(dim, int):
+        return _integer(fields.DimensionProto.DIM_VALUE, dim)
+    return _chunk(fields.DimensionProto.DIM_PARAM, dim.encode())
+
+
+def _opset(domain: str, version: int) -> bytes:
+    named = _chunk(fields.OperatorSetIdProto.DOMAIN, domain.encode())
+    return named + _integer(fields.OperatorSetIdProto.VERSION, version)
+
+
+def _chunk(number: int, data: bytes | memoryview) -> bytes:
+    """A field of bytes: a string or a message inside a message."""
+    return _varint(number << 3 | 2) + _varint(len(data)) + bytes(data)
+
+
+def _integer(number: int, value: int) -> bytes:
+    """A varint field."""
+    return _varint(number << 3) + _varint(value)
+
+
+def _varint(value: int) -> bytes:
+    result = bytearray()
+    while value > 0x7F:
+        result.append(value & 0x7F | 0x80)
+        value >>= 7
+    result.append(value)
+    return bytes(result)

@@ -1,0 +1,1 @@
+"""Compiled kernels that fill decoder inputs and run layers; the trainer uses them, too."""

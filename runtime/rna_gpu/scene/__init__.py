@@ -1,0 +1,1 @@
+"""Scenes on the GPU: tables of what they hold, and the wavefront path tracer."""

@@ -1,0 +1,147 @@
+"""`rna-run --device gpu`: what renders bands of a scene on the GPU."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from threading import Lock
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.asset import GpuAsset, GpuFiber, GpuPart, GpuSurface
+from rna_gpu.device import Device, open_device
+from rna_gpu.errors import DeviceLostError
+from rna_gpu.loading import load
+from rna_gpu.scene.scene_tables import asset_at, scene_tables
+from rna_gpu.scene.wavefront import Wavefront
+from rna_render.image.film import Layers
+from rna_render.paths.indirect_clamp import indirect_clamp
+from rna_render.paths.render import all_lights
+from rna_render.paths.sampling import Sampler
+from rna_render.scene.scene_file import SceneFile
+from rna_render.world.domain_watch import WatchedAsset
+from rna_render.world.world import World
+
+LOSSES = 3
+"""So many lost devices of a scene are replaced; the band under way is rendered again."""
+
+
+class GpuRenderer:
+    """Renders a scene: rna_render.paths.bands.BandRenderer.
+
+    Attributes:
+        groups: names of the groups of lights.
+        at_once: 1, since a GPU does one thing after the other.
+    """
+
+    at_once = 1
+
+    def __init__(
+        self,
+        scene_file: SceneFile,
+        world: World,
+        on_first_hits: Callable[[], None] = lambda: None,
+        open_it: Callable[[], Device] | None = None,
+    ) -> None:
+        """open_it: opens the device, and another one where it is lost; None for the fastest.
+
+        Raises:
+            GpuError: there is no GPU, or the scene does not fit on it.
+        """
+        self._scene_file, self._world = scene_file, world
+        self._on_first_hits: Callable[[], None] | None = on_first_hits
+        self._open = open_it or _DEVICE.get
+        self._lock, self._losses = Lock(), 0
+        self._start()
+        self.groups = self._gpu.groups
+
+    def render(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:
+        """One sample of the given pixels, (n,).
+
+        Raises:
+            DeviceLostError: the device was lost more than LOSSES times.
+        """
+        with self._lock:
+            starts = range(0, len(pixels), self._gpu.band)
+            bands = [self._rendered(pixels[k : k + starts.step], sampler) for k in starts]
+            if self._on_first_hits is not None:
+                self._on_first_hits()
+                self._on_first_hits = None
+        return Layers.concatenate(bands)
+
+    def _rendered(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:
+        while True:
+            try:
+                layers = self._gpu.render(pixels, sampler.sample)
+                if self._watched:
+                    self._count_outside()
+                return layers
+            except DeviceLostError as error:
+                self._losses += 1
+                if self._losses > LOSSES:
+                    raise
+                print(f"{error}; going on with sample {sampler.sample + 1}", file=sys.stderr)
+                _DEVICE.forget()
+                self._start()
+
+    def _start(self) -> None:
+        scene, world = self._scene_file.scene, self._world
+        every = all_lights(scene, world, self._scene_file.resolve)
+        clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
+        # Shadow catchers find light by samples of lights alone, which have to find all of it.
+        catches = world.catches_shadows.any()
+        lights = every if catches else [light.beside_rays() for light in every]
+        tables, device = scene_tables(world, lights), self._open()
+        parts = _parts(self._scene_file, world, tables.parts, device)
+        self._gpu = Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
+        things = [world.things[place] for place, _ in tables.parts]
+        self._watched = {
+            k: thing for k, thing in enumerate(things) if isinstance(thing, WatchedAsset)
+        }
+
+    def _count_outside(self) -> None:
+        counts = self._gpu.outside_domains()
+        for k, thing in self._watched.items():
+            thing.add(*counts[k].tolist())
+
+
+class _OpenDevice:
+    """The fastest device, opened once, so that images of one process share compiled shaders."""
+
+    def __init__(self) -> None:
+        self._device: Device | None = None
+
+    def get(self) -> Device:
+        self._device = self._device or open_device()
+        return self._device
+
+    def forget(self) -> None:
+        """Drops a lost device."""
+        self._device = None
+
+
+_DEVICE = _OpenDevice()
+
+_Loaded = dict[tuple[Path, str], GpuSurface | GpuFiber | GpuAsset]
+_LOADED: WeakKeyDictionary[World, tuple[Device, _Loaded]] = WeakKeyDictionary()
+"""The assets of worlds of which several images are rendered."""
+
+
+def _parts(
+    scene_file: SceneFile, world: World, wanted: Sequence[tuple[int, int]], device: Device
+) -> list[GpuPart]:
+    kept, loaded = _LOADED.get(world, (device, {}))
+    if kept is not device:
+        loaded = {}
+    result: list[GpuPart] = []
+    for place, part in wanted:
+        key = scene_file.asset_path(place), asset_at(world, place).tier.name
+        if key not in loaded:
+            loaded[key] = load(key[0], key[1], device)
+        asset = loaded[key]
+        result.append(asset.parts[part] if isinstance(asset, GpuAsset) else asset)
+    _LOADED[world] = device, loaded
+    return result

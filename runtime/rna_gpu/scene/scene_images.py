@@ -1,0 +1,78 @@
+"""Numbers that shaders look up: skies, textures, attributes of points, one behind the other."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.errors import GpuError
+from rna_render.materials.textures import IDENTITY, SRGB, Texture
+from rna_trace.bilinear import REPEAT
+
+NONE = np.uint32(0xFFFFFFFF)
+_SIDE = (1 << 16) - 1
+TEXTURE_SIZE = 3  # vec4f, as in wgsl/render/textures.wgsl
+
+
+class Images:
+    """Contents of the binding `images`, and records of its textures.
+
+    Attributes:
+        textures: the records of wgsl/render/textures.wgsl, (TEXTURE_SIZE, 4) float32 each.
+    """
+
+    def __init__(self) -> None:
+        self._arrays: list[NDArray[np.uint32]] = [np.zeros(4, np.uint32)]
+        self._length = 4
+        self._kept: dict[int, tuple[int, object]] = {}
+        self.textures: list[NDArray[np.float32]] = []
+
+    def add(self, values: NDArray[Any]) -> int:
+        """Place of the values, 4 bytes each."""
+        place = self._length
+        self._arrays.append(np.ascontiguousarray(values).reshape(-1).view(np.uint32))
+        self._length += len(self._arrays[-1])
+        return place
+
+    def add_texture(self, texture: Texture) -> int:
+        """Number of a texture."""
+        srgb = int(texture.decode is SRGB)
+        wrap_u, wrap_v = texture.wrap
+        form = wrap_u | wrap_v << 2 | srgb << 4 | texture.uv_set << 5
+        return self.add_texels(texture.texels, form, texture.transform)
+
+    def add_texels(
+        self,
+        texels: NDArray[np.uint8],
+        form: int = REPEAT,
+        transform: NDArray[np.float64] = IDENTITY,
+    ) -> int:
+        """Number of a texture of (h, w, 1, 2 or 3) texels; form: of wgsl/render/textures.wgsl.
+
+        Raises:
+            GpuError: it is too large.
+        """
+        height, width = texels.shape[:2]
+        if max(height, width) > _SIDE:
+            raise GpuError(f"a texture of {width} x {height} texels; a GPU takes {_SIDE} a side")
+        record = np.zeros((TEXTURE_SIZE, 4), np.float32)
+        words = self._place(texels), height << 16 | width, form
+        record[0, :3] = np.array(words, np.uint32).view(np.float32)
+        record[1:, :3] = transform
+        self.textures.append(record)
+        return len(self.textures) - 1
+
+    def _place(self, texels: NDArray[np.uint8]) -> int:
+        """Offset of the texels, which are stored once; a single channel represents grey."""
+        if id(texels) not in self._kept:
+            channels = texels.shape[2]
+            words = np.zeros((*texels.shape[:2], 4), np.uint8)
+            words[..., : max(channels, 3 if channels == 1 else channels)] = texels
+            self._kept[id(texels)] = self.add(words), texels
+        return self._kept[id(texels)][0]
+
+    def whole(self) -> NDArray[np.uint32]:
+        """All images in one array."""
+        return np.concatenate(self._arrays)

@@ -1,0 +1,130 @@
+"""The lights of a scene, as wgsl/render/lights.wgsl and triangle_lights.wgsl have them."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.geometry import Geometry
+from rna_gpu.scene.scene_images import NONE, Images
+from rna_render.lights import AssetLight, EnvironmentImageLight, Light, LightSelection
+from rna_render.lights.base import LightRow
+from rna_render.lights.kinds import ROW_NUMBERS, TRIANGLES
+from rna_render.materials import MeshObject
+from rna_render.paths.path_numbers import LIGHTS_AT_A_VERTEX
+from rna_render.world.world import World
+
+LIGHT_WORDS = 8  # vec4f: LIGHT_SIZE
+_SEEN, _DELTA = 1, 2
+
+
+def light_rows(
+    lights: Sequence[Light],
+    world: World,
+    images: Images,
+    geometry: Geometry,
+    stored: dict[int, int],
+    bodies: dict[int, int],
+) -> NDArray[np.float32]:
+    """(8 k, 4) float32: a light is LIGHT_WORDS vec4f; one at least.
+
+    lights: those of the world first. stored: of the world's instances the numbers in the geometry.
+    bodies: of things, by their id.
+    """
+    rows = np.zeros((max(len(lights), 1), LIGHT_WORDS, 4), np.float32)
+    names = sorted({light.group for light in lights} - {""})
+    probability = _probabilities(lights, world.radius)
+    shining = _Triangles(images, geometry, bodies)
+    instance_of = {int(light): k for k, light in enumerate(world.light) if light >= 0}
+    for k, (row, light) in enumerate(zip(rows, lights, strict=False)):
+        group = np.uint32(names.index(light.group)) if light.group else NONE
+        flags = _SEEN * getattr(light, "visible_to_camera", False) + _DELTA * light.delta
+        instance = 0
+        row[1:6] = light.row.numbers[:ROW_NUMBERS].reshape(5, 4)
+        row[6, :3] = probability[k]
+        if light.row.kind == TRIANGLES:
+            instance = stored[instance_of[k]]
+            row[1, :3] = light.factor if isinstance(light, AssetLight) else 1.0
+            words = shining.words(light.row, world.placements[instance_of[k]].thing)
+            row[7] = words.view(np.float32)
+        elif isinstance(light, EnvironmentImageLight):
+            texels, *sums = light.image.tables
+            row.reshape(-1)[4 + 7 : 4 + 9] = texels.shape[:2]  # numbers 7 and 8
+            places = [images.add(values.astype(np.float32)) for values in (texels, *sums)]
+            row[7] = np.array(places, np.uint32).view(np.float32)
+        head = np.array([light.row.kind, group, flags, instance], np.uint32)
+        row[0] = head.view(np.float32)
+    return rows.reshape(-1, 4)
+
+
+class _Triangles:
+    """Positions of emissive things' triangles in the images; instances share them."""
+
+    def __init__(self, images: Images, geometry: Geometry, bodies: dict[int, int]) -> None:
+        self._images, self._geometry, self._bodies = images, geometry, bodies
+        self._kept: dict[int, NDArray[np.uint32]] = {}
+
+    def words(self, row: LightRow, thing: Any) -> NDArray[np.uint32]:
+        """(4,): see wgsl/render/triangle_lights.wgsl."""
+        count = int(row.words[4])
+        if not count:
+            return np.zeros(4, np.uint32)
+        if id(thing) not in self._kept:
+            self._kept[id(thing)] = self._added(_numbers(row.words[2], count + 1), thing)
+        return self._kept[id(thing)]
+
+    def _added(self, sums: NDArray[np.float64], thing: Any) -> NDArray[np.uint32]:
+        places = self._geometry.places[self._bodies[id(thing)]]
+        local, areas = _shining_triangles(thing)
+        cumulative = sums.astype(np.float32)
+        # Of the rounded sums, so that each triangle's density is that with which it is chosen.
+        share = np.diff(cumulative).astype(np.float64)
+        per_area = np.divide(share, areas, out=np.zeros_like(share), where=areas > 0.0)
+        first = int(places.min())
+        density = np.zeros(len(places), np.float32)
+        density[places[local] - first] = per_area
+        add = self._images.add
+        own = add(cumulative), add(places[local].astype(np.uint32)), add(density)
+        return np.array([*own[:2], (own[2] - first) % 2**32, len(local)], np.uint32)
+
+
+def _numbers(address: np.uint64, count: int) -> NDArray[np.float64]:
+    """View of the float64 array at an address in a light's row."""
+    pointer = ctypes.cast(int(address), ctypes.POINTER(ctypes.c_double))
+    return np.ctypeslib.as_array(pointer, (count,))
+
+
+def _shining_triangles(thing: Any) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Emitting triangles of an object or asset: primitive indices, and areas in object space."""
+    if isinstance(thing, MeshObject):
+        return np.arange(len(thing.triangles)), _areas(thing)
+    numbers, areas, start = [], [], 0
+    for part in thing.parts:
+        if part.kind == "fiber":
+            start += len(part.curves.segments())
+            continue
+        count = len(part.mesh.triangles)
+        if part.emits:
+            numbers.append(start + np.arange(count))
+            areas.append(_areas(part.mesh))
+        start += count
+    return np.concatenate(numbers), np.concatenate(areas)
+
+
+def _areas(mesh: Any) -> NDArray[np.float64]:
+    corners = np.asarray(mesh.positions, np.float64)[mesh.triangles]
+    edges = corners[:, 1:] - corners[:, :1]
+    return np.asarray(np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1) / 2.0)
+
+
+def _probabilities(lights: Sequence[Light], radius: float) -> NDArray[np.float64]:
+    """(k, 3) samples that each light gets at a point of depth 1, 2 and later, on average."""
+    chosen = LightSelection(lights, radius).probability
+    if len(lights) > LIGHTS_AT_A_VERTEX:
+        return np.repeat(chosen[:, None], 3, axis=1)
+    times = [[light.samples, max(light.samples // 2, 1)] for light in lights]
+    return np.column_stack([np.reshape(times, (-1, 2)), chosen])

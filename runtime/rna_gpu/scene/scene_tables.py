@@ -1,0 +1,127 @@
+"""A scene as the tables of `wgsl/render/`: things, surfaces, textures, lights, domains, images."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import cast
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.geometry import Geometry, Placed, Shape, build_geometry
+from rna_gpu.scene.scene_domains import domain_rows
+from rna_gpu.scene.scene_images import NONE, Images
+from rna_gpu.scene.scene_lights import light_rows
+from rna_gpu.scene.scene_surfaces import Surfaces
+from rna_render.lights import Light
+from rna_render.lights.base import PlacedLight
+from rna_render.materials import MeshObject
+from rna_render.materials.ggx_albedo import ALBEDO_MEANS, ALBEDO_TABLE
+from rna_render.world.world import World
+from rna_sdk.runtime import Asset
+from rna_trace.surface import OFFSET
+
+
+@dataclass
+class SceneTables:
+    """A scene as the shaders read it.
+
+    Attributes:
+        geometry: bodies and instances.
+        table: (n, 4) float32, sections one behind the other.
+        sections: where in `table` each begins, by its name in wgsl/render/frame.wgsl.
+        images: (m,) uint32, see Images.
+        parts: as of Surfaces.
+        transmits: whether something lets light through.
+    """
+
+    geometry: Geometry
+    table: NDArray[np.float32]
+    sections: dict[str, int]
+    images: NDArray[np.uint32]
+    parts: list[tuple[int, int]]
+    transmits: bool
+
+
+_BUILT: WeakKeyDictionary[World, Geometry] = WeakKeyDictionary()
+"""The geometry of worlds of which several images are rendered."""
+
+
+def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
+    """The tables of a world. lights: all of the scene, those of the world first."""
+    surfaces = Surfaces(Images())
+    bodies: list[list[Shape]] = []
+    numbers: dict[int, int] = {}
+    placed, kept = [], []
+    for k, placement in enumerate(world.placements):
+        if isinstance(placement.thing, PlacedLight):
+            continue
+        if id(placement.thing) not in numbers:
+            numbers[id(placement.thing)] = len(bodies)
+            place = int(world.number[k]) - 1
+            bodies.append(surfaces.add(placement.thing, place, len(bodies)))
+        body = numbers[id(placement.thing)]
+        placed.append(Placed(body, placement.world_from_object, world.met_by[k]))
+        kept.append(k)
+    geometry = _BUILT.get(world) or build_geometry(bodies, placed)
+    _BUILT[world] = geometry
+    ordered = [kept[i] for i in geometry.order]
+    shining = np.where(world.light[ordered] < 0, NONE, world.light[ordered]).astype(np.uint32)
+    geometry.instances[:, 7, 3] = shining.view(np.float32)
+    stored = {k: at for at, k in enumerate(ordered)}
+    return _joined(world, lights, surfaces, geometry, stored, numbers, placed)
+
+
+def _joined(
+    world: World,
+    lights: Sequence[Light],
+    surfaces: Surfaces,
+    geometry: Geometry,
+    stored: dict[int, int],
+    bodies: dict[int, int],
+    placed: Sequence[Placed],
+) -> SceneTables:
+    images = surfaces.images
+    rows = {
+        "things": _things(world, list(stored), geometry, placed),
+        "surfaces": surfaces.with_points(geometry.first_points),
+        "lights": light_rows(lights, world, images, geometry, stored, bodies),
+        "albedo": _albedo() if surfaces.has_coat else np.zeros((1, 4), np.float32),
+        "domains": domain_rows([asset_at(world, place).domain for place, _ in surfaces.parts]),
+        "textures": np.array(images.textures, np.float32).reshape(-1, 4),
+    }
+    starts = np.cumsum([0, *(len(section) for section in rows.values())]).tolist()
+    table = np.concatenate(list(rows.values()))
+    sections = dict(zip(rows, starts, strict=False))
+    whole = images.whole()
+    return SceneTables(geometry, table, sections, whole, surfaces.parts, surfaces.transmits)
+
+
+def asset_at(world: World, place: int) -> Asset:
+    """One of `world.things` that is an asset, all of which are the runtime's."""
+    return cast(Asset, world.things[place])
+
+
+def _things(
+    world: World, kept: Sequence[int], geometry: Geometry, placed: Sequence[Placed]
+) -> NDArray[np.float32]:
+    """A vec4f an instance: number, role, step off the surface, whether rays pass through."""
+    rows = np.zeros((len(kept), 4), np.float32)
+    for row, k, stored in zip(rows, kept, geometry.order, strict=True):
+        thing = world.placements[k].thing
+        is_object = isinstance(thing, MeshObject)
+        matrix = world.placements[k].world_from_object
+        size = world.scale[k] * np.sqrt(3.0) * geometry.extents[placed[stored].body]
+        reach = np.abs(matrix[:3, 3]).max() + size
+        step = OFFSET * reach if is_object else 0.0
+        catches = world.catches_shadows[k]
+        row[:] = world.number[k], catches, step, not is_object
+    return rows
+
+
+def _albedo() -> NDArray[np.float32]:
+    """ALBEDO_TABLE with its means behind each row, two entries a vec4f."""
+    whole = np.concatenate([ALBEDO_TABLE, ALBEDO_MEANS[:, None]], axis=1).reshape(-1)
+    return np.pad(whole, (0, -len(whole) % 4)).reshape(-1, 4).astype(np.float32)

@@ -1,0 +1,147 @@
+"""The steps of a sample of a band: which shaders run, with which numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rna_gpu.asset import GpuPart
+from rna_gpu.scene.scene_tables import SceneTables
+from rna_render.lights import AssetLight, InfiniteLight, Light
+from rna_render.materials.ggx import TABLE_SIZE
+from rna_render.paths.camera import Camera
+from rna_render.paths.path_numbers import LIGHTS_AT_A_VERTEX
+from rna_render.scene.scene_model import Scene
+from rna_trace.embree.instances import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
+
+FRAME = np.dtype(
+    [
+        *(("camera", "<f4", 3), ("width", "<u4"), ("corner", "<f4", 3), ("textures", "<u4")),
+        *(("step_x", "<f4", 3), ("paths", "<u4"), ("step_y", "<f4", 3), ("sample", "<u4")),
+        *((name, "<u4") for name in ("seed", "depth", "light", "part", "parts", "rays")),
+        *(("clamp", "<f4"), ("light_count", "<u4")),
+        *((name, "<u4") for name in ("things", "surfaces", "lights", "albedo", "sums", "flags")),
+        *((name, "<u4") for name in ("neural_part", "table_size", "domains")),
+        ("reserved", "<u4", 3),
+    ]
+)
+"""Frame of wgsl/render/frame.wgsl."""
+
+_NONE = 0xFFFFFFFF
+_HAS_SKY, _FOR_BETA, _RAYS_MEET_LIGHTS = 1, 2, 4
+_FOR_EMISSION, _FOR_LIGHT, TRANSMITS = 8, 16, 32
+
+
+@dataclass(frozen=True)
+class Step:
+    """A dispatch: a pipeline and a row of the frames; or the evaluation of a part."""
+
+    name: str
+    frame: int = 0
+    part: int = -1
+
+
+class Steps:
+    """All steps of a sample.
+
+    Attributes:
+        frames: (n,) of dtype FRAME, what the steps read.
+        stages: steps that are submitted together.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        tables: SceneTables,
+        lights: Sequence[Light],
+        parts: Sequence[GpuPart],
+        scatters: bool,
+    ) -> None:
+        """parts: those of `tables.parts`. scatters: as World.scatters."""
+        self._rows: list[dict[str, int]] = []
+        self._lights = lights
+        self._emitting = [k for k, part in enumerate(parts) if part.emits]
+        self._every = range(len(parts))
+        self._meet = not all(light.delta for light in lights)
+        sky = any(isinstance(light, InfiniteLight) for light in lights)
+        self._flags = _HAS_SKY * sky + _RAYS_MEET_LIGHTS * self._meet + TRANSMITS * tables.transmits
+        self.stages = self._planned(scene.max_depth, scatters)
+        self.frames: NDArray[Any] = np.zeros(len(self._rows), FRAME)
+        for row, values in zip(self.frames, self._rows, strict=True):
+            for name, value in values.items():
+                row[name] = value
+
+    def fill(self, scene: Scene, tables: SceneTables, clamp: float | None, sums: int) -> None:
+        """Write what all steps have in common."""
+        camera = Camera(scene.camera, scene.resolution)
+        common = {
+            "camera": camera.position,
+            "width": camera.width,
+            "corner": camera.corner,
+            "step_x": camera.step_x,
+            "step_y": camera.step_y,
+            "seed": scene.seed,
+            "clamp": clamp or 0.0,
+            "light_count": len(self._lights),
+            **tables.sections,
+            "sums": sums,
+            "table_size": TABLE_SIZE,
+        }
+        for name, value in common.items():
+            self.frames[name] = value
+
+    def _planned(self, max_depth: int, scatters: bool) -> list[list[Step]]:
+        first = [self._step("camera"), self._step("closest", rays=CAMERA_RAY)]
+        stages = [[*first, *self._collected(0)]]
+        for depth in range(1, max_depth + 1):
+            stages += [self._direct(depth, *chosen) for chosen in self._samples(depth)]
+            last = depth == max_depth or not scatters
+            if last and not self._meet:
+                break
+            stage = [self._step("scatter", depth=depth)]
+            stage.append(self._step("closest", depth=depth, rays=INDIRECT_RAY))
+            for_beta = self._flags | _FOR_BETA
+            stage += self._queries("transport", self._every, depth=depth, flags=for_beta)
+            stages.append([*stage, *self._collected(depth)])
+            if last:
+                break
+        return stages
+
+    def _direct(self, depth: int, light: int, number: int, times: int) -> list[Step]:
+        """A sample of a light at every point."""
+        at = {"depth": depth, "light": light, "part": number, "parts": times}
+        steps = [self._step("direct", rays=SHADOW_RAY, **at)]
+        chosen = self._lights if light == _NONE else [self._lights[light]]
+        if any(isinstance(one, AssetLight) for one in chosen):
+            flags = self._flags | _FOR_LIGHT
+            steps += self._queries("emitter", self._emitting, **at, flags=flags)
+        return [*steps, *self._queries("transport", self._every, **at)]
+
+    def _collected(self, depth: int) -> list[Step]:
+        flags = self._flags | _FOR_EMISSION
+        emission = self._queries("emitter", self._emitting, depth=depth, flags=flags)
+        return [self._step("collect", depth=depth), *emission]
+
+    def _queries(self, what: str, asked: Sequence[int], **values: int) -> list[Step]:
+        steps = []
+        for part in asked:
+            steps += [Step("clear"), self._step("gather", neural_part=part, **values)]
+            steps += [Step(what, part=part), self._step("apply", neural_part=part, **values)]
+        return steps
+
+    def _step(self, name: str, **values: int) -> Step:
+        self._rows.append({"flags": self._flags, **values})
+        return Step(name, len(self._rows) - 1)
+
+    def _samples(self, depth: int) -> list[tuple[int, int, int]]:
+        """Samples of lights at a point of that depth: light, number of the sample, how many."""
+        if not self._lights:
+            return []
+        if depth > 2 or len(self._lights) > LIGHTS_AT_A_VERTEX:
+            return [(_NONE, 0, 1)]
+        times = [max(light.samples // depth, 1) for light in self._lights]
+        return [(k, part, count) for k, count in enumerate(times) for part in range(count)]

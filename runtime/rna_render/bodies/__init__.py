@@ -1,1 +1,0 @@
-"""Bodies: what rays hit (`kinds`), and points on it with how they scatter light (`points`)."""

@@ -1,0 +1,1 @@
+"""`rna-run`: images, sequences, pieces of an image, and progress."""

@@ -1,0 +1,74 @@
+"""What renders a scene: the CPU, or a device that another package offers.
+
+A device is an entry point of the group `rna_render.devices`, by the name that `--device` takes; it
+gives an OpenRenderer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.metadata import EntryPoint, entry_points
+from typing import Protocol
+
+from rna_render.paths.bands import BandRenderer
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.scene.scene_file import SceneFile
+from rna_render.world.world import World
+from rna_sdk.console import install_hint
+from rna_sdk.errors import SceneError
+
+GROUP = "rna_render.devices"
+CPU = "cpu"
+
+
+class OpenRenderer(Protocol):
+    """Opens a device for a scene."""
+
+    def __call__(
+        self, scene_file: SceneFile, world: World, on_first_hits: Callable[[], None]
+    ) -> BandRenderer:
+        """Renderer of `scene_file.scene`, whose things are in `world`.
+
+        on_first_hits: called once, when the first camera rays have been traced. Raises RnaError
+        for what the device does not know or have room for.
+        """
+        ...
+
+
+def open_renderer(
+    device: str,
+    scene_file: SceneFile,
+    world: World,
+    on_first_hits: Callable[[], None] = lambda: None,
+) -> BandRenderer:
+    """Renderer of the scene on a device: "cpu", or one that a package offers.
+
+    Raises:
+        SceneError: no installed package offers it, or what it needs is not installed.
+        RnaError: the device does not know the scene, or has no room for it.
+    """
+    if device == CPU:
+        return make_integrator(scene_file.scene, world, on_first_hits, scene_file.resolve)
+    return find_device(device)(scene_file, world, on_first_hits)
+
+
+def find_device(name: str) -> OpenRenderer:
+    """Function that opens a device other than the CPU.
+
+    Raises:
+        SceneError: no installed package offers it, or what it needs is not installed.
+    """
+    offered = {entry.name: entry for entry in entry_points(group=GROUP)}
+    if name not in offered:
+        known = ", ".join([CPU, *sorted(offered)])
+        raise SceneError(f"--device {name}: no such device; there are: {known}")
+    return _loaded(offered[name])
+
+
+def _loaded(entry: EntryPoint) -> OpenRenderer:
+    try:
+        renderer: OpenRenderer = entry.load()
+    except ModuleNotFoundError as error:
+        missing = f"{error.name} is not installed: {install_hint(entry.name)}"
+        raise SceneError(f"--device {entry.name}: {missing}") from error
+    return renderer

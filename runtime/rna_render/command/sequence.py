@@ -1,0 +1,129 @@
+"""Sequences: the frames of a scene's animation, each written as it is finished."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, closing
+from dataclasses import replace
+from functools import partial
+
+from rna_render.command.devices import CPU
+from rna_render.command.frame_worker import Frame, FrameFiles, FrameJob, FrameWorker
+from rna_render.image.output import Output
+from rna_render.scene.animation import frame_scene
+from rna_render.scene.scene_file import SceneFile
+from rna_render.world.scene_sources import carried_scene, contents_key, files_of
+from rna_render.world.world_loading import QualityWarning
+from rna_sdk.console import INTERRUPTED
+from rna_sdk.errors import SceneError
+from rna_work.executors import Place
+from rna_work.pool import Pool
+from rna_work.progress import Progress
+from rna_work.shared import check_shared
+from rna_work.threads import HERE
+from rna_work.workers import Outcome
+
+
+def frame_numbers(scene_file: SceneFile, first: int, last: int | None) -> range:
+    """The frames from `first` to `last`, both included; None for the scene's last one.
+
+    Raises SceneError if the scene has no such frames.
+    """
+    animation = scene_file.scene.animation
+    if animation is None:
+        raise scene_file.error(("animation",), "is missing, and --frames needs it")
+    end = animation.frames - 1 if last is None else last
+    if end >= animation.frames:
+        message = f"the scene has frames 0 to {animation.frames - 1}, and no frame {end}"
+        raise scene_file.error(("animation", "frames"), message)
+    return range(first, end + 1)
+
+
+def render_sequence(
+    scene_file: SceneFile,
+    numbers: range,
+    output: Output,
+    threads: int | None,
+    started: float,
+    where: Place,
+    device: str = CPU,
+) -> int:
+    """Render the frames that are not there yet. Returns the exit status.
+
+    output: names with a place for the number. threads: of a worker; None for all of its machine.
+    started: when the program did, as perf_counter. device: of `devices`. A frame that Ctrl-C ends
+    is not written.
+    """
+    output = replace(output, contents=_contents(scene_file))
+    missing = _missing(scene_file, numbers, output)
+    if not missing:
+        return 0
+    check_shared(where, output.paths()[0].parent)
+    backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
+    files = carried_scene(scene_file, where)
+    absolute = output.absolute() if where.far else output
+    job = FrameJob(scene_file, files, numbers, absolute, threads, started, device)
+    try:
+        tell = partial(print, flush=True)
+        pool: Pool[Frame, FrameFiles] = Pool(backend, partial(FrameWorker, job), tell=tell)
+        with pool:
+            _take(pool, missing, where)
+    except KeyboardInterrupt:
+        print(
+            "stopped; frames under way were not written; the same command goes on", file=sys.stderr
+        )
+        return INTERRUPTED
+    return 0
+
+
+def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], where: Place) -> None:
+    """Say of each frame that it is finished; on a cluster below a bar of the whole."""
+    seconds: list[float] = []
+    with ExitStack() as stack:
+        found = stack.enter_context(closing(pool.run(missing)))
+        outcomes: Iterator[Outcome[Frame, FrameFiles]] = found
+        tell: Callable[[str], None] = partial(print, flush=True)
+        if where.far:  # this machine's own worker has a bar for each frame
+            progress = stack.enter_context(Progress(len(missing), "frame", "frames"))
+            outcomes, tell = progress.of(pool, outcomes), progress.tell
+        for outcome in outcomes:
+            frame = outcome.value()
+            seconds.append(frame.seconds)
+            for line in frame.warnings:
+                warnings.warn(line, QualityWarning, stacklevel=1)
+            workers = max(1, pool.nodes().total())
+            left = (len(missing) - len(seconds)) / workers * sum(seconds) / len(seconds)
+            tell(f"{_told(outcome, frame)}; about {_in_words(left)} left")
+
+
+def _missing(scene_file: SceneFile, numbers: range, output: Output) -> list[Frame]:
+    """The frames that are not there; raises RnaError if one of them cannot be written."""
+    inputs, missing = files_of(scene_file), []
+    for place, number in enumerate(numbers, 1):
+        scene, files = frame_scene(scene_file.scene, number), output.frame(number)
+        if files.is_there(scene):
+            print(f"frame {number}: is there already")
+        else:
+            files.check(inputs)
+            missing.append(Frame(number, f"frame {number} ({place} of {len(numbers)})"))
+    return missing
+
+
+def _told(outcome: Outcome[Frame, FrameFiles], frame: FrameFiles) -> str:
+    paths = ", ".join(str(path) for path in frame.paths)
+    on = "" if outcome.node == HERE else f" on {outcome.node}"
+    return f"{outcome.item.what}: wrote {paths} in {frame.seconds:.1f} s{on}"
+
+
+def _contents(scene_file: SceneFile) -> str | None:
+    """Key of the files that the scene reads; None if one is missing, which its loading tells."""
+    try:
+        return contents_key(scene_file)
+    except SceneError:
+        return None
+
+
+def _in_words(seconds: float) -> str:
+    return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"

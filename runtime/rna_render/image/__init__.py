@@ -1,0 +1,1 @@
+"""Films, images and their files, denoising and display."""

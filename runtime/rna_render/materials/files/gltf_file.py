@@ -1,0 +1,184 @@
+"""Meshes of glTF 2.0 files, with the whole hierarchy of nodes baked into them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rna_render.materials.files.gltf_container import GltfContainer, open_gltf
+from rna_render.materials.files.gltf_materials import GltfMaterials
+from rna_render.materials.files.mesh_parts import MeshFile, Part, check_mesh_size
+from rna_render.materials.material import Material
+from rna_render.scene.limits import MAX_NUMBER
+from rna_render.scene.transforms import quaternion_rotation
+
+# Section 3.7.2.1: modes of primitives.
+TRIANGLES, STRIP, FAN = 4, 5, 6
+
+# Section 3.7.2.1: attributes of vertices that are read.
+WIDTHS_OF_ATTRIBUTES = {"POSITION": 3, "NORMAL": 3, "TANGENT": 4, "TEXCOORD_0": 2, "TEXCOORD_1": 2}
+
+# Extensions that a file may require of its reader. Those of materials may be left out of the look.
+KNOWN_EXTENSIONS = {"KHR_mesh_quantization", "KHR_texture_transform", "EXT_texture_webp"}
+
+
+def read_gltf(path: Path, with_materials: bool) -> MeshFile:
+    """The parts of a .gltf or .glb file, in the world of its scene.
+
+    with_materials: whether to read its own; else all parts have material 0, which is a
+    stand-in. Raises SceneError for files beside it that cannot be read, and whatever Python
+    raises for a file that is not valid.
+    """
+    container = open_gltf(path)
+    required = set(container.json.get("extensionsRequired", ())) - KNOWN_EXTENSIONS
+    required = {name for name in required if not name.startswith("KHR_materials_")}
+    if required:
+        raise ValueError(
+            f"it requires an extension that is not known: {', '.join(sorted(required))}"
+        )
+    left_out: set[str] = set()
+    primitives = list(_primitives(container, left_out))
+    _check_size(container, primitives)
+    if not with_materials:
+        parts = [part for part, _ in (_part(container, *item, 0) for item in primitives)]
+        return MeshFile(parts, [Material()], sorted(left_out))
+    used = dict.fromkeys(data.get("material") for _, data in primitives)
+    materials = GltfMaterials(container)
+    read = materials.read(used)
+    places = {number: place for place, number in enumerate(read)}
+    parts = []
+    for matrix, data in primitives:
+        part, coloured = _part(container, matrix, data, places[data.get("material")])
+        parts.append(part)
+        if coloured:
+            left_out.add("vertex colours")
+    return MeshFile(parts, list(read.values()), sorted(left_out | materials.left_out))
+
+
+def _primitives(
+    container: GltfContainer, left_out: set[str]
+) -> Iterator[tuple[np.ndarray, dict[str, Any]]]:
+    """Primitives of triangles in the scene, each with its node's (4, 4) matrix to the world."""
+    document = container.json
+    nodes, seen = document.get("nodes", []), set()
+    stack = [(np.eye(4), root) for root in reversed(_roots(document, nodes))]
+    while stack:
+        world_from_parent, number = stack.pop()
+        if number in seen:
+            raise ValueError(f"node {number} is in its scene twice")
+        seen.add(number)
+        node = nodes[number]
+        matrix = world_from_parent @ _local_matrix(node)
+        stack += [(matrix, child) for child in reversed(node.get("children", ()))]
+        if "EXT_mesh_gpu_instancing" in node.get("extensions", {}):
+            left_out.add("EXT_mesh_gpu_instancing")
+        if "mesh" not in node:
+            continue
+        mesh = document["meshes"][node["mesh"]]
+        if "skin" in node or any(node.get("weights", mesh.get("weights", ()))):
+            left_out.add("skins and morph targets")
+        for primitive in mesh["primitives"]:
+            if primitive.get("mode", TRIANGLES) not in (TRIANGLES, STRIP, FAN):
+                left_out.add("points and lines")
+            elif "POSITION" not in primitive["attributes"]:
+                left_out.add("primitives without POSITION")
+            else:
+                yield matrix, primitive
+
+
+def _check_size(
+    container: GltfContainer, primitives: list[tuple[np.ndarray, dict[str, Any]]]
+) -> None:
+    """Refuses a mesh that is too large once its nodes are baked, before any of it is."""
+    vertices, corners = 0, 0
+    for _, data in primitives:
+        count = container.count(data["attributes"]["POSITION"])
+        vertices += count
+        corners += container.count(data["indices"]) if "indices" in data else count
+    check_mesh_size(vertices, corners // 3)
+
+
+def _roots(document: dict[str, Any], nodes: list[dict[str, Any]]) -> list[int]:
+    """The root nodes of the default scene, or of the file if it has no scenes."""
+    if "scenes" in document:
+        return list(document["scenes"][document.get("scene", 0)].get("nodes", ()))
+    children = {child for node in nodes for child in node.get("children", ())}
+    return [number for number in range(len(nodes)) if number not in children]
+
+
+def _local_matrix(node: dict[str, Any]) -> np.ndarray:
+    """Section 3.5.3: a column-major matrix, or translation * rotation * scale."""
+    if "matrix" in node:
+        return _finite(np.array(node["matrix"], np.float64).reshape(4, 4).T)
+    rotation = quaternion_rotation(node.get("rotation", (0.0, 0.0, 0.0, 1.0)))
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation * np.array(node.get("scale", (1, 1, 1)), np.float64)
+    matrix[:3, 3] = node.get("translation", (0, 0, 0))
+    return _finite(matrix)
+
+
+def _finite(matrix: np.ndarray) -> np.ndarray:
+    if not (np.abs(matrix) <= MAX_NUMBER).all():
+        raise ValueError(f"a node's transform has numbers that are not at most {MAX_NUMBER:g}")
+    return matrix
+
+
+def _part(
+    container: GltfContainer, matrix: np.ndarray, data: dict[str, Any], material: int
+) -> tuple[Part, bool]:
+    """A primitive in the world, and whether it has colours of its own."""
+    attributes = data["attributes"]
+    vectors = {
+        name: container.accessor(attributes[name]).astype(np.float64)
+        for name in WIDTHS_OF_ATTRIBUTES
+        if name in attributes
+    }
+    positions, normals, tangents = (
+        vectors["POSITION"],
+        vectors.get("NORMAL"),
+        vectors.get("TANGENT"),
+    )
+    for name, values in vectors.items():
+        shape = len(positions), WIDTHS_OF_ATTRIBUTES[name]
+        if values.shape != shape:
+            raise ValueError(f"an attribute has shape {values.shape}, not {shape}")
+    if "indices" in data:
+        numbers = container.accessor(data["indices"])[:, 0]
+        if numbers.dtype.kind != "u":  # a float may be no number at all
+            raise ValueError(f"indices are of type {numbers.dtype}, not unsigned integers")
+        corners = numbers.astype(np.int64)
+    else:
+        corners = np.arange(len(positions))
+    triangles = _triangles(corners, data.get("mode", TRIANGLES))
+    linear = matrix[:3, :3]
+    mirrored = np.linalg.det(linear) < 0
+    if mirrored:  # section 3.7.4: the winding turns with it
+        triangles = triangles[:, ::-1]
+    if normals is not None:
+        normals = normals @ _cofactors(linear).T * (-1.0 if mirrored else 1.0)
+    if tangents is not None:
+        sign = tangents[:, 3:] * (-1.0 if mirrored else 1.0)
+        tangents = np.column_stack([tangents[:, :3] @ linear.T, sign])
+    positions = positions @ linear.T + matrix[:3, 3]
+    uvs, second_uvs = vectors.get("TEXCOORD_0"), vectors.get("TEXCOORD_1")
+    part = Part(positions, normals, uvs, triangles, material, second_uvs, tangents)
+    return part, "COLOR_0" in attributes
+
+
+def _cofactors(matrix: np.ndarray) -> np.ndarray:
+    """The inverse transpose times the determinant, which singular matrices have too."""
+    x, y, z = matrix
+    return np.array([np.cross(y, z), np.cross(z, x), np.cross(x, y)])
+
+
+def _triangles(corners: np.ndarray, mode: int) -> np.ndarray:
+    if mode == TRIANGLES:
+        return corners.reshape(-1, 3)
+    first, second, third = corners[:-2], corners[1:-1], corners[2:]
+    if mode == FAN:
+        return np.stack([second, third, np.broadcast_to(corners[0], third.shape)], axis=1)
+    odd = np.arange(len(third)) % 2 == 1
+    return np.stack([first, np.where(odd, third, second), np.where(odd, second, third)], axis=1)

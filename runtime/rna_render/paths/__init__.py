@@ -1,0 +1,1 @@
+"""Paths of light: camera, sampling, integrator, and bands of pixels."""

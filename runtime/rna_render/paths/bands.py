@@ -1,0 +1,95 @@
+"""Samples of an image, cut into bands of pixels, several of which are rendered at once.
+
+Each band is rendered by one thread from its camera rays to its light. The loops within are long
+enough to keep a thread busy, and what Python does between them for one band is done while the other
+threads are in their loops. Threads that share each loop instead wait for one another at its end,
+and for Python.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterable, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from functools import partial
+from typing import Protocol
+
+import numpy as np
+
+from rna_render.image.film import Layers
+from rna_render.paths.sampling import Sampler
+from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
+from rna_work.pool import Pool
+from rna_work.threads import Threads
+
+# Rays in a band: at most BAND, so that a stop is noticed soon, and no fewer than SMALL_BAND if the
+# image has them, so that each step has more to do than to start.
+BAND = 1 << 16
+SMALL_BAND = 1 << 13
+
+_Band = tuple[np.ndarray, Sampler, bool]
+"""Pixels, the sample's numbers, and whether it is the sample's last band."""
+
+
+class BandRenderer(Protocol):
+    """Renders one sample of some pixels; rna_render.paths.integrator.Integrator does.
+
+    groups: names of the groups of lights. at_once: so many bands at a time; None for any number.
+    """
+
+    @property
+    def groups(self) -> Sequence[str]: ...
+
+    @property
+    def at_once(self) -> int | None: ...
+
+    def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers: ...
+
+
+def rendered_bands(
+    renderer: BandRenderer, count: int, samplers: Iterable[Sampler], most: int | None = None
+) -> Generator[tuple[Layers, bool], None, None]:
+    """The bands of each sample in turn, and whether each is the last one of its sample.
+
+    count: pixels of the image. most: pixels of a band, BAND if None. As many bands are under way
+    as numba has threads for the caller, and as many wait, so that no thread idles while the caller
+    takes what is finished; a caller that stops early waits for those under way, and the rest is
+    not begun.
+    """
+    threads = min(kernel_threads(), renderer.at_once or kernel_threads())
+    bands = _bands(count, threads, most or BAND)
+    work = ((band, sampler, band is bands[-1]) for sampler in samplers for band in bands)
+    make = partial(_BandWorker, renderer)
+    pool: Pool[_Band, Layers] = Pool(Threads(threads), make, ahead=1)
+    with pool, closing(pool.run(work, ordered=True)) as outcomes:
+        for outcome in outcomes:
+            yield outcome.value(), outcome.item[2]
+
+
+@dataclass(frozen=True)
+class _BandWorker:
+    """Renders bands in the thread that enters it."""
+
+    renderer: BandRenderer
+    name: str
+
+    def __enter__(self) -> _BandWorker:
+        limit_kernel_threads(1)  # numba's number of threads is each thread's own
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def run(self, item: _Band) -> Layers:
+        pixels, sampler, _ = item
+        return self.renderer.render(pixels, sampler)
+
+    def kill(self) -> None:
+        """A band is rendered to its end, which is soon."""
+
+
+def _bands(count: int, threads: int, most: int) -> list[np.ndarray]:
+    """Places of pixels, (n,) uint32 each; bands of one size, as many for each thread."""
+    fewest = max(1, -(-count // most))
+    shared = min(-(-fewest // threads) * threads, -(-count // SMALL_BAND))
+    return np.array_split(np.arange(count, dtype=np.uint32), max(fewest, shared))

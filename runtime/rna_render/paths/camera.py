@@ -1,0 +1,85 @@
+"""The pinhole camera: from points of the image to rays."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import prange
+
+from rna_render.scene.scene_model import CameraModel
+from rna_sdk.compiled import compiled
+
+
+class Camera:
+    """World-space rays through the pixels of an image; row 0 is at the top.
+
+    model: where it stands and looks. resolution: width, height in pixels.
+
+    to_world: (4, 4) float64, from the camera's space, which looks along -z with +y up.
+    corner, step_x, step_y: (3,) float64, direction through the image's top left corner, and the
+    steps of a pixel.
+    """
+
+    def __init__(self, model: CameraModel, resolution: tuple[int, int]) -> None:
+        self.width, self.height = resolution
+        self._half_height = np.tan(np.radians(model.vertical_fov_deg) / 2.0)
+        self.position = np.asarray(model.position, np.float32)
+        forward = _unit(np.subtract(model.look_at, model.position))
+        right = _unit(np.cross(forward, model.up))
+        up = np.cross(right, forward)
+        self.to_world = np.eye(4)
+        self.to_world[:3] = np.stack([right, up, -forward, model.position], axis=1)
+        half_height = self._half_height
+        half_width = half_height * self.width / self.height
+        self.corner = forward - half_width * right + half_height * up
+        self.step_x = right * (2.0 * half_width / self.width)
+        self.step_y = -up * (2.0 * half_height / self.height)
+
+    def directions(self, pixels: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Unit directions through points of pixels: (n, 3) float32.
+
+        pixels: (n,) uint32, row * width + column. u: (n, 2) in [0, 1), place in the pixel from
+        its top left corner; uniform points give a box filter one pixel wide.
+        """
+        result = np.empty((len(pixels), 3), np.float32)
+        _directions(pixels, u, self.width, self.corner, self.step_x, self.step_y, result)
+        return result
+
+    def heights(self, centres: np.ndarray, radii: np.ndarray) -> np.ndarray:
+        """Heights of spheres in the image, (n,) pixels: 0 outside it, inf around the camera.
+
+        centres: (n, 3), world space. radii: (n,).
+        """
+        to_camera = self.to_world[:3, :3].T
+        x, y, z = to_camera @ (centres - self.to_world[:3, 3]).T
+        half = np.array([self._half_height * self.width / self.height, self._half_height])
+        # Distance beyond the nearer of two opposite edges of the image, in world units.
+        beyond = (np.abs([x, y]) + z * half[:, None]) / np.sqrt(1.0 + half**2)[:, None]
+        seen = (beyond.max(axis=0) < radii) & (-z > -radii)
+        around = -z <= radii
+        away = np.where(around, radii + 1.0, -z)
+        pixels = self.height * radii / np.sqrt(away**2 - radii**2) / self._half_height
+        return np.where(seen, np.where(around, np.inf, pixels), 0.0)
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    return np.asarray(vector / np.linalg.norm(vector))
+
+
+@compiled(parallel=True, fastmath=())
+def _directions(
+    pixels: np.ndarray,
+    u: np.ndarray,
+    width: int,
+    corner: np.ndarray,
+    step_x: np.ndarray,
+    step_y: np.ndarray,
+    result: np.ndarray,
+) -> None:
+    for i in prange(len(pixels)):
+        x = pixels[i] % width + u[i, 0]
+        y = pixels[i] // width + u[i, 1]
+        dx = corner[0] + x * step_x[0] + y * step_y[0]
+        dy = corner[1] + x * step_x[1] + y * step_y[1]
+        dz = corner[2] + x * step_x[2] + y * step_y[2]
+        scale = 1.0 / np.sqrt(dx * dx + dy * dy + dz * dz)
+        result[i, 0], result[i, 1], result[i, 2] = dx * scale, dy * scale, dz * scale

@@ -1,0 +1,147 @@
+"""Samples of lights at points of the scene: which lights get one, and what stands in its way."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numba import prange
+
+from rna_render.lights import Light, LightSamples, LightSelection
+from rna_render.paths.path_numbers import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, PathNumbers
+from rna_render.world.world import Vertices, World
+from rna_sdk.compiled import compiled
+
+# A shadow ray ends this part of its length before the light, which is a surface itself.
+SHORTER = np.float32(1.0 - 2.0**-13)
+
+
+# Few lights all have samples at so many points of a path, fewer at each next one.
+FULLY_LIT = 2
+
+
+@dataclass(frozen=True, slots=True)
+class LightChoice:
+    """Samples of lights to take at points.
+
+    row: (n,) which point each is for, ascending. light: (n,) of which light. u: (n, 2) in [0, 1).
+    """
+
+    row: np.ndarray
+    light: np.ndarray
+    u: np.ndarray
+
+
+class LightSampling:
+    """Samples of the lights of a world, and shadow rays to them.
+
+    At the first points of a path, few lights all have samples; else one light is chosen, by its
+    power, and has one.
+    """
+
+    def __init__(self, world: World, lights: Sequence[Light]) -> None:
+        self._world = world
+        self._lights = lights
+        self._selection = LightSelection(lights, world.radius)
+        self._delta = np.array([light.delta for light in lights], bool)
+        self._times = np.array([light.samples for light in lights], np.int64)
+
+    def choose(self, numbers: PathNumbers) -> tuple[list[LightChoice], np.ndarray]:
+        """The samples of lights at each of n points, and how many each light gets on average.
+
+        Returns any number of choices, and (k,) float64.
+        """
+        row = np.arange(len(numbers.pixels))
+        if not self._lights:
+            return [], np.zeros(0)
+        if numbers.depth <= FULLY_LIT and len(self._lights) <= LIGHTS_AT_A_VERTEX:
+            times = np.maximum(self._times // numbers.depth, 1)
+            every = [
+                LightChoice(
+                    np.repeat(row, parts),
+                    np.full(len(row) * parts, light),
+                    numbers.square(LIGHT + light, parts),
+                )
+                for light, parts in enumerate(times.tolist())
+            ]
+            return every, times.astype(np.float64)
+        chosen = self._selection.choose(numbers.square(CHOICES)[:, 0])
+        return [LightChoice(row, chosen, numbers.square(LIGHT))], self._selection.probability
+
+    def sample(self, choice: LightChoice, x_world: np.ndarray) -> LightSamples:
+        """The samples at points x, (n, 3) float32, one for each row of the choice."""
+        chosen = np.flatnonzero(np.bincount(choice.light))
+        if len(chosen) == 1:
+            return self._lights[int(chosen[0])].sample(x_world, choice.u)
+        n = len(x_world)
+        result = LightSamples(
+            np.zeros((n, 3), np.float32),
+            np.zeros(n, np.float32),
+            np.zeros((n, 3), np.float32),
+            np.zeros(n, np.float32),
+        )
+        for k in chosen.tolist():
+            row = np.flatnonzero(choice.light == k)
+            samples = self._lights[k].sample(x_world[row], choice.u[row])
+            result.wi_world[row], result.distance[row] = samples.wi_world, samples.distance
+            result.radiance[row], result.pdf[row] = samples.radiance, samples.pdf
+        return result
+
+    @property
+    def delta(self) -> np.ndarray:
+        """Lights that no ray can hit: (k,) bool."""
+        return self._delta
+
+    def kept(
+        self,
+        vertices: Vertices,
+        row: np.ndarray,
+        wi_world: np.ndarray,
+        distance: np.ndarray,
+        own: np.ndarray | None,
+    ) -> np.ndarray:
+        """Transmittance of the scene between the rows and the lights along wi.
+
+        Returns (k, 3) float32; (k, 1), 0 or 1, where nothing in the scene lets light through.
+        wi_world, distance: (k, 3) and (k,) float32, as in LightSamples. own: (k,) int32, the
+        instances that the shadow rays pass through, if any.
+        """
+        origin = self._world.origins(vertices, row, wi_world)
+        direction, length = np.empty_like(wi_world), np.empty_like(distance)
+        _aim(vertices.x_world, row, wi_world, distance, origin, direction, length)
+        scene = self._world.scene
+        if scene.transmits:
+            return scene.transmittance(origin, direction, length, own)
+        return (~scene.occluded(origin, direction, length, own)).astype(np.float32)[:, None]
+
+
+@compiled(parallel=True, fastmath=())
+def _aim(
+    x_world: np.ndarray,
+    row: np.ndarray,
+    wi_world: np.ndarray,
+    distance: np.ndarray,
+    origin: np.ndarray,
+    direction: np.ndarray,
+    length: np.ndarray,
+) -> None:
+    """Directions and lengths of rays that go from their origins to just before the lights.
+
+    The step off the surface may be longer than SHORTER leaves before a light, so rays go to the
+    point of the light from where they start, not from the vertex.
+    """
+    for i in prange(len(row)):
+        squared = np.float32(0.0)
+        for axis in range(3):
+            direction[i, axis] = wi_world[i, axis]
+            if np.isfinite(distance[i]):
+                step = origin[i, axis] - x_world[row[i], axis]
+                direction[i, axis] = wi_world[i, axis] * distance[i] - step
+            squared += direction[i, axis] * direction[i, axis]
+        length[i] = distance[i]
+        if np.isfinite(distance[i]):
+            length[i] = np.sqrt(squared)
+            for axis in range(3):
+                direction[i, axis] /= max(length[i], np.float32(1e-30))
+        length[i] *= SHORTER

@@ -1,0 +1,61 @@
+"""Renders scenes: `load_world` a scene file, `make_integrator` for an image of it, and `render`.
+
+This module has the loop over samples; the other names come from where they are defined, so that a
+program which renders imports one module.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import closing
+
+from rna_render.image.film import Film, Layers
+from rna_render.paths.bands import BandRenderer, rendered_bands
+from rna_render.paths.integrator_factory import all_lights, make_integrator
+from rna_render.paths.sampling import Sampler
+from rna_render.paths.time_limit import in_time
+from rna_render.scene.scene_model import Scene
+from rna_render.world.placements import emission_of, mesh_light, place_asset
+from rna_render.world.world_loading import QualityWarning, load_world
+
+__all__ = [
+    "QualityWarning",
+    "all_lights",
+    "emission_of",
+    "load_world",
+    "make_integrator",
+    "mesh_light",
+    "place_asset",
+    "render",
+]
+
+
+def render(
+    scene: Scene,
+    renderer: BandRenderer,
+    stop: Callable[[], bool] = lambda: False,
+    progress: Callable[[int], None] = lambda pixels: None,
+    on_sample: Callable[[Film], None] = lambda film: None,
+) -> Film:
+    """Render `scene.samples` samples of every pixel, or fewer if `stop` or `quality` says so.
+
+    stop: asked after every band; the sample under way is then dropped. progress: told after every
+    band how many pixels it had. on_sample: given the film after every sample but the last.
+    """
+    film = Film(scene.resolution, renderer.groups)
+    samplers: Iterator[Sampler] = (Sampler(scene.seed, number) for number in range(scene.samples))
+    if scene.quality is not None and scene.quality.seconds is not None:
+        samplers = in_time(samplers, scene.quality.seconds, lambda: film.samples)
+    sample: list[Layers] = []
+    with closing(rendered_bands(renderer, film.width * film.height, samplers)) as bands:
+        for band, last in bands:
+            sample.append(band)
+            progress(len(band.hit))
+            if last:
+                film.add(Layers.concatenate(sample))
+                sample.clear()
+                if film.samples < scene.samples:
+                    on_sample(film)
+            if stop():
+                break
+    return film

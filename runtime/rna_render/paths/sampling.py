@@ -1,0 +1,130 @@
+"""Random numbers: Owen-scrambled Sobol' points.
+
+Numbers are a pure function of seed, pixel, sample and dimension, so an image depends neither on
+the number of threads nor on how it was cut into bands. Every prefix of 2^k samples of a pixel is
+a (0, k, 2)-net in each dimension, so an image that was stopped early is well distributed too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_sdk.compiled import compiled
+from rna_trace.hashing import Bits, hash_bits
+
+
+@dataclass(frozen=True)
+class Sampler:
+    """The random numbers of one sample of every pixel.
+
+    seed: of the whole image. sample: number of this sample, from 0.
+    """
+
+    seed: int
+    sample: int
+
+    def square(
+        self,
+        pixels: np.ndarray,
+        dimension: int,
+        parts: int = 1,
+        number: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """Points in the unit square, `parts` for each row: (n * parts, 2) float64 in [0, 1).
+
+        pixels: (n,) uint32. dimension: which decision of the sample they are for. The
+        parts are spread as well as if they were samples of their own. number: (n,) int64, of the
+        row among all that a pixel has in this dimension; None for that of the sample.
+        """
+        points = np.empty((len(pixels), parts, 2), np.float64)
+        if number is None:
+            number = np.full(len(pixels), self.sample, np.int64)
+        _scrambled_sobol(pixels, number, dimension, self.seed, points)
+        return points.reshape(-1, 2)
+
+
+@compiled(fastmath=())
+def _reverse_bits(x: Bits) -> np.uint32:
+    x = np.uint32(((x >> np.uint32(1)) & 0x55555555) | ((x & 0x55555555) << np.uint32(1)))
+    x = np.uint32(((x >> np.uint32(2)) & 0x33333333) | ((x & 0x33333333) << np.uint32(2)))
+    x = np.uint32(((x >> np.uint32(4)) & 0x0F0F0F0F) | ((x & 0x0F0F0F0F) << np.uint32(4)))
+    x = np.uint32(((x >> np.uint32(8)) & 0x00FF00FF) | ((x & 0x00FF00FF) << np.uint32(8)))
+    return np.uint32((x >> np.uint32(16)) | (x << np.uint32(16)))
+
+
+@compiled(fastmath=())
+def _owen_scramble(x: Bits, seed: Bits) -> np.uint32:
+    """Nested uniform scramble of the bits of x.
+
+    B. Burley, Practical Hash-based Owen Scrambling (JCGT 9(4), 2020), listing 1, with the
+    permutation of Laine and Karras.
+    """
+    x = np.uint32(_reverse_bits(x) + np.uint32(seed))
+    x = np.uint32(x ^ np.uint32(x * np.uint32(0x6C50B47C)))
+    x = np.uint32(x ^ np.uint32(x * np.uint32(0xB82F1E52)))
+    x = np.uint32(x ^ np.uint32(x * np.uint32(0xC7AFE638)))
+    x = np.uint32(x ^ np.uint32(x * np.uint32(0x8D22F6E6)))
+    return _reverse_bits(x)
+
+
+@compiled(fastmath=())
+def _second_sobol_dimension(index: Bits) -> np.uint32:
+    """Bits of the second Sobol' coordinate; the first is `_reverse_bits`.
+
+    The coordinate is the reversed index times Pascal's triangle modulo 2, which has a product of
+    five sparse factors: Ahmed, An Implementation Algorithm of 2D Sobol Sequence Fast, Elegant,
+    and Compact (EGSR 2024).
+    """
+    x = _reverse_bits(index)
+    x = np.uint32(x ^ (x << np.uint32(16)))
+    x = np.uint32(x ^ ((x & np.uint32(0x00FF00FF)) << np.uint32(8)))
+    x = np.uint32(x ^ ((x & np.uint32(0x0F0F0F0F)) << np.uint32(4)))
+    x = np.uint32(x ^ ((x & np.uint32(0x33333333)) << np.uint32(2)))
+    return np.uint32(x ^ ((x & np.uint32(0x55555555)) << np.uint32(1)))
+
+
+@compiled(fastmath=())
+def square_key(seed: int, dimension: int, pixel: Bits) -> np.uint32:
+    """Key of a dimension of a pixel for `square_point`."""
+    image_key = hash_bits(hash_bits(seed) + np.uint32(dimension))
+    return hash_bits(image_key ^ hash_bits(np.uint32(pixel) + np.uint32(1)))
+
+
+@compiled(fastmath=())
+def square_point(key: np.uint32, number: int) -> tuple[float, float]:
+    """The `number`-th point of the unit square in the sequence of a key."""
+    index = _owen_scramble(np.uint32(number), key)
+    return _first_coordinate(key, index), _second_coordinate(key, index)
+
+
+@compiled(fastmath=())
+def _first_coordinate(key: Bits, index: Bits) -> float:
+    """First coordinate of the point with a scrambled index."""
+    return _owen_scramble(_reverse_bits(index), hash_bits(key + np.uint32(1))) * 2.0**-32
+
+
+@compiled(fastmath=())
+def _second_coordinate(key: Bits, index: Bits) -> float:
+    bits = _owen_scramble(_second_sobol_dimension(index), hash_bits(key + np.uint32(2)))
+    return bits * 2.0**-32
+
+
+@compiled(fastmath=())
+def _scrambled_sobol(
+    pixels: np.ndarray, number: np.ndarray, dimension: int, seed: int, points: np.ndarray
+) -> None:
+    """`square_point` for each row and part, step by step, so that the compiler takes several rows
+    at once."""
+    n, parts, _ = points.shape
+    key, index = np.empty(n, np.uint32), np.empty(n, np.uint32)
+    for i in range(n):
+        key[i] = square_key(seed, dimension, pixels[i])
+    for part in range(parts):
+        for i in range(n):
+            index[i] = _owen_scramble(np.uint32(number[i] * parts + part), key[i])
+        for i in range(n):
+            points[i, part, 0] = _first_coordinate(key[i], index[i])
+        for i in range(n):
+            points[i, part, 1] = _second_coordinate(key[i], index[i])

@@ -1,0 +1,65 @@
+"""Rendering within a time: how long a sample takes, and how many fit."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import closing
+
+import numpy as np
+
+from rna_render.image.film import Layers
+from rna_render.paths.bands import BandRenderer, rendered_bands
+from rna_render.paths.sampling import Sampler
+
+# Below this many samples a pixel noise is worse than what a cheaper tier costs.
+ENOUGH_SAMPLES = 16
+
+# Pixels that a measurement takes, if the image has them: enough to keep all threads busy.
+_MEASURED = 1 << 15
+
+
+def in_time(
+    samplers: Iterable[Sampler], seconds: float, finished: Callable[[], int]
+) -> Iterator[Sampler]:
+    """The first of the samplers, and as many more as fit into `seconds` from the first on.
+
+    One more fits if all given so far and it take as long each as the mean of those finished;
+    before any is, if there is time left at all.
+
+    finished: how many of the samples are done; it may lag behind those given.
+    """
+    start = time.perf_counter()
+    for given, sampler in enumerate(samplers):
+        elapsed, done = time.perf_counter() - start, finished()
+        expected = elapsed * (given + 1) / done if done else elapsed
+        if given and expected > seconds:
+            return
+        yield sampler
+
+
+def seconds_a_sample(renderer: BandRenderer, count: int) -> float:
+    """Time of one sample per pixel of an image of `count` pixels, measured on some of them."""
+    chosen = np.linspace(0, count - 1, min(count, _MEASURED)).astype(np.uint32)
+    sparse = SomePixels(renderer, chosen)
+    _seconds(sparse, min(len(chosen), 256))  # compiles, and warms caches
+    return _seconds(sparse, len(chosen)) * count / len(chosen)
+
+
+class SomePixels:
+    """A renderer of chosen pixels alone, (n,) uint32."""
+
+    def __init__(self, renderer: BandRenderer, chosen: np.ndarray) -> None:
+        self._renderer, self._chosen = renderer, chosen
+        self.groups, self.at_once = renderer.groups, renderer.at_once
+
+    def render(self, pixels: np.ndarray, sampler: Sampler) -> Layers:
+        return self._renderer.render(self._chosen[pixels], sampler)
+
+
+def _seconds(renderer: BandRenderer, count: int) -> float:
+    start = time.perf_counter()
+    with closing(rendered_bands(renderer, count, [Sampler(0, 0)])) as bands:
+        for _ in bands:
+            pass
+    return time.perf_counter() - start

@@ -1,0 +1,89 @@
+"""Base model and value types of the scene file's schema."""
+
+from __future__ import annotations
+
+import math
+import os
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
+
+from rna_render.scene.limits import MAX_NAME_BYTES, MAX_NUMBER, MAX_PATH_BYTES, MIN_LENGTH
+
+Number = Annotated[float, Field(ge=-MAX_NUMBER, le=MAX_NUMBER)]
+Vector = tuple[Number, Number, Number]
+Quaternion = tuple[Number, Number, Number, Number]
+Nonnegative = Annotated[float, Field(ge=0, le=MAX_NUMBER)]
+Positive = Annotated[float, Field(gt=0, le=MAX_NUMBER)]
+Length = Annotated[float, Field(ge=MIN_LENGTH, le=MAX_NUMBER)]
+Share = Annotated[float, Field(ge=0, le=1)]
+Rgb = tuple[Nonnegative, Nonnegative, Nonnegative]
+Albedo = tuple[Share, Share, Share]
+
+
+def _possible(path: Path) -> Path:
+    """The path, if a file can have it: else asking whether it is there raises OSError."""
+    if "\0" in str(path):
+        raise ValueError("must not contain a NUL character")
+    names = [len(os.fsencode(name)) for name in path.parts]
+    if max(names, default=0) > MAX_NAME_BYTES or len(os.fsencode(path)) > MAX_PATH_BYTES:
+        raise ValueError(
+            f"is too long: at most {MAX_PATH_BYTES} bytes, and {MAX_NAME_BYTES} a name"
+        )
+    return path
+
+
+FilePath = Annotated[Path, AfterValidator(_possible)]
+
+
+def is_short(vector: tuple[float, ...]) -> bool:
+    """Whether the vector is zero or too short to have a direction."""
+    return math.hypot(*vector) < MIN_LENGTH
+
+
+class Model(BaseModel):
+    """A mapping of the scene file: finite numbers, no unknown keys."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class TransformModel(Model):
+    """Object-to-world transform: scale, then rotation, then translation."""
+
+    translation: Vector = Field(
+        default=(0.0, 0.0, 0.0), description="World position of the object's origin, metres."
+    )
+    rotation_deg: Vector | None = Field(
+        default=None,
+        description="Euler angles in degrees about world x, then y, then z; positive is "
+        "counter-clockwise seen from the axis's positive end.",
+    )
+    quaternion: Quaternion | None = Field(
+        default=None,
+        description="Rotation as x, y, z, w (glTF's order), of any non-zero length; replaces "
+        "rotation_deg.",
+    )
+    scale: Length = Field(default=1.0, description="Uniform scale; radiance is unchanged.")
+
+    @field_validator("scale", mode="before")
+    @classmethod
+    def _one_number(cls, value: object) -> object:
+        if isinstance(value, list | tuple):
+            raise ValueError(
+                "must be one number: an asset's light transport holds under uniform scale only"
+            )
+        return value
+
+    @field_validator("quaternion")
+    @classmethod
+    def _has_length(cls, value: Quaternion | None) -> Quaternion | None:
+        if value is not None and is_short(value):
+            raise ValueError("must not be zero")
+        return value
+
+    @model_validator(mode="after")
+    def _one_rotation(self) -> TransformModel:
+        if self.rotation_deg is not None and self.quaternion is not None:
+            raise ValueError("has rotation_deg and quaternion; give one of them")
+        return self

@@ -1,0 +1,159 @@
+"""Scene files: YAML in, a validated scene out, and every error with its file, line and key."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import yaml
+from pydantic import ValidationError
+
+from rna_render.scene.default_scene import default_scene
+from rna_render.scene.limits import MAX_SCENE_BYTES
+from rna_render.scene.scene_messages import Key, mistakes
+from rna_render.scene.scene_model import Scene
+from rna_sdk.errors import SceneError
+from rna_sdk.file_kinds import kind_of, not_a
+from rna_sdk.regular_file import check_regular
+
+# A few lines of YAML aliases can unfold into any number of values.
+MAX_DEPTH = 16
+MAX_VALUES = 1_000_000
+
+
+@dataclass(frozen=True)
+class SceneFile:
+    """A scene, and where in its file each key stands.
+
+    path: the file. scene: what it says. lines: from key to line, counted from 1; none for the
+    default scene of a package.
+    """
+
+    path: Path
+    scene: Scene
+    lines: dict[Key, int]
+
+    def error(self, key: Key, message: str) -> SceneError:
+        """An error that points at `key`."""
+        return SceneError(message, file=self.path, line=_line(self.lines, key), key=_dotted(key))
+
+    def resolve(self, path: Path) -> Path:
+        """`path`, which the file gives relative to itself."""
+        return (self.path.parent / path).resolve()
+
+    def check(self, key: Key, path: Path) -> None:
+        """Raises SceneError, which points at `key`, where `path` is not a regular file."""
+        try:
+            check_regular(path)
+        except FileNotFoundError as error:
+            raise self.error(key, f"no such file: {path}") from error
+        except OSError as error:
+            raise self.error(key, f"{error.strerror}: {path}") from error
+
+    def asset_path(self, index: int) -> Path:
+        """The package of one of the scene's assets. Raises SceneError if there is no such file."""
+        path, key = self.resolve(self.scene.assets[index].path), ("assets", index, "path")
+        self.check(key, path)
+        if (wrong := not_a("package", path)) is not None:
+            raise self.error(key, f"{path.name} is {wrong}")
+        return path
+
+    def with_changes(self, tier: str | None = None, **changes: Any) -> SceneFile:
+        """The same with other values for top-level keys, and `tier` for every asset."""
+        assets = self.scene.assets
+        if tier is not None:
+            assets = tuple(asset.model_copy(update={"tier": tier}) for asset in assets)
+        scene = self.scene.model_copy(update={"assets": assets, **changes})
+        return replace(self, scene=scene)
+
+
+def read_scene(path: Path) -> SceneFile:
+    """Read and validate a scene file.
+
+    path: a YAML file, or a package, which is shown in its default scene.
+
+    Raises SceneError, with file, line and key, if it cannot be read, is not YAML, or does not
+    fit rna_render.scene.scene_model.Scene; PackageError for a broken package.
+    """
+    try:
+        size = check_regular(path).st_size
+    except OSError as error:
+        raise SceneError(error.strerror or str(error), file=path) from error
+    if kind_of(path) == "package":
+        scene = Scene.model_validate(yaml.safe_load(default_scene(path)))
+        return SceneFile(path, scene, {})  # no lines: the person has no file with them
+    if (wrong := not_a("scene", path)) is not None:
+        raise SceneError(wrong, file=path)
+    if size > MAX_SCENE_BYTES:
+        message = f"has {size} bytes; a scene file has at most {MAX_SCENE_BYTES}"
+        raise SceneError(message, file=path)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or "is not UTF-8 text"
+        raise SceneError(reason, file=path) from error
+    data, lines = _parse(path, text)
+    try:
+        scene = Scene.model_validate(data)
+    except ValidationError as error:
+        raise _scene_error(path, lines, error) from error
+    return SceneFile(path, scene, lines)
+
+
+def _parse(path: Path, text: str) -> tuple[object, dict[Key, int]]:
+    lines: dict[Key, int] = {}
+    try:
+        loader = yaml.SafeLoader(text)
+        node = loader.get_single_node()
+        if node is None:
+            raise SceneError("the file is empty", file=path)
+        _collect_lines(path, node, (), lines)
+        return loader.construct_document(node), lines
+    except yaml.MarkedYAMLError as error:
+        line = error.problem_mark.line + 1 if error.problem_mark else None
+        raise SceneError(f"not YAML: {error.problem}", file=path, line=line) from error
+    except RecursionError as error:
+        raise SceneError("too deep for a scene", file=path) from error
+    except (yaml.YAMLError, ValueError) as error:
+        raise SceneError(f"not YAML: {' '.join(str(error).split())}", file=path) from error
+
+
+def _collect_lines(path: Path, node: yaml.Node, key: Key, lines: dict[Key, int]) -> None:
+    """Note the line of every key below `node`; refuse keys that are there twice."""
+    lines.setdefault(key, node.start_mark.line + 1)
+    if len(key) > MAX_DEPTH or len(lines) > MAX_VALUES:
+        raise SceneError("too deep or too long for a scene", file=path, line=lines[key])
+    if isinstance(node, yaml.SequenceNode):
+        for index, item in enumerate(node.value):
+            _collect_lines(path, item, (*key, index), lines)
+    elif isinstance(node, yaml.MappingNode):
+        for name, value in node.value:
+            child, line = (*key, str(name.value)), name.start_mark.line + 1
+            if child in lines:
+                message = f"is here twice, first on line {lines[child]}"
+                raise SceneError(message, file=path, line=line, key=_dotted(child))
+            lines[child] = line
+            _collect_lines(path, value, child, lines)
+
+
+def _scene_error(path: Path, lines: dict[Key, int], error: ValidationError) -> SceneError:
+    """The first of pydantic's errors, in the order of the file."""
+    found = mistakes(Scene, error.errors())
+    first = min(found, key=lambda mistake: _line(lines, mistake.key) or 0)
+    more = f" ({len(found) - 1} more after this)" if len(found) > 1 else ""
+    line, key = _line(lines, first.key), _dotted(first.key) or None
+    return SceneError(first.message + more, file=path, line=line, key=key)
+
+
+def _line(lines: dict[Key, int], key: Key) -> int | None:
+    """The line of `key`, or of the nearest thing around it that the file has."""
+    while key and key not in lines:
+        key = key[:-1]
+    return lines.get(key)
+
+
+def _dotted(key: Key) -> str:
+    """`lights[0].irradiance`."""
+    parts = [f"[{part}]" if isinstance(part, int) else f".{part}" for part in key]
+    return "".join(parts).removeprefix(".")

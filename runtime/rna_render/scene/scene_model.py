@@ -1,0 +1,204 @@
+"""The scene file's schema: one model per mapping, one field with a description per key.
+
+World space is right-handed with +Y up, in metres. Colours are linear RGB.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field, model_validator
+
+from rna_render.scene.light_models import LightModel
+from rna_render.scene.limits import MAX_DEPTH, MAX_FRAMES, MAX_PIXELS_A_SIDE, MAX_SAMPLES, MAX_SEED
+from rna_render.scene.material_models import DiffuseModel, MaterialModel
+from rna_render.scene.model_base import (
+    FilePath,
+    Length,
+    Model,
+    Nonnegative,
+    Number,
+    Positive,
+    TransformModel,
+    Vector,
+    is_short,
+)
+
+PixelCount = Annotated[int, Field(ge=1, le=MAX_PIXELS_A_SIDE)]
+
+
+class AssetModel(Model):
+    """One instance of a package; instances of the same package share its memory."""
+
+    path: FilePath = Field(description="The .rna file, relative to the scene file.")
+    tier: str | None = Field(
+        default=None, description="Tier of the package; its first tier if omitted."
+    )
+    transform: TransformModel = Field(
+        default=TransformModel(), description="Placement in the world; identity if omitted."
+    )
+    emission: Nonnegative = Field(default=1.0, description="Scale factor on the asset's emission.")
+
+
+class CameraModel(Model):
+    """A pinhole camera."""
+
+    position: Vector = Field(description="Position of the pinhole.")
+    look_at: Vector = Field(description="Point at the image centre.")
+    up: Vector = Field(default=(0.0, 1.0, 0.0), description="Up vector of the image.")
+    vertical_fov_deg: float = Field(
+        default=40.0, gt=0, lt=180, description="Vertical field of view, degrees."
+    )
+
+    @model_validator(mode="after")
+    def _has_axes(self) -> CameraModel:
+        forward = np.subtract(self.look_at, self.position)
+        side = np.linalg.norm(np.cross(forward, self.up))
+        if is_short(tuple(forward)):
+            raise ValueError("position and look_at are the same point")
+        if side <= 1e-6 * np.linalg.norm(forward) * np.linalg.norm(self.up):
+            raise ValueError("up must not be zero or along the line of sight")
+        return self
+
+
+class ObjectModel(Model):
+    """A conventional mesh: a glTF, OBJ or PLY file."""
+
+    path: FilePath = Field(
+        description="A .glb, .gltf, .obj or .ply file, relative to the scene file."
+    )
+    transform: TransformModel = Field(
+        default=TransformModel(), description="Placement in the world; identity if omitted."
+    )
+    material: MaterialModel | None = Field(
+        default=None, description="Material of the whole mesh; the file's own materials if omitted."
+    )
+
+
+class GroundModel(Model):
+    """A square, horizontal plane."""
+
+    height: Number = Field(default=0.0, description="Its y coordinate, metres.")
+    size: Length | None = Field(
+        default=None,
+        description="Side length, metres; 100 if omitted, or 20 times the largest x or z of the "
+        "assets and objects where that is more.",
+    )
+    material: MaterialModel = Field(
+        default=DiffuseModel(type="diffuse"), description="Its material; diffuse grey if omitted."
+    )
+
+
+class TurnModel(Model):
+    """A rotation about +y, spread over the frames."""
+
+    degrees: Number = Field(
+        default=360.0,
+        description="Total angle; positive is counter-clockwise seen from above.",
+    )
+
+
+class QualityModel(Model):
+    """Error or time target, from which the renderer picks each asset's tier."""
+
+    max_error: Positive | None = Field(
+        default=None,
+        description="Largest mean FLIP of an asset at its size in the image; each asset gets the "
+        "cheapest tier that meets it.",
+    )
+    seconds: Positive | None = Field(
+        default=None,
+        description="Time limit per image, excluding asset loading. `samples` becomes the maximum; "
+        "cheaper tiers are used if fewer than 16 samples would fit.",
+    )
+
+    @model_validator(mode="after")
+    def _has_limit(self) -> QualityModel:
+        if self.max_error is None and self.seconds is None:
+            raise ValueError("quality is empty: give max_error, seconds or both")
+        return self
+
+
+class AnimationModel(Model):
+    """An image sequence of the same scene."""
+
+    frames: int = Field(ge=1, le=MAX_FRAMES, description="Number of frames, numbered from 0.")
+    turntable: TurnModel | None = Field(
+        default=None, description="Orbits the camera about its look_at point."
+    )
+    light_sweep: TurnModel | None = Field(
+        default=None, description="Rotates directional lights and environments."
+    )
+
+    @model_validator(mode="after")
+    def _has_motion(self) -> AnimationModel:
+        if self.turntable is None and self.light_sweep is None:
+            raise ValueError("nothing moves: give turntable or light_sweep, or both")
+        return self
+
+
+class Scene(Model):
+    """A scene file."""
+
+    assets: tuple[AssetModel, ...] = Field(default=(), description="Neural assets.")
+    objects: tuple[ObjectModel, ...] = Field(default=(), description="Conventional meshes.")
+    ground: GroundModel | None = Field(default=None, description="Ground plane.")
+    camera: CameraModel = Field(description="The camera.")
+    lights: tuple[LightModel, ...] = Field(default=(), description="Light sources.")
+    resolution: tuple[PixelCount, PixelCount] = Field(
+        default=(640, 480), description="Width and height of the image, pixels."
+    )
+    samples: int = Field(default=64, ge=1, le=MAX_SAMPLES, description="Samples per pixel.")
+    quality: QualityModel | None = Field(
+        default=None, description="Error or time target; see below."
+    )
+    max_depth: int = Field(
+        default=8,
+        ge=1,
+        le=MAX_DEPTH,
+        description="Maximum path length in surface interactions, including the first visible one; "
+        "1 is direct lighting only.",
+    )
+    clamp_indirect: Positive | Literal["auto"] | None = Field(
+        default="auto",
+        description="Clamp on per-path indirect radiance. Removes fireflies and their energy. "
+        "`auto` is 10 times the mean radiance of a white sphere under the scene's lights; null "
+        "disables the clamp and its bias.",
+    )
+    seed: int = Field(
+        default=0,
+        ge=0,
+        le=MAX_SEED,
+        description="Random seed; the same seed gives the same image.",
+    )
+    view: Literal["srgb", "filmic"] = Field(
+        default="srgb",
+        description="View transform of the PNG: clamped, or filmic with shoulder and toe.",
+    )
+    exposure: float = Field(
+        default=0.0,
+        ge=-64,
+        le=64,
+        description="Exposure of the PNG in stops; radiance is scaled by 2^exposure.",
+    )
+
+    animation: AnimationModel | None = Field(
+        default=None, description="Animation, for `rna-run --frames`."
+    )
+
+    @model_validator(mode="after")
+    def _has_something(self) -> Scene:
+        if not (self.assets or self.objects or self.ground):
+            raise ValueError("the scene is empty: it has no assets, objects or ground")
+        return self
+
+    @model_validator(mode="after")
+    def _sweep_has_lights(self) -> Scene:
+        swept = self.animation is not None and self.animation.light_sweep is not None
+        if swept and not any(light.type in ("directional", "environment") for light in self.lights):
+            raise ValueError(
+                "animation.light_sweep rotates directional lights and environments, and the scene "
+                "has none"
+            )
+        return self

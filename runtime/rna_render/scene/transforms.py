@@ -1,0 +1,45 @@
+"""The matrix that a scene file's transform means."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rna_render.scene.model_base import Quaternion, TransformModel, Vector
+
+
+def world_from_object(model: TransformModel) -> np.ndarray:
+    """Scale, then rotation, then translation: (4, 4) float64."""
+    matrix = np.eye(4)
+    matrix[:3, :3] = model.scale * _rotation(model)
+    matrix[:3, 3] = model.translation
+    return matrix
+
+
+def _rotation(model: TransformModel) -> np.ndarray:
+    if model.quaternion is not None:
+        return quaternion_rotation(model.quaternion)
+    return _from_euler(model.rotation_deg or (0.0, 0.0, 0.0))
+
+
+def _from_euler(degrees: Vector) -> np.ndarray:
+    """Rz Ry Rx: first about x, then y, then z, all fixed axes."""
+    (cx, cy, cz), (sx, sy, sz) = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    about_x = np.array([[1, 0, 0], [0, cx, -sx], [0, sx, cx]])
+    about_y = np.array([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]])
+    about_z = np.array([[cz, -sz, 0], [sz, cz, 0], [0, 0, 1]])
+    return np.asarray(about_z @ about_y @ about_x)
+
+
+def quaternion_rotation(quaternion: Quaternion) -> np.ndarray:
+    """(3, 3) float64 of (x, y, z, w) of any length but 0.
+
+    Shoemake, Animating Rotation with Quaternion Curves (1985).
+    """
+    x, y, z, w = np.asarray(quaternion, np.float64) / np.linalg.norm(quaternion)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )

@@ -1,0 +1,1 @@
+"""What stands in a scene: assets, meshes and lights, loaded and placed."""

@@ -1,0 +1,216 @@
+"""What stands in the scene, as bodies: what rays hit, and what the hits send to the viewer.
+
+One class a kind of thing holds its geometry in Embree, and one holds points on it. The rest of
+the renderer does not ask which kind it has.
+"""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+
+import numpy as np
+
+from rna_render.lights.base import PlacedLight
+from rna_render.materials import MeshObject
+from rna_render.world.neural_sampling import LobeMixture
+from rna_sdk.runtime import offset_across
+from rna_trace import surface
+from rna_trace.asset_parts import (
+    Asset,
+    FiberPart,
+    SurfacePart,
+    part_geometry,
+    part_normal_maps,
+    part_transmittance,
+)
+from rna_trace.embree import TriangleScene
+from rna_trace.embree.tracing import ClosestHits
+from rna_trace.fiber import FiberPoints
+from rna_trace.parts_scene import PartPoints, PartsScene
+from rna_trace.points import Body, Points, Role
+from rna_trace.surface import SurfacePoints
+
+# The lobes that rays leave assets in, by kind; see docs/decisions/renderer.md.
+SURFACE_LOBES = LobeMixture(uniform=0.2, cosine=0.35, mirror=0.45, mirror_kappa=20.0)
+FIBER_LOBES = LobeMixture(uniform=0.3, cone=0.45, cone_scale=0.06, forward=0.25, forward_kappa=5.0)
+
+
+class AssetBody:
+    """All parts of an asset. Its transport holds what happens inside it, among all parts.
+
+    Normals of meshes are interpolated from the corners, and not turned to the viewer; those of
+    strands are those of the round cones, outward.
+
+    indirect: the same asset with the tier for what the camera does not see directly.
+    """
+
+    role = Role.SCATTER
+    passes_through = True
+    one_sided = False
+
+    def __init__(self, asset: Asset, indirect: Asset | None) -> None:
+        self._parts = asset.parts
+        self._indirect = asset.parts if indirect is None else indirect.parts
+        self.part_count = len(self._parts)
+        tables = [part_transmittance(part) for part in self._parts]
+        maps = [part_normal_maps(part) for part in self._parts]
+        self.scene = PartsScene([part_geometry(part) for part in self._parts], tables, maps)
+
+    def points(
+        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+    ) -> Points:
+        where = hits.primitive[ray], hits.u[ray], hits.v[ray], hits.ng[ray]
+        points = self.scene.points(part, *where)
+        asset = (self._parts if seen else self._indirect)[part]
+        if asset.kind == "fiber":
+            assert isinstance(points, FiberPoints)
+            return _StrandPoints(asset, self.scene, part, points, wo)
+        assert isinstance(points, SurfacePoints)
+        return _MeshPoints(asset, self.scene, part, points, wo)
+
+
+class _NeuralPoints(Points):
+    """Points of a part of an asset: its decoder knows what scatters, and asks if wi is free."""
+
+    _lobes: LobeMixture
+    tangents: np.ndarray
+
+    def __init__(self, scene: PartsScene, part: int, at: PartPoints, wo: np.ndarray) -> None:
+        self._scene, self._part, self._at, self._wo = scene, part, at, wo
+        self.x, self.n = at.x, at.n
+
+    def transport(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        v = self._scene.visible(self._part, self._at, wi, distance, row)
+        visible, shadowed = self._evaluate(row, wi)
+        if v.ndim == 1:
+            return np.where(v[:, None], visible, shadowed), v
+        return v * visible + (np.float32(1.0) - v) * shadowed, v.mean(axis=1)
+
+    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
+        return self._lobes.sample(self.n, self.tangents, self._wo, u, row)
+
+    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
+        return self._lobes.pdf(self.n, self.tangents, self._wo, wi, row)
+
+    @abstractmethod
+    def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]: ...
+
+
+class _MeshPoints(_NeuralPoints):
+    _lobes = SURFACE_LOBES
+
+    def __init__(
+        self, asset: SurfacePart, scene: PartsScene, part: int, at: SurfacePoints, wo: np.ndarray
+    ) -> None:
+        super().__init__(scene, part, at, wo)
+        self._asset, self.n = asset, at.mapped
+        self.tangents = np.zeros_like(self.n)
+
+    def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return self._asset.evaluate(
+            self.x.take(row, axis=0), self.n.take(row, axis=0), self._wo.take(row, axis=0), wi
+        )
+
+
+class _StrandPoints(_NeuralPoints):
+    _lobes = FIBER_LOBES
+
+    def __init__(
+        self, asset: FiberPart, scene: PartsScene, part: int, at: FiberPoints, wo: np.ndarray
+    ) -> None:
+        super().__init__(scene, part, at, wo)
+        self._asset = asset
+        self.tangents = at.tangent
+        self._h = offset_across(at.n, at.tangent, wo)
+
+    def _evaluate(self, row: np.ndarray, wi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        at = self.x.take(row, axis=0), self.tangents.take(row, axis=0), self._h[row]
+        return self._asset.evaluate(*at, self._wo.take(row, axis=0), wi)
+
+
+class ObjectBody:
+    """A mesh with materials. Rays that start on it can hit it again."""
+
+    passes_through = False
+    one_sided = True
+    part_count = 1
+
+    def __init__(self, mesh: MeshObject) -> None:
+        self.mesh = mesh
+        geometry = [(mesh.positions, mesh.triangles)]
+        self.scene = TriangleScene(geometry, [mesh.transmittance])
+        self.role = Role.CATCH_SHADOWS if mesh.catches_shadows else Role.SCATTER
+
+    def points(
+        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+    ) -> Points:
+        return _ObjectPoints(self.mesh, hits, ray, wo)
+
+
+class _ObjectPoints(Points):
+    def __init__(
+        self, mesh: MeshObject, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray
+    ) -> None:
+        where = hits.primitive[ray], hits.u[ray], hits.v[ray]
+        self.x = surface.interpolate_positions(mesh.positions, mesh.triangles, *where)
+        ng = hits.ng.take(ray, axis=0)
+        self.n = mesh.shading_normals(*where, ng, wo)
+        self._directions = self.n, ng, wo
+        self._scattering = mesh.scattering(*where)
+        self._share = mesh.own_share(*where, ng, wo)
+
+    def transport(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        return self._sent(row, self._scattering.evaluate(*self._directions, wi, row))
+
+    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
+        return self._scattering.sample(*self._directions, u, row)
+
+    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
+        return self._scattering.pdf(*self._directions, wi, row)
+
+    def transport_and_pdf(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        radiance, pdf = self._scattering.evaluate_and_pdf(*self._directions, wi, row)
+        return *self._sent(row, radiance), pdf
+
+    def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return self._scattering.sample_and_pdf(*self._directions, u, row)
+
+    def _sent(self, row: np.ndarray, radiance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        if self._share is not None:
+            radiance /= self._share.take(row, axis=0)
+        return radiance, np.ones(len(row), bool)
+
+
+class LightBody:
+    """A light that rays meet: black."""
+
+    role = Role.SHINE
+    passes_through = False
+    one_sided = True
+    part_count = 1
+
+    def __init__(self, light: PlacedLight) -> None:
+        self.scene = light.scene
+
+    def points(
+        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+    ) -> Points:
+        raise NotImplementedError("a light scatters nothing")
+
+
+Thing = Asset | MeshObject | PlacedLight
+
+
+def make_body(thing: Thing, indirect: Asset | None = None) -> Body:
+    """The body of an asset, of an object or of a light. indirect: as of AssetBody."""
+    if isinstance(thing, PlacedLight):
+        return LightBody(thing)
+    if isinstance(thing, MeshObject):
+        return ObjectBody(thing)
+    return AssetBody(thing, indirect)

@@ -1,0 +1,81 @@
+"""Things, where they stand, and what they shine with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import cast
+
+import numpy as np
+
+from rna_render.lights import AssetEmission, AssetLight, MeshLight, ShapeLight
+from rna_render.materials import MeshObject
+from rna_render.world.bodies import Thing
+from rna_trace.asset_parts import Asset
+
+
+@dataclass(frozen=True)
+class Placement:
+    """A thing, and where it stands.
+
+    light: what it shines with, if it does. boundless: whether it says nothing about the size of
+    the scene, as a ground. indirect: the same asset with another tier, which answers what the
+    camera does not see directly; None for `thing` itself.
+    """
+
+    thing: Thing
+    world_from_object: np.ndarray  # (4, 4), a similarity
+    light: ShapeLight | None = None
+    boundless: bool = False
+    indirect: Asset | None = None
+
+    def box(self) -> tuple[np.ndarray, np.ndarray]:
+        """Lower and upper corner of the asset's or the object's box in the world, each (3,)."""
+        corners = np.array(np.meshgrid(*np.stack(_box(self.thing), axis=1))).reshape(3, -1)
+        placed = self.world_from_object[:3, :3] @ corners + self.world_from_object[:3, 3:]
+        return placed.min(axis=1), placed.max(axis=1)
+
+
+def _box(thing: Thing) -> tuple[np.ndarray, np.ndarray]:
+    if isinstance(thing, MeshObject):
+        return thing.positions.min(axis=0), thing.positions.max(axis=0)
+    boxes = [
+        (part.curves if part.kind == "fiber" else part.mesh).box()
+        for part in cast(Asset, thing).parts
+    ]
+    low, high = zip(*boxes, strict=True)
+    return np.min(low, axis=0), np.max(high, axis=0)
+
+
+def place_asset(
+    asset: Asset,
+    world_from_object: np.ndarray,
+    emission: AssetEmission | None = None,
+    factor: float = 1.0,
+    indirect: Asset | None = None,
+) -> Placement:
+    """An asset, and the light that it sends out.
+
+    world_from_object: (4, 4), a similarity. emission: `emission_of` the asset, for callers that
+    place it several times. factor: on what it emits. indirect: as of Placement.
+    """
+    emission = emission or emission_of(asset)
+    light = None
+    if emission is not None and factor > 0.0:
+        light = AssetLight(emission, world_from_object, factor)
+    return Placement(asset, world_from_object, light, indirect=indirect)
+
+
+def emission_of(asset: Asset) -> AssetEmission | None:
+    """Emission of an asset; None if it has none."""
+    return AssetEmission(asset) if any(part.emits for part in asset.parts) else None
+
+
+def mesh_light(thing: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
+    """Emission of an object; None if it has none."""
+    if not thing.is_emissive:
+        return None
+    linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
+    positions = (thing.positions @ linear.T + translation).astype(np.float32)
+    emission = thing.emitted_luminance, thing.emission
+    opaque = None if thing.transmittance is None else thing.opaque_emission
+    return MeshLight(positions, thing.triangles, *emission, opaque_emission=opaque)

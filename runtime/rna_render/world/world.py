@@ -1,0 +1,286 @@
+"""The scene as it is traced: instances of bodies, whose hits come sorted by part of a body."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numba import prange
+
+from rna_render.lights.base import PlacedLight
+from rna_render.materials import MeshObject
+from rna_render.world.bodies import Thing, make_body
+from rna_render.world.placements import Placement
+from rna_sdk.compiled import compiled
+from rna_sdk.runtime import Transform
+from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
+from rna_trace.embree.tracing import ClosestHits
+from rna_trace.points import Body, Points, Role
+from rna_trace.surface import OFFSET
+
+
+@dataclass(frozen=True, slots=True)
+class Vertices:
+    """Points of the scene that scatter light: m of them, sorted by body, part and instance.
+
+    ray: (m,) place of the ray that hit them in its batch. instance: (m,) int32.
+    parts: for each part of a body that was hit its rows, and its points in object space.
+    x_world, n_world: (m, 3) float32, points and shading normals.
+    ng_world: (m, 3) float32, geometric normals.
+    wo_world: (m, 3) float32, unit, towards where the rays came from.
+    own: (m,) int32, the instance that rays from here pass through, or NO_INSTANCE.
+    """
+
+    ray: np.ndarray
+    instance: np.ndarray
+    parts: list[tuple[slice, Points]]
+    x_world: np.ndarray
+    n_world: np.ndarray
+    ng_world: np.ndarray
+    wo_world: np.ndarray
+    own: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.ray)
+
+    def local_rows(self, row: np.ndarray) -> list[tuple[slice, np.ndarray, Points]]:
+        """The given rows, ascending, by part: which of them, their places in its points, these."""
+        result = []
+        for rows, points in self.parts:
+            start, stop = np.searchsorted(row, (rows.start, rows.stop))
+            if start < stop:
+                result.append((slice(start, stop), row[start:stop] - rows.start, points))
+        return result
+
+
+class World:
+    """Instances of bodies, in an order of their own: all instances of a body are neighbours.
+
+    placements: the scene's things, in the order of its file; the same object twice is one body
+    with two instances. Raises QueryError for a transform that is not a similarity.
+
+    Attributes:
+        things: those of `placements`.
+        indirect: those of `placements`, without None.
+        placements: those given, in the order of the instances.
+        scene: all instances, in Embree.
+        number: (k,) int32, for each instance its place in `placements`, counted from 1.
+        scale: (k,) float32, world units an object unit.
+        lights: those of the placements.
+        light: (k,) int32, for each instance its place in `lights`; -1 if it does not shine.
+        own_light: (k,) int32, the same where what the light throws on the instance itself is part
+            of its transport; else -1.
+        met_by: for each instance the sorts of rays that meet it, as in Instance.
+        catches_shadows: (k,) bool, for each instance whether it shows nothing but shadows on it.
+        one_sided: (k,) bool, for each instance whether it sends to the viewer nothing of light that
+            comes from the other side of its surface than the viewer is on.
+        radius: of a sphere about the scene, without what is boundless; world units.
+        scatters: whether light can go from one thing to another, or to another part of the same.
+    """
+
+    def __init__(self, placements: Sequence[Placement]) -> None:
+        groups: dict[tuple[int, int], list[int]] = {}
+        for index, placement in enumerate(placements):
+            key = id(placement.thing), id(placement.indirect)
+            groups.setdefault(key, []).append(index)
+        order = [index for group in groups.values() for index in group]
+        ordered = [placements[index] for index in order]
+        self.things = [placement.thing for placement in placements]
+        self.indirect = [p.indirect for p in placements if p.indirect is not None]
+        self.placements = ordered
+        firsts = [placements[group[0]] for group in groups.values()]
+        self._bodies = [make_body(first.thing, first.indirect) for first in firsts]
+        self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
+        self.number = np.asarray(order, np.int32) + 1
+        transforms = [Transform(placement.world_from_object) for placement in ordered]
+        scale = np.array([transform.scale for transform in transforms])
+        self.scale = scale.astype(np.float32)
+        self._matrices = np.array([transform.matrix for transform in transforms])
+        self._rotations = self._matrices[:, :3, :3] / scale[:, None, None]
+        self._turned = not (self._rotations == np.eye(3)).all()
+        self._placed = not (self._matrices == np.eye(4)).all()
+        bodies = [self._bodies[b] for b in self._order.body]
+        self.met_by = [_met_by(placement.thing) for placement in ordered]
+        scenes = [body.scene for body in bodies]
+        placed = zip(scenes, self._matrices, self.met_by, strict=True)
+        self.scene = InstanceScene([Instance(*instance) for instance in placed])
+        self.lights = [placement.light for placement in ordered if placement.light is not None]
+        shines = np.array([placement.light is not None for placement in ordered])
+        self.light = np.where(shines, np.cumsum(shines) - 1, -1).astype(np.int32)
+        passes = np.array([body.passes_through for body in bodies])
+        self.own_light = np.where(passes, self.light, -1).astype(np.int32)
+        self.one_sided = np.array([body.one_sided for body in bodies])
+        self._has_role = {role: np.array([body.role is role for body in bodies]) for role in Role}
+        self.catches_shadows = self._has_role[Role.CATCH_SHADOWS]
+        self._passes = passes
+        size = scale * np.sqrt(3.0) * [body.scene.extent for body in bodies]
+        reach = np.abs(self._matrices[:, :3, 3]).max(axis=1) + size
+        self._step = np.where(self._passes, 0.0, OFFSET * reach).astype(np.float32)
+        self.radius = _radius(self._matrices[:, :3, 3], size, [not p.boundless for p in ordered])
+        scattering = self._has_role[Role.SCATTER]
+        self.scatters = scattering.sum() > 1 or bool((scattering & ~self._passes).any())
+
+    def vertices(self, role: Role, hits: ClosestHits, d_world: np.ndarray, seen: bool) -> Vertices:
+        """The hits on bodies of that role, which is not SHINE.
+
+        hits: of n rays. d_world: (n, 3) float32, their directions. seen: whether they are camera
+        rays.
+        """
+        ray = np.flatnonzero(hits.instance >= 0)
+        ray = ray[self._has_role[role][hits.instance[ray]]]
+        ray, groups = self._order.sorted(ray, hits)
+        instance = hits.instance[ray]
+        wo_world = -d_world.take(ray, axis=0)
+        wo = self.to_object_directions(instance, wo_world)
+        x, n = (np.empty((len(ray), 3), np.float32) for _ in range(2))
+        parts = []
+        for body, part, rows in groups:
+            points = self._bodies[body].points(part, hits, ray[rows], wo[rows], seen)
+            x[rows], n[rows] = points.x, points.n
+            parts.append((rows, points))
+        return Vertices(
+            ray,
+            instance,
+            parts,
+            self._to_world_points(instance, x),
+            self.to_world_directions(instance, n),
+            self.to_world_directions(instance, hits.ng.take(ray, axis=0)),
+            wo_world,
+            np.where(self._passes[instance], instance, NO_INSTANCE).astype(np.int32),
+        )
+
+    def origins(self, vertices: Vertices, row: np.ndarray, wi_world: np.ndarray) -> np.ndarray:
+        """Origins of rays from the given rows along wi: (k, 3) float32.
+
+        On bodies that they must not hit at once, a step off the surface towards wi; see
+        surface.leaving_origins for how long it is.
+        """
+        result = np.empty_like(wi_world)
+        at = vertices.x_world, vertices.ng_world, vertices.instance
+        _step_off(*at, self._step, row, wi_world, result)
+        return result
+
+    def to_world_directions(self, instance: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """Object-space directions (n, 3) float32 of the given instances, in the world.
+
+        Here and below the vectors themselves, not a copy, where no instance is placed otherwise.
+        """
+        if not self._turned:
+            return directions
+        return _transformed(self._rotations, self._no_shift, instance, directions)
+
+    def to_object_directions(
+        self, instance: np.ndarray, directions_world: np.ndarray
+    ) -> np.ndarray:
+        """World-space unit directions (n, 3) float32, in the given instances' object space."""
+        if not self._turned:
+            return directions_world
+        inverse = self._rotations.transpose(0, 2, 1)
+        return _transformed(inverse, self._no_shift, instance, directions_world)
+
+    def _to_world_points(self, instance: np.ndarray, points: np.ndarray) -> np.ndarray:
+        if not self._placed:
+            return points
+        linear, translation = self._matrices[:, :3, :3], self._matrices[:, :3, 3]
+        return _transformed(linear, translation, instance, points)
+
+    @property
+    def _no_shift(self) -> np.ndarray:
+        return np.zeros((len(self.number), 3))
+
+
+class _HitOrder:
+    """Hits by body, then by part of it, then by instance.
+
+    bodies: with their numbers of instances, which are neighbours. body: (k,) of each instance.
+    """
+
+    def __init__(self, bodies: Sequence[Body], instances: Sequence[int]) -> None:
+        self.body = np.repeat(np.arange(len(bodies)), instances)
+        most = max(body.part_count for body in bodies)
+        # The rank of a hit on a part of an instance; those of a part of a body are in a row.
+        self._rank = np.zeros((len(self.body), most), np.int64)
+        self._groups: list[tuple[int, int]] = []
+        starts, rank = [], 0
+        for number, body in enumerate(bodies):
+            for part in range(body.part_count):
+                self._groups.append((number, part))
+                starts.append(rank)
+                self._rank[self.body == number, part] = rank + np.arange(instances[number])
+                rank += instances[number]
+        self._starts = np.array([*starts, rank])
+
+    def sorted(
+        self, ray: np.ndarray, hits: ClosestHits
+    ) -> tuple[np.ndarray, list[tuple[int, int, slice]]]:
+        """The rays in order, and for each part of a body that was hit both, and its rows."""
+        rank = self._rank[hits.instance[ray], hits.geometry[ray]]
+        order = np.argsort(rank, kind="stable")
+        cuts = np.searchsorted(rank[order], self._starts)
+        spans = zip(self._groups, pairwise(cuts), strict=True)
+        found = [(*group, slice(*cut)) for group, cut in spans if cut[0] < cut[1]]
+        return ray[order], found
+
+
+def _met_by(thing: Thing) -> int:
+    """The sorts of rays that meet a thing."""
+    if isinstance(thing, PlacedLight) and not thing.visible_to_camera:
+        return ALL_RAYS & ~CAMERA_RAY
+    if isinstance(thing, MeshObject) and thing.catches_shadows:
+        return CAMERA_RAY
+    return ALL_RAYS
+
+
+def _radius(centres: np.ndarray, sizes: np.ndarray, counts: list[bool]) -> float:
+    """Radius of a sphere about the counted balls, or about all if none counts; approximate."""
+    chosen = np.array(counts) if any(counts) else np.ones(len(counts), bool)
+    centre = centres[chosen].mean(axis=0)
+    return float((np.linalg.norm(centres[chosen] - centre, axis=1) + sizes[chosen]).max())
+
+
+def _transformed(
+    linear: np.ndarray, shift: np.ndarray, instance: np.ndarray, vectors: np.ndarray
+) -> np.ndarray:
+    result = np.empty_like(vectors)
+    _transform(np.ascontiguousarray(linear), np.ascontiguousarray(shift), instance, vectors, result)
+    return result
+
+
+@compiled(parallel=True, fastmath=())
+def _transform(
+    linear: np.ndarray,
+    shift: np.ndarray,
+    instance: np.ndarray,
+    vectors: np.ndarray,
+    result: np.ndarray,
+) -> None:
+    for i in prange(len(instance)):
+        k = instance[i]
+        for row in range(3):
+            value = shift[k, row]
+            for column in range(3):
+                value += linear[k, row, column] * vectors[i, column]
+            result[i, row] = value
+
+
+@compiled(parallel=True, fastmath=())
+def _step_off(
+    points: np.ndarray,
+    normals: np.ndarray,
+    instance: np.ndarray,
+    step: np.ndarray,
+    row: np.ndarray,
+    directions: np.ndarray,
+    result: np.ndarray,
+) -> None:
+    for i in prange(len(row)):
+        at = row[i]
+        toward = np.float64(0.0)
+        for axis in range(3):
+            toward += np.float64(normals[at, axis]) * directions[i, axis]
+        length = step[instance[at]]
+        signed = -length if toward < 0.0 else length
+        for axis in range(3):
+            result[i, axis] = points[at, axis] + signed * normals[at, axis]

@@ -1,0 +1,1 @@
+"""Rays against geometry: Embree, and points on surfaces and strands."""

@@ -1,0 +1,114 @@
+"""What the renderer needs of an asset and of its parts; rna_sdk.runtime's classes have it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, Protocol
+
+import numpy as np
+
+from rna_sdk.package import Curves, Mesh
+from rna_trace.normal_maps import NormalMaps, TextureRecord, texture_numbers
+from rna_trace.transmittance import Transmittance, TransmittanceTexture
+
+
+class TransmittanceRecord(TextureRecord, Protocol):
+    """Holes or thin glass; spec/RNA.md, 4.4. texture: (h, w, 1) or (h, w, 3) uint8."""
+
+    @property
+    def cutoff(self) -> float | None: ...
+
+    @property
+    def ior(self) -> tuple[float, float] | None: ...
+
+
+class SurfacePart(Protocol):
+    """A part with a mesh: rna_sdk.runtime.SurfaceAsset."""
+
+    @property
+    def kind(self) -> Literal["surface"]: ...
+
+    @property
+    def mesh(self) -> Mesh: ...
+
+    @property
+    def emits(self) -> bool: ...
+
+    @property
+    def transmittance_records(self) -> Sequence[TransmittanceRecord]: ...
+
+    @property
+    def normal_maps(self) -> Sequence[TextureRecord]: ...
+
+    def evaluate(
+        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray, wi: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+
+    def emission(
+        self, positions: np.ndarray, normals: np.ndarray, wo: np.ndarray
+    ) -> np.ndarray: ...
+
+
+class FiberPart(Protocol):
+    """A part of strands: rna_sdk.runtime.FiberAsset."""
+
+    @property
+    def kind(self) -> Literal["fiber"]: ...
+
+    @property
+    def curves(self) -> Curves: ...
+
+    @property
+    def emits(self) -> bool: ...
+
+    def evaluate(
+        self,
+        positions: np.ndarray,
+        tangents: np.ndarray,
+        h: np.ndarray,
+        wo: np.ndarray,
+        wi: np.ndarray,
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+
+    def emission(
+        self, positions: np.ndarray, tangents: np.ndarray, h: np.ndarray, wo: np.ndarray
+    ) -> np.ndarray: ...
+
+
+AssetPart = SurfacePart | FiberPart
+
+
+class Asset(Protocol):
+    """One part or several that light each other."""
+
+    @property
+    def parts(self) -> Sequence[AssetPart]: ...
+
+
+def part_geometry(part: AssetPart) -> Mesh | Curves:
+    """Geometry of a part for ray tracing."""
+    return part.curves if part.kind == "fiber" else part.mesh
+
+
+def part_transmittance(part: AssetPart) -> Transmittance | None:
+    """Transmittance of a part; None if it is opaque."""
+    if part.kind == "fiber":
+        return None
+    return mesh_transmittance(part.mesh, part.transmittance_records)
+
+
+def part_normal_maps(part: AssetPart) -> NormalMaps | None:
+    """The relief of a part; None where it has none."""
+    if part.kind == "fiber" or not part.normal_maps:
+        return None
+    return NormalMaps(part.mesh, part.normal_maps)
+
+
+def mesh_transmittance(mesh: Mesh, records: Sequence[TransmittanceRecord]) -> Transmittance | None:
+    """Transmittance of a mesh with the given records; None if there are none."""
+    if not records:
+        return None
+    number = texture_numbers(mesh, records)
+    uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
+    textures = [TransmittanceTexture(r.texture, r.cutoff, ior=r.ior) for r in records]
+    return Transmittance(mesh.triangles, uvs, mesh.normals, number, textures)

@@ -1,0 +1,180 @@
+"""Placed copies of scenes: one acceleration structure a geometry, however often it is used."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_trace.embree import library as api
+from rna_trace.embree.filters import (
+    own_instance_filter,
+    random_transmittance_filters,
+    transmittance_filter,
+)
+from rna_trace.embree.tracing import (
+    ClosestHits,
+    GeometryScene,
+    Passing,
+    any_hits,
+    closest_hits,
+    closest_hits_through,
+    transmitted,
+)
+from rna_trace.rays import per_ray
+
+# Bits of Embree's masks. Up to as many instances have a bit each, and a ray that passes through
+# one does not enter it. Of more instances, bits stand for the sorts of rays that meet them, and a
+# filter refuses the hits on a ray's own, one by one: slow where there is much hair to pass through.
+MASK_BITS = 32
+
+# Sorts of rays, bits of a mask.
+CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY = 1, 2, 4
+ALL_RAYS = CAMERA_RAY | INDIRECT_RAY | SHADOW_RAY
+
+_SORTS = (CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY, ALL_RAYS)
+
+NO_INSTANCE = -1
+
+
+@dataclass(frozen=True, slots=True)
+class Instance:
+    """A scene, placed.
+
+    world_from_object: (4, 4) affine. rays: bits of the sorts of rays that meet it.
+    """
+
+    scene: GeometryScene
+    world_from_object: np.ndarray
+    rays: int = ALL_RAYS
+
+
+class InstanceScene:
+    """Scenes, placed in the world.
+
+    The same scene may be in many instances; it is stored once. Raises SceneError if Embree
+    refuses one.
+
+    Attributes:
+        transmits: whether one of them may let light through: rays then pass through hits at
+            random, and shadow rays are weakened.
+    """
+
+    def __init__(self, instances: Sequence[Instance]) -> None:
+        self._count = len(instances)
+        # Embree keeps the geometries alive, but not the tables that filters read.
+        self._scenes = {placed.scene for placed in instances}
+        self._scene = api.SceneHandle(api.shared_device())
+        self._filter = own_instance_filter()
+        self.transmits = any(placed.scene.transmits for placed in instances)
+        self._coloured = any(placed.scene.coloured for placed in instances)
+        self._random, self._weakened = random_transmittance_filters(), transmittance_filter()
+        self._own_bits = len(instances) <= MASK_BITS
+        self._met = {rays: _met_by(rays, instances) for rays in _SORTS} if self._own_bits else {}
+        embree = api.library()
+        for index, placed in enumerate(instances):
+            instance = embree.rtcNewGeometry(self._scene.device.handle, api.GEOMETRY_INSTANCE)
+            embree.rtcSetGeometryInstancedScene(instance, placed.scene.handle.handle)
+            matrix = np.ascontiguousarray(placed.world_from_object[:3], np.float32)
+            layout = api.FORMAT_FLOAT3X4_ROW_MAJOR
+            embree.rtcSetGeometryTransform(instance, 0, layout, matrix.ctypes.data)
+            embree.rtcSetGeometryMask(instance, 1 << index if self._own_bits else placed.rays)
+            self._scene.attach(instance, index)
+        self._scene.commit()
+
+    def intersect(
+        self,
+        origins_world: np.ndarray,
+        directions_world: np.ndarray,
+        own: np.ndarray | None = None,
+        rays: int = ALL_RAYS,
+    ) -> ClosestHits:
+        """The closest hit of each ray; its normal is in object space.
+
+        origins_world, directions_world: (n, 3) float32; n may be 0. own: (n,) int32, the
+        instance that each ray passes through; NO_INSTANCE, or None for all, for none of them.
+        rays: which sort they are. Raises QueryError for other dtypes or shapes.
+
+        Where hits let light through, rays pass as often as they do; see `ClosestHits.weight`.
+        """
+        if self._passes_everything(own):
+            return _misses(len(origins_world))
+        interval, passing = (0.0, np.inf), self._passing(own, len(origins_world), rays)
+        lines = origins_world, directions_world, *interval
+        if self.transmits:
+            ids = self._ids(own, len(origins_world))
+            return closest_hits_through(
+                self._scene, self._random, self._coloured, *lines, ids, passing.mask
+            )
+        return closest_hits(self._scene, *lines, passing=passing)
+
+    def occluded(
+        self,
+        origins_world: np.ndarray,
+        directions_world: np.ndarray,
+        tfar: np.ndarray | float = np.inf,
+        own: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """Whether each shadow ray hits any instance but its own: (n,) bool.
+
+        tfar: one number or (n,), distance to the light. Other arguments and errors are those of
+        `intersect`.
+        """
+        if self._passes_everything(own):
+            return np.zeros(len(origins_world), bool)
+        passing = self._passing(own, len(origins_world), SHADOW_RAY)
+        return any_hits(self._scene, origins_world, directions_world, 0.0, tfar, passing)
+
+    def transmittance(
+        self,
+        origins_world: np.ndarray,
+        directions_world: np.ndarray,
+        tfar: np.ndarray | float = np.inf,
+        own: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """Transmittance along each shadow ray: (n, 3) float32, 0 where it is blocked.
+
+        Arguments and errors are those of `occluded`, which knows nothing of transmittance.
+        """
+        if self._passes_everything(own):
+            return np.ones((len(origins_world), 3), np.float32)
+        ids = self._ids(own, len(origins_world))
+        passing = self._passing(own, len(origins_world), SHADOW_RAY)
+        lines = origins_world, directions_world, 0.0, tfar
+        return transmitted(self._scene, self._weakened, *lines, ids, passing.mask)
+
+    def _ids(self, own: np.ndarray | None, count: int) -> np.ndarray:
+        """(n,) or (1,) uint32, the instance that each ray passes through."""
+        values = per_ray("own", NO_INSTANCE if own is None else own, count, np.int32)
+        return values.view(np.uint32)
+
+    def _passes_everything(self, own: np.ndarray | None) -> bool:
+        return self._count == 1 and own is not None and bool((own == 0).all())
+
+    def _passing(self, own: np.ndarray | None, count: int, rays: int) -> Passing:
+        if own is None:
+            return Passing(mask=np.full(1, self._met.get(rays, rays), np.uint32))
+        ids = self._ids(own, count)
+        if not self._own_bits:
+            return Passing(self._filter.ctypes.data, ids, np.full(1, rays, np.uint32))
+        # A shift by 32, for NO_INSTANCE, leaves no bit in 64.
+        bit = np.left_shift(np.uint64(1), np.minimum(ids, MASK_BITS).astype(np.uint64))
+        return Passing(mask=self._met[rays] & ~bit.astype(np.uint32))
+
+
+def _met_by(rays: int, instances: Sequence[Instance]) -> np.uint32:
+    """The bits of the instances that a sort of rays meets."""
+    bits = (1 << index for index, placed in enumerate(instances) if placed.rays & rays)
+    return np.uint32(sum(bits))
+
+
+def _misses(n: int) -> ClosestHits:
+    nothing = np.full(n, -1, np.int32)
+    zeros = np.zeros(n, np.float32)
+    return ClosestHits(
+        np.full(n, np.inf, np.float32),
+        *(nothing, nothing, nothing),
+        *(zeros, zeros),
+        np.zeros((n, 3), np.float32),
+    )

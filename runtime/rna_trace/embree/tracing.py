@@ -1,0 +1,220 @@
+"""Batches of rays against any Embree scene."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+import numpy as np
+
+from rna_trace.embree import kernels
+from rna_trace.embree import library as api
+from rna_trace.embree.filters import transmittance_filter
+from rna_trace.rays import per_ray, vectors
+
+
+@dataclass(frozen=True, slots=True)
+class ClosestHits:
+    """The closest hit of each ray, in Embree's terms; each (n,), misses with -1, infinity or 0.
+
+    instance: int32, number of the instance; -1 in a scene without instances, too.
+    geometry: int32, number of the geometry in its scene.
+    primitive: int32, number of the triangle or of the curve segment.
+    ng: (n, 3) float32, unit geometric normals in the space of the geometry; (0, 3) if not asked
+        for.
+    weight: (n, 3) float32, what the light found has to be multiplied by, since rays passed or met
+        something coloured at random; None for 1.
+    """
+
+    t: np.ndarray
+    instance: np.ndarray
+    geometry: np.ndarray
+    primitive: np.ndarray
+    u: np.ndarray
+    v: np.ndarray
+    ng: np.ndarray
+    weight: np.ndarray | None = None
+
+    def take(self, row: np.ndarray) -> ClosestHits:
+        """The given rows."""
+        values: list[Any] = [getattr(self, field.name) for field in fields(self)]
+        taken: list[Any] = [None if a is None else a.take(row, axis=0) for a in values]
+        return ClosestHits(*taken)
+
+
+@dataclass(frozen=True, slots=True)
+class Passing:
+    """Geometry that rays pass through.
+
+    arguments: address of the arguments of an embree_filter, or 0. ray_id: (n,) or (1,) uint32,
+    what the filter refuses hits on. mask: (n,) or (1,) uint32; rays meet instances that share one
+    of its bits.
+    """
+
+    arguments: int = 0
+    ray_id: np.ndarray = field(default_factory=lambda: np.zeros(1, np.uint32))
+    mask: np.ndarray = field(default_factory=lambda: np.full(1, 0xFFFFFFFF, np.uint32))
+
+
+NOTHING = Passing()
+
+# The id of a ray that passes through no instance and no strand, in a scene of either.
+NO_OWN = 0xFFFFFFFE
+_NO_ID = np.full(1, NO_OWN, np.uint32)
+
+
+class GeometryScene:
+    """Geometry in one space, for rays in that space and for instances of it.
+
+    A subclass attaches what there is and calls `_commit`.
+    """
+
+    def __init__(self) -> None:
+        self._scene = api.SceneHandle(api.shared_device())
+        self.extent = 0.0
+        """Largest absolute coordinate of the geometry: the scale of rounding errors here."""
+        self.transmits = False
+        """Whether hits may let light through, so that filters have to ask."""
+        self.coloured = False
+        """Whether some may let more through of one colour than of another."""
+
+    @property
+    def handle(self) -> api.SceneHandle:
+        """The Embree scene, for another scene to instance; valid as long as this object."""
+        return self._scene
+
+    def occluded(
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        tnear: np.ndarray | float = 0.0,
+        tfar: np.ndarray | float = np.inf,
+    ) -> np.ndarray:
+        """Whether each ray hits anything within [tnear, tfar]: (n,) bool.
+
+        origins, directions: (n, 3) float32; n may be 0. tnear, tfar: one number, or (n,).
+        A ray that is not finite or has no direction misses. Raises QueryError for other dtypes
+        or shapes.
+        """
+        return any_hits(self._scene, origins, directions, tnear, tfar)
+
+    def transmittance(
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        tnear: np.ndarray | float = 0.0,
+        tfar: np.ndarray | float = np.inf,
+    ) -> np.ndarray:
+        """Transmittance of each ray between tnear and tfar: (n, 3) float32, 0 where it is blocked.
+
+        Arguments and errors are those of `occluded`.
+        """
+        return transmitted(self._scene, transmittance_filter(), origins, directions, tnear, tfar)
+
+
+def closest_hits(
+    scene: api.SceneHandle,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+    with_normals: bool = True,
+    passing: Passing = NOTHING,
+) -> ClosestHits:
+    """Closest hits in any Embree scene.
+
+    Arguments and errors are those of GeometryScene.occluded.
+    """
+    rays = _rays(passing.ray_id, passing.mask, origins, directions, tnear, tfar)
+    hits = _hits(len(rays.origins), with_normals)
+    function = api.function_address("rtcIntersect1")
+    kernels.intersect(function, scene.handle, passing.arguments, rays, hits)
+    return ClosestHits(*hits)
+
+
+def any_hits(
+    scene: api.SceneHandle,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+    passing: Passing = NOTHING,
+) -> np.ndarray:
+    """Whether each ray hits anything in any Embree scene: (n,) bool.
+
+    Arguments and errors are those of GeometryScene.occluded.
+    """
+    rays = _rays(passing.ray_id, passing.mask, origins, directions, tnear, tfar)
+    result = np.empty(len(rays.origins), bool)
+    function = api.function_address("rtcOccluded1")
+    kernels.occluded(function, scene.handle, passing.arguments, rays, result)
+    return result
+
+
+def transmitted(
+    scene: api.SceneHandle,
+    arguments: np.ndarray,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+    ray_id: np.ndarray | None = None,
+    mask: np.ndarray = NOTHING.mask,
+) -> np.ndarray:
+    """Transmittance along rays in any Embree scene: (n, 3) float32.
+
+    arguments: of a transmittance filter. ray_id: (n,) or (1,) uint32, the instance or the strand
+    that rays pass through, as the filter has it; NO_OWN if None. mask: as in Passing. The rest,
+    and the errors, are those of GeometryScene.occluded.
+    """
+    rays = _rays(_NO_ID if ray_id is None else ray_id, mask, origins, directions, tnear, tfar)
+    result = np.empty((len(rays.origins), 3), np.float32)
+    function = api.function_address("rtcOccluded1")
+    kernels.transmitted(function, scene.handle, arguments, rays, result)
+    return result
+
+
+def closest_hits_through(
+    scene: api.SceneHandle,
+    filters: tuple[np.ndarray, np.ndarray],
+    coloured: bool,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+    ray_id: np.ndarray | None = None,
+    mask: np.ndarray = NOTHING.mask,
+) -> ClosestHits:
+    """Closest hits of rays that pass through hits at random, as often as these let light through.
+
+    filters: random_transmittance_filters. coloured: whether `weight` is wanted, else it is 1. The
+    rest, and the errors, are those of `closest_hits` and of `transmitted`.
+    """
+    rays = _rays(_NO_ID if ray_id is None else ray_id, mask, origins, directions, tnear, tfar)
+    hits = _hits(len(rays.origins))
+    weight = np.empty((len(rays.origins) if coloured else 0, 3), np.float32)
+    functions = api.function_address("rtcIntersect1"), api.function_address("rtcOccluded1")
+    kernels.intersect_through(functions, scene.handle, filters, rays, hits, weight)
+    return ClosestHits(*hits, weight if coloured else None)
+
+
+def _rays(
+    ray_id: np.ndarray,
+    mask: np.ndarray,
+    origins: np.ndarray,
+    directions: np.ndarray,
+    tnear: np.ndarray | float,
+    tfar: np.ndarray | float,
+) -> kernels.Rays:
+    origins = vectors("origins", origins)
+    n = len(origins)
+    directions = vectors("directions", directions, n)
+    interval = per_ray("tnear", tnear, n), per_ray("tfar", tfar, n)
+    return kernels.Rays(ray_id, mask, origins, directions, *interval)
+
+
+def _hits(n: int, with_normals: bool = True) -> kernels.Hits:
+    t, u, v = (np.empty(n, np.float32) for _ in range(3))
+    instance, geometry, primitive = (np.empty(n, np.int32) for _ in range(3))
+    ng = np.empty((n if with_normals else 0, 3), np.float32)
+    return kernels.Hits(t, instance, geometry, primitive, u, v, ng)

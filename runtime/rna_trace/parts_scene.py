@@ -1,0 +1,200 @@
+"""An asset as rays meet it: all its parts, meshes and strands, in one Embree scene."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rna_sdk.package import Curves, Mesh
+from rna_trace.embree.filters import own_strand_filter, strand_transmittance_filter
+from rna_trace.embree.scenes import add_curves, add_mesh
+from rna_trace.embree.tracing import (
+    NO_OWN,
+    NOTHING,
+    GeometryScene,
+    Passing,
+    any_hits,
+    closest_hits,
+    transmitted,
+)
+from rna_trace.fiber import FiberPoints
+from rna_trace.rays import check_numbers, per_ray, vectors
+from rna_trace.surface import NormalMaps, SurfacePoints, leaving_origins
+from rna_trace.transmittance import Transmittance, geometry_table
+
+PartPoints = SurfacePoints | FiberPoints
+
+
+@dataclass(frozen=True, slots=True)
+class PartHits:
+    """The closest hit of each ray, (n,) each; misses with -1, infinity or 0.
+
+    t: float32, distance in units of the direction's length.
+    part: int32, place of the part in the asset.
+    primitive: int32, number of the triangle, or of the segment in `Curves.segments()`.
+    u, v: float32, barycentrics: the point is (1 - u - v) p0 + u p1 + v p2. On a segment u is in
+        [0, 1] from its first point to its second, and v means nothing.
+    normals: (n, 3) float32, unit: of the triangle, counter-clockwise side; of the round cone or
+        joint, outward.
+    """
+
+    t: np.ndarray
+    part: np.ndarray
+    primitive: np.ndarray
+    u: np.ndarray
+    v: np.ndarray
+    normals: np.ndarray
+
+
+class PartsScene(GeometryScene):
+    """The parts of an asset in one space. Embree keeps a copy of their geometry.
+
+    Triangles behind Embree's robust (watertight) intersection; strands as in `add_curves`.
+    transmittance: of each part, None where it is opaque, as strands are; none at all if left out.
+    `intersect` and `occluded` do not ask for it. normal_maps: of each part, None where it has
+    none; none at all if left out.
+
+    Attributes:
+        geometries: of the parts, in order.
+        extent: the largest absolute coordinate of all parts: of a vertex, or of a point of curves
+            plus its radius.
+
+    Raises PackageError and SceneError as `add_mesh` and `add_curves`.
+    """
+
+    def __init__(
+        self,
+        geometries: Sequence[Mesh | Curves],
+        transmittance: Sequence[Transmittance | None] = (),
+        normal_maps: Sequence[NormalMaps | None] = (),
+    ) -> None:
+        super().__init__()
+        self.geometries = tuple(geometries)
+        self._normal_maps = normal_maps or [None] * len(self.geometries)
+        self._transmittance = transmittance or [None] * len(self.geometries)
+        self.transmits = any(table is not None for table in self._transmittance)
+        self.coloured = any(table is not None and table.coloured for table in self._transmittance)
+        self._first = [g.segments() if isinstance(g, Curves) else None for g in self.geometries]
+        self._strands = _strand_numbers(self.geometries)
+        self._tables = [geometry_table(numbers.ctypes.data) for numbers in self._strands]
+        self._filter, self._weakened = own_strand_filter(), strand_transmittance_filter()
+        self._has_strands = any(isinstance(g, Curves) for g in self.geometries)
+        for part, geometry in enumerate(self.geometries):
+            if isinstance(geometry, Curves):
+                extent = add_curves(self._scene, part, geometry, self._tables[part])
+            else:
+                arrays = geometry.positions, geometry.triangles
+                extent = add_mesh(self._scene, part, *arrays, self._transmittance[part])
+            self.extent = max(self.extent, extent)
+        self._scene.commit()
+
+    def intersect(
+        self,
+        origins: np.ndarray,
+        directions: np.ndarray,
+        tnear: np.ndarray | float = 0.0,
+        tfar: np.ndarray | float = np.inf,
+    ) -> PartHits:
+        """The closest hit of each ray within [tnear, tfar]; arguments as for `occluded`."""
+        found = closest_hits(self._scene, origins, directions, tnear, tfar)
+        at = found.geometry, found.primitive, found.u, found.v
+        return PartHits(found.t, *at, found.ng)
+
+    def points(
+        self,
+        part: int,
+        primitive: np.ndarray,
+        u: np.ndarray,
+        v: np.ndarray,
+        normals: np.ndarray,
+    ) -> PartPoints:
+        """The points of hits on one part; arrays are rows of PartHits.
+
+        Raises QueryError for a primitive that is not there, or arrays of different length.
+        """
+        geometry, first = self.geometries[part], self._first[part]
+        if first is not None and isinstance(geometry, Curves):
+            return FiberPoints.of(geometry, first, primitive, u, normals)
+        assert isinstance(geometry, Mesh)
+        return SurfacePoints.of(geometry, primitive, u, v, self._normal_maps[part])
+
+    def hit_transmittance(self, hits: PartHits, directions: np.ndarray) -> np.ndarray:
+        """Transmittance of each hit along rays (n, 3) float32: (n, 3) float32; 1 for misses."""
+        result = np.where((hits.part < 0)[:, None], np.float32(1.0), np.zeros((1, 3), np.float32))
+        facing = np.sum(directions * hits.normals, axis=1) < 0.0
+        for part, table in enumerate(self._transmittance):
+            row = np.flatnonzero(hits.part == part)
+            if table is not None and len(row):
+                at = (a[row] for a in (hits.primitive, hits.u, hits.v, directions, facing))
+                result[row] = table.at(*at)
+        return result
+
+    def transmitted(self, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
+        """The product of what all that rays from outside meet lets through, (n, 3) float32."""
+        lines = vectors("origins", origins), vectors("directions", directions, len(origins))
+        if self.transmits:
+            return transmitted(self._scene, self._weakened, *lines, 0.0, np.inf)
+        free = ~any_hits(self._scene, *lines, 0.0, np.inf, NOTHING)
+        return np.repeat(free.astype(np.float32)[:, None], 3, axis=1)
+
+    def visible(
+        self,
+        part: int,
+        points: PartPoints,
+        wi: np.ndarray,
+        tfar: np.ndarray | float = np.inf,
+        row: np.ndarray | None = None,
+    ) -> np.ndarray:
+        """The visibility of the transport contract, from points of a part along `wi`.
+
+        Whether the rays meet nothing of the asset, (n,) bool: it picks the decoder's `visible` or
+        `shadowed` output. Where the asset transmits, (n, 3) float32 instead, the product of what
+        all that they meet lets through, 0 for what is opaque.
+
+        Points of a mesh: the ray starts on the side that `wi` is on (see
+        surface.leaving_origins), so light from behind a closed surface is blocked, because it has
+        to leave through the asset.
+
+        Points of a strand: the ray starts at the point, and passes through all of that strand.
+        Light that comes through its own strand is part of the strand's scattering, and joints and
+        bends shade nothing. An offset along the normal, as on meshes, cannot do this: from inside a
+        cone Embree reports the exit.
+
+        All triangles block, and all other strands, where the ray enters them: a strand that it
+        starts in does not count. This is the rule of Cycles, whose shadow rays skip all segments
+        of the curve they start on and all hits from inside (kernel/device/cpu/bvh.h:
+        kernel_embree_is_self_intersection compares curves, not segments;
+        kernel_embree_filter_occluded_func_backface_cull).
+
+        wi: (n, 3) float32, in the scene's space; n may be 0. tfar: one number or (n,), the distance
+        to the light in units of wi's length. row: (n,) which points; None for all, in order. Raises
+        QueryError for other dtypes or shapes, or a segment that is not there.
+        """
+        wi = vectors("wi", wi, len(points if row is None else row))
+        own = np.full(1, NO_OWN, np.uint32)
+        if isinstance(points, FiberPoints):
+            points = points if row is None else points.take(row)
+            origins, strands = vectors("positions", points.x), self._strands[part]
+            check_numbers("segment", points.segment, len(strands))
+            own = per_ray("strand", strands[points.segment], len(points), np.uint32)
+        else:
+            origins = leaving_origins(points.checked(), wi, self.extent, row)
+        lines = origins, wi, 0.0, tfar
+        if self.transmits:
+            return transmitted(self._scene, self._weakened, *lines, own)
+        passing = Passing(self._filter.ctypes.data, own) if self._has_strands else NOTHING
+        return ~any_hits(self._scene, *lines, passing)
+
+
+def _strand_numbers(geometries: Sequence[Mesh | Curves]) -> list[np.ndarray]:
+    """Strand of each segment by part, (m,) uint32, numbered across all parts."""
+    result, start = [], 0
+    for geometry in geometries:
+        offsets = geometry.offsets if isinstance(geometry, Curves) else np.zeros(1, np.uint32)
+        points = offsets[1:].astype(np.int64) - offsets[:-1]
+        numbers = np.arange(start, start + len(points), dtype=np.uint32)
+        result.append(np.repeat(numbers, points - 1))
+        start += len(points)
+    return result

@@ -1,0 +1,89 @@
+"""Points that rays have hit, and how they scatter light; one interface for all kinds of bodies."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from enum import Enum, auto
+from typing import Protocol
+
+import numpy as np
+
+from rna_trace.embree.tracing import ClosestHits, GeometryScene
+
+
+class Points(ABC):
+    """Points of a part of a body that are seen, and directions wo to the viewer; object space.
+
+    x, n: (m, 3) float32, points and unit normals.
+    """
+
+    x: np.ndarray
+    n: np.ndarray
+
+    @abstractmethod
+    def transport(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Radiance towards the viewer under irradiance 1 from wi, and how free wi is.
+
+        It contains the cosine. row: (k,) which points. wi: (k, 3) float32, unit. distance: (k,)
+        float32, to where the light comes from. Returns (k, 3) float32, and (k,) from 0 to 1: how
+        much of that place the body itself leaves in sight, if rays that start on it pass through
+        it.
+        """
+
+    @abstractmethod
+    def sample(self, row: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Directions wi, about as often as light from there matters: (k, 3) float32, unit.
+
+        row: (k,) which points. u: (k, 3) float64 in [0, 1).
+        """
+
+    @abstractmethod
+    def pdf(self, row: np.ndarray, wi: np.ndarray) -> np.ndarray:
+        """Density of `sample` in wi, per steradian: (k,) float32."""
+
+    def transport_and_pdf(
+        self, row: np.ndarray, wi: np.ndarray, distance: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Results of `transport` and `pdf`, for bodies that have both at the price of one."""
+        return *self.transport(row, wi, distance), self.pdf(row, wi)
+
+    def sample_and_pdf(self, row: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Result of `sample`, and its density."""
+        wi = self.sample(row, u)
+        return wi, self.pdf(row, wi)
+
+
+class Role(Enum):
+    """Role of a body in the scene."""
+
+    SCATTER = auto()
+    CATCH_SHADOWS = auto()  # shows the shadows that fall on it to the camera, and nothing else
+    SHINE = auto()  # a light, and black
+
+
+class Body(Protocol):
+    """A thing with its geometry in Embree, in its object space.
+
+    passes_through: whether rays that start on it pass through it, since its transport holds what
+    happens inside it. one_sided: whether transport is 0 where wi and wo are on different sides of
+    the geometric normal. part_count: of parts, one a geometry of its scene.
+    """
+
+    role: Role
+    passes_through: bool
+    one_sided: bool
+    part_count: int
+
+    @property
+    def scene(self) -> GeometryScene: ...
+
+    def points(
+        self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
+    ) -> Points:
+        """The points of a part that the given rays, (m,), have hit. A body that shines has none.
+
+        wo: (m, 3) float32, object space. seen: whether they are camera rays.
+        """
+        ...

@@ -1,0 +1,1 @@
+"""Work on a Ray cluster, and files on stores that its machines share."""

@@ -1,0 +1,160 @@
+"""A Ray cluster as a place for work. Nothing else of the project imports Ray."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeVar
+
+from rna_sdk.console import install_hint
+from rna_sdk.errors import RnaError, WorkError
+from rna_work.cached import content_hash
+from rna_work.cluster.addresses import prepare
+from rna_work.cluster.ray_slots import RayWorkers
+from rna_work.cluster.travelling import Travelling, check_elsewhere
+from rna_work.executors import Needs
+from rna_work.processes import portable
+from rna_work.sources import Carried
+
+Answer = TypeVar("Answer")
+
+_TRIES = 3
+_NODE_SECONDS = 1800.0  # for what each node does before work begins, such as installing Blender
+
+
+@contextmanager
+def connected(address: str) -> Iterator[RayCluster]:
+    """The cluster of an address, as `--cluster` takes it.
+
+    Raises WorkError where Ray is not installed, or where no cluster answers.
+    """
+    if address != "local":
+        prepare(address)
+    ray = imported_ray()
+    # Read by the nodes that are started here. Workers of this machine's pools are not nice either.
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+    os.environ.setdefault("RAY_worker_niceness", "0")
+    options: dict[str, Any] = {"address": address, "log_to_driver": False, "logging_level": "ERROR"}
+    if address == "local":  # even where a cluster runs on this machine
+        options |= {"include_dashboard": False}
+    begun_here = not ray.is_initialized()
+    if begun_here:
+        _connect(ray, options)
+    try:
+        yield RayCluster()
+    finally:
+        if begun_here:
+            ray.shutdown()
+
+
+def _connect(ray: Any, options: dict[str, Any]) -> None:
+    """`ray.init`. Raises WorkError where no cluster answers."""
+    for left in reversed(range(_TRIES)):
+        try:
+            ray.init(**options)
+            return
+        except (ImportError, ConnectionError, RuntimeError, ValueError, OSError) as error:
+            # A busy head takes longer than Ray's 30 s to start what serves a ray:// address.
+            if left and isinstance(error, ConnectionAbortedError):
+                continue
+            line = next(reversed(str(error).strip().splitlines()), type(error).__name__)
+            where = f"--cluster {options['address']}"
+            raise WorkError(f"{where}: no cluster answers: {line}") from error
+
+
+def imported_ray() -> Any:
+    """The module. Raises WorkError where it is not installed."""
+    try:
+        import ray
+    except ModuleNotFoundError as error:
+        raise WorkError(f"--cluster needs Ray: {install_hint('cluster')}") from error
+    return ray
+
+
+@dataclass(frozen=True)
+class RayCluster:
+    """The cluster that this process is connected to."""
+
+    far = True
+
+    def workers(self, needs: Needs, count: int | None) -> RayWorkers:
+        return RayWorkers(needs, count)
+
+    def gpus(self) -> float:
+        return float(sum(node["Resources"].get("GPU", 0) for node in alive_nodes()))
+
+    def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
+        hashes = {file.absolute(): content_hash(file) for file in fixed}
+        if hashes:
+            self.on_every_node(partial(check_elsewhere, path, hashes))
+        return Travelling.of(path, others)
+
+    def whole_machines(
+        self, threads: int | None, local: str = "", needs_gpu: bool = False
+    ) -> tuple[RayWorkers, int]:
+        gpus = 1.0 if needs_gpu else 0.0
+        nodes = [node for node in alive_nodes() if node["Resources"].get("GPU", 0) >= gpus]
+        if needs_gpu and not nodes:
+            hint = "`ray start --num-gpus 1` tells it of one that it does not see"
+            raise WorkError(f"no node of the cluster has a GPU resource; {hint}")
+        least = min((int(node["Resources"]["CPU"]) for node in nodes), default=1)
+        count = max(min(threads or least, least), 1)
+        return RayWorkers(Needs("threads", count, gpus), None), count
+
+    def on_every_node(
+        self, do: Callable[[], Answer], resource: str | None = None
+    ) -> dict[str, Answer]:
+        import ray
+        from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
+
+        remote = ray.remote(num_cpus=0, max_retries=0)(_answer_of_node)
+        asked = {}
+        for node in nodes_with(resource):
+            there = NodeAffinitySchedulingStrategy(node["NodeID"], soft=False)
+            asked[node_name(node)] = remote.options(scheduling_strategy=there).remote(do)
+        answers = {}
+        for name, reference in asked.items():
+            try:
+                answer, failure = ray.get(reference, timeout=_NODE_SECONDS)
+            except ray.exceptions.RayError as error:
+                raise WorkError(f"node {name} does not answer: {first_line(error)}") from error
+            if failure is not None:
+                raise WorkError(f"node {name}: {failure}") from failure
+            answers[name] = answer
+        return answers
+
+
+def _answer_of_node(do: Callable[[], Any]) -> tuple[Any, Exception | None]:
+    try:
+        return do(), None
+    except RnaError as error:
+        return None, portable(error)
+
+
+def alive_nodes() -> list[dict[str, Any]]:
+    """Nodes that can work, as Ray lists them."""
+    import ray
+
+    return [node for node in ray.nodes() if node["Alive"] and node["Resources"].get("CPU", 0) > 0]
+
+
+def nodes_with(resource: str | None) -> list[dict[str, Any]]:
+    """Nodes with a resource; all usable nodes if none has it."""
+    nodes = alive_nodes()
+    return [node for node in nodes if resource in node["Resources"]] or nodes
+
+
+def node_name(node: dict[str, Any]) -> str:
+    """Host, and the beginning of the node's number: several nodes may be on one host."""
+    return f"{node['NodeManagerHostname']}-{node['NodeID'][:4]}"
+
+
+def first_line(error: BaseException) -> str:
+    """First line of the message, and the next unindented one: Ray's reason for an actor's death."""
+    lines = str(error).strip().splitlines() or [type(error).__name__]
+    more = (line for line in lines[1:] if line and not line[0].isspace())
+    return f"{lines[0]} {next(more, '')}".strip()

@@ -1,0 +1,128 @@
+"""Where work runs: what the option `--cluster` of a command decides, and nobody else knows."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, Protocol, TypeVar
+
+from rna_work.backend import Backend
+from rna_work.processes import Processes
+from rna_work.sources import Carried, InPlace
+from rna_work.threads import HERE, Caller, Threads
+
+Answer = TypeVar("Answer")
+
+
+@dataclass(frozen=True)
+class Needs:
+    """Resources of a worker.
+
+    local: what holds it there, where there is no cluster.
+    """
+
+    local: Literal["threads", "processes"]
+    cpus: float = 1.0
+    gpus: float = 0.0
+    memory: int = 0  # bytes
+    resource: str | None = None  # of a cluster: only nodes that have it, if any node does
+
+    def __str__(self) -> str:
+        gpus = f", {self.gpus:g} GPU" if self.gpus else ""
+        memory = f", {self.memory / 1e9:.1f} GB" if self.memory else ""
+        return f"{self.cpus:g} CPU{gpus}{memory}"
+
+
+class Place(Protocol):
+    """This machine, or a cluster.
+
+    Attributes:
+        far: whether workers may be on other machines.
+    """
+
+    far: bool
+
+    def workers(self, needs: Needs, count: int | None) -> Backend:
+        """Slots for workers: at most `count`, or as many as fit for None."""
+
+    def gpus(self) -> float:
+        """Number of GPUs."""
+
+    def whole_machines(
+        self,
+        threads: int | None,
+        local: Literal["threads", "caller"] = "threads",
+        needs_gpu: bool = False,
+    ) -> tuple[Backend, int]:
+        """Slots for workers with the given threads (None: all of a machine), and their number.
+
+        local: what holds the only one on this machine, if that is the place: a thread of its own,
+        or the one that takes the outcomes. needs_gpu: machines of a cluster with a GPU alone;
+        raises WorkError where it knows of none.
+        """
+
+    def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
+        """A file for workers, with others that it reads.
+
+        fixed: those that it names by absolute paths, which stay where they are. Raises WorkError
+        where one of these is missing on a machine.
+        """
+
+    def on_every_node(
+        self, do: Callable[[], Answer], resource: str | None = None
+    ) -> dict[str, Answer]:
+        """Result of `do`, which can be pickled, by the name of each machine.
+
+        resource: as of `Needs`. Raises what it raises, with the name of the machine.
+        """
+
+
+@dataclass(frozen=True)
+class ThisMachine:
+    """Threads and processes."""
+
+    cores: int
+    far = False
+
+    def workers(self, needs: Needs, count: int | None) -> Backend:
+        wanted = count or max(1, int(self.cores // needs.cpus))
+        return Threads(wanted) if needs.local == "threads" else Processes(wanted)
+
+    def gpus(self) -> float:
+        import torch
+
+        return torch.cuda.device_count()
+
+    def whole_machines(
+        self,
+        threads: int | None,
+        local: Literal["threads", "caller"] = "threads",
+        needs_gpu: bool = False,
+    ) -> tuple[Backend, int]:
+        backend = Threads(1) if local == "threads" else Caller()
+        return backend, min(threads or self.cores, self.cores)
+
+    def carry(self, path: Path, others: Sequence[Path] = (), fixed: Sequence[Path] = ()) -> Carried:
+        return InPlace(path)
+
+    def on_every_node(
+        self, do: Callable[[], Answer], resource: str | None = None
+    ) -> dict[str, Answer]:
+        return {HERE: do()}
+
+
+def this_machine() -> ThisMachine:
+    """Its cores that this process may use."""
+    return ThisMachine(len(os.sched_getaffinity(0)))
+
+
+def place(address: str | None) -> AbstractContextManager[Place]:
+    """Context with the place that `--cluster` names. Raises WorkError if it cannot be used."""
+    if address is None:
+        return nullcontext(this_machine())
+    from rna_work.cluster.ray_cluster import connected
+
+    return connected(address)
