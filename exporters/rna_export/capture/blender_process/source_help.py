@@ -10,7 +10,7 @@ from rna_export.capture.blender_process.blender_env import find_python
 from rna_sdk.errors import CaptureError
 
 _WITH_OPTIONS = (*GROOMS, *ALEMBIC_AND_USD)
-_SCRIPT_HELP = Path(__file__).parents[2] / "blender" / "rna_sources" / "script_help.py"
+_SCRIPT_HELP = Path(__file__).parents[2] / "blender" / "script_help.py"
 
 
 def is_asked(arguments: tuple[str, ...]) -> bool:
