@@ -7,7 +7,7 @@ import sys
 from rna_sdk.package.generated import generate
 from rna_sdk.package.issues import Code
 
-ISSUES_FILE = "ISSUES.md"
+ISSUES_FILE = "spec/ISSUES.md"
 
 _INTRODUCTION = """\
 # Issue codes
@@ -28,4 +28,4 @@ def issue_list() -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(generate(ISSUES_FILE, issue_list(), "rna_sdk.package.issue_list"))
+    sys.exit(generate({ISSUES_FILE: issue_list()}, "rna_sdk.package.issue_list"))

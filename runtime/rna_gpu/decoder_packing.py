@@ -3,32 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_gpu.records.part import GROUP, LAYER, MAX_EXACT_INPUTS, MAX_LAYERS, NONE
 from rna_sdk.errors import QueryError
 from rna_sdk.package import INPUT_BLOCKS, ProfileDecoder, ProfileLayer
 
-NONE = 0xFFFFFFFF
-MAX_LAYERS = 32  # of RnaPart
-MAX_EXACT_INPUTS = 512  # 512 * 255 * 128 < 2^24: float32 holds sums of int8 layers exactly
-UNIFORM_WEIGHTS = 4096  # vec4f in 64 KiB
-_GROUP = 4
 Vec4s = NDArray[np.float32]
-
-
-@dataclass(frozen=True)
-class LayerRecord:
-    """RnaLayer: sizes in groups of 4 columns, places in vec4f."""
-
-    inputs: int = 0
-    outputs: int = 0
-    weights: int = 0
-    bias: int = 0
-    units: int = 0
-    relu: int = 0
-    int8_step: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +23,8 @@ class PackedDecoder:
         weights: (n, 4) float32, what binding 1 holds.
         slots: first group of each block in the order of INPUT_BLOCKS, NONE for the others.
         query_groups: groups of columns of the queries.
+        limits: by their names in RnaPart.
+        layers, matrix: of dtype LAYER; matrix: all 0 without one.
         groups: RNA_GROUPS, the room for the widest layer.
         multiply_adds: of a query, padding not counted.
     """
@@ -47,9 +33,9 @@ class PackedDecoder:
     slots: tuple[int, ...]
     query_groups: int
     gain: int
-    limits: tuple[float, float, float, float]
-    layers: tuple[LayerRecord, ...]
-    matrix: LayerRecord
+    limits: dict[str, float]
+    layers: tuple[NDArray[Any], ...]
+    matrix: NDArray[Any]
     groups: int
     multiply_adds: int
 
@@ -71,18 +57,23 @@ def pack_decoder(
         pieces.add(_placed(decoder.offset, columns, query_groups))
     layers = [_pack_layer(decoder.layers[0], pieces, columns, query_groups)]
     layers += [_pack_layer(layer, pieces) for layer in decoder.layers[1:]]
-    matrix, work = LayerRecord(), sum(layer.weight.size for layer in decoder.layers)
+    matrix, work = np.zeros((), LAYER.dtype), sum(layer.weight.size for layer in decoder.layers)
     if decoder.matrix is not None:
         nothing = np.zeros(decoder.matrix.shape[1], np.float32)
         matrix = _pack_layer(ProfileLayer(decoder.matrix, nothing, 0.0, None, False), pieces)
         work += decoder.matrix.size
-    widest = max(max(layer.inputs, layer.outputs) for layer in (*layers, matrix))
+    widest = max(int(layer[side]) for layer in (*layers, matrix) for side in ("inputs", "outputs"))
     return PackedDecoder(
         weights=np.concatenate(pieces.arrays),
         slots=slots,
         query_groups=query_groups,
         gain=gain,
-        limits=(decoder.low, decoder.high, decoder.top, decoder.unit),
+        limits={
+            "query_low": decoder.low,
+            "query_high": decoder.high,
+            "top": decoder.top,
+            "unit": decoder.unit,
+        },
         layers=tuple(layers),
         matrix=matrix,
         groups=max(4, 1 << (widest - 1).bit_length()),
@@ -109,8 +100,8 @@ def _spread(
     for name in inputs:
         width = INPUT_BLOCKS[name] or channels
         slots[name] = group
-        places.append(_GROUP * group + np.arange(width))
-        group += -(-width // _GROUP)
+        places.append(GROUP * group + np.arange(width))
+        group += -(-width // GROUP)
     return np.concatenate(places), tuple(slots.values()), group
 
 
@@ -124,13 +115,13 @@ class _Pieces:
     def add(self, values: NDArray[np.float32]) -> int:
         """Stores the values, a multiple of 4; returns their position."""
         place = self._length
-        self.arrays.append(values.reshape(-1, _GROUP).astype(np.float32))
+        self.arrays.append(values.reshape(-1, GROUP).astype(np.float32))
         self._length += len(self.arrays[-1])
         return place
 
 
 def _placed(values: NDArray[np.float32], columns: NDArray[np.intp], groups: int) -> Vec4s:
-    spread = np.zeros((groups * _GROUP, *values.shape[1:]), np.float32)
+    spread = np.zeros((groups * GROUP, *values.shape[1:]), np.float32)
     spread[columns] = values
     return spread
 
@@ -140,21 +131,22 @@ def _pack_layer(
     pieces: _Pieces,
     columns: NDArray[np.intp] | None = None,
     inputs: int = 0,
-) -> LayerRecord:
-    """columns, inputs: of the first layer, where its rows go and the groups that they fill."""
+) -> NDArray[Any]:
+    """Of dtype LAYER.
+
+    columns, inputs: of the first layer, where its rows go and the groups that they fill.
+    """
     rows, width = layer.weight.shape
-    inputs, outputs = inputs or -(-rows // _GROUP), -(-width // _GROUP)
-    padding = outputs * _GROUP - width
+    inputs, outputs = inputs or -(-rows // GROUP), -(-width // GROUP)
+    padding = outputs * GROUP - width
     weight = np.pad(layer.weight.astype(np.float32), ((0, 0), (0, padding)))
     weight = _placed(weight, np.arange(rows) if columns is None else columns, inputs)
-    blocks = weight.reshape(inputs, _GROUP, outputs, _GROUP).transpose(2, 0, 1, 3)
+    blocks = weight.reshape(inputs, GROUP, outputs, GROUP).transpose(2, 0, 1, 3)
     unit = np.zeros(0, np.float32) if layer.unit is None else layer.unit
-    return LayerRecord(
-        inputs,
-        outputs,
-        pieces.add(blocks),
-        pieces.add(np.pad(layer.bias.astype(np.float32), (0, padding))),
-        pieces.add(np.pad(unit, (0, padding))) if len(unit) else 0,
-        int(layer.relu),
-        layer.step,
-    )
+    record = np.zeros((), LAYER.dtype)
+    record["inputs"], record["outputs"] = inputs, outputs
+    record["weights"] = pieces.add(blocks)
+    record["bias"] = pieces.add(np.pad(layer.bias.astype(np.float32), (0, padding)))
+    record["units"] = pieces.add(np.pad(unit, (0, padding))) if len(unit) else 0
+    record["relu"], record["int8_step"] = layer.relu, layer.step
+    return record

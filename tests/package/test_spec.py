@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -14,30 +15,38 @@ import pytest
 
 from rna_sdk.package import INPUT_BLOCKS, Code
 from rna_sdk.package.decoder.decoder_checks import OPERATORS
-from rna_sdk.package.issue_list import ISSUES_FILE, issue_list
-from rna_sdk.package.manifest.schema import SCHEMA_FILE, manifest_schema
+from rna_sdk.package.manifest.schema import manifest_schema
 
-SPEC = Path(__file__).parents[2] / "spec"
+REPOSITORY = Path(__file__).parents[2]
+SPEC = REPOSITORY / "spec"
 TEXT = (SPEC / "RNA.md").read_text(encoding="utf-8")
 
 
-def test_schema_is_current() -> None:
-    assert (SPEC / SCHEMA_FILE).read_text(encoding="utf-8") == manifest_schema()
+GENERATE = [str(REPOSITORY / "scripts" / "generate")]
 
 
-def test_issue_list_is_current() -> None:
-    assert (SPEC / ISSUES_FILE).read_text(encoding="utf-8") == issue_list()
+def generate(*arguments: str) -> subprocess.CompletedProcess[str]:
+    environment = os.environ | {"PYTHON": sys.executable}
+    command = [*GENERATE, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, env=environment)
 
 
-@pytest.mark.parametrize(
-    "module", ["rna_sdk.package.manifest.schema", "rna_sdk.package.issue_list"]
-)
-def test_generator_checks_and_writes(module: str, tmp_path: Path) -> None:
-    command = [sys.executable, "-m", module, "--spec", str(tmp_path)]
-    stale = subprocess.run([*command, "--check"], capture_output=True, text=True)
-    assert stale.returncode == 1 and "stale" in stale.stdout
-    assert subprocess.run(command, capture_output=True).returncode == 0
-    assert subprocess.run([*command, "--check"], capture_output=True).returncode == 0
+def test_generated_files_are_current() -> None:
+    checked = generate("--check")
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+
+
+def test_generated_files_are_written_and_checked(tmp_path: Path) -> None:
+    assert generate("--root", str(tmp_path)).returncode == 0
+    written = [path for path in tmp_path.rglob("*") if path.is_file()]
+    assert len(written) == 7
+    for path in written:
+        text = path.read_text(encoding="utf-8")
+        assert text == (REPOSITORY / path.relative_to(tmp_path)).read_text(encoding="utf-8")
+        path.write_text(text + "\n", encoding="utf-8")
+    stale = generate("--root", str(tmp_path), "--check")
+    assert stale.returncode == 1
+    assert stale.stdout.count(" is stale: run python -m ") == len(written)
 
 
 def test_schema_accepts_a_good_manifest_only(

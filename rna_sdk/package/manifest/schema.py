@@ -12,7 +12,7 @@ from rna_sdk.package.generated import generate
 from rna_sdk.package.manifest.manifest_model import REQUIRED_IN_FILE, Manifest
 from rna_sdk.package.manifest.manifest_short import ShortManifest
 
-SCHEMA_FILE = "schema/manifest.schema.json"
+SCHEMA_FILE = "spec/schema/manifest.schema.json"
 
 
 _NO_LINE_BREAK = {"not": {"pattern": "\n"}}
@@ -71,4 +71,4 @@ def manifest_schema() -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(generate(SCHEMA_FILE, manifest_schema(), "rna_sdk.package.manifest.schema"))
+    sys.exit(generate({SCHEMA_FILE: manifest_schema()}, "rna_sdk.package.manifest.schema"))

@@ -11,6 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
+from rna_sdk.package.block_table import (
+    FIBER_ANGLES,
+    FIBER_LOBES,
+    HALF_VECTOR,
+    HIGHLIGHT,
+    LEARNED_NORMAL,
+    NORMAL,
+    TANGENT,
+    H,
+)
 from rna_sdk.package.blocks import INPUT_BLOCKS
 from rna_sdk.runtime.kernels.fiber_blocks import fiber_blocks
 from rna_sdk.runtime.kernels.lane_memory import load_column, store_column
@@ -18,18 +28,6 @@ from rna_sdk.runtime.kernels.surface_blocks import half_vector, halfway, highlig
 from rna_sdk.runtime.kernels.vectors import Rows
 
 _BLOCKS = tuple(INPUT_BLOCKS)
-FEATURES = _BLOCKS.index("features")
-POSITION = _BLOCKS.index("position")
-NORMAL = _BLOCKS.index("normal")
-TANGENT = _BLOCKS.index("tangent")
-H = _BLOCKS.index("h")
-WO = _BLOCKS.index("wo")
-WI = _BLOCKS.index("wi")
-HALF_VECTOR = _BLOCKS.index("half_vector")
-HIGHLIGHT = _BLOCKS.index("highlight")
-LEARNED_NORMAL = _BLOCKS.index("learned_normal")
-FIBER_ANGLES = _BLOCKS.index("fiber_angles")
-FIBER_LOBES = _BLOCKS.index("fiber_lobes")
 
 
 def block_columns(inputs: tuple[str, ...], channels: int) -> NDArray[np.int64]:

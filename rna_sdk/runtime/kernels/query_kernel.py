@@ -16,17 +16,8 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.runtime.kernels.block_columns import (
-    FEATURES,
-    LEARNED_NORMAL,
-    POSITION,
-    WI,
-    WO,
-    first_three,
-    put,
-    put_fiber,
-    put_surface,
-)
+from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL, POSITION, WI, WO
+from rna_sdk.runtime.kernels.block_columns import first_three, put, put_fiber, put_surface
 from rna_sdk.runtime.kernels.lane_memory import load_lanes, load_vectors, store_mask
 from rna_sdk.runtime.kernels.lane_vectors import clamped, narrowed, total, unit
 from rna_sdk.runtime.kernels.lanes import LANES, both, everywhere

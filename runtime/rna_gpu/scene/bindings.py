@@ -12,7 +12,6 @@ from rna_gpu.shaders import compose
 from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
 
 STRIDE = 256  # bytes: what offsets of uniforms are multiples of
-PATH_BYTES, PENDING_BYTES = 96, 2 * 96
 _STORAGE_BUFFERS = 10  # that a step binds
 _READ = "read-only-storage"
 _PATH = ("uniform", "storage", "storage", "storage", _READ, _READ)

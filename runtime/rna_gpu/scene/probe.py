@@ -11,21 +11,11 @@ from numpy.typing import NDArray
 
 from rna_gpu.device import Device
 from rna_gpu.geometry import Placed, build_geometry
+from rna_gpu.records.scene import FRAME, PATH, TRANSMITS
 from rna_gpu.scene.bindings import STRIDE, Bindings, upload_geometry
 from rna_gpu.scene.scene_images import Images
 from rna_gpu.scene.scene_surfaces import Surfaces
-from rna_gpu.scene.steps import FRAME, TRANSMITS
 from rna_sdk.package import Mesh, Package
-
-PATH = np.dtype(
-    [
-        *(("origin", "<f4", 3), ("pixel", "<u4"), ("direction", "<f4", 3), ("pdf", "<f4")),
-        *(("beta", "<f4", 3), ("state", "<u4"), ("normal", "<f4", 3), ("t", "<f4")),
-        *(("instance", "<u4"), ("primitive", "<u4"), ("own", "<u4"), ("b1", "<f4")),
-        *(("leaving", "<f4", 3), ("b2", "<f4")),
-    ]
-)
-"""Path of wgsl/render/frame.wgsl."""
 
 
 class Probe:
@@ -43,10 +33,10 @@ class Probe:
         rows = surfaces.with_points(geometry.first_points)
         textures = np.array(surfaces.images.textures, np.float32).reshape(-1, 4)
         self._tables = np.concatenate([rows, textures]), surfaces.images.whole()
-        self._frame = np.zeros(1, FRAME)
+        self._frame = np.zeros(1, FRAME.dtype)
         self._frame["textures"] = len(rows)
         self._frame["flags"] = TRANSMITS * surfaces.transmits
-        self._bindings = Bindings(device, FRAME.itemsize)
+        self._bindings = Bindings(device, FRAME.dtype.itemsize)
         self._scene = upload_geometry(device, geometry)
 
     def visibility(self, records: NDArray[np.uint32]) -> NDArray[np.float32]:
@@ -59,7 +49,7 @@ class Probe:
 
     def _hits(self, records: NDArray[np.uint32]) -> NDArray[Any]:
         """Paths that have come to the hits and go on towards wi."""
-        paths, part = np.zeros(len(records), PATH), records[:, 7]
+        paths, part = np.zeros(len(records), PATH.dtype), records[:, 7]
         numbers = records.view("<f4")
         paths["primitive"] = self._places[self._starts[part] + records[:, 0]]
         mesh = self._is_mesh[part]
@@ -73,7 +63,7 @@ class Probe:
         device, made = self._device, self._bindings
         self._frame["paths"] = len(paths)
         padded = np.zeros(STRIDE, np.uint8)
-        padded[: FRAME.itemsize] = self._frame.view(np.uint8)
+        padded[: FRAME.dtype.itemsize] = self._frame.view(np.uint8)
         uniform = device.upload(padded, "UNIFORM", what="steps")
         results = device.buffer(16 * len(paths), "STORAGE", what="results")
         buffers = [uniform, device.upload(paths, "STORAGE", what="hits"), results]

@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.asset import GpuPart
+from rna_gpu.records import scene as records
+from rna_gpu.records.part import NONE
 from rna_gpu.scene.scene_tables import SceneTables
 from rna_render.lights import AssetLight, InfiniteLight, Light
 from rna_render.materials.ggx import TABLE_SIZE
@@ -17,23 +19,6 @@ from rna_render.paths.camera import Camera
 from rna_render.paths.path_numbers import LIGHTS_AT_A_VERTEX
 from rna_render.scene.scene_model import Scene
 from rna_trace.embree.instances import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
-
-FRAME = np.dtype(
-    [
-        *(("camera", "<f4", 3), ("width", "<u4"), ("corner", "<f4", 3), ("textures", "<u4")),
-        *(("step_x", "<f4", 3), ("paths", "<u4"), ("step_y", "<f4", 3), ("sample", "<u4")),
-        *((name, "<u4") for name in ("seed", "depth", "light", "part", "parts", "rays")),
-        *(("clamp", "<f4"), ("light_count", "<u4")),
-        *((name, "<u4") for name in ("things", "surfaces", "lights", "albedo", "sums", "flags")),
-        *((name, "<u4") for name in ("neural_part", "table_size", "domains")),
-        ("reserved", "<u4", 3),
-    ]
-)
-"""Frame of wgsl/render/frame.wgsl."""
-
-_NONE = 0xFFFFFFFF
-_HAS_SKY, _FOR_BETA, _RAYS_MEET_LIGHTS = 1, 2, 4
-_FOR_EMISSION, _FOR_LIGHT, TRANSMITS = 8, 16, 32
 
 
 @dataclass(frozen=True)
@@ -49,7 +34,7 @@ class Steps:
     """All steps of a sample.
 
     Attributes:
-        frames: (n,) of dtype FRAME, what the steps read.
+        frames: (n,) of dtype FRAME.dtype, what the steps read.
         stages: steps that are submitted together.
     """
 
@@ -68,9 +53,13 @@ class Steps:
         self._every = range(len(parts))
         self._meet = not all(light.delta for light in lights)
         sky = any(isinstance(light, InfiniteLight) for light in lights)
-        self._flags = _HAS_SKY * sky + _RAYS_MEET_LIGHTS * self._meet + TRANSMITS * tables.transmits
+        self._flags = (
+            records.HAS_SKY * sky
+            + records.RAYS_MEET_LIGHTS * self._meet
+            + records.TRANSMITS * tables.transmits
+        )
         self.stages = self._planned(scene.max_depth, scatters)
-        self.frames: NDArray[Any] = np.zeros(len(self._rows), FRAME)
+        self.frames: NDArray[Any] = np.zeros(len(self._rows), records.FRAME.dtype)
         for row, values in zip(self.frames, self._rows, strict=True):
             for name, value in values.items():
                 row[name] = value
@@ -104,7 +93,7 @@ class Steps:
                 break
             stage = [self._step("scatter", depth=depth)]
             stage.append(self._step("closest", depth=depth, rays=INDIRECT_RAY))
-            for_beta = self._flags | _FOR_BETA
+            for_beta = self._flags | records.FOR_BETA
             stage += self._queries("transport", self._every, depth=depth, flags=for_beta)
             stages.append([*stage, *self._collected(depth)])
             if last:
@@ -115,14 +104,14 @@ class Steps:
         """A sample of a light at every point."""
         at = {"depth": depth, "light": light, "part": number, "parts": times}
         steps = [self._step("direct", rays=SHADOW_RAY, **at)]
-        chosen = self._lights if light == _NONE else [self._lights[light]]
+        chosen = self._lights if light == NONE else [self._lights[light]]
         if any(isinstance(one, AssetLight) for one in chosen):
-            flags = self._flags | _FOR_LIGHT
+            flags = self._flags | records.FOR_LIGHT
             steps += self._queries("emitter", self._emitting, **at, flags=flags)
         return [*steps, *self._queries("transport", self._every, **at)]
 
     def _collected(self, depth: int) -> list[Step]:
-        flags = self._flags | _FOR_EMISSION
+        flags = self._flags | records.FOR_EMISSION
         emission = self._queries("emitter", self._emitting, depth=depth, flags=flags)
         return [self._step("collect", depth=depth), *emission]
 
@@ -142,6 +131,6 @@ class Steps:
         if not self._lights:
             return []
         if depth > 2 or len(self._lights) > LIGHTS_AT_A_VERTEX:
-            return [(_NONE, 0, 1)]
+            return [(NONE, 0, 1)]
         times = [max(light.samples // depth, 1) for light in self._lights]
         return [(k, part, count) for k, count in enumerate(times) for part in range(count)]

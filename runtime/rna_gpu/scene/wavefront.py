@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 from rna_gpu.asset import GpuPart
 from rna_gpu.device import Device
 from rna_gpu.evaluator import GpuRows
-from rna_gpu.scene.bindings import PATH_BYTES, PENDING_BYTES, STRIDE, Bindings, upload_geometry
+from rna_gpu.records.scene import FRAME, PATH, PENDING
+from rna_gpu.scene.bindings import STRIDE, Bindings, upload_geometry
 from rna_gpu.scene.scene_tables import SceneTables
-from rna_gpu.scene.steps import FRAME, Step, Steps
+from rna_gpu.scene.steps import Step, Steps
 from rna_render.image.film import Layers
 from rna_render.lights import Light
 from rna_render.scene.scene_model import Scene
@@ -50,7 +51,7 @@ class Wavefront:
             GpuError: the scene does not fit.
         """
         self._device, self._parts = device, parts
-        self._bindings = Bindings(device, FRAME.itemsize)
+        self._bindings = Bindings(device, FRAME.dtype.itemsize)
         self.groups = sorted({light.group for light in lights} - {""})
         batches = [part.transport.batch for part in parts]
         width, height = scene.resolution
@@ -70,7 +71,7 @@ class Wavefront:
         device, count, frames = self._device, len(pixels), self._steps.frames
         frames["paths"], frames["sample"] = count, sample
         padded = np.zeros((len(frames), STRIDE), np.uint8)
-        padded[:, : FRAME.itemsize] = frames.view(np.uint8).reshape(len(padded), -1)
+        padded[:, : FRAME.dtype.itemsize] = frames.view(np.uint8).reshape(len(padded), -1)
         device.write(self._uniform, padded)
         device.write(self._pixels, pixels)
         with device.working():
@@ -114,9 +115,9 @@ class Wavefront:
         self._path_sums = device.buffer(count * self._sums * 16, "STORAGE", what="sums")
         self._path_buffers = [
             self._uniform,
-            device.buffer(count * PATH_BYTES, "STORAGE", what="paths"),
+            device.buffer(count * PATH.dtype.itemsize, "STORAGE", what="paths"),
             self._path_sums,
-            device.buffer(count * PENDING_BYTES, "STORAGE", what="queries"),
+            device.buffer(2 * count * PENDING.dtype.itemsize, "STORAGE", what="queries"),
             device.upload(tables.table, "STORAGE", what="tables"),
             device.upload(tables.images, "STORAGE", what="images"),
         ]

@@ -1,6 +1,11 @@
 // Input blocks that surfaces and fibers share: spec/RNA.md, 6.3 Input blocks. Each block starts at
 // a group of 4 columns of its own; the packer has spread the rows of the first matrix likewise.
 
+// First group of an input block, RNA_NONE where the decoder does not have it.
+fn rna_slot(block: u32) -> u32 {
+    return rna_part.slots[block / 4u][block % 4u];
+}
+
 fn rna_put(slot: u32, values: vec4f) {
     if slot != RNA_NONE {
         rna_values[slot] = values;
@@ -12,16 +17,16 @@ fn rna_common_blocks(x: vec3f, wo: vec3f, wi: vec3f) -> vec3f {
     let p = rna_relative(x);
     let texels = rna_texels(p);
     let first = rna_features(texels, 0u);
-    let slot = rna_part.slots[0].x;
+    let slot = rna_slot(RNA_BLOCK_FEATURES);
     if slot != RNA_NONE {
         rna_values[slot] = first;
         for (var group = 1u; group < rna_part.channel_groups; group++) {
             rna_values[slot + group] = rna_features(texels, group);
         }
     }
-    rna_put(rna_part.slots[0].y, vec4f(2.0 * p - 1.0, 0.0));
-    rna_put(rna_part.slots[1].y, vec4f(wo, 0.0));
-    rna_put(rna_part.slots[1].z, vec4f(wi, 0.0));
+    rna_put(rna_slot(RNA_BLOCK_POSITION), vec4f(2.0 * p - 1.0, 0.0));
+    rna_put(rna_slot(RNA_BLOCK_WO), vec4f(wo, 0.0));
+    rna_put(rna_slot(RNA_BLOCK_WI), vec4f(wi, 0.0));
     return first.xyz;
 }
 

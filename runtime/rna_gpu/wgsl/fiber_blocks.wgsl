@@ -32,10 +32,10 @@ fn rna_lobes(h: f32, s_o: f32, azimuth: vec3f) -> vec3f {
 }
 
 fn rna_fiber_blocks(t: vec3f, h: f32, wo: vec3f, wi: vec3f) {
-    rna_put(rna_part.slots[0].w, vec4f(t, 0.0));
-    rna_put(rna_part.slots[1].x, vec4f(h, 0.0, 0.0, 0.0));
-    let angles = rna_part.slots[2].z;
-    let lobes = rna_part.slots[2].w;
+    rna_put(rna_slot(RNA_BLOCK_TANGENT), vec4f(t, 0.0));
+    rna_put(rna_slot(RNA_BLOCK_H), vec4f(h, 0.0, 0.0, 0.0));
+    let angles = rna_slot(RNA_BLOCK_FIBER_ANGLES);
+    let lobes = rna_slot(RNA_BLOCK_FIBER_LOBES);
     if angles == RNA_NONE && lobes == RNA_NONE {
         return;
     }

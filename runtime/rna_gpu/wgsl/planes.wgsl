@@ -45,7 +45,7 @@ fn rna_texel(plane: u32, texel: u32, group: u32) -> vec4f {
         default: {
             let word = bitcast<i32>(rna_plane_word(plane, at));
             let integers = vec4<i32>(word << 24u, word << 16u, word << 8u, word) >> vec4<u32>(24u);
-            return vec4f(integers) * rna_part.scales[plane * 16u + group];
+            return vec4f(integers) * rna_part.scales[plane * RNA_CHANNEL_GROUPS + group];
         }
     }
 }

@@ -34,9 +34,9 @@ fn rna_learned_normal(slot: u32, n: vec3f, features: vec3f, wo: vec3f, wi: vec3f
 }
 
 fn rna_surface_blocks(n: vec3f, features: vec3f, wo: vec3f, wi: vec3f) {
-    rna_put(rna_part.slots[0].z, vec4f(n, 0.0));
+    rna_put(rna_slot(RNA_BLOCK_NORMAL), vec4f(n, 0.0));
     let m = rna_halfway(wo, wi, n);
-    rna_half_vector(rna_part.slots[1].w, n, m, wo, wi);
-    rna_highlight(rna_part.slots[2].x, n, m);
-    rna_learned_normal(rna_part.slots[2].y, n, features, wo, wi);
+    rna_half_vector(rna_slot(RNA_BLOCK_HALF_VECTOR), n, m, wo, wi);
+    rna_highlight(rna_slot(RNA_BLOCK_HIGHLIGHT), n, m);
+    rna_learned_normal(rna_slot(RNA_BLOCK_LEARNED_NORMAL), n, features, wo, wi);
 }

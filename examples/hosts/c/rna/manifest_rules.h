@@ -2,45 +2,8 @@
 #ifndef RNA_MANIFEST_RULES_H
 #define RNA_MANIFEST_RULES_H
 
+#include "block_table.h"
 #include "rules.h"
-
-/* Columns of `queries`, in groups (section 6.3). */
-enum Block {
-    FEATURES,
-    POSITION,
-    NORMAL,
-    TANGENT,
-    H,
-    WO,
-    WI,
-    HALF_VECTOR,
-    HIGHLIGHT,
-    LEARNED_NORMAL,
-    FIBER_ANGLES,
-    FIBER_LOBES,
-    BLOCKS
-};
-
-enum { FOR_SURFACE = 1 << RNA_SURFACE, FOR_FIBER = 1 << RNA_FIBER, FOR_BOTH = 3, FOR_EMISSION = 4 };
-
-static const struct {
-    const char *name;
-    int width; /* 0: as many as the planes have channels */
-    unsigned uses;
-} BLOCK_TABLE[BLOCKS] = {
-    [FEATURES] = {"features", 0, FOR_BOTH | FOR_EMISSION},
-    [POSITION] = {"position", 3, FOR_BOTH | FOR_EMISSION},
-    [NORMAL] = {"normal", 3, FOR_SURFACE | FOR_EMISSION},
-    [TANGENT] = {"tangent", 3, FOR_FIBER | FOR_EMISSION},
-    [H] = {"h", 1, FOR_FIBER | FOR_EMISSION},
-    [WO] = {"wo", 3, FOR_BOTH | FOR_EMISSION},
-    [WI] = {"wi", 3, FOR_BOTH},
-    [HALF_VECTOR] = {"half_vector", 5, FOR_SURFACE},
-    [HIGHLIGHT] = {"highlight", 1, FOR_SURFACE},
-    [LEARNED_NORMAL] = {"learned_normal", 2, FOR_SURFACE},
-    [FIBER_ANGLES] = {"fiber_angles", 6, FOR_FIBER},
-    [FIBER_LOBES] = {"fiber_lobes", 3, FOR_FIBER},
-};
 
 static int block_of(Span name) {
     for (int block = 0; block < BLOCKS; block++)

@@ -1,5 +1,6 @@
 // manifest.json (spec, 3): its members by the published schema, then what spans them.
 import schema from "../../../../spec/schema/manifest.schema.json";
+import { blockNamed } from "./blocks.js";
 import { fail } from "./errors.js";
 import { checkExtensions, KNOWN_EXTENSIONS } from "./extensions.js";
 import { parseJson } from "./json.js";
@@ -7,9 +8,6 @@ import { checkSchema } from "./schema.js";
 
 const READER = [1, 1];
 const VERSION = /^[1-9][0-9]{0,3}\.(0|[1-9][0-9]{0,3})$/;
-const OF_SURFACES = ["normal", "half_vector", "highlight", "learned_normal"];
-const OF_FIBERS = ["tangent", "h", "fiber_angles", "fiber_lobes"];
-const WITHOUT_LIGHT = ["features", "position", "normal", "tangent", "h", "wo"];
 
 /** The manifest in the long form, checked, with `warnings`. */
 export function readManifest(bytes) {
@@ -124,14 +122,14 @@ function checkUsed(manifest) {
 
 function checkInputs(manifest) {
   manifest.tiers.forEach((tier, i) => tier.parts.forEach((part, k) => {
-    const wrong = manifest.parts[k].kind === "surface" ? OF_FIBERS : OF_SURFACES;
+    const { kind } = manifest.parts[k];
     const check = (inputs, allowed) => {
       for (const name of inputs) {
-        if (!allowed(name)) fail("INPUT_KIND", `/tiers/${i}/parts/${k}/inputs`, `${name} is not for this part`);
+        if (!allowed(blockNamed(name))) fail("INPUT_KIND", `/tiers/${i}/parts/${k}/inputs`, `${name} is not for this part`);
       }
     };
-    check(part.inputs, (name) => !wrong.includes(name));
-    check(part.emission?.inputs ?? [], (name) => !wrong.includes(name) && WITHOUT_LIGHT.includes(name));
+    check(part.inputs, ({ kinds }) => kinds.includes(kind));
+    check(part.emission?.inputs ?? [], ({ kinds, light }) => kinds.includes(kind) && !light);
   }));
 }
 

@@ -1,4 +1,5 @@
 // A package: its manifest, and the parts of one tier, of which only the bytes needed are read.
+import { widthOf } from "./blocks.js";
 import { entryData, MANIFEST, readDirectory } from "./container.js";
 import { readCurves } from "./curves.js";
 import { readDecoder } from "./decoder.js";
@@ -11,10 +12,6 @@ import { checkRecord, readNormalMap, readTransmittance } from "./textures.js";
 
 // A gap up to this is fetched with its neighbours: one request less.
 const GAP = 65536;
-const WIDTHS = {
-  position: 3, normal: 3, tangent: 3, h: 1, wo: 3, wi: 3, half_vector: 5, highlight: 1, learned_normal: 2,
-  fiber_angles: 6, fiber_lobes: 3,
-};
 
 export class Package {
   static async open(source) {
@@ -151,7 +148,7 @@ export class Package {
 }
 
 function decoderOf(data, part, own, output, outputs) {
-  const columns = own.inputs.reduce((sum, block) => sum + (WIDTHS[block] ?? part.channels), 0);
+  const columns = own.inputs.reduce((sum, block) => sum + widthOf(block, part.channels), 0);
   const options = { columns, outputs, output, precision: own.decoderPrecision };
   return readDecoder(data.get(own.decoder), options, own.decoder);
 }

@@ -1,12 +1,9 @@
 // The decoder of one part as a shader, its planes and weights in textures.
+import { BLOCKS, blockNamed } from "../package/blocks.js";
 import { NotSupported } from "../package/errors.js";
 import { plain, Program, table } from "./context.js";
 import { sources } from "./sources.js";
 
-const BLOCKS = {
-  features: 0, position: 1, normal: 2, tangent: 2, h: 3, wo: 4, wi: 5, half_vector: 6, highlight: 7,
-  learned_normal: 8, fiber_angles: 9, fiber_lobes: 10,
-};
 const groups = (width) => Math.ceil(width / 4);
 
 /** Planes of four channels a layer, and the scale of each channel. */
@@ -84,14 +81,15 @@ export class PartProgram {
     const packed = packDecoder(decoder);
     this.weights = table(gl, packed.values, 4, 1024);
     this.planes = planes;
-    const defines = { COLUMNS: decoder.columns, LAYERS: decoder.layers.length, GROUPS: packed.widest };
+    const defines = { COLUMNS: decoder.columns, LAYERS: decoder.layers.length, GROUPS: packed.widest, BLOCKS: BLOCKS.length };
+    BLOCKS.forEach(({ name }, k) => { defines[`BLOCK_${name.toUpperCase()}`] = k; });
     const head = Object.entries(defines).map(([name, value]) => `#define ${name} ${value}\n`).join("");
     this.program = new Program(gl, head + sources.decode);
     this.uniforms = {
       part: ["1i", number], isFiber: ["1i", Number(part.kind === "fiber")], hasLight: ["1i", Number(decoder.outputs === 6)],
       resolution: ["1i", part.planes.resolution], channels: ["1i", part.planes.channels],
       scales: ["4fv", planes.factors], boundsMin: ["3fv", part.bounds.min], boundsMax: ["3fv", part.bounds.max],
-      blockCount: ["1i", inputs.length], blocks: ["1iv", inputs.map((name) => BLOCKS[name])],
+      blockCount: ["1i", inputs.length], blocks: ["1iv", inputs.map((name) => BLOCKS.indexOf(blockNamed(name)))],
       layerCount: ["1i", decoder.layers.length], layers: ["4iv", packed.layers], steps: ["2fv", packed.steps],
       isInt8: ["1i", Number(decoder.int8)], gainAt: ["1i", packed.gainAt],
       limits: ["3f", decoder.low, decoder.high, decoder.top],

@@ -1,17 +1,9 @@
 // A decoder as vec4f, and its record: the layouts of rna_gpu/wgsl/README.md.
+import { BLOCKS, blockNamed, widthOf } from "../package/blocks.js";
 import { NotSupported } from "../package/errors.js";
+import { constants, packed } from "./records.js";
 
-const NONE = 0xffffffff, MOST_LAYERS = 32, EXACT_INPUTS = 512;
-export const UNIFORM_WEIGHTS = 4096;  // vec4f in 64 KiB
-const BLOCKS = [
-  "features", "position", "normal", "tangent", "h", "wo", "wi", "half_vector", "highlight", "learned_normal",
-  "fiber_angles", "fiber_lobes",
-];
-const WIDTHS = {
-  position: 3, normal: 3, tangent: 3, h: 1, wo: 3, wi: 3, half_vector: 5, highlight: 1, learned_normal: 2,
-  fiber_angles: 6, fiber_lobes: 3,
-};
-const PRECISIONS = { float32: 0, float16: 1, int8: 2 };
+const { RNA_NONE: NONE, MAX_LAYERS, MAX_EXACT_INPUTS, RNA_CHANNEL_GROUPS } = constants;
 const groupsOf = (width) => Math.ceil(width / 4);
 
 /** { weights, record, groups }: binding 1, binding 0 and RNA_GROUPS. */
@@ -40,9 +32,9 @@ export function packDecoder(part, decoder, inputs) {
 }
 
 function checkSize({ layers, int8 }) {
-  if (layers.length > MOST_LAYERS) throw new NotSupported(`a decoder of ${layers.length} layers; at most ${MOST_LAYERS}`);
+  if (layers.length > MAX_LAYERS) throw new NotSupported(`a decoder of ${layers.length} layers; at most ${MAX_LAYERS}`);
   const wide = int8 ? Math.max(...layers.map(({ rows }) => rows)) : 0;
-  if (wide > EXACT_INPUTS) throw new NotSupported(`an int8 layer of ${wide} inputs; at most ${EXACT_INPUTS}`);
+  if (wide > MAX_EXACT_INPUTS) throw new NotSupported(`an int8 layer of ${wide} inputs; at most ${MAX_EXACT_INPUTS}`);
 }
 
 /** Each block starts at a group of four columns. */
@@ -50,8 +42,8 @@ function spread(inputs, channels) {
   const places = [], slots = BLOCKS.map(() => NONE);
   let group = 0;
   for (const name of inputs) {
-    const width = WIDTHS[name] ?? channels;
-    slots[BLOCKS.indexOf(name)] = group;
+    const width = widthOf(name, channels);
+    slots[BLOCKS.indexOf(blockNamed(name))] = group;
     for (let k = 0; k < width; k++) places.push(4 * group + k);
     group += groupsOf(width);
   }
@@ -89,7 +81,7 @@ function placed(values, places, groups) {
   return result;
 }
 
-function packLayer(pieces, { weight, bias, rows, columns, step = 0, scales, relu }, places, given) {
+function packLayer(pieces, { weight, bias, rows, columns, step: int8_step = 0, scales, relu }, places, given) {
   const inputs = given || groupsOf(rows), outputs = groupsOf(columns);
   const blocks = new Float32Array(16 * inputs * outputs);
   for (let i = 0; i < rows; i++) {
@@ -99,30 +91,21 @@ function packLayer(pieces, { weight, bias, rows, columns, step = 0, scales, relu
     }
   }
   const weights = pieces.add(blocks), biasAt = pieces.add(placed(bias, null, outputs));
-  const units = scales ? pieces.add(placed(Float32Array.from(scales, (scale) => scale * step), null, outputs)) : 0;
-  return { inputs, outputs, weights, bias: biasAt, units, relu, step };
+  const units = scales ? pieces.add(placed(Float32Array.from(scales, (scale) => scale * int8_step), null, outputs)) : 0;
+  return { inputs, outputs, weights, bias: biasAt, units, relu, int8_step };
 }
 
-/** RnaPart, 1,936 bytes. */
 function partRecord(part, decoder, { queryGroups, gain, slots, layers, matrix }) {
-  const bytes = new ArrayBuffer(1936), words = new Uint32Array(bytes), floats = new Float32Array(bytes);
-  const { resolution, channels, precision, scales } = part.planes;
-  floats.set(part.bounds.min, 0);
-  words[3] = resolution;
-  floats.set(part.bounds.max, 4);
-  words.set([groupsOf(channels), queryGroups, layers.length, PRECISIONS[precision], gain], 7);
-  floats.set([decoder.low, decoder.high, decoder.top, decoder.unit], 12);
-  const layer = (at, { inputs, outputs, weights, bias, units, relu, step }) => {
-    words.set([inputs, outputs, weights, bias, units, relu], at);
-    floats[at + 6] = step;
-  };
-  if (matrix) layer(16, matrix);
-  words.set(slots, 24);
+  const { resolution, channels, precision, scales } = part.planes, { low, high, top, unit } = decoder;
+  const spreadScales = new Float32Array(3 * 4 * RNA_CHANNEL_GROUPS);
   for (let k = 0; scales && k < 3; k++) {
-    for (let c = 0; c < channels; c++) floats[36 + 64 * k + c] = scales[k * channels + c];
+    spreadScales.set(scales.subarray(k * channels, (k + 1) * channels), 4 * RNA_CHANNEL_GROUPS * k);
   }
-  layers.forEach((own, k) => layer(228 + 8 * k, own));
-  return words;
+  return packed("RnaPart", {
+    low: part.bounds.min, high: part.bounds.max, resolution, channel_groups: groupsOf(channels), query_groups: queryGroups,
+    layer_count: layers.length, plane_precision: constants[`RNA_${precision.toUpperCase()}`], gain, query_low: low,
+    query_high: high, top, unit, matrix: matrix ?? {}, scales: spreadScales, layers, slots,
+  });
 }
 
 /** One plane as stored, channels filled up to a multiple of 4. */

@@ -9,6 +9,7 @@ import directions from "../../../rna_gpu/wgsl/render/directions.wgsl";
 import fiber from "../../../rna_gpu/wgsl/fiber.wgsl";
 import fiberBlocks from "../../../rna_gpu/wgsl/fiber_blocks.wgsl";
 import part from "../../../rna_gpu/wgsl/part.wgsl";
+import partRecords from "../../../rna_gpu/wgsl/part_records.wgsl";
 import planes from "../../../rna_gpu/wgsl/planes.wgsl";
 import segment from "../../../rna_gpu/wgsl/segment.wgsl";
 import surface from "../../../rna_gpu/wgsl/surface.wgsl";
@@ -29,7 +30,7 @@ import trace from "./shaders/trace.wgsl";
 
 export const sharedFiles = {
   "arguments.wgsl": argumentsFile, "blocks.wgsl": blocks, "decoder.wgsl": decoder, "evaluate.wgsl": evaluate,
-  "fiber.wgsl": fiber, "fiber_blocks.wgsl": fiberBlocks, "part.wgsl": part, "planes.wgsl": planes, "segment.wgsl": segment,
+  "fiber.wgsl": fiber, "fiber_blocks.wgsl": fiberBlocks, "part.wgsl": part, "part_records.wgsl": partRecords, "planes.wgsl": planes, "segment.wgsl": segment,
   "surface.wgsl": surface, "surface_blocks.wgsl": surfaceBlocks, "triangle.wgsl": triangle, "visibility.wgsl": visibility, "weights_storage.wgsl": weightsStorage,
   "weights_uniform.wgsl": weightsUniform, "render/directions.wgsl": directions,
 };

@@ -7,10 +7,7 @@ uniform vec4 scales[48];        // of int8: scale of each channel; else 1
 uniform vec3 boundsMin;
 uniform vec3 boundsMax;
 uniform int blockCount;
-uniform int blocks[12];         // in the order of the columns; see BLOCKS
-
-const int FEATURES = 0, POSITION = 1, AXIS = 2, H = 3, WO = 4, WI = 5, HALF_VECTOR = 6, HIGHLIGHT = 7,
-          LEARNED_NORMAL = 8, FIBER_ANGLES = 9, FIBER_LOBES = 10;
+uniform int blocks[BLOCKS];     // BLOCK_ of each, in the order of the columns
 
 float columns[COLUMNS];
 
@@ -68,7 +65,7 @@ void putFiber(inout int at, int block, vec3 t, float h, vec3 wo, vec3 wi) {
     cosPhi = clamp(dot(o, i) / d, -1.0, 1.0);
     sinPhi = clamp(dot(t, cross(o, i)) / d, -1.0, 1.0);
   }
-  if (block == FIBER_ANGLES) {
+  if (block == BLOCK_FIBER_ANGLES) {
     put3(at, vec3(si, so, sum));
     put3(at, vec3(log2(sum * sum + 1e-3) / 6.0, cosPhi, sinPhi));
     return;
@@ -89,21 +86,21 @@ void fillColumns(vec3 x, vec3 axis, float h, vec3 wo, vec3 wi) {
   int at = 0;
   for (int k = 0; k < blockCount; k++) {
     int block = blocks[k];
-    if (block == FEATURES) putFeatures(at, p);
-    else if (block == POSITION) put3(at, 2.0 * p - 1.0);
-    else if (block == AXIS) put3(at, axis);
-    else if (block == H) put(at, h);
-    else if (block == WO) put3(at, wo);
-    else if (block == WI) put3(at, wi);
-    else if (block == HALF_VECTOR) {
+    if (block == BLOCK_FEATURES) putFeatures(at, p);
+    else if (block == BLOCK_POSITION) put3(at, 2.0 * p - 1.0);
+    else if (block == BLOCK_NORMAL || block == BLOCK_TANGENT) put3(at, axis);
+    else if (block == BLOCK_H) put(at, h);
+    else if (block == BLOCK_WO) put3(at, wo);
+    else if (block == BLOCK_WI) put3(at, wi);
+    else if (block == BLOCK_HALF_VECTOR) {
       vec3 m = halfway(wo, wi, axis);
       put3(at, vec3(dot(axis, m), gap(axis, m), dot(axis, wi)));
       put(at, dot(axis, wo));
       put(at, dot(wi, m));
-    } else if (block == HIGHLIGHT) {
+    } else if (block == BLOCK_HIGHLIGHT) {
       vec3 c = cross(axis, halfway(wo, wi, axis));
       put(at, log2(dot(c, c) + 1e-8) / 12.0);
-    } else if (block == LEARNED_NORMAL) {
+    } else if (block == BLOCK_LEARNED_NORMAL) {
       vec3 f = featuresOf(0, p).xyz * vec3(1.0, float(channels > 1), float(channels > 2));
       vec3 bent = axis + 0.1 * f;
       vec3 q = length(bent) < 1e-6 ? axis : unit(bent), m = halfway(wo, wi, q);

@@ -1,0 +1,81 @@
+"""What the steps of the renderer read and write: their numbers, paths and queries."""
+
+from __future__ import annotations
+
+from rna_gpu.records.record import Field, Record
+
+FRAME = Record(
+    "Frame",
+    Field("camera", "<f4", (3,)),
+    Field("width", "<u4"),
+    Field("corner", "<f4", (3,), "direction through the image's top left corner"),
+    Field("paths", "<u4"),
+    Field("step_x", "<f4", (3,), "of a pixel"),
+    Field("sample", "<u4"),
+    Field("step_y", "<f4", (3,)),
+    Field("seed", "<u4"),
+    Field("depth", "<u4", (), "points of the path so far"),
+    Field("light", "<u4", (), "that is sampled; NONE: one that is chosen"),
+    Field("part", "<u4", (), "number of the sample of this light at this point"),
+    Field("parts", "<u4", (), "samples of this light at this point"),
+    Field("rays", "<u4", (), "bit of the sort of rays"),
+    Field("clamp", "<f4"),
+    Field("light_count", "<u4"),
+    Field("sums", "<u4", (), "vec4f of a path in `sums`"),
+    Field("flags", "<u4", (), "of those below"),
+    Field("neural_part", "<u4"),
+    Field("table_size", "<u4", (), "of albedo"),
+    Field("things", "<u4", (), "this and the rest: places of the sections of `table`"),
+    Field("surfaces", "<u4"),
+    Field("lights", "<u4"),
+    Field("albedo", "<u4"),
+    Field("domains", "<u4"),
+    Field("textures", "<u4"),
+)
+
+HAS_SKY, FOR_BETA, RAYS_MEET_LIGHTS = 1, 2, 4
+FOR_EMISSION, FOR_LIGHT, TRANSMITS = 8, 16, 32
+
+PATH = Record(
+    "Path",
+    Field("origin", "<f4", (3,)),
+    Field("pixel", "<u4"),
+    Field("direction", "<f4", (3,)),
+    Field("pdf", "<f4", (), "of the direction; 0 of camera rays"),
+    Field("beta", "<f4", (3,)),
+    Field("state", "<u4"),
+    Field("normal", "<f4", (3,), "of a segment"),
+    Field("t", "<f4"),
+    Field("instance", "<u4"),
+    Field("primitive", "<u4"),
+    Field("own", "<u4", (), "instance that the ray passes through"),
+    Field("b1", "<f4"),
+    Field("leaving", "<f4", (3,), "of a ray that leaves an asset: its start in object space"),
+    Field("b2", "<f4"),
+)
+
+PENDING = Record(
+    "Pending",
+    Field("x", "<f4", (3,)),
+    Field("h", "<f4"),
+    Field("axis", "<f4", (3,)),
+    Field("part", "<u4", (), "or NONE, ADDS, CATCHES_IT"),
+    Field("wo", "<f4", (3,)),
+    Field("light", "<u4"),
+    Field("wi", "<f4", (3,)),
+    Field("strand", "<u4", (), "that a ray from here passes through"),
+    Field("weight", "<f4", (3,)),
+    Field("seen", "<f4", (), "mean of what all that is in the way leaves of the light"),
+    Field("visible", "<f4", (3,), "what the asset itself leaves of it"),
+    Field("reserved", "<u4"),
+)
+
+SCENE_CONSTANTS = {
+    "NONE": 0xFFFFFFFF,
+    "HAS_SKY": HAS_SKY,
+    "FOR_BETA": FOR_BETA,
+    "RAYS_MEET_LIGHTS": RAYS_MEET_LIGHTS,
+    "FOR_EMISSION": FOR_EMISSION,
+    "FOR_LIGHT": FOR_LIGHT,
+    "TRANSMITS": TRANSMITS,
+}
