@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
+from typing import Any
 
 from rna_gpu.records import part, scene
 from rna_gpu.records.record import Record, constants
@@ -28,8 +30,16 @@ def files() -> dict[str, str]:
     return {
         f"{_SHADERS}/part_records.wgsl": _wgsl(part.PART_CONSTANTS, *of_parts),
         f"{_SHADERS}/render/scene_records.wgsl": _wgsl(scene.SCENE_CONSTANTS, *of_scenes),
-        f"{_SHADERS}/records.json": json.dumps(tables, indent=1) + "\n",
+        f"{_SHADERS}/records.json": _json(tables),
     }
+
+
+def _json(tables: dict[str, Any]) -> str:
+    """Indented, a member of a record on one line."""
+    text = json.dumps(tables, indent=1)
+    return (
+        re.sub(r"\{\s*(\"at\"[^{}]*?)\s*\}", lambda m: f"{{{' '.join(m[1].split())}}}", text) + "\n"
+    )
 
 
 def _wgsl(values: dict[str, int], *records: Record) -> str:

@@ -1,7 +1,7 @@
 // One part's transport or emission by rna_evaluate.
 import { bind, buffer, compiled, dispatch } from "./gpu_device.js";
 import { packDecoder } from "./pack_decoder.js";
-import { constants } from "./records.js";
+import { constants as limits } from "./records.js";
 import { compose } from "./sources.js";
 
 /** Pipelines by their source: parts and tiers that are alike share them. */
@@ -26,12 +26,12 @@ export class Pipelines {
 export class PartEvaluator {
   static async make(device, pipelines, part, decoder, inputs, planes) {
     const own = new PartEvaluator(), { weights, record, groups } = packDecoder(part, decoder, inputs);
-    const fits = weights.length / 4 <= constants.UNIFORM_WEIGHTS;
+    const { UNIFORM_WEIGHTS } = limits, fits = weights.length / 4 <= UNIFORM_WEIGHTS;
     const constants = { RNA_GROUPS: groups, RNA_COLOURS: decoder.outputs === 6 ? 2 : 1 };
     const file = fits ? "weights_uniform.wgsl" : "weights_storage.wgsl";
     own.pipeline = await pipelines.get(compose(constants, file, part.kind, "evaluate"), "rna_evaluate");
     const { UNIFORM, STORAGE } = GPUBufferUsage;
-    const padded = fits ? new Float32Array(4 * constants.UNIFORM_WEIGHTS) : weights;
+    const padded = fits ? new Float32Array(4 * UNIFORM_WEIGHTS) : weights;
     if (fits) padded.set(weights);
     own.buffers = [
       buffer(device, record, UNIFORM, "a decoder"), buffer(device, padded, fits ? UNIFORM : STORAGE, "a decoder"),
