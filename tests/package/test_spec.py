@@ -11,7 +11,6 @@ from pathlib import Path
 
 import jsonschema
 import numpy as np
-import pytest
 
 from rna_sdk.package import INPUT_BLOCKS, Code
 from rna_sdk.package.decoder.decoder_checks import OPERATORS
