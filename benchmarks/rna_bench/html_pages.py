@@ -1,4 +1,4 @@
-"""HTML pages from Jinja2 templates."""
+"""HTML pages from Jinja2 templates, and pictures for pages."""
 
 from __future__ import annotations
 
@@ -26,3 +26,8 @@ def webp_address(pixels: np.ndarray, quality: int = 80) -> str:
     image = Image.fromarray(np.ascontiguousarray(pixels))
     image.save(buffer, "WEBP", quality=quality, method=6)
     return "data:image/webp;base64," + base64.b64encode(buffer.getvalue()).decode()
+
+
+def save_picture(image: Image.Image, path: Path) -> None:
+    """Write PNG, or JPEG of high quality for documents, chosen by the suffix."""
+    image.save(path, quality=90, subsampling=0, optimize=True)

@@ -1,7 +1,7 @@
 """Close-ups of packages of one asset beside Cycles, where shading varies across a strand.
 
     rna-bench closeup examples/fibers/curly_ball.py with.rna without.rna \
-        --out benchmarks/results/closeup.json --picture docs/images/closeup.png
+        --out benchmarks/results/closeup.json --picture docs/images/closeup.jpg
 
 One row per light, one column per package, Cycles last. PSNR excludes the noise of Cycles.
 """

@@ -1,7 +1,7 @@
 """Illumination of the surroundings by an emissive asset, against Cycles with the original.
 
     rna-bench emission lamp.rna examples/recipes/lamp.py --bounces 12 \
-        --out benchmarks/results/emission-lamp.json --picture docs/images/emission-lamp.png
+        --out benchmarks/results/emission-lamp.json --picture docs/images/emission-lamp.jpg
 
 Two scenes on a grey ground, with a red wall beside the asset: a dark room, and a dim sky.
 Brightness is the mean radiance over Cycles', per channel: of the surroundings, and of the asset.
@@ -21,6 +21,7 @@ import numpy as np
 from PIL import Image
 
 from rna_bench.cycles import cycles
+from rna_bench.html_pages import save_picture
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
@@ -44,7 +45,7 @@ def run(args: argparse.Namespace) -> None:
             strips.append(strip)
             print(name, rows[name], flush=True)
     if args.picture is not None:
-        Image.fromarray(np.concatenate(strips)).save(args.picture)
+        save_picture(Image.fromarray(np.concatenate(strips)), args.picture)
     report = {
         "package": args.package.name,
         "tier": args.tier or "default",
@@ -101,5 +102,5 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--bounces", type=int, help="Cycles' bounce limit (int, default: the source's)"
     )
-    parser.add_argument("--picture", type=Path, help="PNG: ours, Cycles, FLIP")
+    parser.add_argument("--picture", type=Path, help="JPEG or PNG: ours, Cycles, FLIP")
     add_out(parser)

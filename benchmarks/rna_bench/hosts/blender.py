@@ -1,6 +1,6 @@
 """One scene in three renderers: rna-run, the engine in Blender, and Cycles with the original.
 
-    rna-bench blender --picture docs/images/blender.png
+    rna-bench blender --picture docs/images/blender.jpg
 
 A row for the toy and one for the curls: rna-run on the scene file that the extension writes, the
 engine in Blender, Cycles, and the difference of the last two x 4, in blocks of 4 x 4 pixels. Prints
@@ -22,6 +22,7 @@ import numpy as np
 from PIL import Image
 
 from rna_bench.checkout import ROOT
+from rna_bench.html_pages import save_picture
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.blender_process.blender_env import find_python
@@ -50,7 +51,7 @@ ASSETS: dict[str, dict[str, Any]] = {
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--picture", type=Path, required=True, help="PNG to write")
+    parser.add_argument("--picture", type=Path, required=True, help="JPEG or PNG to write")
     parser.add_argument("--samples", type=int, default=64, help="rna-run samples per pixel")
     parser.add_argument("--cycles-samples", type=int, default=128, help="Cycles samples per pixel")
     parser.add_argument(
@@ -69,7 +70,7 @@ def run(args: argparse.Namespace) -> None:
             images = rendered(name, Path(folder), extension, args)
             rows.append(row(images))
             figures[name] = compared(images)
-    sheet(rows).save(args.picture, optimize=True)
+    save_picture(sheet(rows), args.picture)
     publish(figures, args)
 
 

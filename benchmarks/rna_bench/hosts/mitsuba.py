@@ -1,6 +1,6 @@
 """rna-run against Mitsuba with rna_mitsuba: images and speed.
 
-    rna-bench mitsuba --picture bench/mitsuba.png --out bench/mitsuba.json
+    rna-bench mitsuba --picture bench/mitsuba.jpg --out bench/mitsuba.json
 
 The picture has rna-run, Mitsuba and their difference x 4, one row a scene. Kernel compilation is
 not timed; the renderers alternate.
@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from rna_bench.html_pages import save_picture
 from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.metrics import IRRADIANCE, psnr
@@ -31,7 +32,7 @@ _VARIANT = "llvm_ad_rgb"
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--picture", type=Path, required=True, help="PNG to write")
+    parser.add_argument("--picture", type=Path, required=True, help="JPEG or PNG to write")
     parser.add_argument(
         "--size", type=int, nargs=2, default=(300, 200), help="width, height, pixels"
     )
@@ -60,8 +61,8 @@ def run(args: argparse.Namespace) -> None:
     args.picture.parent.mkdir(parents=True, exist_ok=True)
     sheet = np.clip(np.concatenate(rows), 0, 1) ** (1 / 2.2)
     image = Image.fromarray(np.round(sheet * 255).astype(np.uint8))
-    small = (image.width * 3 // 5, image.height * 3 // 5)  # a third of the bytes
-    image.resize(small, Image.Resampling.LANCZOS).save(args.picture, optimize=True)
+    small = (image.width * 3 // 5, image.height * 3 // 5)
+    save_picture(image.resize(small, Image.Resampling.LANCZOS), args.picture)
     settings = {"size": list(args.size), "samples": args.samples, "runs": args.runs}
     publish({"variant": _VARIANT, **settings, "scenes": records}, args)
 
