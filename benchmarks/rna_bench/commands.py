@@ -48,19 +48,10 @@ GROUPS: dict[str, tuple[Command, ...]] = {
         Command("c-host", "speed.c_host"),
         Command("gpu", "speed.gpu", extra="gpu"),
     ),
-    "8-bit decoders": (
-        Command("int8-tiers", "int8.tiers"),
-        Command("int8-weights", "int8.weights"),
-    ),
     "accuracy": (
         Command("presets", "accuracy.presets", resumes=True),
-        Command("capture-budget", "accuracy.capture_budget", resumes=True),
-        Command("for-scene", "accuracy.for_scene"),
-        Command("exposure", "accuracy.exposure"),
-        Command("closeup", "accuracy.closeup"),
+        Command("int8-tiers", "accuracy.int8_tiers"),
         Command("emission", "accuracy.emission"),
-        Command("sun-width", "accuracy.sun_width"),
-        Command("prefiltered-planes", "accuracy.prefiltered_planes"),
     ),
     "readers and files": (
         Command("readers", "readers.agreement"),

@@ -10,18 +10,28 @@ from typing import Any
 
 from rna_sdk.atomic_file import write_atomically
 
+_LINE = 120  # characters
+_DATA = 100  # values of a list, from which on nobody reads them
 
-def write_results(
-    path: Path, stamp: dict[str, Any] | None, report: dict[str, Any], indent: int | None = 1
-) -> None:
-    """Write the report, stamped; folders are made.
 
-    stamp: None for results of before there were stamps. indent: None for one long line.
-    """
-    separators = (",", ":") if indent is None else None
-    text = json.dumps({"stamp": stamp, **report}, indent=indent, separators=separators)
+def write_results(path: Path, stamp: dict[str, Any] | None, report: dict[str, Any]) -> None:
+    """Write the report, stamped (None: it is older than stamps); folders are made."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_atomically(path, f"{text}\n".encode())
+    write_atomically(path, f"{_lines({'stamp': stamp, **report})}\n".encode())
+
+
+def _lines(value: Any, indent: str = "") -> str:
+    """JSON with a line for each value that is short, has no objects inside or is a long list."""
+    text = json.dumps(value)
+    is_long = isinstance(value, list) and len(value) >= _DATA
+    if len(text) <= _LINE or "{" not in text[1:] or is_long:
+        return text
+    inner = indent + " "
+    if isinstance(value, dict):
+        ends, rows = "{}", [f"{json.dumps(k)}: {_lines(v, inner)}" for k, v in value.items()]
+    else:
+        ends, rows = "[]", [_lines(one, inner) for one in value]
+    return ends[0] + ",".join(f"\n{inner}{row}" for row in rows) + f"\n{indent}{ends[1]}"
 
 
 def publish(report: dict[str, Any], args: argparse.Namespace) -> None:

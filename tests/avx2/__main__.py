@@ -1,7 +1,7 @@
 """Run a command as on a CPU with AVX2 alone: python -m tests.avx2 COMMAND [ARGUMENTS].
 
     python -m tests.avx2 pytest tests/runtime
-    python -m tests.avx2 rna-bench int8-weights runs/toy/best.ckpt --out avx2.json
+    python -m tests.avx2 rna-bench evaluate --precisions float32 int8 --out avx2.json
 
 onnxruntime is made to see such a CPU (`masked.py`); numba, Embree, PyTorch and numpy have settings
 for it.

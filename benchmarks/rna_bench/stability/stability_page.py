@@ -27,7 +27,7 @@ def write_page(
 ) -> None:
     """Write `results.json`, `summary.md`, `index.html` and an SVG a case."""
     saved = {"asset": name, "settings": settings, "cases": [_as_json(r) for r in results]}
-    write_results(folder / "results.json", stamp, saved, indent=None)
+    write_results(folder / "results.json", stamp, saved)
     (folder / "summary.md").write_text(table(results))
     drawn = [result for result in results if not result.skipped]
     for result in drawn:

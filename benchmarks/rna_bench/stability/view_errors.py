@@ -1,15 +1,26 @@
-"""Error of shaded samples, without the noise of the references, over any choice of rows."""
+"""Errors on validation images: of a model, and of shaded samples over any choice of rows."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.metrics import display
+from rna_export.training.model.neural_asset import NeuralAsset
+from rna_export.training.validation import Scores, score, shade
+
+
+def scores_of(model: NeuralAsset, views: Sequence[ValidationView]) -> Scores:
+    """Scores of all views together, as `rna-train` reports them."""
+    return score([shade(model, view) for view in views], views)
 
 
 def relative_error(radiance: np.ndarray, halves: np.ndarray) -> float:
-    """Root mean square error over the mean, both of displayed radiance; nan where all is black.
+    """RMSE over the mean, both of displayed radiance, without the references' noise.
+
+    nan where all is black.
 
     radiance: (n, 3). halves: (2, n, 3), two independent estimates of the reference: the product
     of the errors against both has no noise in the mean.

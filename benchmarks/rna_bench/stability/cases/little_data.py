@@ -6,9 +6,9 @@ import numpy as np
 import torch
 from matplotlib.figure import FigureBase
 
-from rna_bench.scores import scores_of
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, light_numbers, rows_of
+from rna_bench.stability.view_errors import scores_of
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import Trained

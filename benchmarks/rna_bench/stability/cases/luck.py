@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from matplotlib.figure import FigureBase
 
-from rna_bench.scores import scores_of
 from rna_bench.stability.case import Case, Row, Verdict, values
+from rna_bench.stability.view_errors import scores_of
 from rna_bench.stability.workshop import Workshop
 from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import Preset
