@@ -5,41 +5,48 @@ Examples:
     ...     planes = package.planes("small")
 """
 
-from rna_sdk.errors import PackageError
-from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
-from rna_sdk.package.decoder.profile_decoder import (
-    ProfileDecoder,
-    ProfileLayer,
-    read_profile_decoder,
-)
-from rna_sdk.package.geometry.curves import Curves
-from rna_sdk.package.geometry.geometry_files import quantise
-from rna_sdk.package.geometry.mesh import Mesh
-from rna_sdk.package.issues import Code, Issue, Severity
-from rna_sdk.package.manifest.manifest_fields import Bounds, Cone, Domain
-from rna_sdk.package.manifest.manifest_model import (
-    Manifest,
-    NormalMapRecord,
-    Part,
-    Provenance,
-    TransmittanceRecord,
-)
-from rna_sdk.package.manifest.manifest_tiers import (
-    Agreement,
-    Cost,
-    FlipAtHeight,
-    Tier,
-    TierEmission,
-    TierPart,
-    Validation,
-)
-from rna_sdk.package.manifest.tier_ranges import tier_ranges
-from rna_sdk.package.package import Package
-from rna_sdk.package.textures.normal_maps import NormalMap
-from rna_sdk.package.textures.planes import Int8Planes, Planes, float_planes
-from rna_sdk.package.textures.transmittance import Transmittance
-from rna_sdk.package.validator import validate
-from rna_sdk.package.writer import TierData, write_package
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rna_sdk.lazy_face import lazy_face
+
+if TYPE_CHECKING:
+    from rna_sdk.errors import PackageError
+    from rna_sdk.package.blocks import INPUT_BLOCKS, query_width
+    from rna_sdk.package.decoder.profile_decoder import (
+        ProfileDecoder,
+        ProfileLayer,
+        read_profile_decoder,
+    )
+    from rna_sdk.package.geometry.curves import Curves
+    from rna_sdk.package.geometry.geometry_files import quantise
+    from rna_sdk.package.geometry.mesh import Mesh
+    from rna_sdk.package.issues import Code, Issue, Severity
+    from rna_sdk.package.manifest.manifest_fields import Bounds, Cone, Domain
+    from rna_sdk.package.manifest.manifest_model import (
+        Manifest,
+        NormalMapRecord,
+        Part,
+        Provenance,
+        TransmittanceRecord,
+    )
+    from rna_sdk.package.manifest.manifest_tiers import (
+        Agreement,
+        Cost,
+        FlipAtHeight,
+        Tier,
+        TierEmission,
+        TierPart,
+        Validation,
+    )
+    from rna_sdk.package.manifest.tier_ranges import tier_ranges
+    from rna_sdk.package.package import Package
+    from rna_sdk.package.textures.normal_maps import NormalMap
+    from rna_sdk.package.textures.planes import Int8Planes, Planes, float_planes
+    from rna_sdk.package.textures.transmittance import Transmittance
+    from rna_sdk.package.validator import validate
+    from rna_sdk.package.writer import TierData, write_package
 
 __all__ = [
     "INPUT_BLOCKS",
@@ -80,3 +87,5 @@ __all__ = [
     "validate",
     "write_package",
 ]
+
+__getattr__, __dir__ = lazy_face(__name__)

@@ -16,17 +16,24 @@ An asset of several parts is evaluated part by part: `for part in asset.parts: p
 An asset of one part is its own only part.
 """
 
-from rna_sdk.errors import PackageError, QueryError
-from rna_sdk.runtime.asset import Asset, CompositeAsset
-from rna_sdk.runtime.domain import in_region
-from rna_sdk.runtime.fiber_asset import FiberAsset
-from rna_sdk.runtime.load import load
-from rna_sdk.runtime.normal_maps import mapped_normals
-from rna_sdk.runtime.offset_across import offset_across
-from rna_sdk.runtime.surface_asset import SurfaceAsset
-from rna_sdk.runtime.tiers import choose_tier, expected_error, is_no_worse
-from rna_sdk.runtime.transforms import Transform
-from rna_sdk.runtime.transmittance import transmittance
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rna_sdk.lazy_face import lazy_face
+
+if TYPE_CHECKING:
+    from rna_sdk.errors import PackageError, QueryError
+    from rna_sdk.runtime.asset import Asset, CompositeAsset
+    from rna_sdk.runtime.domain import in_region
+    from rna_sdk.runtime.fiber_asset import FiberAsset
+    from rna_sdk.runtime.fiber_offset import offset_across
+    from rna_sdk.runtime.loading import load
+    from rna_sdk.runtime.normal_maps import mapped_normals
+    from rna_sdk.runtime.surface_asset import SurfaceAsset
+    from rna_sdk.runtime.tiers import choose_tier, expected_error, is_no_worse
+    from rna_sdk.runtime.transforms import Transform
+    from rna_sdk.runtime.transmittance_lookup import transmittance
 
 __all__ = [
     "Asset",
@@ -45,3 +52,5 @@ __all__ = [
     "offset_across",
     "transmittance",
 ]
+
+__getattr__, __dir__ = lazy_face(__name__)

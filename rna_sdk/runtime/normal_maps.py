@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.package import Mesh
 from rna_sdk.package.textures.normal_maps import NormalMap
-from rna_sdk.runtime.transmittance import bilinear
+from rna_sdk.runtime.transmittance_lookup import bilinear
 
 Float = NDArray[np.float64]
 

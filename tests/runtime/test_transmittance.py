@@ -9,7 +9,7 @@ import pytest
 
 from rna_sdk.package import Mesh, Transmittance
 from rna_sdk.runtime import transmittance
-from rna_sdk.runtime.transmittance import fresnel
+from rna_sdk.runtime.transmittance_lookup import fresnel
 
 TEXELS = np.uint8([[0, 51], [102, 255]])[:, :, None]  # 0, 0.2; 0.4, 1
 DOWN = np.float32([0, -1, 0])

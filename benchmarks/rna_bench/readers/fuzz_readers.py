@@ -20,7 +20,7 @@ from rna_sdk.package import Curves, Mesh, Package, Planes, Severity
 from rna_sdk.package.issues import Code
 from rna_sdk.package.validator import inspect
 from rna_sdk.runtime.normal_maps import mapped_normals
-from rna_sdk.runtime.transmittance import transmittance
+from rna_sdk.runtime.transmittance_lookup import transmittance
 
 SLOW_SECONDS = 20
 WEB_READER = Path(__file__).parents[3] / "runtime" / "web" / "src" / "package"

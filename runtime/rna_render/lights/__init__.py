@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rna_render.lazy_names import lazy_names
+from rna_sdk.lazy_face import lazy_face
 
 if TYPE_CHECKING:
     from rna_render.lights.asset import AssetEmission, AssetLight
@@ -31,19 +31,4 @@ __all__ = [
     "make_light",
 ]
 
-__getattr__ = lazy_names(
-    {
-        "rna_render.lights.asset": ("AssetEmission", "AssetLight"),
-        "rna_render.lights.base": (
-            "InfiniteLight",
-            "Light",
-            "LightSamples",
-            "PlacedLight",
-            "ShapeLight",
-        ),
-        "rna_render.lights.environment": ("EnvironmentImageLight",),
-        "rna_render.lights.make": ("make_light",),
-        "rna_render.lights.mesh": ("MeshLight",),
-        "rna_render.lights.selection": ("LightSelection",),
-    }
-)
+__getattr__, __dir__ = lazy_face(__name__)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rna_render.lazy_names import lazy_names
+from rna_sdk.lazy_face import lazy_face
 
 if TYPE_CHECKING:
     from rna_render.materials.files.mesh_file import MeshFileWarning, read_mesh_object
@@ -28,13 +28,4 @@ __all__ = [
     "read_mesh_object",
 ]
 
-__getattr__ = lazy_names(
-    {
-        "rna_render.materials.ground_plane": ("ground",),
-        "rna_render.materials.material": ("Material", "make_material"),
-        "rna_render.materials.files.mesh_file": ("MeshFileWarning", "read_mesh_object"),
-        "rna_render.materials.mesh_object": ("MeshObject",),
-        "rna_render.materials.scattering": ("Scattering",),
-        "rna_render.materials.textures": ("Texture",),
-    }
-)
+__getattr__, __dir__ = lazy_face(__name__)
