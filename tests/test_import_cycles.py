@@ -1,18 +1,25 @@
-"""No module of ours imports another that imports it while it loads."""
+"""Imports among our modules: no cycles, short chains, rooms in order, small folders."""
 
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
 
+from rna_sdk.lazy_face import homes
 from tests.conftest import REPOSITORY
+from tests.test_lazy_face import FACES
 
 ROOTS = {"rna_sdk": ".", "rna_export": "exporters", "rna_bench": "benchmarks"} | dict.fromkeys(
     ("rna_work", "rna_trace", "rna_render", "rna_gpu", "rna_mitsuba", "rna_view"), "runtime"
 )
+
+LONGEST = 20
+MOST_FILES = 20
 
 
 def modules() -> dict[str, Path]:
@@ -54,6 +61,31 @@ def imports(name: str, path: Path, known: set[str]) -> set[str]:
     return (found & known) - {name}
 
 
+def behind_faces(name: str, path: Path, known: set[str]) -> set[str]:
+    """As `imports`, with the modules that define the names which it takes from lazy faces."""
+    found = imports(name, path, known)
+    for node in loaded_with(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.module in FACES:
+            home = homes(node.module)
+            found |= {home[alias.name] for alias in node.names if alias.name in home}
+    return found - {name}
+
+
+def room(module: str) -> str:
+    """Folder of rna_render that a module of it is in, or the module itself."""
+    return ".".join(module.split(".")[:2])
+
+
+def longest_chain(graph: dict[str, set[str]]) -> list[str]:
+    """Modules, each of which imports the next."""
+
+    @cache
+    def chain(name: str) -> tuple[str, ...]:
+        return (name, *max(map(chain, graph[name]), key=len, default=()))
+
+    return list(max(map(chain, graph), key=len))
+
+
 def cycle(graph: dict[str, set[str]]) -> list[str]:
     """The modules of one cycle in order; none where there is no cycle."""
     finished: set[str] = set()
@@ -72,11 +104,35 @@ def cycle(graph: dict[str, set[str]]) -> list[str]:
     return next((found for name in sorted(graph) if (found := walk(name, []))), [])
 
 
+FILES = {name.removesuffix(".__init__"): path for name, path in modules().items()}
+GRAPH = {name: imports(name, path, set(FILES)) for name, path in FILES.items()}
+WHOLE = {name: behind_faces(name, path, set(FILES)) for name, path in FILES.items()}
+
+
 def test_there_are_none() -> None:
-    files = {name.removesuffix(".__init__"): path for name, path in modules().items()}
-    graph = {name: imports(name, path, set(files)) for name, path in files.items()}
-    assert len(graph) > 400
-    assert cycle(graph) == []
+    assert len(WHOLE) > 400
+    assert cycle(WHOLE) == []
+
+
+def test_the_longest_chain_is_short() -> None:
+    """A face ends a chain: who imports from it need not know what is behind it."""
+    assert len(longest_chain(GRAPH)) <= LONGEST, longest_chain(GRAPH)
+
+
+def test_rooms_of_the_renderer_have_an_order() -> None:
+    """Folders of rna_render, the modules outside of which (`conformance_reader`) are above them."""
+    rooms: dict[str, set[str]] = {}
+    for name, targets in WHOLE.items():
+        if name.startswith("rna_render."):
+            inner = {room(target) for target in targets if target.startswith("rna_render.")}
+            rooms.setdefault(room(name), set()).update(inner - {room(name)})
+    assert len(rooms) > 8
+    assert cycle(rooms) == []
+
+
+def test_folders_are_small() -> None:
+    folders = Counter(path.parent for path in FILES.values())
+    assert {str(path): count for path, count in folders.items() if count > MOST_FILES} == {}
 
 
 @pytest.mark.parametrize(
@@ -100,3 +156,13 @@ def test_what_counts_as_an_import(text: str, expected: set[str], tmp_path: Path)
 def test_a_cycle_is_found() -> None:
     graph = {"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": set()}
     assert cycle(graph) == ["b", "c"]
+
+
+def test_the_longest_chain_is_found() -> None:
+    assert longest_chain({"a": {"b", "d"}, "b": {"d"}, "c": set(), "d": set()}) == ["a", "b", "d"]
+
+
+def test_what_is_behind_a_face() -> None:
+    path = FILES["rna_gpu.loading"]
+    assert "rna_sdk.runtime.asset" not in imports("rna_gpu.loading", path, set(FILES))
+    assert "rna_sdk.package.package" in WHOLE["rna_gpu.loading"]

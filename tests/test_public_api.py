@@ -1,4 +1,7 @@
-"""What renderers may import of the SDK: public names, so that any other renderer has the same."""
+"""Public names: what renderers may import of the SDK, and other packages of renderers.
+
+Any other renderer has the same of the SDK, and the inside of a package can change alone.
+"""
 
 from __future__ import annotations
 
@@ -37,6 +40,31 @@ OUR_TOOLS = {
     )
 }
 """How our own commands check arrays, read, write, are compiled, threaded, talk, and serve pages."""
+OTHER_HALF = {
+    "rna_render.lights",
+    "rna_render.materials",
+    "rna_render.paths.integrator_factory",
+    "rna_render.paths.path_numbers",
+    "rna_render.world.bodies",
+    "rna_render.world.domain_watch",
+}
+"""What rna_gpu alone may import of the renderer, for the same lights, materials and paths."""
+MEASURED = {
+    "rna_render.command.frame_worker",
+    "rna_render.image.output",
+    "rna_render.lights",
+    "rna_render.materials",
+    "rna_render.world.placements",
+    "rna_render.world.scene_sources",
+    "rna_trace.embree",
+}
+"""Insides that rna_bench alone measures or fuzzes."""
+USERS = {
+    "runtime/rna_gpu": OTHER_HALF,
+    "runtime/rna_view": set(),
+    "exporters/rna_export": set(),
+    "benchmarks/rna_bench": MEASURED,
+}
 RENDERERS = {"rna_trace": OUR_TOOLS, "rna_render": OUR_TOOLS, "rna_mitsuba": set()}
 
 
@@ -53,12 +81,17 @@ def imports(source: str) -> list[tuple[str, str]]:
 
 def strangers(source: str, tools: set[str]) -> list[str]:
     """Imports of the SDK that are no public names."""
+    return private_names(source, {"rna_sdk"}, PUBLIC, tools)
+
+
+def private_names(source: str, packages: set[str], public: set[str], own: set[str]) -> list[str]:
+    """Imports of the packages that are no public names, modules in `own` excepted."""
     wrong = []
     for module, name in imports(source):
-        if module.split(".")[0] != "rna_sdk" or module in tools:
+        if module.split(".")[0] not in packages or module in own:
             continue
         names = getattr(importlib.import_module(module), "__all__", None)
-        if module not in PUBLIC or (names is not None and name not in names):
+        if module not in public or (names is not None and name not in names):
             wrong.append(f"{module}: {name}")
     return wrong
 
@@ -68,6 +101,28 @@ def test_renderers_import_public_names_alone(renderer: str) -> None:
     files = sorted((REPOSITORY / "runtime" / renderer).rglob("*.py"))
     found = {str(f): strangers(f.read_text(), RENDERERS[renderer]) for f in files}
     assert files and {file: names for file, names in found.items() if names} == {}
+
+
+@pytest.mark.parametrize("folder", USERS)
+def test_other_packages_import_faces_of_renderers_alone(folder: str) -> None:
+    public = {"rna_render", "rna_render.scene", "rna_trace"}
+    files = sorted((REPOSITORY / folder).rglob("*.py"))
+    found = {
+        str(f): private_names(f.read_text(), {"rna_render", "rna_trace"}, public, USERS[folder])
+        for f in files
+    }
+    assert files and {file: names for file, names in found.items() if names} == {}
+
+
+@pytest.mark.parametrize("folder", USERS)
+def test_no_exception_is_out_of_use(folder: str) -> None:
+    files = sorted((REPOSITORY / folder).rglob("*.py"))
+    assert USERS[folder] <= {module for f in files for module, _ in imports(f.read_text())}
+
+
+@pytest.mark.parametrize("face", ["rna_render", "rna_render.scene", "rna_trace"])
+def test_faces_are_small(face: str) -> None:
+    assert len(importlib.import_module(face).__all__) <= 20
 
 
 @pytest.mark.parametrize(

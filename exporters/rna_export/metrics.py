@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import flip_evaluator
 import numpy as np
 
-from rna_render.image.srgb import encode_srgb
+from rna_render import encode_srgb
 
 PSNR_DEFINITION = (
     "PSNR of linear radiance under a light of irradiance pi, clamped to [0, 1], over the asset's "

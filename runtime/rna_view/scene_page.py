@@ -7,9 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.lights.files.environment_file import read_environment
-from rna_render.scene.light_models import DirectionalModel, EnvironmentModel
-from rna_render.scene.scene_file import SceneFile, read_scene
+from rna_render import read_environment
+from rna_render.scene import DirectionalModel, EnvironmentModel, SceneFile, read_scene
 from rna_sdk.errors import PackageError, SceneError
 from rna_view.errors import ViewError
 from rna_view.site_files import Site

@@ -19,8 +19,8 @@ from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
 from rna_export.make.rna_make import _kept_picture
-from rna_render.paths.camera import Camera
 from rna_render.scene.scene_model import CameraModel
+from rna_render.world.camera import Camera
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.textures.transmittance import Transmittance

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rna_gpu import Device, GpuError, open_device
-from rna_render.paths.render import load_world
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import SceneFile, read_scene
 from rna_render.world.world import World
 

@@ -14,10 +14,12 @@ from rna_render.image.film import Film
 from rna_render.lights import PlacedLight, make_light
 from rna_render.materials import Material, MeshObject, Texture
 from rna_render.materials.textures import LINEAR, SRGB
-from rna_render.paths.render import make_integrator, mesh_light, render
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.render import render
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
+from rna_render.world.placements import mesh_light
 from rna_render.world.world import Placement, World
 
 Channels = dict[str, np.ndarray]

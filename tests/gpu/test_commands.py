@@ -15,7 +15,7 @@ from rna_render.command.kept_pieces import Piece
 from rna_render.command.pieces import render_pieces
 from rna_render.image.images import read_exr
 from rna_render.image.output import Output
-from rna_render.paths.render import load_world
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_sdk.errors import WorkError
 from rna_work.cluster import ray_cluster as cluster

@@ -14,13 +14,13 @@ import numpy as np
 from rna_render.lights import AssetLight, PlacedLight, make_light
 from rna_render.materials import MeshObject
 from rna_render.materials.material import Material
-from rna_render.paths.camera import Camera
 from rna_render.paths.integrator import Integrator
-from rna_render.paths.render import emission_of, mesh_light, render
+from rna_render.paths.render import render
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.bodies import Thing
-from rna_render.world.placements import Placement
+from rna_render.world.camera import Camera
+from rna_render.world.placements import Placement, emission_of, mesh_light
 from rna_render.world.world import World
 from rna_sdk.package import Mesh
 from tests.render.stage import rgb

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rna_render.lights import AssetEmission, AssetLight
-from rna_render.paths.render import emission_of
+from rna_render.world.placements import emission_of
 from rna_trace.embree import TriangleScene
 from rna_trace.embree.tracing import closest_hits
 from tests.render.assets import FiberProbe, LambertAsset, merged, sphere, square

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.paths.camera import Camera
 from rna_render.scene.scene_model import CameraModel
+from rna_render.world.camera import Camera
 
 MODEL = CameraModel(position=(0, 0, 5), look_at=(0, 0, 0), vertical_fov_deg=90)
 

@@ -10,9 +10,9 @@ import yaml
 
 from rna_render.command.rna_run import main
 from rna_render.image.images import read_exr
-from rna_render.scene.default_scene import Shown, default_scene, scene_text, shown
 from rna_render.scene.scene_file import read_scene
 from rna_render.scene.scene_model import Scene
+from rna_render.scene.scene_of_package import Shown, default_scene, scene_text, shown
 from rna_sdk.errors import PackageError, SceneError
 from rna_sdk.package import Cone, Package
 from rna_sdk.size_note import size_note

@@ -6,7 +6,9 @@ import numba
 import numpy as np
 import pytest
 
-from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.render import render
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_render.scene.scene_model import TransformModel
 from rna_render.scene.transforms import world_from_object

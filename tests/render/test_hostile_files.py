@@ -18,8 +18,8 @@ from rna_render.lights.files.environment_file import environment_image, read_env
 from rna_render.materials import read_mesh_object
 from rna_render.materials.ggx_albedo import _place
 from rna_render.materials.textures import read_texels
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
-from rna_render.world.world_loading import load_world
 from rna_sdk.errors import SceneError
 from rna_trace.bilinear import CLAMP, MIRROR, REPEAT, texels_around
 from tests.render.test_mesh_files import GLTF_UVS, Gltf, textured

@@ -9,8 +9,9 @@ import pytest
 import trimesh
 
 from rna_render.image.images import write_exr
-from rna_render.paths.indirect_clamp import AUTO, indirect_clamp
-from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.paths.integrator_factory import AUTO, indirect_clamp, make_integrator
+from rna_render.paths.render import render
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
 from tests.render.lights import light

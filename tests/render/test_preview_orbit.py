@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_render.paths.camera import Camera
 from rna_render.preview.lighting import Lighting, lighting_choices, lit, turned
 from rna_render.preview.orbit import MAX_ELEVATION, Orbit
 from rna_render.scene.light_models import DirectionalModel, EnvironmentModel, PointModel
 from rna_render.scene.scene_model import CameraModel, Scene
+from rna_render.world.camera import Camera
 
 LOOK_AT = (1.0, 2.0, -3.0)
 UPS = [(0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -2.0), (1.0, 0.0, 0.0), (0.3, 0.8, -0.5)]

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rna_render.paths.render import load_world
+from rna_render.paths.world_in_time import load_world
 from rna_render.preview.lighting import lighting_choices
 from rna_render.preview.server import MAX_BODY, PreviewServer
 from rna_render.preview.session import Session

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from rna_render.paths.bands import SMALL_BAND
-from rna_render.paths.render import make_integrator, render
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.render import render
 from tests.render.assets import LambertAsset, merged, sphere, square
 from tests.render.stage import ABOVE, LOW, SKY, SUN, WHITE, image, rgb, stage
 

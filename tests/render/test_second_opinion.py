@@ -18,7 +18,9 @@ import yaml
 from PIL import Image
 
 from rna_render.image.images import write_exr
-from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.render import render
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from tests.render.stage import rgb
 from tests.render.studio import one_thread

@@ -16,8 +16,9 @@ from rna_render.command.rna_run import main
 from rna_render.image.images import read_exr
 from rna_render.materials.ggx_albedo import ALBEDO_ADDRESSES, ALBEDO_MEANS, ALBEDO_TABLE
 from rna_render.paths.bands import rendered_bands
-from rna_render.paths.render import load_world, make_integrator
+from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.sampling import Sampler
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_sdk.kernel_threads import kernel_threads, limit_kernel_threads
 from tests.conftest import REPOSITORY

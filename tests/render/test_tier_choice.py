@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rna_render.paths.render import QualityWarning, load_world
+from rna_render.paths.world_in_time import QualityWarning, load_world
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile, read_scene
 from rna_render.world.tier_choice import TierChoice, Tiers

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_render.paths.render import load_world
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_render.world.tier_costs import cost_lines
 from rna_sdk.runtime import Asset

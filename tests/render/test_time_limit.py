@@ -11,9 +11,11 @@ from rna_render.command.rna_run import main
 from rna_render.image.film import Layers
 from rna_render.image.images import read_exr
 from rna_render.paths import time_limit
-from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.render import render
 from rna_render.paths.sampling import Sampler
 from rna_render.paths.time_limit import in_time, seconds_a_sample
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_render.world import world_loading
 from tests.package.builders import make_measured_tier

@@ -9,7 +9,7 @@ import pytest
 
 from rna_bench.stability.cases import shadow_edges, thin, zoom
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_render.paths.camera import Camera
+from rna_render.world.camera import Camera
 from rna_sdk.package import Curves
 
 SIZE = 32

@@ -8,10 +8,12 @@ import numpy as np
 import OpenEXR
 import pytest
 
-from rna_render.paths.camera import Camera
-from rna_render.paths.render import load_world, make_integrator, render
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.render import render
+from rna_render.paths.world_in_time import load_world
 from rna_render.preview.picture import rgba
 from rna_render.scene.scene_file import read_scene
+from rna_render.world.camera import Camera
 from rna_view.site_files import site_for
 from tests.render.specks import brightest_around
 from tests.web.pages import APIS, picture, viewer, wait_for_picture

@@ -27,7 +27,7 @@ from rna_bench.results import publish
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
 from rna_bench.scenes.stage import Stage
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_render.scene.scene_model import Scene
+from rna_render.scene import Scene
 from rna_sdk.runtime import load
 
 

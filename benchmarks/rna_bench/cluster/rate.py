@@ -31,8 +31,7 @@ from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.collect import Gathered
 from rna_render.command.frame_worker import Frame, FrameJob, FrameWorker
 from rna_render.image.output import Output
-from rna_render.scene.scene_file import read_scene
-from rna_render.scene.scene_model import Scene
+from rna_render.scene import Scene, read_scene
 from rna_render.world.scene_sources import carried_scene
 from rna_work.executors import Place, place
 from rna_work.pool import Pool

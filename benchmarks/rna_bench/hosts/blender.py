@@ -27,8 +27,7 @@ from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.blender_process.blender_env import find_python
 from rna_export.metrics import IRRADIANCE, psnr
-from rna_render.image.images import read_exr
-from rna_render.image.view_transform import to_display
+from rna_render import read_exr, to_display
 
 WIDTH = 1024  # pixels of the sheet
 BLOCK = 4

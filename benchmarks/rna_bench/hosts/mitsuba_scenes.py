@@ -12,9 +12,8 @@ import yaml
 
 import rna_mitsuba
 from rna_bench.checkout import CURLS, TOY
-from rna_render.image.images import write_exr
-from rna_render.paths.render import load_world, make_integrator, render
-from rna_render.scene.scene_file import read_scene
+from rna_render import load_world, make_integrator, render, write_exr
+from rna_render.scene import read_scene
 
 T = mi.ScalarTransform4f
 

@@ -24,9 +24,8 @@ import rna_gpu
 from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
 from rna_bench.speed.gpu import measure
-from rna_render.paths.integrator import Integrator
-from rna_render.paths.render import load_world, make_integrator, render
-from rna_render.scene.scene_file import read_scene
+from rna_render import Integrator, load_world, make_integrator, render
+from rna_render.scene import read_scene
 from rna_sdk.errors import RnaError
 from rna_view.site_files import site_for
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, find_chromium, open_page

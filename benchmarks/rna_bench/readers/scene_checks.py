@@ -9,15 +9,11 @@ from typing import Any
 import numpy as np
 
 from rna_bench.readers.scene_seeds import ENVIRONMENTS, MESHES, SCENES, TEXTURES
-from rna_render.lights.equirectangular import EquirectangularImage
-from rna_render.lights.files.environment_file import read_environment
-from rna_render.materials import MeshObject, read_mesh_object
-from rna_render.materials.textures import SRGB, Texture, read_alpha, read_texels
-from rna_render.scene.material_models import DiffuseModel
-from rna_render.scene.scene_file import read_scene
+from rna_render import MeshObject, World, load_world, read_environment, read_mesh_object
+from rna_render.lights import EquirectangularImage
+from rna_render.materials import SRGB, Texture, read_alpha, read_texels
+from rna_render.scene import DiffuseModel, read_scene
 from rna_render.world.placements import Placement, mesh_light
-from rna_render.world.world import World
-from rna_render.world.world_loading import load_world
 from rna_sdk.errors import RnaError
 
 MOST_ASKED = 48

@@ -13,12 +13,9 @@ from rna_export.compare.comparison_run import Timed
 from rna_export.compare.cycles_scene import cycles_scene
 from rna_export.compare.sheet import flip_colours
 from rna_export.metrics import IRRADIANCE, NoiselessPsnr, display, flip, psnr_without_noise, to_png
-from rna_render.image.denoise import Denoiser
-from rna_render.lights.directions import LUMINANCE
-from rna_render.paths.camera import Camera
-from rna_render.paths.render import load_world, make_integrator, render
-from rna_render.scene.scene_file import SceneFile
-from rna_render.scene.scene_model import Scene
+from rna_render import Camera, Denoiser, load_world, make_integrator, render
+from rna_render.lights import LUMINANCE
+from rna_render.scene import Scene, SceneFile
 
 EXPOSURE_DEFINITION = (
     "radiance times the scene's exposure, which puts the 95th percentile of the asset's luminance "

@@ -9,7 +9,7 @@ import numpy as np
 from rna_bench.scenes.beside_cycles import CyclesScene, OurScene
 from rna_bench.scenes.stage import Stage
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
-from rna_render.scene.scene_model import Scene
+from rna_render.scene import Scene
 
 ASSET, WALL, GROUND = 1, 2, 3  # of channel assetId
 

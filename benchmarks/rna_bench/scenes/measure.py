@@ -16,7 +16,7 @@ from rna_bench.scenes.kernel_times import kernel_times
 from rna_bench.scenes.timed_images import find_denoiser, render_by_turns
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.comparison_run import Timed
-from rna_render.scene.scene_model import Scene
+from rna_render.scene import Scene
 from rna_sdk.kernel_threads import limit_kernel_threads
 
 _COVERAGE_SAMPLES = 8

@@ -8,7 +8,7 @@ from typing import Any
 
 from rna_bench.scenes.stage import Stage
 from rna_export.capture.blender_process import blender_env
-from rna_render.scene.scene_model import Scene
+from rna_render.scene import Scene
 from rna_sdk.errors import SceneError
 
 LAMP, WALL, NEAR_AND_FAR = "lamp", "wall", "near-and-far"

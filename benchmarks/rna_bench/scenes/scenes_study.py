@@ -23,7 +23,7 @@ from rna_bench.scenes.scenes_sheet import draw_sheet
 from rna_bench.scenes.stage import Stage
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.metrics import FLIP_DEFINITION
-from rna_render.scene.scene_model import Scene
+from rna_render.scene import Scene
 from rna_sdk.errors import SceneError
 from rna_sdk.runtime import load
 from rna_work.progress import Progress

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.scene.scene_model import Scene
+from rna_render.scene import Scene
 from rna_sdk.runtime import Asset
 
 GREY = {"type": "diffuse", "color": (0.2, 0.2, 0.2)}

@@ -22,7 +22,7 @@ import numpy as np
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_render.image.images import read_exr
+from rna_render import read_exr
 from rna_sdk.errors import RnaError
 
 SWITCH_INTERVAL = 1e-6

@@ -10,7 +10,7 @@ import numpy as np
 from rna_bench.scenes.beside_cycles import CyclesScene, OurScene
 from rna_export.compare.comparison_run import Timed
 from rna_export.machine import default_workers
-from rna_render.image.denoise import Denoiser
+from rna_render import Denoiser
 from rna_sdk.errors import SceneError
 
 Arrays = dict[str, np.ndarray]

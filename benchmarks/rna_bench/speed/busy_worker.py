@@ -109,8 +109,8 @@ def _samples() -> dict[str, np.ndarray]:
 def renderer() -> Iterator[Task]:
     """The quickstart's scene, a sample of every pixel at a time."""
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # as rna-run does
-    from rna_render.paths.render import load_world, make_integrator, render
-    from rna_render.scene.scene_file import read_scene
+    from rna_render import load_world, make_integrator, render
+    from rna_render.scene import read_scene
 
     scene_file = read_scene(QUICKSTART)
     world = load_world(scene_file)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from matplotlib.figure import FigureBase
 
-from rna_bench.stability.workshop import Workshop
+if TYPE_CHECKING:
+    from rna_bench.stability.workshop import Workshop
 
 Row = dict[str, Any]
 """One measurement, as JSON has it."""

@@ -113,6 +113,19 @@ class Workshop:
         """The part of an asset of the suite's own that has one; settings as of `capture_parts`."""
         return self.capture_parts(name, script, *arguments, **settings).only
 
+    def capture_white(self) -> DatasetPart:
+        """The suite's asset that takes no light away."""
+        return self.capture(
+            "white",
+            "white.py",
+            lights=self.some(600),
+            rays=4096,
+            samples=8,
+            validation_views=4,
+            validation_resolution=96,
+            validation_samples=self.some(256),
+        )
+
     def capture_parts(self, name: str, script: str, *arguments: str, **settings: Any) -> Dataset:
         """A dataset of one of the suite's own assets; settings as in `CaptureSettings`."""
         out = self._folder / "captures" / f"{name}.rays"

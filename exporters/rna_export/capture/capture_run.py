@@ -32,7 +32,7 @@ from rna_export.capture.rays.view_check import check_seen
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_export.capture.scene_domain import scene_domain
 from rna_export.capture.time_plan import LEAST_LIGHTS, TimeLimit, planned, shrunk
-from rna_render.scene.scene_file import SceneFile
+from rna_render.scene import SceneFile
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.cpu import processor_key
 from rna_sdk.errors import CaptureError

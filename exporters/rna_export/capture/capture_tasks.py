@@ -19,8 +19,8 @@ from rna_export.capture.rays.asset_scene import AssetScene, PartRows, ShadePoint
 from rna_export.capture.rays.directions import directions_in, light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
-from rna_render.paths.camera import Camera
-from rna_render.scene.scene_model import CameraModel
+from rna_render import Camera
+from rna_render.scene import CameraModel
 from rna_sdk.errors import CaptureError
 from rna_sdk.package.manifest.manifest_fields import Region
 

@@ -28,7 +28,7 @@ from rna_work.executors import place
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_folder import Dataset
-    from rna_render.scene.scene_file import SceneFile
+    from rna_render.scene import SceneFile
 
 _GO_ON = "run the same command again to resume"
 SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", *ALEMBIC_AND_USD, *GROOMS, ".py")
@@ -193,7 +193,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_export.capture.blender_process.blender_worker import Source
     from rna_export.capture.capture_run import CaptureCrew, begin, finish
     from rna_export.capture.time_plan import TimeLimit
-    from rna_render.scene.scene_file import read_scene
+    from rna_render.scene import read_scene
 
     keep_freed_memory()
     asked = asked_settings(args)

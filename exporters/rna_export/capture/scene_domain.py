@@ -8,19 +8,22 @@ import numpy as np
 
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.cones import EVERYWHERE, Cap, cap_towards, merged
-from rna_render.scene.animation import frame_scene
-from rna_render.scene.light_models import (
+from rna_render.scene import (
+    AssetModel,
     DirectionalModel,
     DiskModel,
     EnvironmentModel,
+    GroundModel,
     LightModel,
+    MaterialModel,
+    ObjectModel,
     RectangleModel,
+    Scene,
+    SceneFile,
     SphereModel,
+    frame_scene,
+    world_from_object,
 )
-from rna_render.scene.material_models import MaterialModel
-from rna_render.scene.scene_file import SceneFile
-from rna_render.scene.scene_model import AssetModel, GroundModel, ObjectModel, Scene
-from rna_render.scene.transforms import world_from_object
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Domain
 from rna_sdk.runtime import Transform

@@ -12,8 +12,7 @@ import numpy as np
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.views import FOV_Y, Frame, Shot, shots_of
 from rna_export.metrics import NoiselessPsnr, exposure_of, flip, psnr, psnr_without_noise
-from rna_render.paths.render import make_integrator, place_asset, render
-from rna_render.world.world import World
+from rna_render import World, make_integrator, place_asset, render
 from rna_sdk.runtime import Asset
 
 

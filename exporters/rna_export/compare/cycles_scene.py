@@ -17,10 +17,8 @@ from typing import Any
 
 import numpy as np
 
-from rna_render.materials import MeshObject, ground, read_mesh_object
-from rna_render.scene.material_models import DiffuseModel, MaterialModel
-from rna_render.scene.scene_model import Scene
-from rna_render.scene.transforms import world_from_object
+from rna_render import MeshObject, ground, read_mesh_object
+from rna_render.scene import DiffuseModel, MaterialModel, Scene, world_from_object
 from rna_sdk.errors import SceneError
 
 

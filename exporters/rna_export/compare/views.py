@@ -10,9 +10,8 @@ import numpy as np
 
 from rna_export.capture.orientation import rotation
 from rna_export.compare.cameras import ORBITS
-from rna_render.paths.camera import Camera
-from rna_render.scene.light_models import DirectionalModel
-from rna_render.scene.scene_model import AssetModel, CameraModel, Scene
+from rna_render import Camera
+from rna_render.scene import AssetModel, CameraModel, DirectionalModel, Scene
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.runtime import Asset, FiberAsset
 

@@ -8,11 +8,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from rna_render.image.srgb import encode_srgb
-from rna_render.paths.render import make_integrator, place_asset, render
-from rna_render.scene.light_models import DirectionalModel, EnvironmentModel
-from rna_render.scene.scene_model import AssetModel, CameraModel, Scene
-from rna_render.world.world import World
+from rna_render import World, encode_srgb, make_integrator, place_asset, render
+from rna_render.scene import AssetModel, CameraModel, DirectionalModel, EnvironmentModel, Scene
 from rna_sdk.runtime import FiberAsset, load
 
 _SIDE = 256  # pixels

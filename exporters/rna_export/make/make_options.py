@@ -10,7 +10,7 @@ from rna_export.capture.blender_process.blender_worker import Source
 from rna_export.capture.capture_run import CaptureCrew
 from rna_export.fit.goal import Goal
 from rna_export.make.training_picture import TrainingPicture
-from rna_render.scene.scene_file import SceneFile
+from rna_render.scene import SceneFile
 
 
 @dataclass(frozen=True)

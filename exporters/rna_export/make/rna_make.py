@@ -169,7 +169,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.make.training_picture import TrainingPicture
     from rna_export.memory import keep_freed_memory
     from rna_export.training.device import chosen_device
-    from rna_render.scene.scene_file import read_scene
+    from rna_render.scene import read_scene
 
     keep_freed_memory()
     work = args.work or args.out.with_suffix(".make")

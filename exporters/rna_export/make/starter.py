@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rna_render.scene.default_scene import default_scene
+from rna_render.scene import default_scene
 
 SCENE_NAME = "scene.yaml"
 

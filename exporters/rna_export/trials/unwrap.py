@@ -12,7 +12,7 @@ from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.trials.trial import Trial
 from rna_sdk.errors import TrainingError
 from rna_sdk.package import Mesh
-from rna_trace.embree import TriangleScene
+from rna_trace import TriangleScene
 
 _STEP = 1e-3  # of the asset's size, away from the point towards its viewer
 

@@ -17,13 +17,10 @@ from rna_gpu.errors import DeviceLostError
 from rna_gpu.loading import load
 from rna_gpu.scene.scene_tables import asset_at, scene_tables
 from rna_gpu.scene.wavefront import Wavefront
-from rna_render.image.film import Layers
-from rna_render.paths.indirect_clamp import indirect_clamp
-from rna_render.paths.render import all_lights
-from rna_render.paths.sampling import Sampler
-from rna_render.scene.scene_file import SceneFile
+from rna_render import Layers, Sampler, World
+from rna_render.paths.integrator_factory import all_lights, indirect_clamp
+from rna_render.scene import SceneFile
 from rna_render.world.domain_watch import WatchedAsset
-from rna_render.world.world import World
 
 LOSSES = 3
 """So many lost devices of a scene are replaced; the band under way is rendered again."""

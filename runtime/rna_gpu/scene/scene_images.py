@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.errors import GpuError
-from rna_render.materials.textures import IDENTITY, SRGB, Texture
-from rna_trace.bilinear import REPEAT
+from rna_render.materials import IDENTITY, SRGB, Texture
+from rna_trace import REPEAT
 
 NONE = np.uint32(0xFFFFFFFF)
 _SIDE = (1 << 16) - 1

@@ -11,12 +11,17 @@ from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry
 from rna_gpu.scene.scene_images import NONE, Images
-from rna_render.lights import AssetLight, EnvironmentImageLight, Light, LightSelection
-from rna_render.lights.base import LightRow
-from rna_render.lights.kinds import ROW_NUMBERS, TRIANGLES
-from rna_render.materials import MeshObject
+from rna_render import MeshObject, World
+from rna_render.lights import (
+    ROW_NUMBERS,
+    TRIANGLES,
+    AssetLight,
+    EnvironmentImageLight,
+    Light,
+    LightRow,
+    LightSelection,
+)
 from rna_render.paths.path_numbers import LIGHTS_AT_A_VERTEX
-from rna_render.world.world import World
 
 LIGHT_WORDS = 8  # vec4f: LIGHT_SIZE
 _SEEN, _DELTA = 1, 2

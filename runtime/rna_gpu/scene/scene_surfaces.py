@@ -10,11 +10,9 @@ from numpy.typing import NDArray
 
 from rna_gpu.geometry import Shape, Strands, Triangles
 from rna_gpu.scene.scene_images import NONE, Images
-from rna_render.materials import MeshObject
-from rna_render.materials.material import Material
-from rna_render.materials.transmission import main_texture, transmitted_by
-from rna_trace.normal_maps import texture_numbers
-from rna_trace.transmittance import TransmittanceTexture
+from rna_render import MeshObject
+from rna_render.materials import Material, main_texture, transmitted_by
+from rna_trace import TransmittanceTexture, texture_numbers
 
 SURFACE_SIZE = 9  # vec4f
 _OF_MATERIAL, _OF_NEURAL, _OF_FIBERS = range(3)

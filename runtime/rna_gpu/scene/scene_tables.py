@@ -15,13 +15,11 @@ from rna_gpu.scene.scene_domains import domain_rows
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_gpu.scene.scene_lights import light_rows
 from rna_gpu.scene.scene_surfaces import Surfaces
-from rna_render.lights import Light
-from rna_render.lights.base import PlacedLight
-from rna_render.materials import MeshObject
-from rna_render.materials.ggx_albedo import ALBEDO_MEANS, ALBEDO_TABLE
-from rna_render.world.world import World
+from rna_render import MeshObject, World
+from rna_render.lights import Light, PlacedLight
+from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 from rna_sdk.runtime import Asset
-from rna_trace.surface import OFFSET
+from rna_trace import OFFSET
 
 
 @dataclass

@@ -13,12 +13,12 @@ from rna_gpu.asset import GpuPart
 from rna_gpu.records import scene as records
 from rna_gpu.records.part import NONE
 from rna_gpu.scene.scene_tables import SceneTables
+from rna_render import Camera
 from rna_render.lights import AssetLight, InfiniteLight, Light
-from rna_render.materials.ggx import TABLE_SIZE
-from rna_render.paths.camera import Camera
+from rna_render.materials import TABLE_SIZE
 from rna_render.paths.path_numbers import LIGHTS_AT_A_VERTEX
-from rna_render.scene.scene_model import Scene
-from rna_trace.embree.instances import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
+from rna_render.scene import Scene
+from rna_trace import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
 
 
 @dataclass(frozen=True)

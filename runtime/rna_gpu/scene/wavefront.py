@@ -19,9 +19,9 @@ from rna_gpu.records.scene import FRAME, PATH, PENDING
 from rna_gpu.scene.bindings import STRIDE, Bindings, upload_geometry
 from rna_gpu.scene.scene_tables import SceneTables
 from rna_gpu.scene.steps import Step, Steps
-from rna_render.image.film import Layers
+from rna_render import Layers
 from rna_render.lights import Light
-from rna_render.scene.scene_model import Scene
+from rna_render.scene import Scene
 
 _MOST_PATHS = 1 << 17
 _OWN_SUMS = 5  # vec4f a path, then two for each group of lights

@@ -15,12 +15,12 @@ from typing import Self
 from rna_render.command.devices import open_renderer
 from rna_render.command.terminal import render_with_bar, tell_tiers
 from rna_render.image.output import Output
+from rna_render.paths.world_in_time import load_world
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
 from rna_render.world.scene_light import warn_of_darkness
 from rna_render.world.world import World
-from rna_render.world.world_loading import load_world
 from rna_sdk.errors import SceneError
 from rna_sdk.kernel_threads import limit_kernel_threads
 from rna_work.sources import Carried

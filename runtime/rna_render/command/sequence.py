@@ -12,10 +12,10 @@ from functools import partial
 from rna_render.command.devices import CPU
 from rna_render.command.frame_worker import Frame, FrameFiles, FrameJob, FrameWorker
 from rna_render.image.output import Output
+from rna_render.paths.world_in_time import QualityWarning
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.scene_sources import carried_scene, contents_key, files_of
-from rna_render.world.world_loading import QualityWarning
 from rna_sdk.console import INTERRUPTED
 from rna_sdk.errors import SceneError
 from rna_work.executors import Place

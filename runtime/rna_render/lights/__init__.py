@@ -11,18 +11,33 @@ from rna_sdk.lazy_face import lazy_face
 
 if TYPE_CHECKING:
     from rna_render.lights.asset import AssetEmission, AssetLight
-    from rna_render.lights.base import InfiniteLight, Light, LightSamples, PlacedLight, ShapeLight
+    from rna_render.lights.base import (
+        InfiniteLight,
+        Light,
+        LightRow,
+        LightSamples,
+        PlacedLight,
+        ShapeLight,
+    )
+    from rna_render.lights.directions import LUMINANCE
     from rna_render.lights.environment import EnvironmentImageLight
+    from rna_render.lights.equirectangular import EquirectangularImage
+    from rna_render.lights.kinds import ROW_NUMBERS, TRIANGLES
     from rna_render.lights.make import make_light
     from rna_render.lights.mesh import MeshLight
     from rna_render.lights.selection import LightSelection
 
 __all__ = [
+    "LUMINANCE",
+    "ROW_NUMBERS",
+    "TRIANGLES",
     "AssetEmission",
     "AssetLight",
     "EnvironmentImageLight",
+    "EquirectangularImage",
     "InfiniteLight",
     "Light",
+    "LightRow",
     "LightSamples",
     "LightSelection",
     "MeshLight",

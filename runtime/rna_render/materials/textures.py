@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import prange
 
-from rna_render.image.srgb import decode_srgb
+from rna_render.image.view_transform import decode_srgb
 from rna_render.scene.limits import MAX_IMAGE_PIXELS
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError

@@ -21,7 +21,6 @@ import numpy as np
 
 from rna_render.image.film import Layers
 from rna_render.lights import InfiniteLight, Light
-from rna_render.paths.camera import Camera
 from rna_render.paths.light_sampling import LightChoice, LightSampling
 from rna_render.paths.path_numbers import CHOICES, DIRECTION, PIXEL_DIMENSION, ROULETTE, PathNumbers
 from rna_render.paths.sampling import Sampler
@@ -34,6 +33,7 @@ from rna_render.paths.weighing import (
     weigh_samples,
     worth_tracing,
 )
+from rna_render.world.camera import Camera
 from rna_render.world.world import Vertices, World
 from rna_trace.embree.instances import CAMERA_RAY, INDIRECT_RAY
 from rna_trace.embree.tracing import ClosestHits

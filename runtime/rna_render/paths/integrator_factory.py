@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Literal
+
+import numpy as np
 
 from rna_render.lights import Light, make_light
-from rna_render.paths.camera import Camera
-from rna_render.paths.indirect_clamp import indirect_clamp
 from rna_render.paths.integrator import BRANCHES, Integrator
 from rna_render.scene.light_models import AreaModel
 from rna_render.scene.scene_model import Scene
+from rna_render.world.camera import Camera
 from rna_render.world.world import World
+
+# Radiance of a path, in units of what a white ball as large as the scene would send on average.
+AUTO = 10.0
 
 
 def make_integrator(
@@ -38,3 +43,23 @@ def all_lights(scene: Scene, world: World, resolve: Callable[[Path], Path] = Pat
     """Lights of the world, then those without a shape; errors as of `make_integrator`."""
     without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
     return [*world.lights, *(make_light(model, resolve) for model in without_shape)]
+
+
+def indirect_clamp(
+    asked: float | Literal["auto"] | None, lights: Sequence[Light], scene_radius: float
+) -> float | None:
+    """The most radiance that a path may bring by way of more than one thing; None for any.
+
+    Light that reaches a dull surface by way of an asset's highlight is found by chance alone:
+    rarely, and then much of it at once, as specks.
+
+    asked: by the scene file; "auto" for AUTO times the mean radiance of a white ball as large as
+    the scene, which follows from the lights' power.
+    """
+    if asked != "auto":
+        return asked
+    power = sum(light.power(scene_radius) for light in lights)
+    ball = 4.0 * np.pi**2 * scene_radius**2
+    if not (ball > 0.0 and power > 0.0 and np.isfinite(power / ball)):
+        return None
+    return AUTO * power / ball

@@ -1,8 +1,4 @@
-"""Renders scenes: `load_world` a scene file, `make_integrator` for an image of it, and `render`.
-
-This module has the loop over samples; the other names come from where they are defined, so that a
-program which renders imports one module.
-"""
+"""The loop over an image's samples."""
 
 from __future__ import annotations
 
@@ -11,23 +7,9 @@ from contextlib import closing
 
 from rna_render.image.film import Film, Layers
 from rna_render.paths.bands import BandRenderer, rendered_bands
-from rna_render.paths.integrator_factory import all_lights, make_integrator
 from rna_render.paths.sampling import Sampler
 from rna_render.paths.time_limit import in_time
 from rna_render.scene.scene_model import Scene
-from rna_render.world.placements import emission_of, mesh_light, place_asset
-from rna_render.world.world_loading import QualityWarning, load_world
-
-__all__ = [
-    "QualityWarning",
-    "all_lights",
-    "emission_of",
-    "load_world",
-    "make_integrator",
-    "mesh_light",
-    "place_asset",
-    "render",
-]
 
 
 def render(

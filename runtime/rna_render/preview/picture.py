@@ -10,8 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from rna_render.image.film import Film
-from rna_render.image.srgb import decode_srgb, encode_srgb
-from rna_render.image.view_transform import to_display
+from rna_render.image.view_transform import decode_srgb, encode_srgb, to_display
 
 # Seen where the scene has no background: a little lighter than the page.
 BACKDROP_SRGB = 0x2A / 255

@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from rna_render.image.denoise import Denoiser
-from rna_render.paths.render import load_world
+from rna_render.paths.world_in_time import load_world
 from rna_render.preview.lighting import lighting_choices
 from rna_render.preview.server import PreviewServer
 from rna_render.preview.session import Session

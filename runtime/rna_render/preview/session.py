@@ -19,7 +19,7 @@ import numpy as np
 from rna_render.image.film import Film, Layers
 from rna_render.paths.bands import SMALL_BAND, rendered_bands
 from rna_render.paths.integrator import Integrator
-from rna_render.paths.render import make_integrator
+from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.sampling import Sampler
 from rna_render.preview.change import Change
 from rna_render.preview.lighting import SCENE_LIGHTS, Lighting, lit

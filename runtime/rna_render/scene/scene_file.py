@@ -9,10 +9,10 @@ from typing import Any
 import yaml
 from pydantic import ValidationError
 
-from rna_render.scene.default_scene import default_scene
 from rna_render.scene.limits import MAX_SCENE_BYTES
 from rna_render.scene.scene_messages import Key, mistakes
 from rna_render.scene.scene_model import Scene
+from rna_render.scene.scene_of_package import default_scene
 from rna_sdk.errors import SceneError
 from rna_sdk.file_kinds import kind_of, not_a
 from rna_sdk.regular_file import check_regular

@@ -13,10 +13,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rna_render.paths.camera import Camera
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
+from rna_render.world.camera import Camera
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package
 from rna_sdk.runtime import choose_tier, expected_error

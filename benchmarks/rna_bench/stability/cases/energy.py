@@ -9,7 +9,6 @@ from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.blender_process.capture_worker import scene_of
-from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import is_lit
 from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
 from rna_export.capture.rays.directions import sphere
@@ -20,22 +19,8 @@ MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above
 _POINTS, _DIRECTIONS = 1000, 1024
 
 
-def capture_white(workshop: Workshop) -> DatasetPart:
-    """The suite's asset that takes no light away."""
-    return workshop.capture(
-        "white",
-        "white.py",
-        lights=workshop.some(600),
-        rays=4096,
-        samples=8,
-        validation_views=4,
-        validation_resolution=96,
-        validation_samples=workshop.some(256),
-    )
-
-
 def measure(workshop: Workshop) -> list[Row]:
-    white = capture_white(workshop)
+    white = workshop.capture_white()
     scene, count = scene_of(white.dataset), workshop.some(_POINTS)
     preset = workshop.preset("surface", resolution=128)
     asked = {"white": (of_model(workshop.train("small", white, preset).model), scene)}

@@ -6,7 +6,6 @@ import numpy as np
 from matplotlib.figure import FigureBase
 
 from rna_bench.stability.case import Case, Row, Verdict, values
-from rna_bench.stability.cases.energy import capture_white
 from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.training.optimization.noise import with_fitting_loss
@@ -20,7 +19,7 @@ _RAYS_OF_ONE_PATH = 16384  # a light: what all captures spend; 0.13 M samples of
 
 
 def measure(workshop: Workshop) -> list[Row]:
-    views = capture_white(workshop).validation_views()
+    views = workshop.capture_white().validation_views()
     rows = []
     for paths in PATHS:
         dataset = workshop.capture(

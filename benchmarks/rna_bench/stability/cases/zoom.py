@@ -16,9 +16,8 @@ from rna_bench.stability.workshop import Workshop
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.views import shots_of
 from rna_export.metrics import flip, psnr_without_noise, to_png
-from rna_render.paths.camera import Camera
-from rna_render.scene.light_models import DirectionalModel
-from rna_render.scene.scene_model import AssetModel, CameraModel, Scene
+from rna_render import Camera
+from rna_render.scene import AssetModel, CameraModel, DirectionalModel, Scene
 from rna_sdk.runtime import Asset
 
 FLIP = 0.1  # the mark

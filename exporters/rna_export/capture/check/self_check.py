@@ -24,8 +24,8 @@ from rna_export.capture.check.disagreement_picture import disagreement_picture
 from rna_export.capture.rays.asset_scene import AssetScene
 from rna_export.capture.rays.traced_rays import HIT, TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, outside_rays
-from rna_render.paths.camera import Camera
-from rna_render.scene.scene_model import CameraModel
+from rna_render import Camera
+from rna_render.scene import CameraModel
 from rna_sdk.package.manifest.manifest_fields import Region
 
 PICTURE = "disagreement.png"

@@ -18,7 +18,7 @@ from rna_sdk.errors import CaptureError
 from rna_sdk.package import Mesh
 from rna_sdk.package.geometry.quantised_mesh import QuantisedMesh
 from rna_sdk.package.limits import MAX_PARTS
-from rna_trace.parts_scene import PartsScene
+from rna_trace import PartsScene
 
 _MARGIN = 0.02  # of a piece's longest side: 5 texels of 256, on either side of a seam
 _STEP = 1e-3  # of the asset's size, from a point towards its viewer

@@ -12,9 +12,7 @@ from rna_export.capture.rays.fiber_shape import FiberShape
 from rna_export.capture.rays.surface_shape import SurfaceShape
 from rna_sdk.package import Curves, Mesh, NormalMap
 from rna_sdk.package.textures.transmittance import Transmittance
-from rna_trace.asset_parts import mesh_transmittance
-from rna_trace.normal_maps import NormalMaps
-from rna_trace.parts_scene import PartHits, PartPoints, PartsScene
+from rna_trace import NormalMaps, PartHits, PartPoints, PartsScene, mesh_transmittance
 
 _MOST_LAYERS = 64  # that a ray passes
 _CLEAR = 0.95  # transmittance from which a surface shows too little of itself to be learnt

@@ -7,8 +7,7 @@ import numpy as np
 from rna_export.capture.rays.directions import around
 from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
-from rna_trace.fiber import FiberPoints, tangents
-from rna_trace.parts_scene import PartPoints
+from rna_trace import FiberPoints, PartPoints, tangents
 
 
 class FiberShape:

@@ -8,8 +8,7 @@ import trimesh
 from rna_export.capture.capture_settings import SHARPEST
 from rna_export.capture.rays.directions import around, reflect
 from rna_sdk.package import Mesh
-from rna_trace.parts_scene import PartPoints
-from rna_trace.surface import SurfacePoints, geometric_normals
+from rna_trace import PartPoints, SurfacePoints, geometric_normals
 
 _WIDEST = 0.8  # alpha of GGX
 

@@ -1,0 +1,77 @@
+"""The world of a scene file, with the tiers that the scene's `quality` asks for."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Iterable, Sequence
+
+from rna_render.paths.bands import BandRenderer
+from rna_render.paths.integrator import Integrator
+from rna_render.paths.integrator_factory import make_integrator
+from rna_render.paths.time_limit import ENOUGH_SAMPLES, seconds_a_sample
+from rna_render.scene.scene_file import SceneFile
+from rna_render.scene.scene_model import Scene
+from rna_render.world.scene_sources import check_files
+from rna_render.world.tier_choice import Choice, TierChoice, Tiers
+from rna_render.world.world import World
+from rna_render.world.world_loading import placed_world
+
+
+class QualityWarning(UserWarning):
+    """A scene asks for more accuracy than its packages have."""
+
+
+def load_world(
+    scene_file: SceneFile,
+    views: Sequence[Scene] = (),
+    open_renderer: Callable[[SceneFile, World], BandRenderer] | None = None,
+) -> World:
+    """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
+
+    Each package is loaded once a tier and proxy, and each object file once a material. Tiers and
+    proxies are those that `quality` asks for.
+
+    views: the images to come, where their cameras differ from the scene's. open_renderer: of what
+    `quality.seconds` is measured with; None for the CPU. Raises SceneError where the file names
+    something that is not there or cannot be used, PackageError for a broken package. Warns with
+    QualityWarning where no tier is accurate enough.
+    """
+    quality = scene_file.scene.quality
+    check_files(scene_file)
+    if quality is None:
+        return placed_world(
+            scene_file, tuple(Choice(asset.tier) for asset in scene_file.scene.assets)
+        )
+    choice = TierChoice(scene_file, views or (scene_file.scene,))
+    if quality.max_error is not None:
+        for line in choice.unmet(quality.max_error):
+            warnings.warn(line, QualityWarning, stacklevel=2)
+    max_error = quality.max_error or 0.0
+    if quality.seconds is None:
+        return placed_world(scene_file, choice.within(max_error))
+    make = open_renderer or _integrator_of
+    return _world_in_time(scene_file, choice.coarser(max_error), quality.seconds, make)
+
+
+def _integrator_of(scene_file: SceneFile, world: World) -> Integrator:
+    return make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
+
+
+def _world_in_time(
+    scene_file: SceneFile,
+    choices: Iterable[Tiers],
+    seconds: float,
+    make: Callable[[SceneFile, World], BandRenderer],
+) -> World:
+    """The world with the first of the choices that leaves time for enough samples, or the last."""
+    scene = scene_file.scene
+    enough = min(ENOUGH_SAMPLES, scene.samples)
+    for tiers in choices:
+        world = placed_world(scene_file, tiers)
+        if (
+            enough * seconds_a_sample(make(scene_file, world), math.prod(scene.resolution))
+            <= seconds
+        ):
+            break
+    return world
