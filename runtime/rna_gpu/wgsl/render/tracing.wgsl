@@ -1,18 +1,6 @@
-// Rays of the three sorts through the whole scene, lights with a shape among it.
-
-// The hit, or a nearer one of a light with a shape.
-fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit {
-    var hit = met;
-    for (var light = 0u; light < frame.light_count; light++) {
-        let hidden = frame.rays == 1u && (light_flags(light) & 1u) == 0u;
-        let t = meet_light(light, RnaRay(ray.origin, ray.near, ray.direction, hit.t));
-        if !hidden && t < RNA_FAR && (hit.instance == RNA_NOTHING || t < hit.t) {
-            hit = rna_miss(t);
-            hit.instance = IS_LIGHT | light;
-        }
-    }
-    return hit;
-}
+// Rays of the three sorts through the whole scene. light_shapes.wgsl adds lights with a shape, or a host says
+//     fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit
+// where there are none.
 
 struct Through {
     hit: RnaHit,

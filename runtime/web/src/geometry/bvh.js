@@ -1,40 +1,146 @@
-// One hierarchy of boxes over the triangles and round segments of all parts, by three-mesh-bvh.
-import { BufferGeometry } from "three";
-import { GeometryBVH, SAH, CENTER } from "three-mesh-bvh";
+// A bounding volume hierarchy with binned surface-area heuristics, as rna_gpu/bvh.py builds it.
+// Wald, On fast Construction of SAH-based Bounding Volume Hierarchies (2007).
 
-const SAH_LIMIT = 100_000;  // primitives; beyond that the quality is not worth the time
-export const STACK = 48;
+const BINS = 16;
+const LEAF = 4;          // primitives
+const HALVED_FROM = 24;  // levels; from here on sets are halved, which ends below the stack of shaders
 
-/** three-mesh-bvh over boxes of our own: six numbers, min and max, a primitive. */
-class BoxHierarchy extends GeometryBVH {
-  constructor(boxes) {
-    const geometry = new BufferGeometry();
-    geometry.setIndex({ count: boxes.length / 6, array: null });
-    BoxHierarchy.boxes = boxes;  // the constructor builds before this object has members
-    const count = boxes.length / 6;
-    super(geometry, {
-      indirect: true, strategy: count > SAH_LIMIT ? CENTER : SAH, maxDepth: STACK - 2, targetLeafSize: 4,
-      setBoundingBox: false, verbose: false, range: { start: 0, count },
-    });
-    BoxHierarchy.boxes = null;
+/**
+ * { nodes, order }: nodes of 8 words, as rna_gpu/wgsl/geometry.wgsl has them: min, right child or first primitive; max,
+ * number of primitives or 0. The left child is next. order: numbers of the primitives in the order of the leaves.
+ * boxes: six numbers a primitive, min and max. at: place of the root among all nodes.
+ */
+export function buildHierarchy(boxes, at = 0) {
+  const count = boxes.length / 6, order = Uint32Array.from({ length: count }, (_, k) => k);
+  const centres = new Float32Array(3 * count);
+  for (let k = 0; k < count; k++) {
+    for (let axis = 0; axis < 3; axis++) centres[3 * k + axis] = 0.5 * (boxes[6 * k + axis] + boxes[6 * k + 3 + axis]);
   }
-
-  get primitiveStride() {
-    return 1;
+  const floats = new Float32Array(16 * count), words = new Uint32Array(floats.buffer), own = { boxes, centres, order };
+  const stack = [[0, count, 0, -1]];  // first, end, level, parent of a right child
+  let used = 0;
+  while (stack.length) {
+    const [first, end, level, parent] = stack.pop(), node = 8 * used;
+    used += 1;
+    if (parent >= 0) words[parent + 3] = at + node / 8;
+    boundsOf(own, first, end);
+    for (let k = 0; k < 3; k++) {
+      floats[node + k] = box[k];
+      floats[node + 4 + k] = box[3 + k];
+    }
+    if (end - first <= LEAF) {
+      words[node + 3] = first;
+      words[node + 7] = end - first;
+      continue;
+    }
+    let middle = level < HALVED_FROM ? split(own, first, end) : first;
+    if (!(first < middle && middle < end)) middle = halve(own, first, end);
+    stack.push([middle, end, level + 1, node], [first, middle, level + 1, -1]);
   }
+  return { nodes: words.slice(0, 8 * used), order };
+}
 
-  writePrimitiveBounds(k, target, at) {
-    const boxes = BoxHierarchy.boxes, from = 6 * this._indirectBuffer[k];
-    for (let j = 0; j < 6; j++) target[at + j] = boxes[from + j];
-    return target;
+/** Makes the box at `to` of `target` hold the one at `from` of `boxes` too. */
+function grow(target, to, boxes, from) {
+  for (let k = 0; k < 3; k++) {
+    target[to + k] = Math.min(target[to + k], boxes[from + k]);
+    target[to + 3 + k] = Math.max(target[to + 3 + k], boxes[from + 3 + k]);
   }
 }
 
-/**
- * { nodes, order }: nodes of 8 words, as three-mesh-bvh has them (box, child or first primitive, axis or
- * count; the left child is next), and the numbers of the primitives in the order of the leaves.
- */
-export function buildHierarchy(boxes) {
-  const hierarchy = new BoxHierarchy(boxes);
-  return { nodes: new Uint32Array(hierarchy._roots[0]), order: Uint32Array.from(hierarchy._indirectBuffer) };
+function clear(boxes) {
+  for (let at = 0; at < boxes.length; at += 6) {
+    for (let k = 0; k < 3; k++) {
+      boxes[at + k] = Infinity;
+      boxes[at + 3 + k] = -Infinity;
+    }
+  }
+  return boxes;
+}
+
+// Made once, since new arrays for each set would take most of the time.
+const box = new Float32Array(6), bins = new Float32Array(6 * BINS), counts = new Uint32Array(BINS);
+const left = new Float64Array(BINS), right = new Float64Array(BINS);
+
+function boundsOf({ boxes, order }, first, end) {
+  clear(box);
+  for (let k = first; k < end; k++) grow(box, 0, boxes, 6 * order[k]);
+}
+
+/** [low, high] of the centres along an axis. */
+function spanOf({ centres, order }, first, end, axis) {
+  let low = Infinity, high = -Infinity;
+  for (let k = first; k < end; k++) {
+    const value = centres[3 * order[k] + axis];
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+  }
+  return [low, high];
+}
+
+const binOf = (value, low, high) => Math.min(Math.floor(((value - low) / (high - low)) * BINS), BINS - 1);
+
+/** The cheapest cut between bins along an axis: its cost and the first bin behind it. */
+function bestCut({ boxes, centres, order }, first, end, axis, low, high) {
+  clear(bins);
+  counts.fill(0);
+  for (let k = first; k < end; k++) {
+    const bin = binOf(centres[3 * order[k] + axis], low, high);
+    counts[bin] += 1;
+    grow(bins, 6 * bin, boxes, 6 * order[k]);
+  }
+  sideCosts(right, BINS - 1, -1);
+  sideCosts(left, 0, 1);
+  let cost = Infinity, cut = 0;
+  for (let bin = 1; bin < BINS; bin++) {
+    if (left[bin - 1] + right[bin] < cost) {
+      cost = left[bin - 1] + right[bin];
+      cut = bin;
+    }
+  }
+  return { cost, cut, axis, low, high };
+}
+
+/** Half the area of the box of the bins from `from` up to each, times their primitives. */
+function sideCosts(costs, from, step) {
+  clear(box);
+  for (let bin = from, count = 0; bin >= 0 && bin < BINS; bin += step) {
+    grow(box, 0, bins, 6 * bin);
+    count += counts[bin];
+    const x = box[3] - box[0], y = box[4] - box[1], z = box[5] - box[2];
+    costs[bin] = count ? (x * y + y * z + z * x) * count : Infinity;
+  }
+}
+
+/** Sorts the set by the best cut of all axes; the first of the right half, `first` for none. */
+function split(own, first, end) {
+  let best = { cost: Infinity };
+  for (let axis = 0; axis < 3; axis++) {
+    const [low, high] = spanOf(own, first, end, axis);
+    const found = high > low ? bestCut(own, first, end, axis, low, high) : best;
+    if (found.cost < best.cost) best = found;
+  }
+  if (best.cost === Infinity) return first;
+  const { centres, order } = own, { axis, cut, low, high } = best;
+  let middle = first, last = end - 1;
+  while (middle <= last) {
+    const number = order[middle];
+    if (binOf(centres[3 * number + axis], low, high) < cut) middle++;
+    else {
+      order[middle] = order[last];
+      order[last--] = number;
+    }
+  }
+  return middle;
+}
+
+/** Halves the set at the median of its widest axis. */
+function halve(own, first, end) {
+  const { centres, order } = own, widths = [0, 1, 2].map((axis) => {
+    const [low, high] = spanOf(own, first, end, axis);
+    return high - low;
+  });
+  const axis = widths.indexOf(Math.max(...widths));
+  order.subarray(first, end).sort((a, b) => centres[3 * a + axis] - centres[3 * b + axis]);
+  return Math.floor((first + end) / 2);
 }

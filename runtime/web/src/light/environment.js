@@ -3,42 +3,44 @@
 const LARGEST = [1024, 512];
 
 /**
- * { values, marginal, width, height, up }: radiance with the distribution along the row as fourth number; the
- * distribution over rows, and behind it 1 / the sum of all texels' weights and the least weight; the irradiance on a
- * plane that faces +y. A texel's weight is its luminance times the sine of its row's angle from +y.
- * rgb: rows from +y down, the middle towards -z.
+ * { floats, places, total, width, height, up }: what rna_gpu/wgsl/render/environment.wgsl reads of an image: texels,
+ * heights of rows of cells, running sums of the rows and of each row's cells, one behind the other from `places` on; the
+ * sum of all; the irradiance on a plane that faces +y. rgb: rows from +y down, the middle towards -z.
  */
-export function environmentTables({ rgb, width, height }) {
-  const image = reduced({ rgb, width, height });
-  ({ rgb, width, height } = image);
-  const values = new Float32Array(4 * width * height), marginal = new Float32Array(height + 2), up = [0, 0, 0];
+export function environmentTables(image) {
+  const { rgb, width, height } = reduced(image);
+  const places = [0, rgb.length, rgb.length + height + 1, rgb.length + 2 * height + 3];
+  const floats = new Float32Array(places[3] + (height + 1) * (width + 1));
+  floats.set(rgb);
+  const edge = (row) => Math.cos(Math.PI * Math.min(1, Math.max(0, (row - 0.5) / height)));
   let total = 0;
-  const least = 1e-4 * mean(rgb) + 1e-20;  // black texels may have bright colours beside them
-  for (let row = 0; row < height; row++) {
-    const theta = (Math.PI * (row + 0.5)) / height, solid = (2 * Math.PI ** 2 * Math.sin(theta)) / (width * height);
+  for (let row = 0; row <= height; row++) {
+    const size = edge(row) - edge(row + 1), upper = width * Math.max(row - 1, 0), lower = width * Math.min(row, height - 1);
+    floats[places[1] + row] = size;
     let sum = 0;
     for (let column = 0; column < width; column++) {
-      const at = row * width + column;
-      for (let c = 0; c < 3; c++) {
-        values[4 * at + c] = rgb[3 * at + c];
-        up[c] += rgb[3 * at + c] * solid * Math.max(0, Math.cos(theta));
-      }
-      sum += Math.max(least, 0.2126 * rgb[3 * at] + 0.7152 * rgb[3 * at + 1] + 0.0722 * rgb[3 * at + 2]);
-      values[4 * at + 3] = sum;
+      const right = (column + 1) % width;
+      const cell = [upper + column, upper + right, lower + column, lower + right].reduce((all, at) => all + luminance(rgb, at), 0);
+      sum += (cell / 4) * size;
+      floats[places[3] + row * (width + 1) + column + 1] = sum;
     }
-    for (let column = 0; column < width; column++) values[4 * (row * width + column) + 3] /= sum;
-    total += sum * Math.sin(theta);
-    marginal[row] = total;
+    total += sum;
+    floats[places[2] + row + 1] = total;
   }
-  for (let row = 0; row < height; row++) marginal[row] /= total;
-  marginal.set([1 / total, least], height);
-  return { values, marginal, width, height, up };
+  return { floats, places, total, width, height, up: irradiance(rgb, width, height) };
 }
 
-function mean(rgb) {
-  let sum = 0;
-  for (let k = 0; k < rgb.length; k++) sum += rgb[k];
-  return sum / rgb.length;
+const luminance = (rgb, at) => 0.2126 * rgb[3 * at] + 0.7152 * rgb[3 * at + 1] + 0.0722 * rgb[3 * at + 2];
+
+/** On a plane that faces +y. */
+function irradiance(rgb, width, height) {
+  const up = [0, 0, 0];
+  for (let row = 0; row < height; row++) {
+    const theta = (Math.PI * (row + 0.5)) / height;
+    const factor = ((2 * Math.PI ** 2 * Math.sin(theta)) / (width * height)) * Math.max(0, Math.cos(theta));
+    for (let k = 0; k < 3 * width; k++) up[k % 3] += rgb[3 * width * row + k] * factor;
+  }
+  return up;
 }
 
 /** The image in a size that a shader searches quickly: means of blocks. */

@@ -1,9 +1,9 @@
 // Environments in OpenEXR files: pixels by three, the choice of part and window as in
 // runtime/rna_render/lights/files/environment_exr.py. docs/scene.md has the table.
-import { FloatType } from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
 import { NotSupported } from "../package/errors.js";
 import { checkImageSize, MAX_IMAGE_VALUES } from "./image_limits.js";
+import { FloatType } from "./parts_of_three.js";
 
 // OpenEXR file layout: flags of the version field, numbers of compressions and of pixel types.
 const FLAG_TILES = 0x200, FLAG_DEEP = 0x800, FLAG_PARTS = 0x1000;

@@ -1,37 +1,40 @@
 // Where the camera is: on a sphere about the point that it looks at. Angles in radians.
-import { Vector3 } from "three";
 
 const STEEPEST = (89 * Math.PI) / 180;
 
+/** a + factor * b */
+const plus = (a, b, factor = 1) => a.map((value, k) => value + factor * b[k]);
+const times = (a, factor) => a.map((value) => value * factor);
+const unit = (a) => times(a, 1 / Math.hypot(...a));
+const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+
 export class Orbit {
   constructor() {
-    Object.assign(this, { target: new Vector3(), azimuth: 0.6, elevation: 0.35, distance: 1, fov: 30 });
+    Object.assign(this, { target: [0, 0, 0], azimuth: 0.6, elevation: 0.35, distance: 1, fov: 30 });
   }
 
   /** The whole box in sight. */
   frame({ min, max }, aspect) {
-    const low = new Vector3(...min), high = new Vector3(...max);
-    this.target.addVectors(low, high).multiplyScalar(0.5);
-    const radius = low.distanceTo(high) / 2 || 1, half = (this.fov * Math.PI) / 360;
+    this.target = times(plus(min, max), 0.5);
+    const radius = Math.hypot(...plus(max, min, -1)) / 2 || 1, half = (this.fov * Math.PI) / 360;
     const narrow = Math.min(half, Math.atan(Math.tan(half) * aspect));
     this.distance = (0.92 * radius) / Math.sin(narrow);
     this.size = radius;
   }
 
   lookFrom(position, lookAt, fov) {
-    const offset = new Vector3(...position).sub(new Vector3(...lookAt));
-    this.target.set(...lookAt);
-    this.distance = offset.length();
-    this.azimuth = Math.atan2(offset.x, offset.z);
-    this.elevation = Math.asin(offset.y / this.distance);
+    const offset = plus(position, lookAt, -1);
+    this.target = lookAt;
+    this.distance = Math.hypot(...offset);
+    this.azimuth = Math.atan2(offset[0], offset[2]);
+    this.elevation = Math.asin(offset[1] / this.distance);
     if (fov) this.fov = fov;
   }
 
   get position() {
     const level = Math.cos(this.elevation);
-    return new Vector3(
-      level * Math.sin(this.azimuth), Math.sin(this.elevation), level * Math.cos(this.azimuth),
-    ).multiplyScalar(this.distance).add(this.target);
+    const away = [level * Math.sin(this.azimuth), Math.sin(this.elevation), level * Math.cos(this.azimuth)];
+    return plus(this.target, away, this.distance);
   }
 
   turn(azimuth, elevation) {
@@ -45,27 +48,22 @@ export class Orbit {
 
   /** Along the image, in heights of the image. */
   pan(right, up) {
-    const { forward, side, above } = this._axes();
-    const height = 2 * this.distance * Math.tan((this.fov * Math.PI) / 360);
-    this.target.addScaledVector(side, right * height).addScaledVector(above, up * height);
-    return forward;
+    const { side, above } = this._axes(), height = 2 * this.distance * Math.tan((this.fov * Math.PI) / 360);
+    this.target = plus(plus(this.target, side, right * height), above, up * height);
   }
 
   /** What shaders make rays of, for an image of this size. */
   camera(width, height) {
     const { forward, side, above } = this._axes(), half = Math.tan((this.fov * Math.PI) / 360);
     const wide = (half * width) / height;
-    const corner = forward.clone().addScaledVector(side, -wide).addScaledVector(above, half);
     return {
-      position: this.position.toArray(), corner: corner.toArray(),
-      stepX: side.clone().multiplyScalar((2 * wide) / width).toArray(),
-      stepY: above.clone().multiplyScalar((-2 * half) / height).toArray(),
+      position: this.position, corner: plus(plus(forward, side, -wide), above, half),
+      stepX: times(side, (2 * wide) / width), stepY: times(above, (-2 * half) / height),
     };
   }
 
   _axes() {
-    const forward = this.target.clone().sub(this.position).normalize();
-    const side = forward.clone().cross(new Vector3(0, 1, 0)).normalize();
-    return { forward, side, above: side.clone().cross(forward) };
+    const forward = unit(plus(this.target, this.position, -1)), side = unit(cross(forward, [0, 1, 0]));
+    return { forward, side, above: cross(side, forward) };
   }
 }

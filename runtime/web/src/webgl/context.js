@@ -65,18 +65,17 @@ export class Program {
 
 const WIDTH = 2048;
 
-/** A table of RGBA texels, `perTexel` numbers each; Type decides the format. */
-export function table(gl, values, perTexel, width = WIDTH) {
-  const formats = {
-    4: [[gl.RGBA32F, gl.RGBA, gl.FLOAT], [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT]],
-    1: [null, [gl.R8UI, gl.RED_INTEGER, gl.UNSIGNED_BYTE]],
-  };
-  const [inner, format, type] = formats[perTexel][values instanceof Float32Array ? 0 : 1];
-  const count = Math.max(1, Math.ceil(values.length / perTexel)), height = Math.ceil(count / width);
+/** A table of RGBA texels: floats, words or bytes. */
+export function table(gl, values, width = WIDTH) {
+  const formats = new Map([
+    [Float32Array, [gl.RGBA32F, gl.RGBA, gl.FLOAT]], [Uint32Array, [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT]],
+    [Uint8Array, [gl.RGBA8UI, gl.RGBA_INTEGER, gl.UNSIGNED_BYTE]],
+  ]);
+  const height = Math.ceil(Math.max(1, values.length / 4) / width);
   checkSide(gl, height);
-  const padded = new values.constructor(width * height * perTexel);
+  const padded = new values.constructor(4 * width * height);
   padded.set(values);
-  return texture2d(gl, width, height, inner, format, type, padded);
+  return texture2d(gl, width, height, ...formats.get(values.constructor), padded);
 }
 
 function checkSide(gl, side) {

@@ -1,6 +1,7 @@
 // The asset in WebGL2: passes over float images, one for hits, and for each light one for rays, one a part for its
 // decoder, one for the sum.
-import { finished, openContext, pass, Program, table, Target, texture2d } from "./context.js";
+import { SURFACE_ROWS } from "../geometry/surface_table.js";
+import { finished, openContext, pass, Program, table, Target } from "./context.js";
 import { PartProgram, uploadPlanes } from "./part_program.js";
 import { sources } from "./sources.js";
 
@@ -29,15 +30,11 @@ export class WebGLEngine {
     const { gl } = this;
     this._deleteAsset();
     this.asset = {
-      nodes: table(gl, arrays.nodes, 4), primitives: table(gl, arrays.primitives, 4),
-      places: table(gl, arrays.places, 4), normals: table(gl, arrays.normals, 4),
-      records: table(gl, arrays.records, 4), texels: table(gl, arrays.texels, 1),
+      nodes: table(gl, arrays.nodes), primitives: table(gl, arrays.primitives),
+      points: table(gl, arrays.points), normals: table(gl, arrays.normals),
+      surfaces: table(gl, arrays.table), texels: table(gl, new Uint8Array(arrays.images.buffer)),
     };
-    this.where = arrays.where;
-    this.geometry = {
-      recordCount: ["1i", arrays.recordCount], partCount: ["1i", parts.length],
-      partFirst: ["1iv", arrays.parts.map(({ first }) => first)], epsilon: ["1f", arrays.epsilon],
-    };
+    this.geometry = { texturesAt: ["1i", SURFACE_ROWS * arrays.surfaceCount], epsilon: ["1f", arrays.extent * 2 ** -18] };
     this.parts = parts.map((part, k) => {
       const planes = uploadPlanes(gl, part.planes);
       const transport = new PartProgram(gl, k, part, part.transport, part.inputs, planes);
@@ -54,11 +51,10 @@ export class WebGLEngine {
     return this.parts.some(({ emission }) => emission);
   }
 
-  setEnvironment({ values, marginal, width, height }) {
-    const { gl } = this;
-    for (const image of [this.environment, this.marginal]) if (image) gl.deleteTexture(image.texture);
-    this.environment = texture2d(gl, width, height, gl.RGBA32F, gl.RGBA, gl.FLOAT, values);
-    this.marginal = texture2d(gl, marginal.length, 1, gl.R32F, gl.RED, gl.FLOAT, marginal);
+  setEnvironment({ floats, places, total, width, height }) {
+    if (this.sky) this.gl.deleteTexture(this.sky.texture);
+    this.sky = table(this.gl, floats);
+    this.skyNumbers = { skyPlaces: ["4i", ...places], skySize: ["2i", width, height], skyTotal: ["1f", total] };
   }
 
   /** A picture of this size, empty. */
@@ -98,9 +94,8 @@ export class WebGLEngine {
   _light(light, given = null) {
     const [rows0, rows1, rows2, rows3] = this.rows.images;
     this._pass("light", this.lit, {
-      ...this.asset, rows0, rows1, rows2, rows3, given: given ?? rows0,
-      environment: this.environment ?? rows0, marginal: this.marginal ?? rows0,
-    }, { ...this.geometry, ...this.frame, ...lightUniforms(light) });
+      ...this.asset, rows0, rows1, rows2, rows3, given: given ?? rows0, sky: this.sky ?? rows0,
+    }, { ...this.geometry, ...this.frame, ...this.skyNumbers, ...lightUniforms(light) });
   }
 
   emission() {

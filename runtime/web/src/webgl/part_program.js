@@ -79,7 +79,7 @@ function packedMatrix({ matrix, outputs }) {
 export class PartProgram {
   constructor(gl, number, part, decoder, inputs, planes) {
     const packed = packDecoder(decoder);
-    this.weights = table(gl, packed.values, 4, 1024);
+    this.weights = table(gl, packed.values, 1024);
     this.planes = planes;
     const defines = { COLUMNS: decoder.columns, LAYERS: decoder.layers.length, GROUPS: packed.widest, BLOCKS: BLOCKS.length };
     BLOCKS.forEach(({ name }, k) => { defines[`BLOCK_${name.toUpperCase()}`] = k; });

@@ -1,4 +1,5 @@
 // Queries that do not come from a picture: those of the conformance kit, and of the benchmark.
+import { PIXEL_WORDS, VISIBILITY } from "./engine.js";
 import { dispatch, read } from "./gpu_device.js";
 
 const CAMERA = { position: [0, 0, 0], corner: [0, 0, 0], stepX: [0, 0, 0], stepY: [0, 0, 0] };
@@ -22,40 +23,33 @@ export async function evaluate(engine, part, output, rows, wantsAnswers = true) 
   return result;
 }
 
-/** Hits as they stand between the kernels: { place, b1, b2, x, wi, part }. */
-function writeHits(engine, hits) {
-  const floats = new Float32Array(16 * hits.length), words = new Uint32Array(floats.buffer);
+/** Runs a kernel of rays over hits { place, b1, b2, x, wi, part }; three numbers of each pixel, from `at` on. */
+async function answersAt(engine, hits, kernel, at) {
+  const { device, band } = engine, floats = new Float32Array(PIXEL_WORDS * hits.length), words = new Uint32Array(floats.buffer);
   hits.forEach(({ place, b1, b2, x, wi, part }, k) => {
-    floats.set([...x, b1], 16 * k);
-    words[16 * k + 7] = part + 1;
-    words[16 * k + 11] = place;
-    floats.set([...wi, b2], 16 * k + 12);
+    const own = PIXEL_WORDS * k;
+    floats.set(x, own);
+    words[own + 7] = part + 1;
+    words[own + 11] = place;
+    floats.set(wi, own + 12);
+    floats[own + 19] = b1;
+    floats[own + 23] = b2;
   });
   engine.resize(hits.length, 1);
-  engine.span = { from: 0, rows: 1, pixels: hits.length };
-  engine.device.queue.writeBuffer(engine.band.rows, 0, floats);
-  engine._writeView(CAMERA, 0);
+  engine.span = { first: 0, pixels: hits.length, jitter: 0 };
+  device.queue.writeBuffer(band, 0, floats);
+  engine._writeFrame(CAMERA, 0);
+  engine._writeView({ kind: "given", colour: [1, 1, 1] });
+  engine._run((pass) => dispatch(pass, kernel, engine.groups.rays, hits.length));
+  const answers = new Float32Array(await read(device, band, floats.byteLength));
+  return Float32Array.from({ length: 3 * hits.length }, (_, k) => answers[PIXEL_WORDS * Math.floor(k / 3) + at + (k % 3)]);
 }
 
 /** (n, 3) visibilities. */
-export async function visibility(engine, hits) {
-  writeHits(engine, hits);
-  engine._writeLight({ kind: "given", colour: [1, 1, 1] }, true, false);
-  engine._run((pass) => dispatch(pass, engine.kernels.light, engine.groups.light, hits.length));
-  const lit = new Float32Array(await read(engine.device, engine.band.lit, 32 * hits.length));
-  return Float32Array.from({ length: 3 * hits.length }, (_, k) => lit[8 * Math.floor(k / 3) + (k % 3)]);
-}
+export const visibility = (engine, hits) => answersAt(engine, hits, engine.kernels.light, VISIBILITY);
 
 /** (n, 3) mapped normals. */
 export async function mappedNormals(engine, hits) {
-  writeHits(engine, hits);
-  const { device, view, geometry: [, primitives, points, textures], band } = engine;
-  const pipeline = await engine.pipelines.get(engine.raySources.hit, "find_normals");
-  const group = (k, entries) => device.createBindGroup({
-    layout: pipeline.getBindGroupLayout(k), entries: entries.map(([binding, buffer]) => ({ binding, resource: { buffer } })),
-  });
-  const groups = [group(0, [[0, view], [2, primitives], [3, points], [4, textures]]), group(1, [[0, band.rows]])];
-  engine._run((pass) => dispatch(pass, pipeline, groups, hits.length));
-  const rows = new Float32Array(await read(engine.device, engine.band.rows, 64 * hits.length));
-  return Float32Array.from({ length: 3 * hits.length }, (_, k) => rows[16 * Math.floor(k / 3) + 4 + (k % 3)]);
+  const kernel = await engine.pipelines.get(engine.raySources.hit, "find_normals", engine.rayLayout);
+  return answersAt(engine, hits, kernel, 4);
 }

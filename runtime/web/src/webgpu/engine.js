@@ -1,12 +1,17 @@
 // The asset in WebGPU: kernels over a band of the picture, one for hits, and for each light one for rays; the
 // decoder of rna_gpu over the queries of each part; the sum in a buffer.
-import { bind, buffer, compiled, dispatch, openDevice, read } from "./gpu_device.js";
+import { SURFACE_ROWS } from "../geometry/surface_table.js";
+import { bind, bindGroup, buffer, compiled, dispatch, groupLayout, openDevice, read } from "./gpu_device.js";
 import { planeWords } from "./pack_decoder.js";
 import { PartEvaluator, Pipelines } from "./part_evaluator.js";
+import { constants, packed } from "./records.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
+export const PIXEL_WORDS = 28, VISIBILITY = 24;  // of shaders/band.wgsl
 const KINDS = { sun: 0, environment: 1, given: 2, aroundPoint: 3 };
+const LIGHT_ROWS = 8, IMAGE = 7;  // rna_gpu/wgsl/render/lights.wgsl
+const CAMERA_RAYS = 1;
 
 export class WebGPUEngine {
   static label = "WebGPU";
@@ -30,67 +35,56 @@ export class WebGPUEngine {
 
   async _compile(format) {
     const { device } = this, show = await compiled(device, sources.show);
-    const [gather, scatter, shown] = await Promise.all([
-      ...await this._queuePipelines(),
+    const [uniform, storage, readOnly] = ["uniform", "storage", "read-only-storage"];
+    const band = groupLayout(device, { 0: storage, 1: uniform });
+    // Eight storage buffers, which every device has.
+    this.rayLayout = [
+      groupLayout(device, { 0: uniform, 4: readOnly, 5: readOnly }), band,
+      groupLayout(device, { 0: readOnly, 1: readOnly, 2: readOnly, 3: readOnly, 4: readOnly }),
+    ];
+    this.queueLayout = [groupLayout(device, { 0: uniform, 2: storage }), band, groupLayout(device, { 0: storage, 1: storage, 2: storage })];
+    const [begin, gather, scatter, shown] = await Promise.all([
+      ...["begin", "gather", "scatter"].map((name) => this.pipelines.get(sources.queue, name, this.queueLayout)),
       device.createRenderPipelineAsync({
         layout: "auto", vertex: { module: show, entryPoint: "corner" },
         fragment: { module: show, entryPoint: "colour", targets: [{ format }] },
       }),
     ]);
-    Object.assign(this, { queueKernels: { gather, scatter }, shown });
+    Object.assign(this, { queueKernels: { begin, gather, scatter }, shown });
     this._makeBand();
-  }
-
-  /** Both kernels share one layout, and so one group of bindings. */
-  async _queuePipelines() {
-    const { device } = this, module = await compiled(device, sources.queue), visibility = GPUShaderStage.COMPUTE;
-    const entries = Array.from({ length: 8 }, (_, binding) =>
-      ({ binding, visibility, buffer: { type: binding ? "storage" : "uniform" } }));
-    this.queueLayout = device.createBindGroupLayout({ entries });
-    const layout = device.createPipelineLayout({ bindGroupLayouts: [this.queueLayout] });
-    return ["gather", "scatter"].map((entryPoint) =>
-      device.createComputePipelineAsync({ layout, compute: { module, entryPoint } }));
   }
 
   _makeBand() {
     const { device } = this, { UNIFORM } = GPUBufferUsage;
-    this.view = buffer(device, 176, UNIFORM);
-    this.lightRecord = buffer(device, 96, UNIFORM);
-    this.queueRecord = buffer(device, 32, UNIFORM);
+    this.frameRecord = buffer(device, 144, UNIFORM);
+    this.viewRecord = buffer(device, 80, UNIFORM);
     this.showRecord = buffer(device, 48, UNIFORM);
-    this.band = {
-      rows: buffer(device, 64 * BAND_PIXELS), through: buffer(device, 16 * BAND_PIXELS), lit: buffer(device, 32 * BAND_PIXELS),
-    };
+    this.band = buffer(device, 4 * PIXEL_WORDS * BAND_PIXELS);
     this.queue = {
       rows: buffer(device, 64 * BAND_PIXELS), answers: buffer(device, 32 * BAND_PIXELS), count: buffer(device, 4 * (BAND_PIXELS + 4)),
     };
-    if (!this.images) this.setEnvironment({ values: new Float32Array(4), marginal: new Float32Array(1), width: 1, height: 1 });
+    this._bind();
   }
 
   /** Shows these parts; what was there before is let go. */
   async setAsset(arrays, parts) {
-    const { device } = this;
+    const { device, pipelines } = this;
     this._deleteAsset();
-    const vertices = new Float32Array(arrays.places.length + arrays.normals.length);
-    vertices.set(arrays.places);
-    vertices.set(arrays.normals, arrays.places.length);
-    const textures = new Uint32Array(arrays.records.length + Math.ceil(arrays.texels.length / 4));
-    textures.set(arrays.records);
-    new Uint8Array(textures.buffer).set(arrays.texels, 4 * arrays.records.length);
+    const store = (content, what) => buffer(device, content, undefined, `the asset's ${what}`);
     this.geometry = [
-      buffer(device, arrays.nodes, undefined, "the asset's hierarchy"), buffer(device, arrays.primitives, undefined, "the asset's geometry"),
-      buffer(device, vertices, undefined, "the asset's geometry"), buffer(device, textures, undefined, "the asset's textures"),
+      store(arrays.nodes, "hierarchy"), store(arrays.primitives, "geometry"), store(arrays.points, "geometry"),
+      store(instanceRecord(arrays.extent), "geometry"), store(arrays.normals, "geometry"),
     ];
-    this.where = arrays.where;
-    this.sceneWords = [
-      arrays.places.length / 4, arrays.recordCount, arrays.records.length, parts.length,
-    ];
-    this.epsilon = arrays.epsilon;
-    this.firsts = arrays.parts.map(({ first }) => first);
-    this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.recordCount > 0 });
+    this.lightsAt = arrays.table.length / 4;
+    this.table = buffer(device, 4 * arrays.table.length + 16 * LIGHT_ROWS);
+    device.queue.writeBuffer(this.table, 0, arrays.table);
+    this.arrays = arrays;
+    this._storeImages();
+    await this.compiled;
+    this.raySources = rayKernels({ hasSegments: arrays.strands > 0, hasTextures: arrays.hasTextures });
     const { hit, light } = this.raySources;
-    const [traced, lit, , ...made] = await Promise.all([
-      this.pipelines.get(hit, "trace_pixels"), this.pipelines.get(light, "light_pixels"), this.compiled,
+    const [traced, lit, ...made] = await Promise.all([
+      pipelines.get(hit, "trace_pixels", this.rayLayout), pipelines.get(light, "light_pixels", this.rayLayout),
       ...parts.map((part) => this._makePart(part)),
     ]);
     this.parts = made;
@@ -110,16 +104,20 @@ export class WebGPUEngine {
     return this.parts.some(({ emission }) => emission);
   }
 
-  setEnvironment({ values, marginal, width, height }) {
-    const { device } = this;
-    const image = (w, h, format, data, bytes) => {
-      const texture = device.createTexture({ size: [w, h], format, usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST });
-      device.queue.writeTexture({ texture }, data, { bytesPerRow: bytes * w, rowsPerImage: h }, [w, h]);
-      return texture;
-    };
-    this.images?.forEach((texture) => texture.destroy());
-    this.images = [image(width, height, "rgba32float", values, 16), image(marginal.length, 1, "r32float", marginal, 4)];
+  setEnvironment(environment) {
+    this.environment = environment;
+    this._storeImages();
     this._bind();
+  }
+
+  /** Texels of the asset's textures, and the environment behind them. */
+  _storeImages() {
+    if (!this.geometry) return;
+    const { images } = this.arrays, floats = this.environment?.floats ?? new Float32Array(0);
+    this.images?.destroy();
+    this.images = buffer(this.device, 4 * (images.length + floats.length), undefined, "the environment");
+    this.device.queue.writeBuffer(this.images, 0, images);
+    this.device.queue.writeBuffer(this.images, 4 * images.length, floats);
   }
 
   /** A picture of this size, empty. */
@@ -136,41 +134,40 @@ export class WebGPUEngine {
   }
 
   _bind() {
-    if (!this.geometry || !this.sums || !this.images || !this.kernels) return;
-    const { device, kernels, band, queue } = this, { rows, through, lit } = band;
-    const scene = [this.view, ...this.geometry];
-    // Pipelines of automatic layouts bind what their entry point uses alone.
-    const group = (pipeline, k, resources) => device.createBindGroup({
-      layout: pipeline.getBindGroupLayout(k),
-      entries: resources.map(([binding, resource]) => ({ binding, resource: resource instanceof GPUBuffer ? { buffer: resource } : resource })),
-    });
-    const all = scene.map((resource, binding) => [binding, resource]);
+    if (!this.geometry || !this.sums || !this.band || !this.kernels) return;
+    const { device, rayLayout, queueLayout, queue } = this;
+    const band = bindGroup(device, rayLayout[1], { 0: this.band, 1: this.viewRecord });
     this.groups = {
-      hit: [group(kernels.hit, 0, all), group(kernels.hit, 1, [[0, rows], [1, through]])],
-      light: [
-        group(kernels.light, 0, all), group(kernels.light, 1, [[0, rows], [1, through], [2, lit], [3, this.sums]]),
-        group(kernels.light, 2, [[0, this.lightRecord], [1, this.images[0].createView()], [2, this.images[1].createView()]]),
+      rays: [
+        bindGroup(device, rayLayout[0], { 0: this.frameRecord, 4: this.table, 5: this.images }), band,
+        bindGroup(device, rayLayout[2], this.geometry),
       ],
-      queue: [device.createBindGroup({
-        layout: this.queueLayout,
-        entries: [this.queueRecord, rows, through, lit, this.sums, queue.rows, queue.answers, queue.count]
-          .map((own, binding) => ({ binding, resource: { buffer: own } })),
-      })],
+      queue: [
+        bindGroup(device, queueLayout[0], { 0: this.frameRecord, 2: this.sums }), band,
+        bindGroup(device, queueLayout[2], [queue.rows, queue.answers, queue.count]),
+      ],
       show: bind(device, this.shown, 0, [this.showRecord, this.sums]),
     };
   }
 
   /** The first hits of rows `from` to `to`, the band that what follows is about. */
   trace(camera, sample, from, to) {
-    this.span = { from, rows: to - from, pixels: (to - from) * this.target.width };
-    this._writeView(camera, sample);
-    this._run((pass) => dispatch(pass, this.kernels.hit, this.groups.hit, this.span.pixels));
+    const { width } = this.target;
+    this.span = { first: from * width, pixels: (to - from) * width, jitter: camera.jitter ?? 1 };
+    this._writeFrame(camera, sample);
+    this._writeView({});
+    this._run((pass) => dispatch(pass, this.kernels.hit, this.groups.rays, this.span.pixels));
   }
 
   /** What one light brings to the band. */
   light(light, { isFirst, countsCoverage }) {
-    this._writeLight(light, isFirst, countsCoverage);
-    this._run((pass) => dispatch(pass, this.kernels.light, this.groups.light, this.span.pixels));
+    this._writeLight(light);
+    this.view = { ...light, isFirst, countsCoverage };
+    this._writeView(this.view);
+    this._run((pass) => {
+      dispatch(pass, this.kernels.light, this.groups.rays, this.span.pixels);
+      dispatch(pass, this.kernels.begin, this.groups.queue, this.span.pixels);
+    });
     this._decode("transport");
   }
 
@@ -206,17 +203,15 @@ export class WebGPUEngine {
   }
 
   _decode(output) {
-    const { device, span, target } = this;
     for (const [k, part] of this.parts.entries()) {
       const own = part[output];
       if (!own) continue;
-      const words = Uint32Array.of(target.width, span.from, span.rows, k + 1, Number(output === "emission"), 0, 0, 0);
-      device.queue.writeBuffer(this.queueRecord, 0, words);
-      device.queue.writeBuffer(this.queue.count, 0, Uint32Array.of(0));
+      this._writeView({ ...this.view, part: k + 1, isEmission: output === "emission" });
+      this.device.queue.writeBuffer(this.queue.count, 0, Uint32Array.of(0));
       this._run((pass) => {
-        dispatch(pass, this.kernels.gather, this.groups.queue, span.pixels);
-        own.run(pass, this.queue, span.pixels);
-        dispatch(pass, this.kernels.scatter, this.groups.queue, span.pixels);
+        dispatch(pass, this.kernels.gather, this.groups.queue, this.span.pixels);
+        own.run(pass, this.queue, this.span.pixels);
+        dispatch(pass, this.kernels.scatter, this.groups.queue, this.span.pixels);
       });
     }
   }
@@ -228,41 +223,48 @@ export class WebGPUEngine {
     this.device.queue.submit([encoder.finish()]);
   }
 
-  _writeView({ position, corner, stepX, stepY, jitter = 1 }, sample) {
-    const bytes = new ArrayBuffer(176), floats = new Float32Array(bytes), words = new Uint32Array(bytes);
-    floats.set([...position, this.epsilon], 0);
-    floats.set(corner, 4);
-    words[7] = this.target.width;
-    floats.set(stepX, 8);
-    words[11] = this.span.from;
-    floats.set(stepY, 12);
-    words[15] = this.span.rows;
-    const [normalsAt, recordCount, texelsAt, partCount] = this.sceneWords;
-    words.set([sample, normalsAt, recordCount, texelsAt, partCount], 16);
-    floats[21] = jitter;
-    words.set(this.firsts, 24);
-    this.device.queue.writeBuffer(this.view, 0, bytes);
+  /** rna_gpu's Frame: render/frame.wgsl. */
+  _writeFrame({ position, corner, stepX, stepY }, sample) {
+    const { lightsAt, arrays, span, target } = this;
+    this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
+      camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, depth: 1, rays: CAMERA_RAYS,
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: SURFACE_ROWS * arrays.surfaceCount, lights: lightsAt,
+    }));
   }
 
-  _writeLight({ kind, direction = [0, 1, 0], colour, angle = 0, ground }, isFirst, countsCoverage) {
-    const bytes = new ArrayBuffer(96), floats = new Float32Array(bytes), words = new Uint32Array(bytes);
-    floats.set(direction, 0);
-    words[3] = KINDS[kind];
-    floats.set([...colour, ground?.height ?? 0, Math.cos(angle), Math.sin(angle), ground?.x ?? 0, ground?.z ?? 0], 4);
-    floats.set([...(ground?.colour ?? [0, 0, 0]), ground?.size ?? 0], 12);
-    words.set([Number(isFirst), Number(countsCoverage)], 16);
-    this.device.queue.writeBuffer(this.lightRecord, 0, bytes);
+  /** View of shaders/band.wgsl. */
+  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst, countsCoverage, part = 0, isEmission }) {
+    const floats = new Float32Array(20), words = new Uint32Array(floats.buffer), { first, jitter } = this.span;
+    floats.set([
+      0, jitter, 0, 0, ...direction, 0, ...colour, ground?.height ?? 0, ...(ground?.colour ?? [0, 0, 0]), ground?.size ?? 0,
+      ground?.x ?? 0, ground?.z ?? 0,
+    ]);
+    words[0] = first;
+    words.set([KINDS[kind], Number(isFirst ?? false)], 2);
+    words[7] = Number(countsCoverage ?? false);
+    words.set([part, Number(isEmission ?? false)], 18);
+    this.device.queue.writeBuffer(this.viewRecord, 0, floats);
+  }
+
+  /** The environment as light 0 of the table. */
+  _writeLight({ angle, colour }) {
+    if (angle === undefined) return;
+    const floats = new Float32Array(4 * LIGHT_ROWS), words = new Uint32Array(floats.buffer), { width, height, total, places } = this.environment;
+    words.set([IMAGE, constants.NONE]);
+    floats.set([...colour, Math.cos(angle), Math.sin(angle), total, 0, height, width], 4);
+    words.set(places.map((place) => place + this.arrays.images.length), 28);
+    this.device.queue.writeBuffer(this.table, 16 * this.lightsAt, floats);
   }
 
   _deleteAsset() {
-    this.geometry?.forEach((own) => own.destroy());
+    for (const own of [...(this.geometry ?? []), this.table, this.images]) own?.destroy();
     for (const { planes, transport, emission } of this.parts) {
       planes.forEach((own) => own.destroy());
       transport.delete();
       emission?.delete();
     }
     this.parts = [];
-    this.geometry = null;
+    this.geometry = this.images = null;
   }
 
   close() {
@@ -270,4 +272,14 @@ export class WebGPUEngine {
     this._deleteAsset();
     this.device.destroy();
   }
+}
+
+/** The only instance, where it stands in the world: rna_gpu/wgsl/geometry.wgsl. */
+function instanceRecord(extent) {
+  const floats = new Float32Array(32), words = new Uint32Array(floats.buffer);
+  for (const row of [0, 12]) for (let k = 0; k < 3; k++) floats[row + 5 * k] = 1;
+  floats[27] = 1;          // scale
+  words.set([1, CAMERA_RAYS], 28);  // root node, rays that meet it
+  floats[30] = extent;
+  return floats;
 }

@@ -42,10 +42,19 @@ export async function compiled(device, code) {
   return shader;
 }
 
-export function bind(device, pipeline, group, resources) {
-  const entries = resources.map((resource, binding) =>
-    ({ binding, resource: resource instanceof GPUBuffer ? { buffer: resource } : resource }));
-  return device.createBindGroup({ layout: pipeline.getBindGroupLayout(group), entries });
+/** Buffers bound from 0 on to a group of a pipeline with automatic layout. */
+export const bind = (device, pipeline, group, buffers) => bindGroup(device, pipeline.getBindGroupLayout(group), buffers);
+
+/** A layout of compute bindings by their numbers: the types of buffers. */
+export function groupLayout(device, types) {
+  const entries = Object.entries(types).map(([binding, type]) =>
+    ({ binding: Number(binding), visibility: GPUShaderStage.COMPUTE, buffer: { type } }));
+  return device.createBindGroupLayout({ entries });
+}
+
+export function bindGroup(device, layout, buffers) {
+  const entries = Object.entries(buffers).map(([binding, own]) => ({ binding: Number(binding), resource: { buffer: own } }));
+  return device.createBindGroup({ layout, entries });
 }
 
 /** One dispatch of `count` invocations in groups of 64. */

@@ -11,15 +11,17 @@ export class Pipelines {
     this.made = new Map();
   }
 
-  get(code, entryPoint) {
+  /** groups: layouts of the bindings; automatic by default. */
+  get(code, entryPoint, groups) {
     const key = `${entryPoint}\n${code}`;
-    if (!this.made.has(key)) this.made.set(key, this._make(code, entryPoint));
+    if (!this.made.has(key)) this.made.set(key, this._make(code, entryPoint, groups));
     return this.made.get(key);
   }
 
-  async _make(code, entryPoint) {
+  async _make(code, entryPoint, groups) {
     const module = await compiled(this.device, code);
-    return this.device.createComputePipelineAsync({ layout: "auto", compute: { module, entryPoint } });
+    const layout = groups ? this.device.createPipelineLayout({ bindGroupLayouts: groups }) : "auto";
+    return this.device.createComputePipelineAsync({ layout, compute: { module, entryPoint } });
   }
 }
 

@@ -1,53 +1,32 @@
-// The WGSL of the decoder and of what rays meet, which is rna_gpu's, file by file as it stands there; and that of
-// the viewer's kernels.
-import compositions from "../../../rna_gpu/wgsl/compositions.json";
-import argumentsFile from "../../../rna_gpu/wgsl/arguments.wgsl";
-import blocks from "../../../rna_gpu/wgsl/blocks.wgsl";
-import decoder from "../../../rna_gpu/wgsl/decoder.wgsl";
-import evaluate from "../../../rna_gpu/wgsl/evaluate.wgsl";
-import directions from "../../../rna_gpu/wgsl/render/directions.wgsl";
-import fiber from "../../../rna_gpu/wgsl/fiber.wgsl";
-import fiberBlocks from "../../../rna_gpu/wgsl/fiber_blocks.wgsl";
-import part from "../../../rna_gpu/wgsl/part.wgsl";
-import partRecords from "../../../rna_gpu/wgsl/part_records.wgsl";
-import planes from "../../../rna_gpu/wgsl/planes.wgsl";
-import segment from "../../../rna_gpu/wgsl/segment.wgsl";
-import surface from "../../../rna_gpu/wgsl/surface.wgsl";
-import surfaceBlocks from "../../../rna_gpu/wgsl/surface_blocks.wgsl";
-import triangle from "../../../rna_gpu/wgsl/triangle.wgsl";
-import visibility from "../../../rna_gpu/wgsl/visibility.wgsl";
-import weightsStorage from "../../../rna_gpu/wgsl/weights_storage.wgsl";
-import weightsUniform from "../../../rna_gpu/wgsl/weights_uniform.wgsl";
+// The WGSL of the viewer: rna_gpu's files as they stand there, put together as its compositions say, and the viewer's own
+// kernels.
+import { compositions, sharedFiles } from "rna_gpu/wgsl";  // by build.mjs
 import band from "./shaders/band.wgsl";
 import hit from "./shaders/hit.wgsl";
 import light from "./shaders/light.wgsl";
-import points from "./shaders/points.wgsl";
 import queue from "./shaders/queue.wgsl";
-import random from "./shaders/random.wgsl";
-import scene from "./shaders/scene.wgsl";
 import show from "./shaders/show.wgsl";
-import trace from "./shaders/trace.wgsl";
+import withoutSegments from "./shaders/without_segments.wgsl";
+import withoutTextures from "./shaders/without_textures.wgsl";
 
-export const sharedFiles = {
-  "arguments.wgsl": argumentsFile, "blocks.wgsl": blocks, "decoder.wgsl": decoder, "evaluate.wgsl": evaluate,
-  "fiber.wgsl": fiber, "fiber_blocks.wgsl": fiberBlocks, "part.wgsl": part, "part_records.wgsl": partRecords, "planes.wgsl": planes, "segment.wgsl": segment,
-  "surface.wgsl": surface, "surface_blocks.wgsl": surfaceBlocks, "triangle.wgsl": triangle, "visibility.wgsl": visibility, "weights_storage.wgsl": weightsStorage,
-  "weights_uniform.wgsl": weightsUniform, "render/directions.wgsl": directions,
-};
+export { sharedFiles };
+
+/** The files of a composition, or of parts of one; a file stands for itself. */
+const filesOf = (name) => (name in sharedFiles ? [name] : compositions[name].flatMap(filesOf));
+const joined = (names, files = sharedFiles) => [...new Set(names.flatMap(filesOf))].map((name) => files[name]).join("\n");
 
 /** A module as rna_gpu/shaders.py composes it: constants, then the files of the parts. */
 export function compose(constants, ...parts) {
-  const names = parts.flatMap((name) => (name.endsWith(".wgsl") ? [name] : compositions[name]));
   const lines = Object.entries(constants).map(([name, value]) => `const ${name}: u32 = ${value}u;\n`);
-  return lines.join("") + [...new Set(names)].map((name) => sharedFiles[name]).join("\n");
+  return lines.join("") + joined(parts);
 }
-
-const rays = [scene, triangle, segment, visibility, points, trace, random, band];
 
 /** The kernels of rays, for assets that have segments, or textures, or not. */
 export function rayKernels({ hasSegments, hasTextures }) {
-  const flags = `const HAS_SEGMENTS = ${hasSegments};\nconst HAS_TEXTURES = ${hasTextures};\n`;
-  return { hit: flags + [...rays, hit].join("\n"), light: flags + [...rays, directions, light].join("\n") };
+  const instead = { ...sharedFiles };
+  if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
+  if (!hasTextures) Object.assign(instead, { "normal_maps.wgsl": withoutTextures, "render/transmittance.wgsl": "" });
+  return { hit: joined(compositions.hit, instead) + band + hit, light: joined(compositions.light, instead) + band + light };
 }
 
-export const sources = { queue, show };
+export const sources = { queue: joined(compositions.queue) + band + queue, show };

@@ -29,7 +29,7 @@ void main() {
     Hit hit = nearest(origin, d);
     if (hit.t == FAR) break;
     uvec4 primitive = wordsAt(primitives, hit.place);
-    bool fiber = (hit.number & SEGMENT) != 0u;
+    bool fiber = isSegment(primitive);
     vec3 tau = fiber ? vec3(0.0) : transmittance(primitive, hit, d);
     float chance = max(tau.x, max(tau.y, tau.z));
     // Straight on, or stopped here: chosen at random (spec, 4.4).
@@ -40,7 +40,7 @@ void main() {
     }
     if (chance > 0.0) through *= (1.0 - tau) / (1.0 - chance);
     vec3 x = origin + hit.t * d;
-    float part = float(partOf(hit.number & ~SEGMENT) + 1);
+    float part = float(surfaceRow(primitive, 0).y + 1u);
     if (fiber) {
       vec3 t = tangentOf(primitive);
       row1 = vec4(t, offsetAcross(hit.n, t, -d));

@@ -17,7 +17,7 @@ Shear shearOf(vec3 d) {
 bool meetsTriangle(uvec4 primitive, vec3 origin, Shear shear, float far, inout Hit hit) {
   vec3 v[3];
   for (int k = 0; k < 3; k++) {
-    vec3 p = valuesAt(places, int(primitive[k])).xyz - origin;
+    vec3 p = valuesAt(points, int(primitive[k])).xyz - origin;
     vec3 q = vec3(p[shear.axes.x], p[shear.axes.y], p[shear.axes.z]);
     v[k] = vec3(q.xy - shear.s.xy * q.z, q.z);
   }
@@ -30,7 +30,6 @@ bool meetsTriangle(uvec4 primitive, vec3 origin, Shear shear, float far, inout H
   float t = (u0 * v[0].z + u1 * v[1].z + u2 * v[2].z) * shear.s.z / sum;
   if (!(t >= 0.0 && t < far)) return false;
   hit.t = t;
-  hit.number = primitive.w;
   hit.b1 = u1 / sum;
   hit.b2 = u2 / sum;
   return true;
@@ -42,7 +41,7 @@ struct Cone {
 };
 
 Cone coneAt(int point) {
-  vec4 a = valuesAt(places, point), b = valuesAt(places, point + 1);
+  vec4 a = valuesAt(points, point), b = valuesAt(points, point + 1);
   return Cone(a.xyz, b.xyz, a.w, b.w);
 }
 
@@ -118,7 +117,6 @@ bool meetsSegment(uvec4 primitive, vec3 origin, vec3 d, float far, inout Hit hit
   if (!(t >= 0.0 && t < far)) return false;
   if (insideNeighbour(point, primitive.y, origin + t * d)) return false;
   hit.t = t;
-  hit.number = primitive.w;
   hit.n = n;
   return true;
 }

@@ -9,8 +9,10 @@ uniform sampler2D given;        // directions, of the conformance kit
 uniform int lightKind;          // 0: sun; environment: 1 where it is bright, 3 about the point; 2: given directions
 uniform vec3 lightDirection;    // of a sun
 uniform vec3 lightColour;       // its irradiance, or a factor of the environment
-uniform sampler2D environment;  // radiance, row 0 at +y; w: the row's distribution along it
-uniform sampler2D marginal;     // distribution over rows; 1 / the sum of weights; the least weight
+uniform sampler2D sky;          // the environment's numbers: see light/environment.js
+uniform ivec4 skyPlaces;        // of texels, heights, sums of rows, sums of columns
+uniform ivec2 skySize;          // width, height
+uniform float skyTotal;
 uniform vec2 turn;              // cosine and sine of the environment's rotation
 uniform vec4 ground;            // height, 1 if there is one, middle x and z
 uniform vec3 groundColour;      // radiance of it in full light, over the light's irradiance
@@ -25,61 +27,74 @@ layout(location = 2) out vec4 lit2;  // radiance over density, times the through
 
 const float PI = 3.14159265358979;
 
-int searched(sampler2D table, int row, int count, float u, int channel) {
-  int low = 0, high = count - 1;
-  while (low < high) {
-    int middle = (low + high) / 2;
-    if (texelFetch(table, ivec2(middle, row), 0)[channel] > u) high = middle;
-    else low = middle + 1;
-  }
-  return low;
+float skyNumber(int at) {
+  return valuesAt(sky, at >> 2)[at & 3];
 }
 
-// A texel's weight among all: luminance times the sine of its row.
-float texelWeight(vec3 rgb, int row, ivec2 size) {
-  float least = texelFetch(marginal, ivec2(size.y + 1, 0), 0).x;
-  return max(least, dot(rgb, vec3(0.2126, 0.7152, 0.0722))) * sin(PI * (float(row) + 0.5) / float(size.y));
+// A cell between the middles of four texels, and how bright each is.
+struct Cell {
+  vec3 a, b, c, d;
+  vec4 luminance;
+};
+
+vec3 skyTexel(int row, int column) {
+  int at = skyPlaces.x + 3 * (clamp(row, 0, skySize.y - 1) * skySize.x + column % skySize.x);
+  return vec3(skyNumber(at), skyNumber(at + 1), skyNumber(at + 2));
 }
 
-// Radiance at a place in the image, bilinear, and the density there of brightDirection: the weights, bilinear.
-vec3 skyAt(vec2 st, float sine, out float density) {
-  ivec2 size = textureSize(environment, 0);
-  vec2 at = st * vec2(size) - 0.5, low = floor(at), f = at - low;
-  vec3 radiance = vec3(0.0);
-  float weight = 0.0;
-  for (int k = 0; k < 4; k++) {
-    ivec2 offset = ivec2(k & 1, k >> 1);
-    float share = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
-    int column = (int(low.x) + offset.x + size.x) % size.x, row = clamp(int(low.y) + offset.y, 0, size.y - 1);
-    vec3 rgb = texelFetch(environment, ivec2(column, row), 0).xyz;
-    radiance += share * rgb;
-    weight += share * texelWeight(rgb, row, size);
+Cell skyCell(int row, int column) {
+  vec3 a = skyTexel(row - 1, column), b = skyTexel(row - 1, column + 1);
+  vec3 c = skyTexel(row, column), d = skyTexel(row, column + 1), weights = vec3(0.2126, 0.7152, 0.0722);
+  return Cell(a, b, c, d, vec4(dot(a, weights), dot(b, weights), dot(c, weights), dot(d, weights)));
+}
+
+// Radiance in a cell, bilinear; and the density of brightDirection there, in proportion to its luminance.
+vec3 inCell(Cell cell, int row, vec2 f, float sine, out float density) {
+  vec3 radiance = mix(mix(cell.a, cell.b, f.x), mix(cell.c, cell.d, f.x), f.y);
+  density = dot(radiance, vec3(0.2126, 0.7152, 0.0722)) * float(skySize.x) / (2.0 * PI * max(skyTotal, 1e-30));
+  if (row > 0 && row < skySize.y) {
+    density *= skyNumber(skyPlaces.y + row) * float(skySize.y) / (PI * max(sine, 1e-30));
   }
-  float overTotal = texelFetch(marginal, ivec2(size.y, 0), 0).x;
-  density = weight * overTotal * float(size.x * size.y) / (2.0 * PI * PI * max(sine, 1e-6));
   return radiance;
 }
 
-// From the uniform distribution on [0, 1] to the tent about 0, on [-1, 1].
-vec2 tent(vec2 u) {
-  vec2 t = 2.0 * clamp(u, 0.0, 1.0) - 1.0;
-  return sign(t) * (1.0 - sqrt(1.0 - abs(t)));
+vec3 skyAt(vec3 d, out float density) {
+  float sine = length(d.xz), azimuth = sine > 0.0 ? atan(d.x, -d.z) : 0.0;
+  vec2 at = vec2(0.5 + azimuth / (2.0 * PI), atan(sine, d.y) / PI) * vec2(skySize) + vec2(-0.5, 0.5), low = floor(at);
+  int row = clamp(int(low.y), 0, skySize.y), column = (int(low.x) + skySize.x) % skySize.x;
+  return inCell(skyCell(row, column), row, at - vec2(low.x, row), sine, density);
 }
 
-// A direction: a texel in proportion to its weight, then a place about its middle by a tent
-// two texels wide. So the density is the weights' bilinear interpolation, and follows the radiance that is looked up.
+// The interval of `count` running sums from `first` on that a value is in; the place in it, from 0 to 1.
+int interval(int first, int count, float value, out float place) {
+  int low = 0, high = count;
+  while (high - low > 1) {
+    int middle = (low + high) / 2;
+    if (skyNumber(first + middle) <= value) low = middle;
+    else high = middle;
+  }
+  float before = skyNumber(first + low), size = skyNumber(first + low + 1) - before;
+  place = size > 0.0 ? clamp((value - before) / size, 0.0, 0.99999994) : 0.0;
+  return low;
+}
+
+// A place in [0, 1] with density in proportion to a line from a to b.
+float linearPlace(float a, float b, float u) {
+  float root = sqrt(max(mix(a * a, b * b, u), 0.0));
+  return a + root > 0.0 ? u * (a + b) / (a + root) : u;
+}
+
+// A row of cells, a cell of it, and a place in that, in proportion to the luminance; at the poles uniform in the cosine.
 vec3 brightDirection(vec2 u) {
-  ivec2 size = textureSize(environment, 0);
-  int row = searched(marginal, 0, size.y, u.y, 0);
-  float before = row > 0 ? texelFetch(marginal, ivec2(row - 1, 0), 0).x : 0.0;
-  float chance = texelFetch(marginal, ivec2(row, 0), 0).x - before;
-  int column = searched(environment, row, size.x, u.x, 3);
-  float left = column > 0 ? texelFetch(environment, ivec2(column - 1, row), 0).w : 0.0;
-  float width = texelFetch(environment, ivec2(column, row), 0).w - left;
-  vec2 within = (u - vec2(left, before)) / max(vec2(width, chance), 1e-12);
-  vec2 place = (vec2(column, row) + 0.5 + tent(within)) / vec2(size);
-  vec2 st = vec2(fract(place.x), 1.0 - abs(1.0 - abs(place.y)));  // back from beyond the poles
-  float theta = PI * st.y, phi = 2.0 * PI * (st.x - 0.5), sine = sin(theta);
+  vec2 at;
+  int rows = skySize.y, row = interval(skyPlaces.z, rows + 1, u.y * skyNumber(skyPlaces.z + rows + 1), at.y);
+  int sums = skyPlaces.w + row * (skySize.x + 1), column = interval(sums, skySize.x, u.x * skyNumber(sums + skySize.x), at.x);
+  vec4 l = skyCell(row, column).luminance;
+  float cap = 2.0 * asin(sqrt(0.5 * at.y * skyNumber(skyPlaces.y + row))) / PI * float(rows);
+  float y = row == 0 ? cap + 0.5 : row == rows ? 0.5 - cap : linearPlace(l.x + l.y, l.z + l.w, at.y);
+  float x = linearPlace(mix(l.x, l.z, y), mix(l.y, l.w, y), at.x);
+  float theta = PI * (float(row) - 0.5 + y) / float(rows), sine = sin(theta);
+  float phi = 2.0 * PI * ((float(column) + 0.5 + x) / float(skySize.x) - 0.5);
   vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
   return vec3(turn.x * d.x + turn.y * d.z, d.y, turn.x * d.z - turn.y * d.x);
 }
@@ -129,7 +144,7 @@ float densityAbout(Surroundings at, vec3 wi) {
 
 Surroundings surroundingsOf(vec4 row0, vec4 row1, vec4 row2) {
   if (row0.w == 0.0) return Surroundings(vec3(0.0, 1.0, 0.0), vec3(0.0));  // of the ground
-  if ((wordsAt(primitives, int(row2.w)).w & SEGMENT) != 0u) return Surroundings(vec3(0.0), vec3(0.0));
+  if (isSegment(wordsAt(primitives, int(row2.w)))) return Surroundings(vec3(0.0), vec3(0.0));
   vec3 n = row1.xyz, wo = row2.xyz;
   return Surroundings(dot(n, wo) < 0.0 ? -n : n, reflect(-wo, n));
 }
@@ -144,8 +159,7 @@ vec3 sampleLight(ivec2 pixel, Surroundings at, out vec3 wi) {
   wi = lightKind == 1 ? brightDirection(u) : directionAbout(at, u);
   vec3 d = vec3(turn.x * wi.x - turn.y * wi.z, wi.y, turn.x * wi.z + turn.y * wi.x);
   float density;
-  vec2 st = vec2(atan(d.x, -d.z) / (2.0 * PI) + 0.5, acos(clamp(d.y, -1.0, 1.0)) / PI);
-  vec3 radiance = skyAt(st, length(d.xz), density);
+  vec3 radiance = skyAt(d, density);
   return lightColour * radiance / (density + densityAbout(at, wi));
 }
 
@@ -162,8 +176,8 @@ const uint NO_STRAND = 0xffffffffu;
 Start startOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
   int place = int(row2.w);
   uvec4 primitive = wordsAt(primitives, place);
-  if ((primitive.w & SEGMENT) != 0u) return Start(row0.xyz, primitive.z, vec3(1.0), 1.0);
-  Hit hit = Hit(0.0, primitive.w, place, row1.w, b2, vec3(0.0));
+  if (isSegment(primitive)) return Start(row0.xyz, primitive.z, vec3(1.0), 1.0);
+  Hit hit = Hit(0.0, place, row1.w, b2, vec3(0.0));
   return Start(liftedOrigin(primitive, hit, wi), NO_STRAND, vec3(1.0), 1.0);
 }
 

@@ -8,7 +8,7 @@ struct Corners {
 Corners cornersOf(uvec4 primitive) {
   Corners corners;
   for (int k = 0; k < 3; k++) {
-    vec4 place = valuesAt(places, int(primitive[k])), normal = valuesAt(normals, int(primitive[k]));
+    vec4 place = valuesAt(points, int(primitive[k])), normal = valuesAt(normals, int(primitive[k]));
     corners.p[k] = place.xyz;
     corners.n[k] = normal.xyz;
     corners.uv[k] = vec2(place.w, normal.w);
@@ -24,33 +24,21 @@ vec3 mixed(vec3 v[3], vec3 b) {
   return b.x * v[0] + b.y * v[1] + b.z * v[2];
 }
 
-vec3 texelAt(uvec4 size, int offset, ivec2 place) {
-  ivec2 wide = ivec2(size.xy);
-  ivec2 at = place - wide * ivec2(floor(vec2(place) / vec2(wide)));
-  int first = offset + (at.y * wide.x + at.x) * int(size.z);
-  vec3 value = vec3(0.0);
-  for (int c = 0; c < int(size.z); c++) value[c] = float(wordsAt(texels, first + c).x);
-  return value;
+vec2 uvOf(Corners corners, vec3 b) {
+  return b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
 }
 
 // The bilinear lookup of 4.4, in values from 0 to 255; the texture repeats.
-vec3 lookUp(uvec4 size, int offset, vec2 uv) {
-  vec2 place = uv * vec2(size.xy) - 0.5, low = floor(place), f = place - low;
+vec3 lookUp(uint image, vec2 uv) {
+  uvec4 record = wordsAt(surfaces, texturesAt + 3 * int(image));
+  ivec2 size = ivec2(record.y & 0xffffu, record.y >> 16u);
+  vec2 place = uv * vec2(size) - 0.5, low = floor(place), f = place - low;
   // Repeat before integers: coordinates may be large.
-  low -= vec2(size.xy) * floor(low / vec2(size.xy));
-  ivec2 at = ivec2(low);
-  vec3 lower = mix(texelAt(size, offset, at), texelAt(size, offset, at + ivec2(1, 0)), f.x);
-  vec3 upper = mix(texelAt(size, offset, at + ivec2(0, 1)), texelAt(size, offset, at + ivec2(1, 1)), f.x);
+  ivec2 at = clamp(ivec2(low - vec2(size) * floor(low / vec2(size))), ivec2(0), size - 1), next = (at + 1) % size;
+  ivec4 places = int(record.x) + ivec4(at.y, at.y, next.y, next.y) * size.x + ivec4(at.x, next.x, at.x, next.x);
+  vec3 lower = mix(vec3(wordsAt(texels, places.x).xyz), vec3(wordsAt(texels, places.y).xyz), f.x);
+  vec3 upper = mix(vec3(wordsAt(texels, places.z).xyz), vec3(wordsAt(texels, places.w).xyz), f.x);
   return mix(lower, upper, f.y);
-}
-
-// The record of this kind that the triangle is in, or -1.
-int recordOf(uint number, uint kind) {
-  for (int k = 0; k < recordCount; k++) {
-    uvec4 record = wordsAt(records, 3 * k);
-    if (record.x == kind && number >= record.y && number < record.z) return k;
-  }
-  return -1;
 }
 
 float fresnel(float index, float c) {
@@ -61,28 +49,22 @@ float fresnel(float index, float c) {
 }
 
 vec3 transmittance(uvec4 primitive, Hit hit, vec3 d) {
-  int k = recordCount > 0 ? recordOf(primitive.w, 0u) : -1;
-  if (k < 0) return vec3(0.0);
-  uvec4 record = wordsAt(records, 3 * k), size = wordsAt(records, 3 * k + 1), indices = wordsAt(records, 3 * k + 2);
+  uint flags = surfaceRow(primitive, 0).z;
+  if ((flags & 2u) == 0u) return vec3(0.0);
+  uvec4 rule = surfaceRow(primitive, 7);  // texture, cutoff, indices of refraction
   Corners corners = cornersOf(primitive);
-  vec3 b = weightsOf(hit);
-  vec2 uv = b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
-  vec3 tau = lookUp(size, int(record.w), uv) / 255.0;
-  if (size.z == 1u) tau = tau.xxx;
-  float cutoff = uintBitsToFloat(size.w), front = uintBitsToFloat(indices.x);
-  if (cutoff > 0.0) tau = vec3(tau.x > cutoff ? 1.0 : 0.0);
-  if (front > 0.0) {
+  vec3 b = weightsOf(hit), tau = lookUp(rule.x, uvOf(corners, b)) / 255.0, index = uintBitsToFloat(rule.yzw);
+  if ((flags & 8u) != 0u) tau = vec3(tau.x > index.x ? 1.0 : 0.0);
+  if (index.y > 0.0) {
     vec3 n = unit(mixed(corners.n, b)), ng = cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]);
-    float index = dot(d, ng) < 0.0 ? front : uintBitsToFloat(indices.y);
-    tau *= 1.0 - fresnel(index, abs(dot(n, d)));
+    tau *= 1.0 - fresnel(dot(d, ng) < 0.0 ? index.y : index.z, abs(dot(n, d)));
   }
   return tau;
 }
 
 // The normal with relief, 4.5.
-vec3 mappedNormal(uint number, Corners corners, vec3 b, vec3 n) {
-  int k = recordCount > 0 ? recordOf(number, 1u) : -1;
-  if (k < 0) return n;
+vec3 mappedNormal(uint map, Corners corners, vec3 b, vec3 n) {
+  if (map == NONE) return n;
   vec3 e1 = corners.p[1] - corners.p[0], e2 = corners.p[2] - corners.p[0];
   vec2 a = corners.uv[1] - corners.uv[0], c = corners.uv[2] - corners.uv[0];
   float area = a.x * c.y - c.x * a.y;
@@ -92,9 +74,7 @@ vec3 mappedNormal(uint number, Corners corners, vec3 b, vec3 n) {
   if (length(along) <= 1e-6 * length(u)) return n;
   vec3 t = unit(along), up = cross(n, t);
   if (dot(up, v) > 0.0) up = -up;
-  vec2 uv = b.x * corners.uv[0] + b.y * corners.uv[1] + b.z * corners.uv[2];
-  uvec4 record = wordsAt(records, 3 * k), size = wordsAt(records, 3 * k + 1);
-  vec2 q = (lookUp(size, int(record.w), uv).xy - 127.0) / 127.0;
+  vec2 q = (lookUp(map, uvOf(corners, b)).xy - 127.0) / 127.0;
   vec3 m = q.x * t + q.y * up + sqrt(max(0.0, 1.0 - dot(q, q))) * n;
   return length(m) <= 1e-6 ? n : normalize(m);
 }
@@ -102,11 +82,11 @@ vec3 mappedNormal(uint number, Corners corners, vec3 b, vec3 n) {
 vec3 shadingNormal(uvec4 primitive, Hit hit) {
   Corners corners = cornersOf(primitive);
   vec3 b = weightsOf(hit);
-  return mappedNormal(primitive.w, corners, b, unit(mixed(corners.n, b)));
+  return mappedNormal(surfaceRow(primitive, 0).w, corners, b, unit(mixed(corners.n, b)));
 }
 
 vec3 tangentOf(uvec4 primitive) {
-  return unit(valuesAt(places, int(primitive.x) + 1).xyz - valuesAt(places, int(primitive.x)).xyz);
+  return unit(valuesAt(points, int(primitive.x) + 1).xyz - valuesAt(points, int(primitive.x)).xyz);
 }
 
 // h of 4.2.

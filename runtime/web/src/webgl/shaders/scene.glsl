@@ -5,19 +5,16 @@ precision highp sampler2D;
 precision highp sampler2DArray;
 precision highp usampler2D;
 
-uniform usampler2D nodes;       // two texels a node
-uniform usampler2D primitives;  // one a primitive, in the order of the leaves
-uniform sampler2D places;       // position, and u or the radius
+uniform usampler2D nodes;       // two texels a node: min, right child or first primitive; max, number of primitives
+uniform usampler2D primitives;  // one a primitive, in the order of the leaves; last twice the surface, + 1 of a segment
+uniform sampler2D points;       // position, and u or the radius
 uniform sampler2D normals;      // normal and v
-uniform usampler2D records;     // three texels a record
-uniform usampler2D texels;      // one byte of textures each
-uniform int recordCount;
-uniform int partCount;
-uniform int partFirst[16];      // number of its first primitive
-uniform bool partIsFiber[16];
+uniform usampler2D surfaces;    // rows of surfaces, then of textures: see geometry/surface_table.js
+uniform usampler2D texels;      // of textures
+uniform int texturesAt;
 uniform float epsilon;          // the spec's e, 7.1
 
-const uint SEGMENT = 0x80000000u;
+const uint NONE = 0xffffffffu;
 
 uvec4 wordsAt(usampler2D table, int k) {
   int width = textureSize(table, 0).x;
@@ -29,22 +26,17 @@ vec4 valuesAt(sampler2D table, int k) {
   return texelFetch(table, ivec2(k % width, k / width), 0);
 }
 
-int partOf(uint number) {
-  // Parts stand in the order of their first primitives, but for meshes before strands.
-  int found = 0, first = -1;
-  for (int k = 0; k < partCount; k++) {
-    if (int(number) >= partFirst[k] && partFirst[k] > first) {
-      found = k;
-      first = partFirst[k];
-    }
-  }
-  return found;
+bool isSegment(uvec4 primitive) {
+  return (primitive.w & 1u) != 0u;
+}
+
+uvec4 surfaceRow(uvec4 primitive, int k) {
+  return wordsAt(surfaces, 9 * int(primitive.w >> 1u) + k);
 }
 
 struct Hit {
   float t;
-  uint number;     // of the primitive, with SEGMENT; in `place` its place in the table
-  int place;
+  int place;       // of the primitive in the table
   float b1, b2;    // barycentric coordinates
   vec3 n;          // of a segment, outward
 };

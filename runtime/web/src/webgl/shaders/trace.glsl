@@ -1,6 +1,6 @@
 // Rays against the hierarchy: the nearest hit, and how much light passes (spec, 7.1).
 
-const int STACK = 48;
+const int STACK = 48, ROOT = 1;  // node 0 is rna_gpu's, of the only instance
 const float FAR = 1e30;
 
 float entersBox(vec3 low, vec3 high, vec3 origin, vec3 inverse, float far) {
@@ -18,32 +18,29 @@ vec3 inverseOf(vec3 d) {
 }
 
 float boxAt(int node, vec3 origin, vec3 inverse, float far) {
-  uvec4 first = wordsAt(nodes, 2 * node);
-  uvec2 second = wordsAt(nodes, 2 * node + 1).xy;
-  vec4 a = uintBitsToFloat(first);
-  vec2 b = uintBitsToFloat(second);
-  return entersBox(a.xyz, vec3(a.w, b), origin, inverse, far);
+  vec3 low = uintBitsToFloat(wordsAt(nodes, 2 * node).xyz), high = uintBitsToFloat(wordsAt(nodes, 2 * node + 1).xyz);
+  return entersBox(low, high, origin, inverse, far);
 }
 
 // The nearest hit; t is FAR where there is none.
 Hit nearest(vec3 origin, vec3 d) {
-  Hit hit = Hit(FAR, 0u, 0, 0.0, 0.0, vec3(0.0));
+  Hit hit = Hit(FAR, 0, 0.0, 0.0, vec3(0.0));
   vec3 inverse = inverseOf(d);
   Shear shear = shearOf(d);
   int stack[STACK];
-  int top = 0, node = 0;
-  if (boxAt(0, origin, inverse, FAR) == FAR) return hit;
+  int top = 0, node = ROOT;
+  if (boxAt(ROOT, origin, inverse, FAR) == FAR) return hit;
   for (;;) {
-    uvec4 words = wordsAt(nodes, 2 * node + 1);
-    if ((words.w >> 16) == 0xffffu) {
-      for (int k = int(words.z); k < int(words.z + (words.w & 0xffffu)); k++) {
+    int first = int(wordsAt(nodes, 2 * node).w), count = int(wordsAt(nodes, 2 * node + 1).w);
+    if (count > 0) {
+      for (int k = first; k < first + count; k++) {
         uvec4 primitive = wordsAt(primitives, k);
-        bool met = (primitive.w & SEGMENT) != 0u ? meetsSegment(primitive, origin, d, hit.t, hit)
+        bool met = isSegment(primitive) ? meetsSegment(primitive, origin, d, hit.t, hit)
                                                  : meetsTriangle(primitive, origin, shear, hit.t, hit);
         if (met) hit.place = k;
       }
     } else {
-      int left = node + 1, right = node + int(words.z);
+      int left = node + 1, right = first;
       float a = boxAt(left, origin, inverse, hit.t), b = boxAt(right, origin, inverse, hit.t);
       int nearer = a <= b ? left : right, farther = a <= b ? right : left;
       if (max(a, b) < FAR) stack[top++] = farther;
@@ -62,15 +59,15 @@ vec3 passes(vec3 origin, vec3 d, uint own) {
   vec3 light = vec3(1.0), inverse = inverseOf(d);
   Shear shear = shearOf(d);
   int stack[STACK];
-  int top = 0, node = 0;
-  if (boxAt(0, origin, inverse, FAR) == FAR) return light;
+  int top = 0, node = ROOT;
+  if (boxAt(ROOT, origin, inverse, FAR) == FAR) return light;
   for (;;) {
-    uvec4 words = wordsAt(nodes, 2 * node + 1);
-    if ((words.w >> 16) == 0xffffu) {
-      for (int k = int(words.z); k < int(words.z + (words.w & 0xffffu)); k++) {
+    int first = int(wordsAt(nodes, 2 * node).w), count = int(wordsAt(nodes, 2 * node + 1).w);
+    if (count > 0) {
+      for (int k = first; k < first + count; k++) {
         uvec4 primitive = wordsAt(primitives, k);
         Hit hit;
-        if ((primitive.w & SEGMENT) != 0u) {
+        if (isSegment(primitive)) {
           if (primitive.z != own && meetsSegment(primitive, origin, d, FAR, hit)) return vec3(0.0);
         } else if (meetsTriangle(primitive, origin, shear, FAR, hit)) {
           light *= transmittance(primitive, hit, d);
@@ -78,11 +75,11 @@ vec3 passes(vec3 origin, vec3 d, uint own) {
         }
       }
     } else {
-      int left = node + 1, right = node + int(words.z);
-      bool first = boxAt(left, origin, inverse, FAR) < FAR, second = boxAt(right, origin, inverse, FAR) < FAR;
-      if (first && second) stack[top++] = right;
-      if (first || second) {
-        node = first ? left : right;
+      int left = node + 1, right = first;
+      bool onLeft = boxAt(left, origin, inverse, FAR) < FAR, onRight = boxAt(right, origin, inverse, FAR) < FAR;
+      if (onLeft && onRight) stack[top++] = right;
+      if (onLeft || onRight) {
+        node = onLeft ? left : right;
         continue;
       }
     }

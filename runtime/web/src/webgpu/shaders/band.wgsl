@@ -1,17 +1,34 @@
-// What a band of the picture holds between the kernels: of each pixel a row as rna_evaluate reads it, with four
-// numbers in its free places, and what it weighs.
+// What a band of the picture holds between the kernels, and what the viewer's kernels know beside rna_gpu's Frame.
 
-struct Row {
-    position: vec4<u32>, // and h of a fiber, b1 of a surface
+struct View {
+    first: u32,  // pixel of the band
+    jitter: f32, // 0: rays through the middles of pixels, 1: anywhere in them
+    kind: u32,   // of the light, see light.wgsl
+    is_first: u32, // 1: the sum starts with this
+    direction: vec3f, // of a sun
+    counts_coverage: u32,
+    colour: vec3f, // irradiance of a sun
+    ground: f32,   // its height
+    ground_colour: vec3f, // radiance of it in full light, over the light's irradiance
+    ground_size: f32,     // 0: there is no ground
+    middle: vec2f,        // of the ground, x and z
+    part: u32,     // that is asked, + 1
+    emission: u32, // 1: answers are of emission, one vec4f each
+}
+
+// A pixel: a row as rna_evaluate reads it, with two numbers in its free places; and what it weighs.
+struct Pixel {
+    position: vec4<u32>, // and h of a fiber
     axis: vec4<u32>,     // and part + 1, or 0 where nothing is hit
-    wo: vec4<u32>,       // and the place of the primitive
-    wi: vec4<u32>,       // and b2
+    wo: vec4<u32>,       // and the primitive
+    wi: vec4<u32>,
+    through: vec3f, // throughput
+    b1: f32,        // barycentric coordinates
+    radiance: vec3f, // over the density, times the throughput; of the ground what it sends on
+    b2: f32,
+    visibility: vec3f,
+    coverage: f32, // of the ground
 }
 
-@group(1) @binding(0) var<storage, read_write> rows: array<Row>;
-@group(1) @binding(1) var<storage, read_write> through: array<vec4f>; // throughput
-
-// The pixel of an invocation; beyond the band y is at least view.rows.
-fn pixel_of(index: u32) -> vec2<u32> {
-    return vec2<u32>(index % view.width, index / view.width);
-}
+@group(1) @binding(0) var<storage, read_write> band: array<Pixel>;
+@group(1) @binding(1) var<uniform> view: View;

@@ -1,72 +1,66 @@
 // A ray from the camera through each pixel of the band, to the query of its first hit.
 
-const SEEN_THROUGH = 32u;
-
 fn words(v: vec3f, last: u32) -> vec4<u32> {
     return vec4<u32>(bitcast<vec3<u32>>(v), last);
 }
 
-@compute @workgroup_size(64)
-fn trace_pixels(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let index = id.y * groups.x * 64u + id.x;
-    let local = pixel_of(index);
-    if local.y >= view.rows {
-        return;
-    }
-    let pixel = vec2<u32>(local.x, local.y + view.first_row);
-    let at = vec2f(pixel) + mix(vec2f(0.5), random(pixel, PLACE), view.jitter);
-    let d = normalize(view.corner + at.x * view.step_x + at.y * view.step_y);
-    var origin = view.camera;
-    var throughput = vec3f(1.0);
-    let nothing = vec4<u32>(0u);
-    var row = Row(nothing, nothing, words(-d, 0u), nothing);
-    for (var k = 0u; k < SEEN_THROUGH; k++) {
-        let hit = nearest(origin, d);
-        if hit.t == FAR {
-            break;
-        }
-        let primitive = primitives[hit.place];
-        let fiber = HAS_SEGMENTS && (hit.number & SEGMENT) != 0u;
-        var tau = vec3f(0.0);
-        if !fiber {
-            tau = transmittance(primitive, hit, d);
-        }
-        let chance = max(tau.x, max(tau.y, tau.z));
-        // Straight on, or stopped here: chosen at random (spec, 4.4).
-        if chance > 0.0 && random(pixel, STOPPED + k).x < chance {
-            throughput *= tau / chance;
-            origin += d * (hit.t + 4.0 * view.epsilon);
-            continue;
-        }
-        if chance > 0.0 {
-            throughput *= (1.0 - tau) / (1.0 - chance);
-        }
-        let part = part_of(hit.number & ~SEGMENT) + 1u;
-        if fiber {
-            let t = tangent_of(primitive);
-            let h = offset_across(hit.n, t, -d);
-            row.position = words(origin + hit.t * d, bitcast<u32>(h));
-            row.axis = words(t, part);
-        } else {
-            let corners = corners_of(primitive);
-            row.position = words(mixed(corners.p, weights_of(hit)), bitcast<u32>(hit.b1));
-            row.axis = words(shading_normal(primitive, hit), part);
-        }
-        row.wo.w = hit.place;
-        row.wi.w = bitcast<u32>(hit.b2);
-        break;
-    }
-    rows[index] = row;
-    through[index] = vec4f(throughput, 0.0);
+// There are no lights with a shape.
+fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit {
+    return met;
 }
 
-// The normals of hits whose place and barycentric coordinates are in the rows.
+fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
+    var pixel: Pixel;
+    pixel.wo = words(wo, hit.primitive);
+    if hit.instance == RNA_NOTHING {
+        return pixel;
+    }
+    let record = rna_primitives[hit.primitive];
+    var v: Vertex;
+    if (record.w & 1u) == 0u {
+        v = triangle_vertex(record, hit.b1, hit.b2);
+    } else {
+        var path: Path;
+        path.origin = frame.camera;
+        path.direction = -wo;
+        path.t = hit.t;
+        path.normal = hit.normal;
+        v = segment_vertex(path, record, wo);
+    }
+    pixel.position = words(v.x, bitcast<u32>(v.h));
+    pixel.axis = words(v.axis, surface_part(record.w >> 1u) + 1u);
+    pixel.b1 = hit.b1;
+    pixel.b2 = hit.b2;
+    return pixel;
+}
+
 @compute @workgroup_size(64)
-fn find_normals(@builtin(global_invocation_id) id: vec3<u32>) {
-    if id.x >= view.width {
+fn trace_pixels(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths {
         return;
     }
-    let row = rows[id.x];
-    let hit = Hit(0.0, 0u, row.wo.w, bitcast<f32>(row.position.w), bitcast<f32>(row.wi.w), vec3f(0.0));
-    rows[id.x].axis = words(shading_normal(primitives[row.wo.w], hit), row.axis.w);
+    let number = view.first + k;
+    let place = vec2f(vec2<u32>(number % frame.width, number / frame.width));
+    let at = place + mix(vec2f(0.5), square(number, 0u, frame.sample), view.jitter);
+    let d = normalize(frame.corner + at.x * frame.step_x + at.y * frame.step_y);
+    let ray = RnaRay(frame.camera, 0.0, d, RNA_FAR);
+    let found = closest_through(ray, RNA_NOTHING, chance_of(number));
+    var pixel = pixel_of(found.hit, -d);
+    pixel.through = found.weight;
+    band[k] = pixel;
+}
+
+// The normals of hits whose primitives and barycentric coordinates are in the band.
+@compute @workgroup_size(64)
+fn find_normals(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k < frame.paths {
+        let hit = RnaHit(0.0, 0u, band[k].wo.w, band[k].b1, band[k].b2, vec3f(0.0));
+        band[k].axis = pixel_of(hit, bitcast<vec3f>(band[k].wo.xyz)).axis;
+    }
 }

@@ -1,16 +1,5 @@
 // The queries of one part, one behind the other as rna_evaluate reads them; and back, its answers to the picture.
 
-struct Queue {
-    width: u32,
-    first_row: u32,
-    rows: u32,
-    part: u32,      // + 1
-    emission: u32,  // 1: answers are of emission, one vec4f each
-    unused_a: u32,
-    unused_b: u32,
-    unused_c: u32,
-}
-
 struct Row {
     position: vec4<u32>,
     axis: vec4<u32>,
@@ -18,50 +7,54 @@ struct Row {
     wi: vec4<u32>,
 }
 
-struct Lit {
-    visibility: vec3f,
-    is_query: u32,
-    radiance: vec3f,
-    unused: u32,
-}
+@group(2) @binding(0) var<storage, read_write> asked: array<Row>;
+@group(2) @binding(1) var<storage, read_write> answers: array<vec4f>;
+@group(2) @binding(2) var<storage, read_write> count: array<atomic<u32>>; // [0]; then the pixel of each row
 
-@group(0) @binding(0) var<uniform> queue: Queue;
-@group(0) @binding(1) var<storage, read_write> rows: array<Row>;
-@group(0) @binding(2) var<storage, read_write> through: array<vec4f>;
-@group(0) @binding(3) var<storage, read_write> lit: array<Lit>;
-@group(0) @binding(4) var<storage, read_write> sums: array<vec4f>;
-@group(0) @binding(5) var<storage, read_write> asked: array<Row>;
-@group(0) @binding(6) var<storage, read_write> answers: array<vec4f>;
-@group(0) @binding(7) var<storage, read_write> count: array<atomic<u32>>; // [0]; then the pixel of each row
-
+// What a light brings to the ground, and the coverage. `sums` are of the whole picture.
 @compute @workgroup_size(64)
-fn gather(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let index = id.y * groups.x * 64u + id.x;
-    if index >= queue.width * queue.rows || rows[index].axis.w != queue.part {
+fn begin(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths {
         return;
     }
-    var row = rows[index];
-    let at = atomicAdd(&count[0], 1u);
-    atomicStore(&count[at + 1u], index);
-    if queue.emission == 1u {
-        row.wi = row.wo; // which no block of emission reads
-    }
-    asked[at] = row;
+    let is_query = band[k].axis.w != 0u;
+    let covered = select(band[k].coverage, 1.0, is_query) * f32(view.counts_coverage);
+    let before = select(sums[view.first + k], vec4f(0.0), view.is_first == 1u);
+    sums[view.first + k] = before + vec4f(select(band[k].radiance, vec3f(0.0), is_query), covered);
 }
 
 @compute @workgroup_size(64)
-fn scatter(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
-    let at = id.y * groups.x * 64u + id.x;
+fn gather(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let k = path_number(id, groups);
+    if k >= frame.paths || band[k].axis.w != view.part {
+        return;
+    }
+    let pixel = band[k];
+    let at = atomicAdd(&count[0], 1u);
+    atomicStore(&count[at + 1u], k);
+    // No block of emission reads wi.
+    let wi = select(pixel.wi, pixel.wo, view.emission == 1u);
+    asked[at] = Row(pixel.position, pixel.axis, pixel.wo, wi);
+}
+
+@compute @workgroup_size(64)
+fn scatter(
+    @builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>,
+) {
+    let at = path_number(id, groups);
     if at >= atomicLoad(&count[0]) {
         return;
     }
-    let index = atomicLoad(&count[at + 1u]);
-    var radiance: vec3f;
-    if queue.emission == 1u {
-        radiance = through[index].xyz * answers[at].xyz;
-    } else {
-        let own = lit[index];
-        radiance = own.radiance * mix(answers[2u * at + 1u].xyz, answers[2u * at].xyz, own.visibility);
+    let k = atomicLoad(&count[at + 1u]);
+    let pixel = band[k];
+    var radiance = pixel.through * answers[at].xyz;
+    if view.emission == 0u {
+        radiance = pixel.radiance * mix(answers[2u * at + 1u].xyz, answers[2u * at].xyz, pixel.visibility);
     }
-    sums[queue.first_row * queue.width + index] += vec4f(radiance, 0.0);
+    sums[view.first + k] += vec4f(radiance, 0.0);
 }
