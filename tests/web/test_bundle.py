@@ -16,6 +16,12 @@ REPOSITORY = Path(__file__).parents[2]
 MOST_BYTES = 1_500_000
 SHADERS = REPOSITORY / "runtime" / "rna_gpu" / "wgsl"
 
+SHARED_BY_RAYS = (
+    *("geometry.wgsl", "bvh.wgsl", "triangle.wgsl", "segment.wgsl", "visibility.wgsl"),
+    *("normal_maps.wgsl", "render/surfaces.wgsl", "render/textures.wgsl", "render/sampler.wgsl"),
+    *("render/transmittance.wgsl", "render/passing.wgsl", "render/tracing.wgsl"),
+    "render/vertex.wgsl",
+)
 
 SITES = {
     "viewer": REPOSITORY / "runtime" / "rna_view" / "site",
@@ -57,6 +63,7 @@ def test_decoder_and_rays_are_the_wgsl_of_rna_gpu():
             "rnaViewer.wgsl.rayKernels({ hasSegments: true, hasTextures: true })"
         )
         for source in kernels.values():
-            for name in ("triangle.wgsl", "segment.wgsl", "visibility.wgsl"):
+            for name in SHARED_BY_RAYS:
                 assert files[name] in source
-        assert files["render/directions.wgsl"] in kernels["light"]
+        for name in ("render/directions.wgsl", "render/lights.wgsl", "render/environment.wgsl"):
+            assert files[name] in kernels["light"]

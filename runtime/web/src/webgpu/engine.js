@@ -56,7 +56,7 @@ export class WebGPUEngine {
 
   _makeBand() {
     const { device } = this, { UNIFORM } = GPUBufferUsage;
-    this.frameRecord = buffer(device, 144, UNIFORM);
+    this.frameRecord = buffer(device, packed("Frame", {}), UNIFORM);
     this.viewRecord = buffer(device, 80, UNIFORM);
     this.showRecord = buffer(device, 48, UNIFORM);
     this.band = buffer(device, 4 * PIXEL_WORDS * BAND_PIXELS);
