@@ -15,7 +15,7 @@ from .sdk import SdkError
 from .sdk_command import Command
 
 _LOOK = 0.1  # seconds between looks at the process
-_PATIENCE = 10.0  # seconds that a cancelled render may take to write what it has
+_TIMEOUT = 10.0  # seconds that a cancelled render may take to write what it has
 _EVERY = 0.5  # seconds between images, and of large ones more:
 _PIXELS_A_SECOND = 4e5  # to write and to show without slowing the render much
 
@@ -73,7 +73,7 @@ class RnaEngine(bpy.types.RenderEngine):
                 time.sleep(_LOOK)
                 cancelled = self.is_cancelled()
         finally:
-            command.end(_PATIENCE)  # it writes the mean of the samples that it has
+            command.end(_TIMEOUT)  # it writes the mean of the samples that it has
         view.show_newer(image, shown)
         return cancelled
 

@@ -42,11 +42,11 @@ class Command:
         if self.is_running():
             self.process.send_signal(signal.SIGINT)
 
-    def end(self, patience):
-        """Interrupt it; kill it if it is still there after `patience` seconds."""
+    def end(self, timeout):
+        """Interrupt it; kill it if it is still there after `timeout` seconds."""
         self.interrupt()
         try:
-            self.process.wait(patience)
+            self.process.wait(timeout)
         except subprocess.TimeoutExpired:
             self.process.kill()
             self.process.wait()

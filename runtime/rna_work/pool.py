@@ -14,7 +14,7 @@ from typing import Any, Generic
 
 from rna_sdk.errors import WorkError
 from rna_work.backend import Backend, Slot
-from rna_work.timeouts import Patience, Watch
+from rna_work.timeouts import Timeouts, Watch
 from rna_work.workers import Item, MakeWorker, Outcome, Result, TimedOut, WorkerLost
 
 _FAILED_STARTS = 3  # one after the other, for what a worker itself raises
@@ -46,7 +46,7 @@ class Pool(Generic[Item, Result]):
     """Workers of one kind; a context, at whose end they are closed.
 
     make: makes each worker. attempts: how often an item is run that fails; each further time on a
-    fresh worker. ahead: items that a worker has waiting beside the one that it runs. patience: time
+    fresh worker. ahead: items that a worker has waiting beside the one that it runs. timeouts: time
     limits; None for none. tell: gets a line for each item that is run again.
     """
 
@@ -56,11 +56,11 @@ class Pool(Generic[Item, Result]):
         make: MakeWorker,
         attempts: int = 1,
         ahead: int = 0,
-        patience: Patience | None = None,
+        timeouts: Timeouts | None = None,
         tell: Callable[[str], None] = lambda line: None,
     ) -> None:
         self._backend, self._make = backend, make
-        self._attempts, self._most, self._patience = attempts, 1 + ahead, patience
+        self._attempts, self._most, self._timeouts = attempts, 1 + ahead, timeouts
         self._tell_user = tell
         self._names = count()
         self._events: SimpleQueue[tuple[_Member, _Job | None, Future[Any]]] = SimpleQueue()
@@ -145,7 +145,7 @@ class Pool(Generic[Item, Result]):
 
     def _watch(self, member: _Member) -> Watch:
         """From now on."""
-        return Watch(monotonic(), member.slot.processor_seconds() if self._patience else None)
+        return Watch(monotonic(), member.slot.processor_seconds() if self._timeouts else None)
 
     def _tell(self, member: _Member, job: _Job | None, future: Future[Any]) -> None:
         """Have its end put among the events; job: None where it is the member's start."""
@@ -219,8 +219,8 @@ class Pool(Generic[Item, Result]):
         begun, member.watch = member.watch, self._watch(member)
         seconds = member.watch.since - begun.since
         if failure is None:
-            if self._patience is not None:
-                self._patience.learn(job.item, seconds, begun.used(member.watch.processor))
+            if self._timeouts is not None:
+                self._timeouts.learn(job.item, seconds, begun.used(member.watch.processor))
             return job.number, self._outcome(member, job, seconds, future.result(), None)
         if isinstance(failure, WorkerLost):
             again = self._after_loss(member, job, feed)
@@ -241,14 +241,14 @@ class Pool(Generic[Item, Result]):
 
     def _out_of_time(self, feed: _Feed) -> list[tuple[int, Outcome[Item, Result]]]:
         """End workers that hang; returns outcomes of items without retries."""
-        if self._patience is None:
+        if self._timeouts is None:
             return []
         found = []
         for member in [m for m in self._ready if m.jobs]:
             seconds = monotonic() - member.watch.since
-            if seconds <= self._patience.least:
+            if seconds <= self._timeouts.least:
                 continue
-            state = self._patience, member.jobs[0].item, monotonic()
+            state = self._timeouts, member.jobs[0].item, monotonic()
             fault = member.watch.fault(*state, member.slot.processor_seconds())
             if not fault:
                 continue

@@ -14,7 +14,7 @@ _LEAST_USE = 0.005  # of a core: what a process with work gets however busy the 
 
 
 @dataclass
-class Patience:
+class Timeouts:
     """Time limits from finished items.
 
     cost: of an item, in any unit. least: seconds that every item may take.
@@ -62,10 +62,10 @@ class Watch:
         known = processor is not None and self.processor is not None
         return processor - self.processor if known else None  # type: ignore[operator]
 
-    def fault(self, patience: Patience, item: Any, now: float, processor: float | None) -> str:
+    def fault(self, timeouts: Timeouts, item: Any, now: float, processor: float | None) -> str:
         """Why the item counts as hanging; empty where it does not."""
-        seconds, limit = now - self.since, patience.limit(item)
-        used, most = self.used(processor), patience.processor_limit(item)
+        seconds, limit = now - self.since, timeouts.limit(item)
+        used, most = self.used(processor), timeouts.processor_limit(item)
         if used is None:
             told = f"no result after {seconds:.0f} s, expected within {limit:.0f} s"
             return told if seconds > limit else ""

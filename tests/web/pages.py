@@ -18,7 +18,7 @@ from rna_view.site_files import Site
 from tests.render.chromium import INSTALL, SOFTWARE_GPU, Page, find_chromium, open_page
 
 APIS = ("webgpu", "webgl2")
-PATIENCE = 300.0
+TIMEOUT = 300.0
 """Seconds: SwiftShader compiles shaders for long on a busy machine."""
 
 
@@ -40,7 +40,7 @@ def viewer(site: Site, query: str = "", width: int = 320, height: int = 200) -> 
     with served(site) as server, open_page(chromium, width, height, SOFTWARE_GPU) as page:
         page.call("Page.navigate", url=f"{server.url}?{query}")
         page.wait_for(
-            "globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true, () => true)", PATIENCE
+            "globalThis.rnaViewer?.begun && rnaViewer.begun.then(() => true, () => true)", TIMEOUT
         )
         yield page
 
@@ -49,7 +49,7 @@ def wait_for_picture(page: Page, rounds: int) -> None:
     """Until the picture has so many samples; an error on the page fails the test."""
     stats = "rnaViewer.viewer.stats"
     done = f"rnaViewer.failures || ({stats}.scale === 1 && {stats}.rounds >= {rounds})"
-    page.wait_for(done, PATIENCE)
+    page.wait_for(done, TIMEOUT)
     assert not page.evaluate("rnaViewer.failures"), notice(page)
 
 

@@ -17,7 +17,7 @@ from tests.web.pages import notice, wait_for_picture
 
 pytestmark = pytest.mark.chromium
 
-PATIENCE = 60.0
+TIMEOUT = 60.0
 QUERY = "api=webgl2&rounds=1&dpr=1"
 ODD_NAMES = ("Chair #2.rna", "50% off.rna", "ü ❤.rna", "a&b=c+d.rna")
 
@@ -57,7 +57,7 @@ def visit(page: Page, url: str) -> None:
     """Open an address, until its asset is shown or something failed."""
     page.call("Page.navigate", url="about:blank")
     page.call("Page.navigate", url=url)
-    page.wait_for("!!globalThis.rnaViewer?.viewer", PATIENCE)
+    page.wait_for("!!globalThis.rnaViewer?.viewer", TIMEOUT)
     wait_for_picture(page, 1)
 
 
@@ -73,7 +73,7 @@ def test_an_exported_page_works_under_its_policy(chromium_page, site_url):
             document.head.append(script);
         })()"""
     )
-    chromium_page.wait_for("refused.length", PATIENCE)
+    chromium_page.wait_for("refused.length", TIMEOUT)
     assert chromium_page.evaluate("[globalThis.ran ?? 0, refused[0]]") == [0, "script-src-elem"]
 
 
@@ -90,7 +90,7 @@ def test_what_the_address_cannot_have_is_told(chromium_page, site_url):
     chromium_page.call("Page.navigate", url="about:blank")
     asked = f"{QUERY}&rounds=many&teir=hq&fbclid=1&env=none.hdr"
     chromium_page.call("Page.navigate", url=f"{site_url}?{asked}")
-    chromium_page.wait_for("(globalThis.rnaViewer?.viewer?.stats.rounds ?? 0) >= 1", PATIENCE)
+    chromium_page.wait_for("(globalThis.rnaViewer?.viewer?.stats.rounds ?? 0) >= 1", TIMEOUT)
     told = notice(chromium_page)
     assert "?rounds=: expected a whole number" in told and "found many" in told
     assert "?teir= is no parameter of this page: did you mean tier=?" in told
@@ -110,7 +110,7 @@ def test_no_hint_while_an_asset_is_on_its_way(chromium_page, site_url):
     chromium_page.call("Page.enable")
     script = chromium_page.call("Page.addScriptToEvaluateOnNewDocument", source=held)
     chromium_page.call("Page.navigate", url=f"{site_url}?{QUERY}")
-    chromium_page.wait_for(f"globalThis.rnaViewer && {hint} === 'none'", PATIENCE)
+    chromium_page.wait_for(f"globalThis.rnaViewer && {hint} === 'none'", TIMEOUT)
     assert not chromium_page.evaluate("document.body.classList.contains('loaded')")
     chromium_page.call("Page.removeScriptToEvaluateOnNewDocument", **script)
     chromium_page.call("Page.disable")

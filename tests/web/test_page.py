@@ -12,7 +12,7 @@ import pytest
 from rna_view.site_files import Site, site_for
 from tests.package.builders import make_tier, make_tiny_fiber_package, make_tiny_package
 from tests.render.chromium import Page
-from tests.web.pages import APIS, PATIENCE, base64_of, notice, viewer, wait_for_picture
+from tests.web.pages import APIS, TIMEOUT, base64_of, notice, viewer, wait_for_picture
 
 pytestmark = pytest.mark.chromium
 
@@ -80,8 +80,8 @@ def test_drag_orbits_and_alt_drag_turns_the_light(page):
 def test_wheel_comes_nearer(page):
     before = page.evaluate("rnaViewer.orbit.distance")
     page.mouse("mouseWheel", 60, 60, deltaX=0, deltaY=-100)
-    page.wait_for(f"rnaViewer.orbit.distance < {before}", PATIENCE)
-    page.wait_for("!rnaViewer.viewer.moving", PATIENCE)
+    page.wait_for(f"rnaViewer.orbit.distance < {before}", TIMEOUT)
+    page.wait_for("!rnaViewer.viewer.moving", TIMEOUT)
 
 
 def test_size_of_the_window(page):
@@ -91,7 +91,7 @@ def test_size_of_the_window(page):
             width=width, height=height, deviceScaleFactor=1, mobile=False,
         )  # fmt: skip
         page.wait_for(
-            f"rnaViewer.canvas.width === {width} && rnaViewer.canvas.height === {height}", PATIENCE
+            f"rnaViewer.canvas.width === {width} && rnaViewer.canvas.height === {height}", TIMEOUT
         )
         wait_for_picture(page, 3)
 
@@ -115,10 +115,10 @@ def test_tier_is_switched(page):
 def test_dropped_package_is_shown(page, tmp_path, package):
     fibers = make_tiny_fiber_package(tmp_path / "fibers.rna")
     drop(page, fibers)
-    page.wait_for("rnaViewer.shown.parts[0].kind === 'fiber'", PATIENCE)
+    page.wait_for("rnaViewer.shown.parts[0].kind === 'fiber'", TIMEOUT)
     wait_for_picture(page, 3)
     drop(page, package)
-    page.wait_for("rnaViewer.shown.parts[0].kind === 'surface'", PATIENCE)
+    page.wait_for("rnaViewer.shown.parts[0].kind === 'surface'", TIMEOUT)
     wait_for_picture(page, 3)
     assert notice(page) is None
 
@@ -130,7 +130,7 @@ def test_dropped_image_lights_the_asset(page, tmp_path, suffix):
     rows[:, 6, 2] = 1.0  # towards +x
     path = write_image(tmp_path / f"sky{suffix}", rows)
     drop(page, path)
-    page.wait_for("rnaViewer.lighting.choice.startsWith('image-')", PATIENCE)
+    page.wait_for("rnaViewer.lighting.choice.startsWith('image-')", TIMEOUT)
     wait_for_picture(page, 3)
     values = page.evaluate("[...rnaViewer.lighting.tables().values]")
     found = np.reshape(values, (4, 8, 4))[..., :3]
@@ -181,7 +181,7 @@ def test_lost_device_comes_back(page):
         "WebGL2": "rnaViewer.engine.gl.getExtension('WEBGL_lose_context').loseContext()",
     }
     page.evaluate(f"globalThis.before = rnaViewer.engine, {lose[label]}, 0")
-    page.wait_for("rnaViewer.engine !== before && rnaViewer.viewer.stats.rounds >= 3", PATIENCE)
+    page.wait_for("rnaViewer.engine !== before && rnaViewer.viewer.stats.rounds >= 3", TIMEOUT)
     wait_for_picture(page, 3)
     assert notice(page) is None
 
@@ -242,7 +242,7 @@ def test_package_of_30_megabytes_is_read_in_ranges(tmp_path):
 
 def test_page_without_any_gpu_shows_the_poster_and_one_line(package):
     with viewer(Site({}, {}), "api=none") as page:
-        page.wait_for("rnaViewer.failures", PATIENCE)
+        page.wait_for("rnaViewer.failures", TIMEOUT)
         assert notice(page).startswith("this browser shows the poster alone")
 
 

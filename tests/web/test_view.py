@@ -14,7 +14,7 @@ from PIL import Image
 from rna_render.image.view_transform import to_display
 from rna_view.site_files import site_for
 from tests.render.chromium import Page
-from tests.web.pages import APIS, PATIENCE, picture, viewer, wait_for_picture
+from tests.web.pages import APIS, TIMEOUT, picture, viewer, wait_for_picture
 
 pytestmark = pytest.mark.chromium
 
@@ -93,12 +93,12 @@ def test_a_picture_is_saved_once_it_has_all_samples(page):
         })()"""
     )
     assert page.evaluate("document.getElementById('screenshot').textContent").startswith("Save now")
-    page.wait_for("saved.length", PATIENCE)
+    page.wait_for("saved.length", TIMEOUT)
     assert page.evaluate("saved[0][1]") == 3 and page.evaluate("saved[0][0]").endswith(".png")
     page.evaluate("rnaViewer.viewer.rounds = 100000, rnaViewer.viewer.restart(), 0")
     page.evaluate("document.getElementById('screenshot').click()")
     page.evaluate("document.getElementById('screenshot').click()")  # as it is now
-    page.wait_for("saved.length === 2", PATIENCE)
+    page.wait_for("saved.length === 2", TIMEOUT)
     page.evaluate("rnaViewer.viewer.rounds = 1, 0")
 
 

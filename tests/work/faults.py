@@ -26,7 +26,7 @@ import numpy as np
 
 from rna_work.executors import Needs, place
 from rna_work.pool import Pool
-from rna_work.timeouts import Patience
+from rna_work.timeouts import Timeouts
 from tests.work.conftest import start_cluster
 from tests.work.workers import Writing
 
@@ -40,8 +40,8 @@ def command(address: str, folder: Path, items: int, seconds: float) -> None:
     make = partial(Writing, folder, seconds)
     with place(address) as where:
         backend = where.workers(Needs("processes"), None)
-        patience = Patience(least=3.0)
-        with Pool(backend, make, attempts=3, patience=patience, tell=print) as pool:
+        timeouts = Timeouts(least=3.0)
+        with Pool(backend, make, attempts=3, timeouts=timeouts, tell=print) as pool:
             for outcome in pool.run(missing):
                 outcome.value()
 

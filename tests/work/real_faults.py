@@ -87,10 +87,10 @@ def command(arguments: list[str]) -> int:
     from rna_export.capture import capture_run as run
     from rna_export.capture import rna_capture as cli
     from rna_render.command.rna_run import main as render
-    from rna_work import timeouts as patience
+    from rna_work import timeouts
 
-    patience._FACTOR = FACTOR
-    run.Patience = partial(patience.Patience, least=MOST_HANG)
+    timeouts._FACTOR = FACTOR
+    run.Timeouts = partial(timeouts.Timeouts, least=MOST_HANG)
     name, *rest = arguments
     return {"capture": cli.main, "run": render}[name](rest)
 

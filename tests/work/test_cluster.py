@@ -13,7 +13,7 @@ from rna_export.trials.pool import Crew
 from rna_sdk.errors import WorkError
 from rna_work.executors import Needs, Place, place
 from rna_work.pool import Pool
-from rna_work.timeouts import Patience
+from rna_work.timeouts import Timeouts
 from rna_work.workers import WorkerLost
 from tests.work.workers import CannotStart, Doubling, Once, Repeating
 
@@ -49,8 +49,8 @@ def test_failures_are_as_on_one_machine(where: Place, tmp_path: Path) -> None:
 
 
 def test_what_hangs_is_ended_and_run_again(where: Place, tmp_path: Path) -> None:
-    patience = Patience(least=1.0)
-    with Pool(where.workers(CORE, 2), Repeating, attempts=2, patience=patience) as pool:
+    timeouts = Timeouts(least=1.0)
+    with Pool(where.workers(CORE, 2), Repeating, attempts=2, timeouts=timeouts) as pool:
         found = [o.value() for o in pool.run([1, 2, 3, Once(tmp_path / "mark", "hang"), 4])]
     assert sorted(map(str, found)) == ["2", "4", "6", "8", "done"]
 

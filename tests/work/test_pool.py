@@ -15,7 +15,7 @@ from rna_work.backend import Backend
 from rna_work.pool import Pool
 from rna_work.processes import Processes
 from rna_work.threads import Caller, Threads
-from rna_work.timeouts import Patience
+from rna_work.timeouts import Timeouts
 from rna_work.workers import TimedOut, WorkerLost
 from tests.work.workers import CannotStart, Doubling, Once, Repeating
 
@@ -137,28 +137,28 @@ def test_a_process_that_ends_is_replaced() -> None:
 
 @pytest.mark.parametrize("backend", BACKENDS, ids=ids)
 def test_what_hangs_is_ended_and_run_again(backend: Backend, tmp_path: Path) -> None:
-    def patience() -> Patience:
-        return Patience(least=0.5)
+    def timeouts() -> Timeouts:
+        return Timeouts(least=0.5)
 
     item = Once(tmp_path / "mark", "hang")
-    with Pool(backend, Repeating, attempts=2, patience=patience()) as pool:
+    with Pool(backend, Repeating, attempts=2, timeouts=timeouts()) as pool:
         outcomes = list(pool.run([1, 2, 3, item, 4]))
     assert sorted(str(o.value()) for o in outcomes) == ["2", "4", "6", "8", "done"]
-    with Pool(backend, Doubling, patience=patience()) as pool:
+    with Pool(backend, Doubling, timeouts=timeouts()) as pool:
         hung = [o for o in pool.run([1, 2, 3, "hang"]) if o.failure is not None]
     assert len(hung) == 1 and isinstance(hung[0].failure, TimedOut)
 
 
 @pytest.mark.parametrize("backend", BACKENDS, ids=ids)
 def test_what_is_slow_beside_other_programs_is_left_to_finish(backend: Backend) -> None:
-    with Pool(backend, Doubling, patience=Patience(least=0.2)) as pool:
+    with Pool(backend, Doubling, timeouts=Timeouts(least=0.2)) as pool:
         outcomes = list(pool.run([1, 2, 3, "slow"]))
     assert [o.failure for o in outcomes] == [None] * 4
 
 
 @pytest.mark.parametrize("backend", BACKENDS, ids=ids)
 def test_what_runs_in_circles_is_ended(backend: Backend) -> None:
-    with Pool(backend, Doubling, patience=Patience(least=0.3)) as pool:
+    with Pool(backend, Doubling, timeouts=Timeouts(least=0.3)) as pool:
         [failed] = [o for o in pool.run([1, 2, 3, "circles"]) if o.failure is not None]
     assert isinstance(failed.failure, TimedOut) and "of processor time" in str(failed.failure)
 

@@ -32,7 +32,7 @@ from tests.render.chromium import INSTALL, SOFTWARE_GPU, find_chromium, open_pag
 from tests.web.pages import served
 
 APIS = {"webgpu": "WebGPU on SwiftShader", "webgl2": "WebGL2 on SwiftShader"}
-PATIENCE_S = 600.0
+TIMEOUT_S = 600.0
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -83,9 +83,9 @@ def in_chromium(scene: Path, api: str, resolution: tuple[int, int]) -> dict[str,
         address = f"{server.url}?api={api}&dpr=1&ui=0"
         for more in ("", "&bench=1"):
             page.call("Page.navigate", url=address + more)
-            page.wait_for("globalThis.rnaViewer?.viewer?.hasShown", PATIENCE_S)
+            page.wait_for("globalThis.rnaViewer?.viewer?.hasShown", TIMEOUT_S)
         marks = page.evaluate("performance.getEntriesByName('picture')[0].startTime")
-        line = page.wait_for("globalThis.rnaBenchmark", PATIENCE_S)
+        line = page.wait_for("globalThis.rnaBenchmark", TIMEOUT_S)
     return {
         "queries_per_second": 1e6 * line["millionQueriesPerSecond"],
         "samples_per_second": 1e3 / line["msPerSample"],

@@ -45,7 +45,7 @@ from rna_work.executors import Needs, Place, this_machine
 from rna_work.pool import Pool
 from rna_work.progress import Progress
 from rna_work.sources import Carried
-from rna_work.timeouts import Patience
+from rna_work.timeouts import Timeouts
 
 _COUNTED = 4096
 _RESOURCE = "rna_blender"  # of a cluster's nodes that have Blender
@@ -179,7 +179,7 @@ def finish(
     make = partial(CaptureWorker, job)
     progress = Progress(total, "path", "capture", bars=bars)
     pool: Pool[Task, str] = Pool(
-        crew.backend(), make, _ATTEMPTS, patience=Patience(cost), tell=progress.tell
+        crew.backend(), make, _ATTEMPTS, timeouts=Timeouts(cost), tell=progress.tell
     )
     with progress, pool:
         clock = _TaskClock(dataset, limit)

@@ -10,14 +10,14 @@ import time
 import pytest
 
 from rna_work.processor_time import process_seconds, thread_seconds
-from rna_work.timeouts import Patience, Watch
+from rna_work.timeouts import Timeouts, Watch
 
 linux = pytest.mark.skipif(sys.platform != "linux", reason="no /proc")
 
 
-def patience() -> Patience:
+def timeouts() -> Timeouts:
     """Of a capture whose items took 40 s, of the processor too."""
-    found = Patience()
+    found = Timeouts()
     for _ in range(5):
         found.learn("shard", 40.0, 40.0)
     return found
@@ -25,7 +25,7 @@ def patience() -> Patience:
 
 def faults(rate: float, seconds: int, stuck_at: float = 1e9) -> list[tuple[int, str]]:
     """When an item that gets this share of a core is at fault, looked at each second."""
-    watch, learned = Watch(0.0, 100.0), patience()
+    watch, learned = Watch(0.0, 100.0), timeouts()
     for now in range(seconds):
         told = watch.fault(learned, "shard", float(now), 100.0 + rate * min(now, stuck_at))
         if told:
@@ -53,7 +53,7 @@ def test_a_worker_in_circles_is_ended_by_its_processor_time() -> None:
 
 
 def test_without_processor_time_the_clock_decides() -> None:
-    watch, learned = Watch(0.0, None), patience()
+    watch, learned = Watch(0.0, None), timeouts()
     assert not watch.fault(learned, "shard", 399.0, None)
     assert "expected within 400 s" in watch.fault(learned, "shard", 401.0, None)
 
