@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from rna_export.capture.blender_process import capture_worker as shift
+from rna_export.capture.blender_process import capture_worker
 from rna_export.capture.blender_process.blender_worker import Source
 from rna_export.capture.blender_process.capture_worker import CaptureWorker
 from rna_sdk.errors import CaptureError
@@ -66,16 +66,18 @@ class Task:
 @pytest.fixture
 def blender(monkeypatch: pytest.MonkeyPatch) -> Blender:
     blender = Blender()
-    monkeypatch.setattr(shift, "BlenderWorker", lambda *_, **__: blender)
-    monkeypatch.setattr(shift, "opened", lambda *_: (None, None))
-    monkeypatch.setattr(shift, "blender_env", SimpleNamespace(find_or_set_up=Path))
+    monkeypatch.setattr(capture_worker, "BlenderWorker", lambda *_, **__: blender)
+    monkeypatch.setattr(capture_worker, "opened", lambda *_: (None, None))
+    monkeypatch.setattr(capture_worker, "blender_env", SimpleNamespace(find_or_set_up=Path))
     return blender
 
 
 def pool(tmp_path: Path) -> Pool[Any, None]:
     path = tmp_path / "ball.blend"
     path.touch()
-    job = shift.CaptureJob(InPlace(path), None, Source(path), InPlace(path), scratch=tmp_path)
+    job = capture_worker.CaptureJob(
+        InPlace(path), None, Source(path), InPlace(path), scratch=tmp_path
+    )
     return Pool(Threads(1), lambda name: CaptureWorker(job, name), attempts=2)
 
 

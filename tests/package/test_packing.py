@@ -131,8 +131,8 @@ def test_poster_that_is_no_png_is_refused(
 def test_standin_and_proxy_come_back(tiny: Path, tmp_path: Path) -> None:
     material = StandinMaterial(base_color=(0.5, 0.25, 0.125), roughness=0.5, metallic=0.25)
     proxy = quantise(make_mesh())
-    dressed = Unpacked.read(tiny).with_extension(Standin(parts=(material,)), {})
-    dressed.with_proxies([[(make_mesh(), 64), (proxy, 32)]]).write(tmp_path / "x.rna")
+    unpacked = Unpacked.read(tiny).with_extension(Standin(parts=(material,)), {})
+    unpacked.with_proxies([[(make_mesh(), 64), (proxy, 32)]]).write(tmp_path / "x.rna")
     assert validate(tmp_path / "x.rna") == []
     with Package.open(tmp_path / "x.rna") as package:
         assert extension(package.manifest, Standin).parts == (material,)

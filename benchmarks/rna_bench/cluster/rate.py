@@ -28,7 +28,7 @@ from rna_export.capture.blender_process.capture_worker import CaptureJob, Captur
 from rna_export.capture.capture_run import CaptureCrew, begin
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard
-from rna_export.capture.dataset.collect import Gathered
+from rna_export.capture.dataset.collect import Collector
 from rna_render.command.frame_worker import Frame, FrameJob, FrameWorker
 from rna_render.image.output import Output
 from rna_render.scene import Scene, read_scene
@@ -57,7 +57,7 @@ def capture_seconds(where: Place, source: Source, folder: Path, workers: int) ->
     crew = CaptureCrew(blender_env.find_python(), folder / "scratch", workers, where)
     asked = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
     dataset = begin(source, asked, folder / "a.rays", crew, None, lambda line: None)
-    carried = Gathered.of(dataset, where, None).carried()
+    carried = Collector.of(dataset, where, None).carried()
     scratch = None if where.far else crew.scratch
     job = CaptureJob(carried, None, source, crew.carried(source), scratch)
     tasks = [TrainingShard(k) for k in range(dataset.manifest.shards)]

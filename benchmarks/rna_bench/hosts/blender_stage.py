@@ -25,7 +25,7 @@ def main():
         install(order["extension"])
         bpy.ops.rna.import_package(filepath=order["package"])
     lift(scene, order["height"])
-    dress(scene, order)
+    add_light_and_ground(scene, order)
     scene.render.engine = order["engine"]
     scene.render.filepath = order["out"]
     if order["engine"] == "RNA":
@@ -65,7 +65,7 @@ def lift(scene, height):
     handle.location.z = height
 
 
-def dress(scene, order):
+def add_light_and_ground(scene, order):
     """A diffuse floor and wall, a lamp, a sky, a camera: what both engines know alike."""
     add_plane("floor", (0.42, 0.4, 0.37), (0, 0, 0), (0, 0, 0), 12)
     add_plane("wall", (0.55, 0.12, 0.08), (-0.35, 0.6, 0.4), (1.5708, 0, 0.35), 0.9)

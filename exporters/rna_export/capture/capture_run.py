@@ -21,7 +21,7 @@ from rna_export.capture.blender_process.capture_worker import CaptureJob, Captur
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import Task, TrainingShard, all_tasks
 from rna_export.capture.check.self_check import PICTURE, WORTH_A_NOTE, SelfCheck, picture_side
-from rna_export.capture.dataset.collect import Gathered
+from rna_export.capture.dataset.collect import Collector
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.geometry.exported_parts import exported_parts
@@ -169,11 +169,11 @@ def finish(
     missing = [task for task in asked if not task.path(dataset).is_file()]
     if not missing:
         return
-    gathered = Gathered.of(dataset, crew.place, crew.store)
-    missing = gathered.fetch(missing)
+    collector = Collector.of(dataset, crew.place, crew.store)
+    missing = collector.fetch(missing)
     crew.place.on_every_node(blender_env.find_or_set_up, _RESOURCE)
     scratch = None if crew.place.far else crew.scratch
-    job = CaptureJob(gathered.carried(), gathered.store, source, crew.carried(source), scratch)
+    job = CaptureJob(collector.carried(), collector.store, source, crew.carried(source), scratch)
     cost = partial(_cost, dataset)
     total = sum(map(cost, missing))
     make = partial(CaptureWorker, job)
@@ -185,7 +185,7 @@ def finish(
         clock = _TaskClock(dataset, limit)
         for outcome in progress.of(pool, pool.run(clock.in_time(missing)), cost):
             dataset.record_processors([outcome.value()])
-            gathered.finished(outcome.item)
+            collector.finished(outcome.item)
             clock.took = outcome.seconds
     opened.cache_clear()
     lights, there = dataset.manifest.settings.lights, dataset.lights_finished()

@@ -83,7 +83,7 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
     from rna_export.export.closing import closing_lines, sheet_of
-    from rna_export.export.dressing import dress
+    from rna_export.export.extras import add_extras
     from rna_export.export.package_build import build_package
     from rna_export.export.trained_tiers import checkpoint_paths
     from rna_export.training.checkpoint import load_checkpoint
@@ -105,7 +105,7 @@ def _run(args: argparse.Namespace) -> None:
         max_loss=args.max_loss,
     )
     proxies = sorted(set(args.proxies), reverse=True)
-    dress(args.out, dataset, args.poster, proxies, args.coding == "deflate", print)
+    add_extras(args.out, dataset, args.poster, proxies, args.coding == "deflate", print)
     print("\n".join(closing_lines(args.out, manifest, trained, dataset)))
     size = args.out.stat().st_size / 1e6
     print(f"wrote {args.out}, {size:.2f} MB, {sheet_of(args.out)}")

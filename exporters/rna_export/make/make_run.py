@@ -11,7 +11,7 @@ from time import monotonic
 
 from rna_export.capture.capture_run import say_dropped
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.export.dressing import dress
+from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision
 from rna_export.fit.goal import Goal
@@ -238,7 +238,7 @@ def export(
     manifest = build_package(
         made.trained(), made.dataset, out, credit, license_, _quiet, precisions, max_loss=math.inf
     )
-    dress(out, made.dataset, None, (), False, _quiet)
+    add_extras(out, made.dataset, None, (), False, _quiet)
     return manifest
 
 

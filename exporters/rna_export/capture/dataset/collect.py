@@ -20,8 +20,8 @@ _MADE = ("train", "emission", "validation")
 
 
 @dataclass(frozen=True)
-class Gathered:
-    """Files that workers write into the dataset's folder, or into a store that is gathered here.
+class Collector:
+    """Files that workers write into the dataset's folder, or into a store that is collected here.
 
     store: the part of it that is this dataset's; None if workers see the folder.
     """
@@ -31,7 +31,7 @@ class Gathered:
     store: Store | None
 
     @classmethod
-    def of(cls, dataset: Dataset, place: Place, store: Store | None) -> Gathered:
+    def of(cls, dataset: Dataset, place: Place, store: Store | None) -> Collector:
         """Raises WorkError if a machine cannot write finished files."""
         if store is None:
             check_shared(place, dataset.folder)

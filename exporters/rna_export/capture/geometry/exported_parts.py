@@ -13,7 +13,7 @@ from rna_export.capture.blender_process.blender_worker import (
 )
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import CapturedPart
-from rna_export.capture.geometry.mesh_cleanup import weld, with_last
+from rna_export.capture.geometry.mesh_cleanup import clean_mesh, with_last
 from rna_export.capture.geometry.size_notes import size_notes, too_coarse
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh, quantise
@@ -126,7 +126,7 @@ def _add_surface(
     corners = with_last(worker.export_corners(part.owner, of.charts), last)
     if not len(corners["material"]):
         return
-    exported.geometries[part.name] = weld(corners)
+    exported.geometries[part.name] = clean_mesh(corners)
     for name in last:
         rows = np.flatnonzero(corners["material"] == name)
         if not len(rows):

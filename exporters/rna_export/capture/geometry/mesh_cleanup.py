@@ -23,7 +23,7 @@ def with_last(corners: dict[str, np.ndarray], last: Sequence[str]) -> dict[str, 
     return {**corners, **of_corners, "material": corners["material"][order]}
 
 
-def weld(corners: dict[str, np.ndarray]) -> Mesh:
+def clean_mesh(corners: dict[str, np.ndarray]) -> Mesh:
     """One vertex for each different corner (position, normal, uv); degenerate triangles go.
 
     A corner without a normal gets its triangle's.

@@ -19,7 +19,7 @@ from rna_sdk.package.packing import Unpacked
 _SHARDS = 12  # of training samples that a stand-in is estimated from
 
 
-def dress(
+def add_extras(
     package: Path,
     dataset: Dataset,
     poster: Path | None,
@@ -35,12 +35,12 @@ def dress(
     png = render_poster(package) if poster is None else _read_png(poster)
     materials = [standin_material(part.training_samples(_SHARDS)) for part in dataset.parts]
     standin = Standin(parts=tuple(materials))
-    dressed = Unpacked.read(package).with_poster(png).with_extension(standin, {})
+    unpacked = Unpacked.read(package).with_poster(png).with_extension(standin, {})
     with Package.open(package) as opened:
         levels = [_proxies(opened, k, proxies, say) for k in range(len(materials))]
     if any(levels):
-        dressed = dressed.with_proxies(levels)
-    (dressed.deflated() if deflate else dressed).write(package)
+        unpacked = unpacked.with_proxies(levels)
+    (unpacked.deflated() if deflate else unpacked).write(package)
 
 
 def _proxies(
