@@ -14,7 +14,7 @@ from rna_export.capture import capture_run as run_module
 from rna_export.capture import time_plan
 from rna_export.capture.blender_process.blender_worker import Source
 from rna_export.capture.blender_process.capture_worker import CaptureWorker
-from rna_export.capture.capture_run import CaptureCrew, finish
+from rna_export.capture.capture_run import CaptureWorkers, finish
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard, ValidationHalf
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -144,12 +144,12 @@ def test_a_slow_capture_ends_in_time(
         monkeypatch.setattr(kind, "run", run)
     monkeypatch.setattr(run_module, "CaptureWorker", WithoutBlender)
     said: list[str] = []
-    crew, source = CaptureCrew(Path("python"), dataset.folder, 1), Source(Path("ball.py"))
-    finish(dataset, source, crew, TimeLimit(1.0, 0.0), said.append)
+    workers, source = CaptureWorkers(Path("python"), dataset.folder, 1), Source(Path("ball.py"))
+    finish(dataset, source, workers, TimeLimit(1.0, 0.0), said.append)
     again = Dataset(dataset.folder)
     assert again.manifest == dataset.manifest
     assert again.manifest.shards == shards and again.manifest.settings.lights == 32 * shards
     assert all(again.train_path(k).is_file() for k in range(shards))
     assert (said == []) == (shards == 10)
-    finish(again, source, crew, TimeLimit(1.0, clock.now), said.append)
+    finish(again, source, workers, TimeLimit(1.0, clock.now), said.append)
     assert again.manifest.shards == shards

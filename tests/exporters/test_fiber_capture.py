@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.blender_worker import Source
-from rna_export.capture.capture_run import CaptureCrew, begin, finish
+from rna_export.capture.capture_run import CaptureWorkers, begin, finish
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_manifest import SAMPLE_FIELDS
 from rna_export.capture.rays.asset_scene import AssetScene
@@ -110,9 +110,9 @@ def test_direct_light_has_no_noise_and_is_there_where_we_see_the_light(
 def test_a_dataset_of_fibers(tmp_path: Path, blender_python: Path) -> None:
     source = Source(write_scene(tmp_path, "fur", FUR))
     asked = {"lights": 3, "rays": 300, "validation_views": 1, "validation_resolution": 24}
-    crew = CaptureCrew(blender_python, tmp_path / "scratch", 1)
-    dataset = begin(source, asked, tmp_path / "fur.rays", crew, None, lambda _: None)
-    finish(dataset, source, crew)
+    workers = CaptureWorkers(blender_python, tmp_path / "scratch", 1)
+    dataset = begin(source, asked, tmp_path / "fur.rays", workers, None, lambda _: None)
+    finish(dataset, source, workers)
     dataset = dataset.only
     usual = CaptureSettings.usual("fiber")
     assert dataset.kind == "fiber"

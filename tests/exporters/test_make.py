@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.blender_worker import Source
-from rna_export.capture.capture_run import CaptureCrew
+from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.capture.capture_tasks import Task, TrainingShard
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_parts
@@ -63,7 +63,7 @@ class Cycles:
         self,
         dataset: Dataset,
         source: Source,
-        crew: CaptureCrew,
+        workers: CaptureWorkers,
         limit: TimeLimit | None = None,
         say: object = None,
         tasks: Sequence[Task] = (),
@@ -113,9 +113,9 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
             steps=None,
             seed=0,
         )
-        crew = CaptureCrew(Path("python"), tmp_path / "scratch", 1)
+        workers = CaptureWorkers(Path("python"), tmp_path / "scratch", 1)
         source = Source(tmp_path / "ball.py")
-        order = Order(source, settings, None, work, presets, goal, minutes, None, 0, "cpu", crew)
+        order = Order(source, settings, None, work, presets, goal, minutes, None, 0, "cpu", workers)
         return Make(order, asked, run_module.monotonic(), lambda _: None).run(), cycles
 
     return run

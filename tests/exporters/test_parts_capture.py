@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture.blender_process.blender_worker import Source
-from rna_export.capture.capture_run import CaptureCrew, begin, finish
+from rna_export.capture.capture_run import CaptureWorkers, begin, finish
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.rays.asset_scene import AssetScene, part_counts
@@ -125,9 +125,9 @@ def test_cycles_agrees_where_light_reaches_hair_beside_a_ball(
     hair = fur(400, bend=0.2, root=0.012, tip=0.006, melanin=0.3)
     source = Source(write_scene(tmp_path, "furry", half + body + hair))
     asked = {"lights": 3, "rays": 2000, "validation_views": 1, "validation_resolution": 24}
-    crew = CaptureCrew(blender_python, tmp_path / "scratch", 1)
-    dataset = begin(source, asked, tmp_path / "furry.rays", crew, None, lambda _: None)
-    finish(dataset, source, crew)
+    workers = CaptureWorkers(blender_python, tmp_path / "scratch", 1)
+    dataset = begin(source, asked, tmp_path / "furry.rays", workers, None, lambda _: None)
+    finish(dataset, source, workers)
     assert dataset.manifest.settings.samples == CaptureSettings.usual("both").samples
     skin, hair_samples = (part.training_samples() for part in dataset.parts)
     assert len(skin["wo"]) + len(hair_samples["wo"]) == pytest.approx(6000, abs=20)

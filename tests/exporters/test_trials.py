@@ -15,7 +15,7 @@ from rna_export.training.training_run import train
 from rna_export.trials import trial_run as run_module
 from rna_export.trials.grid import nrhints
 from rna_export.trials.packages import TRIAL_PRECISIONS, USUAL
-from rna_export.trials.pool import Crew, TrialPool
+from rna_export.trials.pool import TrialPool, TrialWorkers
 from rna_export.trials.record import read_record
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_run import run_trial
@@ -24,7 +24,7 @@ from rna_sdk.runtime import load
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.exporters.two_parts import hairy_ball
 
-CPU = Crew(workers=1, threads=1, device="cpu")
+CPU = TrialWorkers(count=1, threads=1, device="cpu")
 
 
 def trial(name: str = "tiny", **training: object) -> Trial:

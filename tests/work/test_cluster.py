@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from rna_export.trials.pool import Crew
+from rna_export.trials.pool import TrialWorkers
 from rna_sdk.errors import WorkError
 from rna_work.executors import Needs, Place, place
 from rna_work.pool import Pool
@@ -138,15 +138,15 @@ def test_workers_share_a_gpu(cluster: Any, where: Place) -> None:
     try:
         while not where.gpus():
             time.sleep(0.1)
-        crew = Crew.usual("auto", 2, where)
-        assert crew.device == "cuda"
-        with Pool(crew.backend(), Doubling) as pool:
+        workers = TrialWorkers.usual("auto", 2, where)
+        assert workers.device == "cuda"
+        with Pool(workers.backend(), Doubling) as pool:
             found = [o.value() for o in pool.run(["gpus"] * 8)]
             assert pool.nodes().total() == 2
         assert found == ["0"] * 8
-        whole = Crew.usual("cuda", None, where).backend()
+        whole = TrialWorkers.usual("cuda", None, where).backend()
         assert whole.width() == 1 and whole.options()["num_gpus"] == 1.0
-        assert Crew.usual("cuda", 4, where).backend().options()["num_gpus"] == 0.25
+        assert TrialWorkers.usual("cuda", 4, where).backend().options()["num_gpus"] == 0.25
     finally:
         cluster.remove_node(node)
 

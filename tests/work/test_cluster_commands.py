@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rna_export.capture.rna_capture import main as capture
-from rna_export.trials.pool import Crew, TrialPool
+from rna_export.trials.pool import TrialPool, TrialWorkers
 from rna_export.trials.trial import Trial
 from rna_render.command.rna_run import main as render
 from rna_work.executors import place
@@ -83,8 +83,8 @@ def test_trainings_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
     trials = [Trial(name=f"t{k}", family="ours", preset=tiny(steps=12), seed=k) for k in range(2)]
 
     def points(where: object, name: str) -> dict[str, object]:
-        crew = Crew(None if where.far else 1, 1, "cpu", where)
-        with TrialPool(dataset.folder, crew) as pool:
+        workers = TrialWorkers(None if where.far else 1, 1, "cpu", where)
+        with TrialPool(dataset.folder, workers) as pool:
             records = list(pool.run([(t, tmp_path / name / t.name) for t in trials]))
         return {record.trial.name: record.points for record in records}
 

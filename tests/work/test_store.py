@@ -13,7 +13,7 @@ import pytest
 
 from rna_export.capture import capture_run as run_module
 from rna_export.capture.blender_process.blender_worker import Source
-from rna_export.capture.capture_run import CaptureCrew, finish
+from rna_export.capture.capture_run import CaptureWorkers, finish
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_arrays
 from rna_sdk.errors import WorkError
@@ -69,13 +69,13 @@ def test_a_capture_is_gathered(
     for kind in (run_module.TrainingShard, type(run_module.all_tasks(dataset)[0])):
         monkeypatch.setattr(kind, "run", run)
     monkeypatch.setattr(run_module, "CaptureWorker", WithoutBlender)
-    crew = CaptureCrew(Path("python"), tmp_path / "scratch", 1, store=store)
+    workers = CaptureWorkers(Path("python"), tmp_path / "scratch", 1, store=store)
     tasks = run_module.all_tasks(dataset)
-    finish(dataset, Source(Path("ball.py")), crew, say=lambda _: None)
+    finish(dataset, Source(Path("ball.py")), workers, say=lambda _: None)
     assert len(made) == len(tasks) == len(store.names())
     for task in tasks[::2]:
         task.path(dataset).unlink()
-    finish(dataset, Source(Path("ball.py")), crew, say=lambda _: None)
+    finish(dataset, Source(Path("ball.py")), workers, say=lambda _: None)
     assert len(made) == len(tasks)
     assert all(str(task).encode() in task.path(dataset).read_bytes() for task in tasks)
     cut, size = tasks[0].path(dataset), tasks[0].path(dataset).stat().st_size
@@ -84,7 +84,7 @@ def test_a_capture_is_gathered(
     (tmp_path / "cut").write_bytes(whole[: size - 5])
     store.put(tmp_path / "cut", there)
     cut.unlink()
-    finish(dataset, Source(Path("ball.py")), crew, say=lambda _: None)
+    finish(dataset, Source(Path("ball.py")), workers, say=lambda _: None)
     assert len(made) == len(tasks) + 1  # what was cut is made again, and kept
     assert cut.read_bytes() == whole and store.sizes()[there] == size
 

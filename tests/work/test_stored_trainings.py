@@ -11,7 +11,7 @@ import pytest
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.optimization.fitting import Fitting
-from rna_export.trials.pool import Crew, TrialPool
+from rna_export.trials.pool import TrialPool, TrialWorkers
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_worker import Job, TrialWorker
@@ -117,10 +117,10 @@ def test_what_is_in_the_store_is_not_trained_again(
     store: Store, dataset: DatasetPart, tmp_path: Path
 ) -> None:
     with place(None) as here:
-        crew = Crew(1, 1, "cpu", here, store)
+        workers = TrialWorkers(1, 1, "cpu", here, store)
         logs = []
         for name in ("a", "b"):
-            with TrialPool(dataset.folder, crew) as pool:
+            with TrialPool(dataset.folder, workers) as pool:
                 found = list(pool.run([(t, tmp_path / name / t.name) for t in TRIALS]))
             assert sorted(record.trial.name for record in found) == ["t0", "t1"]
             logs.append((tmp_path / name / "t0" / "log.txt").read_text())
@@ -135,8 +135,8 @@ def test_trainings_on_a_cluster_have_the_same_bits(
     points = []
     for name, address in (("a", None), ("b", ray_address)):
         with place(address) as where:
-            crew = Crew(1, 1, "cpu", where, store if address else None)
-            with TrialPool(dataset.folder, crew) as pool:
+            workers = TrialWorkers(1, 1, "cpu", where, store if address else None)
+            with TrialPool(dataset.folder, workers) as pool:
                 [record] = pool.run([(TRIALS[0], tmp_path / name / "t0")])
         points.append(record.points)
     assert points[0] == points[1]

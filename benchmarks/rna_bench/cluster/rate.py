@@ -25,7 +25,7 @@ from rna_bench.results import publish
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import Source
 from rna_export.capture.blender_process.capture_worker import CaptureJob, CaptureWorker
-from rna_export.capture.capture_run import CaptureCrew, begin
+from rna_export.capture.capture_run import CaptureWorkers, begin
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.capture_tasks import TrainingShard
 from rna_export.capture.dataset.collect import Collector
@@ -54,14 +54,14 @@ def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
 
 def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:
     """A shard of a capture."""
-    crew = CaptureCrew(blender_env.find_python(), folder / "scratch", workers, where)
+    capture_workers = CaptureWorkers(blender_env.find_python(), folder / "scratch", workers, where)
     asked = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
-    dataset = begin(source, asked, folder / "a.rays", crew, None, lambda line: None)
+    dataset = begin(source, asked, folder / "a.rays", capture_workers, None, lambda line: None)
     carried = Collector.of(dataset, where, None).carried()
-    scratch = None if where.far else crew.scratch
-    job = CaptureJob(carried, None, source, crew.carried(source), scratch)
+    scratch = None if where.far else capture_workers.scratch
+    job = CaptureJob(carried, None, source, capture_workers.carried(source), scratch)
     tasks = [TrainingShard(k) for k in range(dataset.manifest.shards)]
-    return seconds(Pool(crew.backend(), partial(CaptureWorker, job)), tasks, workers)
+    return seconds(Pool(capture_workers.backend(), partial(CaptureWorker, job)), tasks, workers)
 
 
 def frame_seconds(where: Place, scene: Path, folder: Path) -> float:

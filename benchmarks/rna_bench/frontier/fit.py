@@ -23,7 +23,7 @@ from rna_export.fit.fit_page import write_page
 from rna_export.fit.fit_run import Fit, fit
 from rna_export.fit.goal import Goal
 from rna_export.training.options import add_device
-from rna_export.trials.pool import Crew
+from rna_export.trials.pool import TrialWorkers
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
 
@@ -67,8 +67,8 @@ def _fit(goal: Goal, trials: list[Trial], steps: int, args: argparse.Namespace) 
     longest = args.work / str(steps)
     if not longest.exists():
         longest.symlink_to((args.grid / "trials").resolve())
-    crew = Crew.usual(args.device, args.workers)
-    return fit(Dataset(args.dataset).only, trials, goal, steps, crew, args.work, print)
+    workers = TrialWorkers.usual(args.device, args.workers)
+    return fit(Dataset(args.dataset).only, trials, goal, steps, workers, args.work, print)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

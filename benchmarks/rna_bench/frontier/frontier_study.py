@@ -23,7 +23,7 @@ from rna_export.capture.dataset.validation_view import all_queries
 from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
 from rna_export.trials.cost import Costs, measure_costs
 from rna_export.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
-from rna_export.trials.pool import Crew, TrialPool, largest_first
+from rna_export.trials.pool import TrialPool, TrialWorkers, largest_first
 from rna_export.trials.record import Record, read_record
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_run import missing_precisions
@@ -47,7 +47,7 @@ class Study:
     trials: list[Trial]
     chosen: list[Trial]  # to train now
     out: Path
-    crew: Crew
+    workers: TrialWorkers
     stamp: dict[str, Any]
 
     @classmethod
@@ -59,8 +59,8 @@ class Study:
         dataset = Dataset(args.dataset).only
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.kind, args.steps or usual)
-        crew = Crew.usual(args.device, args.workers, where, args.store, dataset.folder)
-        return cls(dataset, trials, _chosen(trials, args.trials), args.out, crew, args.stamp)
+        workers = TrialWorkers.usual(args.device, args.workers, where, args.store, dataset.folder)
+        return cls(dataset, trials, _chosen(trials, args.trials), args.out, workers, args.stamp)
 
     def folder(self, trial: Trial) -> Path:
         """Folder of a trial's checkpoint, packages and record."""
@@ -83,7 +83,7 @@ class Study:
             Progress(
                 len(self.chosen), "model", "training", len(self.chosen) - len(todo)
             ) as progress,
-            TrialPool(self.dataset.folder, self.crew, progress.tell) as pool,
+            TrialPool(self.dataset.folder, self.workers, progress.tell) as pool,
         ):
             for record in pool.run([(trial, self.folder(trial)) for trial in todo]):
                 scores = next(iter(record.points.values())).scores

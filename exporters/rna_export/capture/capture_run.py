@@ -53,17 +53,17 @@ _ATTEMPTS = 2  # Blender may die of its own; a second failure is ours
 
 
 @dataclass(frozen=True)
-class CaptureCrew:
-    """Who captures.
+class CaptureWorkers:
+    """The workers of a capture.
 
-    python, scratch: of Blender on this machine. workers: how many, each with one thread, since a
+    python, scratch: of Blender on this machine. count: how many, each with one thread, since a
     small render scales badly; None for all that there is room for. store: where workers put what is
     finished; None if they all see the dataset's folder.
     """
 
     python: Path
     scratch: Path
-    workers: int | None
+    count: int | None
     place: Place = field(default_factory=this_machine)
     store: Store | None = None
 
@@ -82,14 +82,14 @@ class CaptureCrew:
 
     def backend(self) -> Backend:
         """The place's room for workers."""
-        return self.place.workers(Needs("threads", resource=_RESOURCE), self.workers)
+        return self.place.workers(Needs("threads", resource=_RESOURCE), self.count)
 
 
 def begin(
     source: Source,
     asked: dict[str, Any],
     out: Path,
-    crew: CaptureCrew,
+    workers: CaptureWorkers,
     limit: TimeLimit | None,
     say: Callable[[str], None],
     for_scene: SceneFile | None = None,
@@ -101,7 +101,7 @@ def begin(
     `for_scene` limits views and lights to its own.
     """
     start = monotonic()
-    with crew.probe(source) as worker:
+    with workers.probe(source) as worker:
         opening = monotonic() - start
         settings = CaptureSettings.usual(worker.kind, **asked)
         exported = exported_parts(worker, settings)
@@ -118,7 +118,7 @@ def begin(
             side=picture_side(settings.rays),
         )
         cutouts = exported.has_opaque_cutouts
-        rate = _paths_a_second(check, settings, domain, worker, cutouts) * crew.backend().width()
+        rate = _paths_a_second(check, settings, domain, worker, cutouts) * workers.backend().width()
         _refuse_nothing(check, source)
         check.render_card(worker)
         check.render_picture(worker, source.path.name)
@@ -152,7 +152,7 @@ def begin(
 def finish(
     dataset: Dataset,
     source: Source,
-    crew: CaptureCrew,
+    workers: CaptureWorkers,
     limit: TimeLimit | None = None,
     say: Callable[[str], None] = print,
     tasks: Sequence[Task] | None = None,
@@ -169,17 +169,17 @@ def finish(
     missing = [task for task in asked if not task.path(dataset).is_file()]
     if not missing:
         return
-    collector = Collector.of(dataset, crew.place, crew.store)
+    collector = Collector.of(dataset, workers.place, workers.store)
     missing = collector.fetch(missing)
-    crew.place.on_every_node(blender_env.find_or_set_up, _RESOURCE)
-    scratch = None if crew.place.far else crew.scratch
-    job = CaptureJob(collector.carried(), collector.store, source, crew.carried(source), scratch)
+    workers.place.on_every_node(blender_env.find_or_set_up, _RESOURCE)
+    scratch = None if workers.place.far else workers.scratch
+    job = CaptureJob(collector.carried(), collector.store, source, workers.carried(source), scratch)
     cost = partial(_cost, dataset)
     total = sum(map(cost, missing))
     make = partial(CaptureWorker, job)
     progress = Progress(total, "path", "capture", bars=bars)
     pool: Pool[Task, str] = Pool(
-        crew.backend(), make, _ATTEMPTS, timeouts=Timeouts(cost), tell=progress.tell
+        workers.backend(), make, _ATTEMPTS, timeouts=Timeouts(cost), tell=progress.tell
     )
     with progress, pool:
         clock = _TaskClock(dataset, limit)

@@ -191,7 +191,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         return
     check_source(args.source)
     from rna_export.capture.blender_process.blender_worker import Source
-    from rna_export.capture.capture_run import CaptureCrew, begin, finish
+    from rna_export.capture.capture_run import CaptureWorkers, begin, finish
     from rna_export.capture.time_plan import TimeLimit
     from rna_render.scene import read_scene
 
@@ -205,7 +205,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         folder.scratch() as scratch,
         place(args.cluster) as where,
     ):
-        crew = CaptureCrew(python, scratch, args.workers, where, args.store)
+        workers = CaptureWorkers(python, scratch, args.workers, where, args.store)
         begun = _is_dataset(args.out)
         if begun:
             dataset = _continue(args.out, args.source, arguments, asked)
@@ -215,8 +215,8 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
             settings = CaptureSettings(**asked)
         source = Source.captured(args.source, arguments, settings)
         if not begun:
-            dataset = begin(source, asked, args.out, crew, limit, print, for_scene)
-        finish(dataset, source, crew, limit)
+            dataset = begin(source, asked, args.out, workers, limit, print, for_scene)
+        finish(dataset, source, workers, limit)
     train = "rna-train", args.out, "--preset", "small", "--out", Path("runs", args.source.stem)
     print(f"wrote {args.out}\nnext: {command_line(*train)}")
 

@@ -19,7 +19,7 @@ from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.training_run import padded_bounds
 from rna_export.trials.cost import Costs, measure_costs
 from rna_export.trials.packages import TRIAL_PRECISIONS, write_packages
-from rna_export.trials.pool import Crew, TrialPool
+from rna_export.trials.pool import TrialPool, TrialWorkers
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
 from rna_sdk.atomic_file import write_atomically
@@ -46,7 +46,7 @@ def fit(
     trials: list[Trial],
     goal: Goal,
     steps: int,
-    crew: Crew,
+    workers: TrialWorkers,
     work: Path,
     say: Callable[[str], None],
 ) -> Fit:
@@ -57,7 +57,7 @@ def fit(
     """
     candidates, costs = _with_costs(dataset, trials, work, say)
     records: dict[Path, Record] = {}
-    with TrialPool(dataset.folder, crew, say) as pool:
+    with TrialPool(dataset.folder, workers, say) as pool:
 
         def train(wanted: list[Candidate], rung: int) -> None:
             folders = {c.trial.name: work / str(rung) / c.trial.name for c in wanted}
@@ -73,7 +73,7 @@ def fit(
                     if candidate.trial.name == record.trial.name:
                         candidate.scores[rung] = record.points[candidate.precision].scores
 
-        chosen = search(candidates, goal, steps, train, crew.backend().width())
+        chosen = search(candidates, goal, steps, train, workers.backend().width())
     checkpoint = work / str(steps) / chosen.trial.name / "best.ckpt"
     seconds = sum(record.seconds for record in records.values())
     return Fit(goal, steps, costs, candidates, chosen, seconds, checkpoint)

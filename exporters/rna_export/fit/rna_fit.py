@@ -105,20 +105,20 @@ def _run(args: argparse.Namespace, where: Place) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.fit.fit_run import fit, is_work_folder
     from rna_export.trials.grid import full_grid, short_grid
-    from rna_export.trials.pool import Crew
+    from rna_export.trials.pool import TrialWorkers
 
     if args.steps < 16:
         raise TrainingError(f"--steps: found {args.steps}, expected at least 16")
     dataset = Dataset(args.dataset).only
-    crew = Crew.usual(args.device, args.workers, where, args.store, dataset.folder)
-    grid = args.grid or ("full" if crew.device == "cuda" else "short")
+    workers = TrialWorkers.usual(args.device, args.workers, where, args.store, dataset.folder)
+    grid = args.grid or ("full" if workers.device == "cuda" else "short")
     models = {"full": full_grid, "short": short_grid}[grid](dataset.kind, args.steps)
     ours = [trial for trial in models if trial.family == "ours"]
     work = args.work or args.out.with_suffix(".fit")
     check_outputs([args.out], [])
     check_outside(work, [args.out, args.dataset])
     with owned(work, "rna-fit", is_work_folder):
-        found = fit(dataset, ours, goal_of(args), args.steps, crew, work, print)
+        found = fit(dataset, ours, goal_of(args), args.steps, workers, work, print)
         _write(args, found, dataset, work)
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from rna_export.capture.blender_process.blender_worker import Source
-from rna_export.capture.capture_run import CaptureCrew
+from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.fit.goal import Goal
 from rna_export.make.training_picture import TrainingPicture
 from rna_render.scene import SceneFile
@@ -27,7 +27,7 @@ class Order:
     steps: int | None  # of the last phase; None: the preset's
     seed: int
     device: str
-    crew: CaptureCrew
+    workers: CaptureWorkers
     picture: TrainingPicture | None = None
 
     @property

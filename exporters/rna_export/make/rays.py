@@ -26,7 +26,7 @@ def open_rays(order: Order, begun: float) -> Dataset:
     small = {} if order.fixes_lights else {"lights_per_shard": _SHARD}
     asked = {**small, **order.settings}
     return begin(
-        order.source, asked, rays_folder(order), order.crew, limit, _quiet, order.for_scene
+        order.source, asked, rays_folder(order), order.workers, limit, _quiet, order.for_scene
     )
 
 
@@ -57,7 +57,7 @@ class Rays:
     def _finish(self, tasks: Sequence[Task], limit: TimeLimit | None, stage: Stage) -> None:
         bars = stage.part(0.0, 1.0)
         order = self._order
-        finish(self.dataset, order.source, order.crew, limit, _quiet, tasks, bars)
+        finish(self.dataset, order.source, order.workers, limit, _quiet, tasks, bars)
 
 
 def _quiet(_: str) -> None:

@@ -160,7 +160,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     check_source(args.model)
     from rna_export.capture.blender_process.blender_env import find_python
     from rna_export.capture.blender_process.blender_worker import Source
-    from rna_export.capture.capture_run import CaptureCrew
+    from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
     from rna_export.export.closing import closing_lines, sheet_of
     from rna_export.make.make_options import Order
@@ -212,7 +212,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 steps=args.steps,
                 seed=args.seed,
                 device=device,
-                crew=CaptureCrew(python, scratch, args.workers, where, args.store),
+                workers=CaptureWorkers(python, scratch, args.workers, where, args.store),
                 picture=picture,
             )
             made = Make(order, asked, begun, print).run()

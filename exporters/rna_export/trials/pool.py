@@ -26,15 +26,15 @@ _OWN_BYTES = 1_000_000_000  # of a worker without samples
 
 
 @dataclass(frozen=True)
-class Crew:
-    """Who trains.
+class TrialWorkers:
+    """The workers of trials.
 
-    workers: how many side by side; None for all that there is room for. threads: of each.
+    count: how many side by side; None for all that there is room for. threads: of each.
     store: through which dataset and trainings go to workers and back; None if they see the folders.
     memory: of each, bytes, that a node of a cluster has to have.
     """
 
-    workers: int | None
+    count: int | None
     threads: int
     device: str
     place: Place = field(default_factory=this_machine)
@@ -49,7 +49,7 @@ class Crew:
         place: Place | None = None,
         store: Store | None = None,
         dataset: Path | None = None,
-    ) -> Crew:
+    ) -> TrialWorkers:
         """A worker for each core of a CPU, or one for a GPU; a machine's cores are shared evenly.
 
         device: `auto` is the GPU if there is one. dataset: that each worker of a cluster
@@ -71,9 +71,9 @@ class Crew:
         """The place's room for workers, which share its GPUs evenly if there are more of them."""
         gpus = 0.0
         if self.device == "cuda":
-            gpus = min(1.0, self.place.gpus() / self.workers) if self.workers else 1.0
+            gpus = min(1.0, self.place.gpus() / self.count) if self.count else 1.0
         needs = Needs("processes", self.threads, gpus, self.memory)
-        return self.place.workers(needs, self.workers)
+        return self.place.workers(needs, self.count)
 
 
 def memory_for(dataset: Path) -> int:
@@ -83,18 +83,17 @@ def memory_for(dataset: Path) -> int:
 
 
 class TrialPool:
-    """Runs trials with the workers of a crew; a context.
+    """Runs trials; a context.
 
     A worker loads the dataset once, before its first trial. What a trial prints is in `log.txt`
     of its folder. tell: gets a line for each trial that is run again.
     """
 
-    def __init__(self, dataset: Path, crew: Crew, tell: Callable[[str], None] = print):
-        self._place, self._store = crew.place, crew.store
+    def __init__(self, dataset: Path, workers: TrialWorkers, tell: Callable[[str], None] = print):
+        self._place, self._store = workers.place, workers.store
         carried = self._carried(dataset.resolve() / "manifest.json")
-        self._pool: Pool[Job, Record] = Pool(
-            crew.backend(), partial(TrialWorker, carried, crew.threads, crew.device), tell=tell
-        )
+        make = partial(TrialWorker, carried, workers.threads, workers.device)
+        self._pool: Pool[Job, Record] = Pool(workers.backend(), make, tell=tell)
 
     def _carried(self, manifest: Path) -> Carried:
         if self._store is None:
