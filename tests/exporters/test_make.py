@@ -22,7 +22,7 @@ from rna_export.make import make_run as run_module
 from rna_export.make import phases as phases_module
 from rna_export.make import rays as rays_module
 from rna_export.make import stop as stop_module
-from rna_export.make.make_options import Order
+from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
 from rna_export.make.state import Asked
 from rna_export.training import report as report_module
@@ -115,8 +115,10 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         )
         workers = CaptureWorkers(Path("python"), tmp_path / "scratch", 1)
         source = Source(tmp_path / "ball.py")
-        order = Order(source, settings, None, work, presets, goal, minutes, None, 0, "cpu", workers)
-        return Make(order, asked, run_module.monotonic(), lambda _: None).run(), cycles
+        options = MakeOptions(
+            source, settings, None, work, presets, goal, minutes, None, 0, "cpu", workers
+        )
+        return Make(options, asked, run_module.monotonic(), lambda _: None).run(), cycles
 
     return run
 

@@ -195,12 +195,12 @@ def test_nothing_kept_is_an_error_of_one_line() -> None:
 
 
 def test_rna_make_keeps_the_picture_beside_the_package(tmp_path: Path) -> None:
-    order = SimpleNamespace(work=tmp_path / "toy.make")
-    assert _kept_picture(order, tmp_path / "toy.rna") is None
+    options = SimpleNamespace(work=tmp_path / "toy.make")
+    assert _kept_picture(options, tmp_path / "toy.rna") is None
     rays = tmp_path / "toy.make" / "rays"
     rays.mkdir(parents=True)
     (rays / PICTURE).write_bytes(b"a PNG")
-    kept = _kept_picture(order, tmp_path / "toy.rna")
+    kept = _kept_picture(options, tmp_path / "toy.rna")
     assert kept == tmp_path / "toy.disagreement.png"
     assert kept.read_bytes() == b"a PNG"
 

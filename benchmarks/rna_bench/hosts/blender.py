@@ -76,7 +76,7 @@ def run(args: argparse.Namespace) -> None:
 def rendered(name: str, folder: Path, extension: Path, args: Any) -> dict[str, np.ndarray]:
     """Radiance by renderer: (h, w, 3)."""
     asset, scene = ASSETS[name], folder / name
-    order = {
+    options = {
         **asset,
         "package": str(ROOT / asset["package"]),
         "original": str(ROOT / asset["original"]),
@@ -88,7 +88,7 @@ def rendered(name: str, folder: Path, extension: Path, args: Any) -> dict[str, n
     ours = {"engine": "RNA", "samples": args.samples, "out": f"{scene}-rna.exr"}
     cycles = {"engine": "CYCLES", "samples": args.cycles_samples, "out": f"{scene}-cycles.exr"}
     for engine in (ours, cycles):
-        in_blender(folder, {**order, **engine})
+        in_blender(folder, {**options, **engine})
     out = folder / f"{name}-run.exr"
     command = [
         sys.executable,
@@ -103,14 +103,14 @@ def rendered(name: str, folder: Path, extension: Path, args: Any) -> dict[str, n
     return {who: rgb(path) for who, path in files.items()}
 
 
-def in_blender(folder: Path, order: dict[str, Any]) -> None:
-    (folder / "order.json").write_text(json.dumps(order))
+def in_blender(folder: Path, options: dict[str, Any]) -> None:
+    (folder / "options.json").write_text(json.dumps(options))
     environment = {
         "BLENDER_USER_RESOURCES": str(folder / "user"),
         "RNA_SDK_PYTHON": sys.executable,
     }
     stage = Path(__file__).with_name("blender_stage.py")
-    command = [str(find_python()), str(stage), str(folder / "order.json")]
+    command = [str(find_python()), str(stage), str(folder / "options.json")]
     subprocess.run(command, env={**os.environ, **environment}, check=True)
 
 

@@ -16,25 +16,25 @@ import mathutils
 
 def main():
     with open(sys.argv[1]) as file:
-        order = json.load(file)
+        options = json.load(file)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
-    if order["engine"] == "CYCLES":
-        add_original(order)
+    if options["engine"] == "CYCLES":
+        add_original(options)
     else:
-        install(order["extension"])
-        bpy.ops.rna.import_package(filepath=order["package"])
-    lift(scene, order["height"])
-    add_light_and_ground(scene, order)
-    scene.render.engine = order["engine"]
-    scene.render.filepath = order["out"]
-    if order["engine"] == "RNA":
-        scene.rna_render.samples = order["samples"]
+        install(options["extension"])
+        bpy.ops.rna.import_package(filepath=options["package"])
+    lift(scene, options["height"])
+    add_light_and_ground(scene, options)
+    scene.render.engine = options["engine"]
+    scene.render.filepath = options["out"]
+    if options["engine"] == "RNA":
+        scene.rna_render.samples = options["samples"]
         scene.rna_render.auto_clamp = False
-        bpy.ops.rna.export_scene(filepath=order["folder"])
+        bpy.ops.rna.export_scene(filepath=options["folder"])
     else:
         cycles = scene.cycles
-        cycles.samples, cycles.use_denoising = order["samples"], False
+        cycles.samples, cycles.use_denoising = options["samples"], False
         cycles.pixel_filter_type, cycles.filter_width = "BOX", 1.0
         cycles.sample_clamp_indirect = 0.0
     bpy.ops.render.render(write_still=True)
@@ -48,10 +48,10 @@ def install(extension):
     )
 
 
-def add_original(order):
-    sys.path.append(order["hairFolder"])
-    arguments, sys.argv = sys.argv, [order["original"]]
-    runpy.run_path(order["original"], run_name="__main__")
+def add_original(options):
+    sys.path.append(options["hairFolder"])
+    arguments, sys.argv = sys.argv, [options["original"]]
+    runpy.run_path(options["original"], run_name="__main__")
     sys.argv = arguments
     for item in [item for item in bpy.data.objects if item.type in ("LIGHT", "CAMERA")]:
         bpy.data.objects.remove(item)
@@ -65,22 +65,22 @@ def lift(scene, height):
     handle.location.z = height
 
 
-def add_light_and_ground(scene, order):
+def add_light_and_ground(scene, options):
     """A diffuse floor and wall, a lamp, a sky, a camera: what both engines know alike."""
     add_plane("floor", (0.42, 0.4, 0.37), (0, 0, 0), (0, 0, 0), 12)
     add_plane("wall", (0.55, 0.12, 0.08), (-0.35, 0.6, 0.4), (1.5708, 0, 0.35), 0.9)
     lamp = bpy.data.lights.new("lamp", "AREA")
     lamp.energy, lamp.size, lamp.color = 55.0, 0.8, (1.0, 0.93, 0.83)
-    add(scene, "lamp", lamp, (1.4, -1.2, 1.8), order["target"])
+    add(scene, "lamp", lamp, (1.4, -1.2, 1.8), options["target"])
     camera = bpy.data.cameras.new("camera")
     camera.lens = 60.0
-    scene.camera = add(scene, "camera", camera, order["camera"], order["target"])
+    scene.camera = add(scene, "camera", camera, options["camera"], options["target"])
     world = bpy.data.worlds.new("sky")
     use_nodes(world)
     world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.2, 0.24, 0.32, 1)
     scene.world = world
     render = scene.render
-    render.resolution_x, render.resolution_y = order["resolution"]
+    render.resolution_x, render.resolution_y = options["resolution"]
     render.image_settings.file_format = "OPEN_EXR"
     render.image_settings.color_depth, render.image_settings.color_mode = "32", "RGBA"
 

@@ -40,7 +40,7 @@ class Job:
         self.folder = Path(folder)
         self.source = self.folder / "source.blend"
         self.sheet = self.folder / "compare" / "sheet.png"
-        self._log, self._pid, self._order = (self.folder / n for n in ("log", "pid", "job.json"))
+        self._log, self._pid, self._settings = (self.folder / n for n in ("log", "pid", "job.json"))
 
     def is_begun(self):
         return self._stored() is not None
@@ -59,11 +59,11 @@ class Job:
 
     def begin(self, out, options):
         """Store the job's package and options, as its own; `source` exists already."""
-        order = {"out": str(out), "options": options}
-        temporary = self._order.with_suffix(".part")
-        seal = seal_of(self._sealed(order))
-        temporary.write_text(json.dumps({**order, "seal": seal}, indent=1))
-        temporary.replace(self._order)
+        settings = {"out": str(out), "options": options}
+        temporary = self._settings.with_suffix(".part")
+        seal = seal_of(self._sealed(settings))
+        temporary.write_text(json.dumps({**settings, "seal": seal}, indent=1))
+        temporary.replace(self._settings)
 
     def check_same(self, out, options):
         """Raises SdkError if the job was begun for something else."""
@@ -113,7 +113,7 @@ class Job:
             return
         for name in _FOLDERS:
             shutil.rmtree(self.folder / name, ignore_errors=True)
-        for path in (self.source, self._log, self._pid, self.folder / "made", self._order):
+        for path in (self.source, self._log, self._pid, self.folder / "made", self._settings):
             path.unlink(missing_ok=True)
         if not any(self.folder.iterdir()):
             self.folder.rmdir()
@@ -136,15 +136,18 @@ class Job:
     def _stored(self):
         """What `begin` stored; None if there is no job, or one of others."""
         try:
-            record = json.loads(self._order.read_text())
-            order = {"out": str(record["out"]), "options": [str(one) for one in record["options"]]}
-            return order if is_sealed(self._sealed(order), record["seal"]) else None
+            record = json.loads(self._settings.read_text())
+            settings = {
+                "out": str(record["out"]),
+                "options": [str(one) for one in record["options"]],
+            }
+            return settings if is_sealed(self._sealed(settings), record["seal"]) else None
         except (OSError, ValueError, KeyError, TypeError, RecursionError):
             return None
 
-    def _sealed(self, order):
+    def _sealed(self, settings):
         """What the seal is of: the folder, too, so that a copy elsewhere is no job."""
-        return json.dumps([self._key(), order])
+        return json.dumps([self._key(), settings])
 
     def _key(self):
         return str(self.folder.resolve())

@@ -1,4 +1,4 @@
-"""The settings of an `rna-make` run."""
+"""The options of an `rna-make` run."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from rna_render.scene import SceneFile
 
 
 @dataclass(frozen=True)
-class Order:
-    """One make, as asked for."""
+class MakeOptions:
+    """The options of one run."""
 
     source: Source
     settings: dict[str, Any]  # of the capture, that are not to be the usual ones

@@ -15,7 +15,7 @@ from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision
 from rna_export.fit.goal import Goal
-from rna_export.make.make_options import Order
+from rna_export.make.make_options import MakeOptions
 from rna_export.make.phases import Phase, phase_folder, score, trained_in
 from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan
 from rna_export.make.progress import Clock, Progress
@@ -52,26 +52,28 @@ class Make:
     of another make.
     """
 
-    def __init__(self, order: Order, asked: Asked, begun: float, say: Callable[[str], None]):
-        self._order, self._begun = order, begun
-        self._by_cost = sorted(order.presets, key=_decoder_size, reverse=True)
+    def __init__(
+        self, options: MakeOptions, asked: Asked, begun: float, say: Callable[[str], None]
+    ):
+        self._options, self._begun = options, begun
+        self._by_cost = sorted(options.presets, key=_decoder_size, reverse=True)
         self._lead = self._by_cost[0]
-        self._state = load_state(order.work, asked) or self._first_state(asked, say)
+        self._state = load_state(options.work, asked) or self._first_state(asked, say)
         if self._state.rounds:
             minutes = f"after {self._state.seconds / 60:.1f} min"
-            say(f"resuming {order.work} {minutes}, in round {len(self._state.rounds)}")
+            say(f"resuming {options.work} {minutes}, in round {len(self._state.rounds)}")
         self._spent_before = self._state.seconds
-        dataset = Dataset(rays_folder(order))
+        dataset = Dataset(rays_folder(options))
         for note in dataset.manifest.notes:
             say(f"note: {note}")
-        self._rays = Rays(order, dataset)
-        self._goal = order.goal or Goal("min_psnr", math.inf)
+        self._rays = Rays(options, dataset)
+        self._goal = options.goal or Goal("min_psnr", math.inf)
         self._plan = self._chosen_plan(dataset)
         say(self._told_plan())
 
     def run(self) -> Made:
         """Capture and train to the end."""
-        minutes = self._order.minutes
+        minutes = self._options.minutes
         clock = Clock(self._spent, None if minutes is None else 60.0 * minutes)
         self._progress = Progress(self._known_weight(), clock, self._finished_weight())
         try:
@@ -90,32 +92,34 @@ class Make:
         finally:
             self._progress.close()
             self._save()
-        folders = tuple(self._best_folder(preset) for preset in self._order.presets)
+        folders = tuple(self._best_folder(preset) for preset in self._options.presets)
         return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
 
     def _first_state(self, asked: Asked, say: Callable[[str], None]) -> State:
-        order = self._order
-        say(f"opening {order.source.path.name} in Blender: its geometry, the speed of Cycles here")
-        shutil.rmtree(rays_folder(order), ignore_errors=True)  # of a start that was not finished
-        order.work.mkdir(parents=True, exist_ok=True)
-        dataset = open_rays(order, self._begun)
+        options = self._options
+        say(
+            f"opening {options.source.path.name} in Blender: its geometry, the speed of Cycles here"
+        )
+        shutil.rmtree(rays_folder(options), ignore_errors=True)  # of a start that was not finished
+        options.work.mkdir(parents=True, exist_ok=True)
+        dataset = open_rays(options, self._begun)
         state = State(asked=asked, lights=dataset.manifest.settings.lights)
         state.seconds = monotonic() - self._begun
-        state.save(order.work)
+        state.save(options.work)
         self._begun = monotonic()
         return state
 
     def _chosen_plan(self, dataset: Dataset) -> Plan:
-        order, lights = self._order, self._state.lights
+        options, lights = self._options, self._state.lights
         shard = dataset.manifest.settings.lights_per_shard
-        if order.minutes is not None:
-            seconds, tiers = 60.0 * order.minutes, len(order.presets)
-            return TimedPlan(lights, shard, seconds, tiers, order.goal is not None)
-        if order.fixes_lights:
-            return FixedPlan(lights, order.steps)
+        if options.minutes is not None:
+            seconds, tiers = 60.0 * options.minutes, len(options.presets)
+            return TimedPlan(lights, shard, seconds, tiers, options.goal is not None)
+        if options.fixes_lights:
+            return FixedPlan(lights, options.steps)
         kinds = {part.kind for part in dataset.parts}
         usual = max(PRESETS[kind][self._lead].training.steps for kind in kinds)
-        return OpenPlan(lights, shard, order.steps or usual)
+        return OpenPlan(lights, shard, options.steps or usual)
 
     def _round(self) -> None:
         """The round that is not finished, or a new one."""
@@ -141,11 +145,11 @@ class Make:
     def _short_phase(self, number: int, round_: Round) -> None:
         """The training of the leading preset in a round."""
         assert round_.phase is not None
-        work, lead = self._order.work, self._lead
+        work, lead = self._options.work, self._lead
         stage = self._progress.stage(f"round {number + 1}: training {lead}", _PHASE)
         folder = phase_folder(work, lead, number)
-        dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
-        phase = Phase(dataset, lead, round_.phase, folder, seed, device, self._order.picture)
+        dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
+        phase = Phase(dataset, lead, round_.phase, folder, seed, device, self._options.picture)
         phase.run(dataset.finished_shards(), stage)
         stage.done()
         round_.score = score(trained_in(folder, dataset), dataset)
@@ -163,9 +167,9 @@ class Make:
             self._state.last[preset] = last
             self._save()
         if last.score is None:
-            folder = phase_folder(self._order.work, preset, None)
-            dataset, seed, device = self._rays.dataset, self._order.seed, self._order.device
-            phase = Phase(dataset, preset, last.phase, folder, seed, device, self._order.picture)
+            folder = phase_folder(self._options.work, preset, None)
+            dataset, seed, device = self._rays.dataset, self._options.seed, self._options.device
+            phase = Phase(dataset, preset, last.phase, folder, seed, device, self._options.picture)
             phase.run(dataset.finished_shards(), stage)
             last.score = score(trained_in(folder, dataset), dataset)
             self._save()
@@ -189,11 +193,11 @@ class Make:
         if preset in self._state.last:
             found[None] = self._state.last[preset].score
         errors = {k: self._goal.error_db(s) for k, s in found.items() if s is not None}
-        return phase_folder(self._order.work, preset, min(errors, key=errors.__getitem__))
+        return phase_folder(self._options.work, preset, min(errors, key=errors.__getitem__))
 
     def _left(self) -> float:
         """Seconds; infinite without --minutes."""
-        minutes = self._order.minutes
+        minutes = self._options.minutes
         return math.inf if minutes is None else 60.0 * minutes - self._spent()
 
     def _spent(self) -> float:
@@ -201,13 +205,15 @@ class Make:
 
     def _save(self) -> None:
         self._state.seconds = self._spent()
-        self._state.save(self._order.work)
+        self._state.save(self._options.work)
 
     def _told_plan(self) -> str:
         """What is going to happen, in a line."""
-        rounds, presets = self._plan.rounds, " and ".join(self._order.presets)
+        rounds, presets = self._plan.rounds, " and ".join(self._options.presets)
         if rounds is None:
-            goal = "" if self._order.goal is None else f"the goal is met ({self._order.goal}) or "
+            goal = (
+                "" if self._options.goal is None else f"the goal is met ({self._options.goal}) or "
+            )
             until = f"until {goal}the error stops falling"
             told = f"rounds of rendering in Cycles and training, {until}"
         elif rounds == 1:

@@ -9,7 +9,7 @@ from rna_export.capture.capture_run import begin, finish
 from rna_export.capture.capture_tasks import Task, ValidationHalf, all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.time_plan import TimeLimit
-from rna_export.make.make_options import Order
+from rna_export.make.make_options import MakeOptions
 from rna_export.make.plan import CAPTURE
 from rna_export.make.progress import Stage
 from rna_export.make.state import Round
@@ -17,29 +17,35 @@ from rna_export.make.state import Round
 _SHARD = 16  # lights, where rounds grow; a worker begins anew after 12 shards
 
 
-def open_rays(order: Order, begun: float) -> Dataset:
+def open_rays(options: MakeOptions, begun: float) -> Dataset:
     """A dataset without rays, planned with as many lights as are usual, or fit into the minutes.
 
     begun: when those began, of `time.monotonic`.
     """
-    limit = None if order.minutes is None else TimeLimit(order.minutes, begun, CAPTURE)
-    small = {} if order.fixes_lights else {"lights_per_shard": _SHARD}
-    asked = {**small, **order.settings}
+    limit = None if options.minutes is None else TimeLimit(options.minutes, begun, CAPTURE)
+    small = {} if options.fixes_lights else {"lights_per_shard": _SHARD}
+    asked = {**small, **options.settings}
     return begin(
-        order.source, asked, rays_folder(order), order.workers, limit, _quiet, order.for_scene
+        options.source,
+        asked,
+        rays_folder(options),
+        options.workers,
+        limit,
+        _quiet,
+        options.for_scene,
     )
 
 
-def rays_folder(order: Order) -> Path:
+def rays_folder(options: MakeOptions) -> Path:
     """Folder of the dataset."""
-    return order.work / "rays"
+    return options.work / "rays"
 
 
 class Rays:
     """Captures the dataset's rounds."""
 
-    def __init__(self, order: Order, dataset: Dataset):
-        self._order, self.dataset = order, dataset
+    def __init__(self, options: MakeOptions, dataset: Dataset):
+        self._options, self.dataset = options, dataset
 
     def capture_images(self, stage: Stage) -> None:
         """The validation images."""
@@ -56,8 +62,8 @@ class Rays:
 
     def _finish(self, tasks: Sequence[Task], limit: TimeLimit | None, stage: Stage) -> None:
         bars = stage.part(0.0, 1.0)
-        order = self._order
-        finish(self.dataset, order.source, order.workers, limit, _quiet, tasks, bars)
+        options = self._options
+        finish(self.dataset, options.source, options.workers, limit, _quiet, tasks, bars)
 
 
 def _quiet(_: str) -> None:

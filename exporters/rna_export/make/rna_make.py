@@ -31,7 +31,7 @@ from rna_work.executors import place
 
 if TYPE_CHECKING:
     from rna_export.fit.goal import Goal
-    from rna_export.make.make_options import Order
+    from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Made
     from rna_sdk.package import Manifest
 
@@ -163,7 +163,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
     from rna_export.export.closing import closing_lines, sheet_of
-    from rna_export.make.make_options import Order
+    from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
     from rna_export.make.state import WRITTEN, Asked, is_work_folder
     from rna_export.make.training_picture import TrainingPicture
@@ -201,7 +201,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     )
     with owned(work, "rna-make", is_work_folder) as folder:
         with folder.scratch() as scratch, place(args.cluster) as where:
-            order = Order(
+            options = MakeOptions(
                 source=source,
                 settings=settings,
                 for_scene=for_scene,
@@ -215,10 +215,10 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 workers=CaptureWorkers(python, scratch, args.workers, where, args.store),
                 picture=picture,
             )
-            made = Make(order, asked, begun, print).run()
+            made = Make(options, asked, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
         manifest = export(made, args.out, args.source, args.license, precisions)
-        marked = _kept_picture(order, args.out)
+        marked = _kept_picture(options, args.out)
         lines = closing_lines(args.out, manifest, made.trained(), made.dataset)
         others = [] if args.keep else folder.dissolve(*WRITTEN)
     if others:
@@ -250,12 +250,12 @@ def _tell_next(args: argparse.Namespace) -> None:
     print(f"      {command_line(*compare)}")
 
 
-def _kept_picture(order: Order, out: Path) -> Path | None:
+def _kept_picture(options: MakeOptions, out: Path) -> Path | None:
     """A copy, beside the package, of what the capture's check marked; None if it found nothing."""
     from rna_export.capture.check.self_check import PICTURE
     from rna_export.make.rays import rays_folder
 
-    marked = rays_folder(order) / PICTURE
+    marked = rays_folder(options) / PICTURE
     if not marked.is_file():
         return None
     copy = out.with_suffix(f".{PICTURE}")
