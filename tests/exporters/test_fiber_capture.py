@@ -109,9 +109,9 @@ def test_direct_light_has_no_noise_and_is_there_where_we_see_the_light(
 @pytest.mark.blender
 def test_a_dataset_of_fibers(tmp_path: Path, blender_python: Path) -> None:
     source = Source(write_scene(tmp_path, "fur", FUR))
-    asked = {"lights": 3, "rays": 300, "validation_views": 1, "validation_resolution": 24}
+    settings = {"lights": 3, "rays": 300, "validation_views": 1, "validation_resolution": 24}
     workers = CaptureWorkers(blender_python, tmp_path / "scratch", 1)
-    dataset = begin(source, asked, tmp_path / "fur.rays", workers, None, lambda _: None)
+    dataset = begin(source, settings, tmp_path / "fur.rays", workers, None, lambda _: None)
     finish(dataset, source, workers)
     dataset = dataset.only
     usual = CaptureSettings.usual("fiber")

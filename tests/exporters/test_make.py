@@ -24,7 +24,7 @@ from rna_export.make import rays as rays_module
 from rna_export.make import stop as stop_module
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
-from rna_export.make.state import Asked
+from rna_export.make.state import RunSettings
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.curves import Curves
@@ -101,7 +101,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         monkeypatch.setattr(rays_module, "begin", cycles.begin)
         monkeypatch.setattr(rays_module, "finish", cycles.finish)
         work = tmp_path / "work"
-        asked = Asked(
+        run_settings = RunSettings(
             source="ball.py",
             source_sha256="0",
             arguments=(),
@@ -118,7 +118,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         options = MakeOptions(
             source, settings, None, work, presets, goal, minutes, None, 0, "cpu", workers
         )
-        return Make(options, asked, run_module.monotonic(), lambda _: None).run(), cycles
+        return Make(options, run_settings, run_module.monotonic(), lambda _: None).run(), cycles
 
     return run
 

@@ -124,9 +124,9 @@ def test_cycles_agrees_where_light_reaches_hair_beside_a_ball(
     half = "HALF = [[0.6, 0, 0, 0], [0, 0.6, 0, 0], [0, 0, 0.6, 0], [0, 0, 0, 1]]\n"
     hair = fur(400, bend=0.2, root=0.012, tip=0.006, melanin=0.3)
     source = Source(write_scene(tmp_path, "furry", half + body + hair))
-    asked = {"lights": 3, "rays": 2000, "validation_views": 1, "validation_resolution": 24}
+    settings = {"lights": 3, "rays": 2000, "validation_views": 1, "validation_resolution": 24}
     workers = CaptureWorkers(blender_python, tmp_path / "scratch", 1)
-    dataset = begin(source, asked, tmp_path / "furry.rays", workers, None, lambda _: None)
+    dataset = begin(source, settings, tmp_path / "furry.rays", workers, None, lambda _: None)
     finish(dataset, source, workers)
     assert dataset.manifest.settings.samples == CaptureSettings.usual("both").samples
     skin, hair_samples = (part.training_samples() for part in dataset.parts)

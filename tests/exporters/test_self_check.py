@@ -130,7 +130,7 @@ def test_what_is_rendered_as_it_was_exported_has_no_note(scene: AssetScene) -> N
     check = checked(scene, scene, turn=5.0)
     assert check.note() is None
     assert check.picture is None
-    assert check.kept > 0.5 * check.asked  # a ray that passes what is thin may meet nothing
+    assert check.kept > 0.5 * check.rays  # a ray that passes what is thin may meet nothing
 
 
 @pytest.mark.parametrize(
@@ -217,4 +217,4 @@ def test_a_ray_that_neither_meets_is_no_disagreement() -> None:
     rng = np.random.default_rng(0)
     check.add(TracedRays.of(scene, Cycles(scene), away, WI, SAMPLES, 0, rng, False))
     assert check.note() is None
-    assert (check.asked, check.kept) == (8, 0)
+    assert (check.rays, check.kept) == (8, 0)

@@ -55,8 +55,8 @@ def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
 def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:
     """A shard of a capture."""
     capture_workers = CaptureWorkers(blender_env.find_python(), folder / "scratch", workers, where)
-    asked = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
-    dataset = begin(source, asked, folder / "a.rays", capture_workers, None, lambda line: None)
+    settings = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
+    dataset = begin(source, settings, folder / "a.rays", capture_workers, None, lambda line: None)
     carried = Collector.of(dataset, where, None).carried()
     scratch = None if where.far else capture_workers.scratch
     job = CaptureJob(carried, None, source, capture_workers.carried(source), scratch)

@@ -51,18 +51,18 @@ class Bake(bpy.types.Operator):
 
     def _started(self, context, item):
         """Start what the panel says: a new job, or that which was begun so."""
-        out, asked = _package_path(item), _options(item.rna_bake)
+        out, options = _package_path(item), _options(item.rna_bake)
         job = job_of(item)
         if job.is_running():
             raise SdkError("the bake is running")
         if self.anew:
             job.remove()
         if job.is_begun():
-            job.check_same(out, asked)
+            job.check_same(out, options)
         else:
             job.check_free()
-            _begin(context, item, job, out, asked)
-        job.start(out, asked)
+            _begin(context, item, job, out, options)
+        job.start(out, options)
         return job
 
     def _told(self, status):
@@ -73,7 +73,7 @@ class Bake(bpy.types.Operator):
         return {"CANCELLED"}
 
 
-def _begin(context, item, job, out, asked):
+def _begin(context, item, job, out, options):
     """Write the selected objects and their children to a file for baking."""
     selected = [*context.selected_objects] if item in context.selected_objects else [item]
     items = with_children(selected)
@@ -85,17 +85,17 @@ def _begin(context, item, job, out, asked):
         own.originals.add().item = one
     if not own.out:  # by which the job is found again, whatever the object is called then
         own.out = out.name
-    job.begin(out, asked)
+    job.begin(out, options)
 
 
 def _package_path(item):
     """Path of the package: the given one, relative to the .blend file, or beside it."""
-    asked = item.rna_bake.out or f"{bpy.path.clean_name(item.name)}.rna"
-    if not asked.startswith("//") and not Path(asked).is_absolute():
-        asked = f"//{asked}"
-    if asked.startswith("//") and not bpy.data.filepath:
+    given = item.rna_bake.out or f"{bpy.path.clean_name(item.name)}.rna"
+    if not given.startswith("//") and not Path(given).is_absolute():
+        given = f"//{given}"
+    if given.startswith("//") and not bpy.data.filepath:
         raise SdkError("save the .blend file first, or name the package to write")
-    path = Path(bpy.path.abspath(asked)).resolve()
+    path = Path(bpy.path.abspath(given)).resolve()
     return path if path.suffix == ".rna" else path.with_name(f"{path.name}.rna")
 
 

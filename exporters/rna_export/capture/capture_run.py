@@ -87,7 +87,7 @@ class CaptureWorkers:
 
 def begin(
     source: Source,
-    asked: dict[str, Any],
+    given: dict[str, Any],
     out: Path,
     workers: CaptureWorkers,
     limit: TimeLimit | None,
@@ -96,14 +96,14 @@ def begin(
 ) -> Dataset:
     """Open the source once: export the geometry, measure the speed, fix and write the plan.
 
-    `asked`: settings, by name, that are not to be the usual ones of the asset's kind. `limit`
+    `given`: settings, by name, that are not to be the usual ones of the asset's kind. `limit`
     replaces the number of lights by as many as fit, and may make the validation images smaller.
     `for_scene` limits views and lights to its own.
     """
     start = monotonic()
     with workers.probe(source) as worker:
         opening = monotonic() - start
-        settings = CaptureSettings.usual(worker.kind, **asked)
+        settings = CaptureSettings.usual(worker.kind, **given)
         exported = exported_parts(worker, settings)
         geometries = exported.geometries
         materials = exported.transmittances(), exported.normal_maps()
@@ -124,7 +124,7 @@ def begin(
         check.render_picture(worker, source.path.name)
         opened = worker.opened
     if limit is not None:
-        usual, settings = settings, planned(settings, limit, opening, rate, asked)
+        usual, settings = settings, planned(settings, limit, opening, rate, given)
         if note := shrunk(usual, settings):
             say(note)
     manifest = CaptureManifest(
@@ -165,8 +165,8 @@ def finish(
     twice, WorkError where a cluster cannot do the work.
     """
     dataset.remove_unfinished()
-    asked = all_tasks(dataset) if tasks is None else tasks
-    missing = [task for task in asked if not task.path(dataset).is_file()]
+    every = all_tasks(dataset) if tasks is None else tasks
+    missing = [task for task in every if not task.path(dataset).is_file()]
     if not missing:
         return
     collector = Collector.of(dataset, workers.place, workers.store)
@@ -197,17 +197,17 @@ def finish(
 
 def say_dropped(dataset: Dataset, say: Callable[[str], None]) -> None:
     """Say how many view rays made no sample, from 1% on; CaptureError if none did."""
-    asked, kept = dataset.rays_captured(), dataset.kept_rays()
-    if not asked:
+    rays, kept = dataset.rays_captured(), dataset.kept_rays()
+    if not rays:
         return
     if not kept:
         raise CaptureError(
-            f"{dataset.folder}: none of {asked:,} view rays made a sample: Cycles met nothing at "
+            f"{dataset.folder}: none of {rays:,} view rays made a sample: Cycles met nothing at "
             "their points"
         )
-    if asked - kept >= WORTH_A_NOTE * asked:
+    if rays - kept >= WORTH_A_NOTE * rays:
         say(
-            f"note: {asked - kept:,} of {asked:,} view rays ({1.0 - kept / asked:.1%}) made no "
+            f"note: {rays - kept:,} of {rays:,} view rays ({1.0 - kept / rays:.1%}) made no "
             "sample: Cycles met nothing at their points"
         )
 
@@ -274,7 +274,7 @@ def _refuse_nothing(check: SelfCheck, source: Source) -> None:
     """Raise CaptureError if no ray would make a sample."""
     if not check.kept:
         why = check.note() or "Cycles met nothing at their points"
-        raise CaptureError(f"{source.path}: none of {check.asked:,} view rays can be kept: {why}")
+        raise CaptureError(f"{source.path}: none of {check.rays:,} view rays can be kept: {why}")
 
 
 def _found(check: SelfCheck, out: Path) -> list[str]:

@@ -81,9 +81,9 @@ class CaptureSettings(DatasetModel):
         return int(0.4 * self.validation_resolution**2 * self.validation_samples)
 
     @classmethod
-    def usual(cls, kind: str, **asked: object) -> CaptureSettings:
-        """The defaults for "surface", "fiber" or "both", overridden by `asked`."""
-        return cls(**{**_DEFAULTS.get(kind, {}), **asked})
+    def usual(cls, kind: str, **given: object) -> CaptureSettings:
+        """The defaults for "surface", "fiber" or "both", overridden by `given`."""
+        return cls(**{**_DEFAULTS.get(kind, {}), **given})
 
 
 # Hair paths are expensive and noisy: more points with fewer paths train better

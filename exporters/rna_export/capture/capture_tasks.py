@@ -101,8 +101,8 @@ class ValidationHalf:
         for first in range(0, len(hit), _RAYS_A_RENDER):
             pixel = hit[first : first + _RAYS_A_RENDER]
             extra = {"pixel": pixel.astype(np.int32)}
-            asked = rays[pixel], wi, samples, seed, rng, extra
-            pieces.append(_capture(dataset, scene, worker, *asked))
+            arguments = rays[pixel], wi, samples, seed, rng, extra
+            pieces.append(_capture(dataset, scene, worker, *arguments))
         write_parts(self.path(dataset), _all_rows(pieces))
 
 
@@ -127,8 +127,8 @@ class EmissionShard:
         for k in range(settings.lights_per_shard):
             rng = np.random.default_rng([settings.seed, 5, self.index, k])
             rays = sample_view_rays(scene, None, settings.rays, dataset.manifest.domain.wo, rng)
-            asked = rays, None, settings.samples, int(rng.integers(2**31)), rng
-            pieces.append(_capture(dataset, scene, worker, *asked))
+            arguments = rays, None, settings.samples, int(rng.integers(2**31)), rng
+            pieces.append(_capture(dataset, scene, worker, *arguments))
         write_parts(self.path(dataset), _all_rows(pieces))
 
 

@@ -164,7 +164,7 @@ def main(argv: list[str] | None = None) -> int:
     return run_command(lambda: _run(args, arguments), args.debug, _GO_ON, "capture")
 
 
-def asked_settings(args: argparse.Namespace) -> dict[str, Any]:
+def given_settings(args: argparse.Namespace) -> dict[str, Any]:
     """The settings given on the command line."""
     return {
         name: value
@@ -178,7 +178,7 @@ def check_settings(args: argparse.Namespace, options: argparse.ArgumentParser) -
     if args.for_scene is not None and args.domain is not None:
         options.error("--for sets the domain: give only one of --for and --domain")
     try:
-        CaptureSettings(**asked_settings(args))
+        CaptureSettings(**given_settings(args))
     except ValidationError as error:
         first = error.errors()[0]
         name = str(first["loc"][0]).replace("_", "-")
@@ -196,7 +196,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     from rna_render.scene import read_scene
 
     keep_freed_memory()
-    asked = asked_settings(args)
+    given = given_settings(args)
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     limit = None if args.minutes is None else TimeLimit(args.minutes)
     python = blender_env.find_python()
@@ -208,14 +208,14 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
         workers = CaptureWorkers(python, scratch, args.workers, where, args.store)
         begun = _is_dataset(args.out)
         if begun:
-            dataset = _continue(args.out, args.source, arguments, asked)
+            dataset = _continue(args.out, args.source, arguments, given)
             _check_scene(dataset, for_scene)
             settings = dataset.manifest.settings
         else:
-            settings = CaptureSettings(**asked)
+            settings = CaptureSettings(**given)
         source = Source.captured(args.source, arguments, settings)
         if not begun:
-            dataset = begin(source, asked, args.out, workers, limit, print, for_scene)
+            dataset = begin(source, given, args.out, workers, limit, print, for_scene)
         finish(dataset, source, workers, limit)
     train = "rna-train", args.out, "--preset", "small", "--out", Path("runs", args.source.stem)
     print(f"wrote {args.out}\nnext: {command_line(*train)}")
@@ -241,7 +241,7 @@ def _is_dataset(folder: Path) -> bool:
 
 
 def _continue(
-    out: Path, source: Path, arguments: tuple[str, ...], asked: dict[str, object]
+    out: Path, source: Path, arguments: tuple[str, ...], given: dict[str, object]
 ) -> Dataset:
     """The unfinished dataset in `out`; raises CaptureError if source or settings differ."""
     from rna_export.capture.dataset.dataset_folder import Dataset
@@ -253,7 +253,7 @@ def _continue(
         raise CaptureError(
             f"{out} was started from another {manifest.source} or with other arguments"
         )
-    for field, value in asked.items():
+    for field, value in given.items():
         begun = getattr(manifest.settings, field)
         if value != begun:
             raise CaptureError(f"{out} was started with {field} {begun}, found {value}")

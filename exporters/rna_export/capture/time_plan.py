@@ -35,21 +35,21 @@ def planned(
     limit: TimeLimit,
     opening: float,
     rate: float,
-    asked: Collection[str],
+    given: Collection[str],
 ) -> CaptureSettings:
     """The settings with as many lights as there is time for at `rate` paths a second.
 
     Validation images that took more than a quarter of it are made smaller, but for what was
-    `asked`, and so are shards, of which there are ten at least.
+    `given`, and so are shards, of which there are ten at least.
 
     opening: seconds until a worker can render. Raises `CaptureError` when fewer than 16 lights are
     left.
     """
     left = limit.left()
-    usual, (settings, lights) = settings, _fitting(settings, left - opening, rate, asked)
+    usual, (settings, lights) = settings, _fitting(settings, left - opening, rate, given)
     if lights < LEAST_LIGHTS:
         start = 60.0 * limit.minutes * limit.share - left + opening  # seconds without rays
-        enough = _enough_minutes(usual, start, limit.share, rate, asked)
+        enough = _enough_minutes(usual, start, limit.share, rate, given)
         do = "give more minutes" if enough is None else f"--minutes {enough} would do"
         raise CaptureError(
             f"--minutes {limit.minutes:g} leaves time for {max(lights, 0)} lights after the start "
@@ -60,24 +60,24 @@ def planned(
 
 
 def _fitting(
-    settings: CaptureSettings, seconds: float, rate: float, asked: Collection[str]
+    settings: CaptureSettings, seconds: float, rate: float, given: Collection[str]
 ) -> tuple[CaptureSettings, int]:
     """Settings with validation images that fit, and the lights that the rest of the time is for."""
     paths = max(seconds, 0.0) * rate
-    settings = _with_smaller_images(settings, _SHARE * paths, asked)
+    settings = _with_smaller_images(settings, _SHARE * paths, given)
     left = paths - settings.validation_views * settings.validation_paths
     return settings, min(int(left / (settings.rays * settings.samples)), MAX_LIGHTS)
 
 
 def _enough_minutes(
-    settings: CaptureSettings, start: float, share: float, rate: float, asked: Collection[str]
+    settings: CaptureSettings, start: float, share: float, rate: float, given: Collection[str]
 ) -> int | None:
     """The least whole minutes with time for enough lights; None for more than a day."""
     return next(
         (
             minutes
             for minutes in range(1, _DAY)
-            if _fitting(settings, 60.0 * minutes * share - start, rate, asked)[1] >= LEAST_LIGHTS
+            if _fitting(settings, 60.0 * minutes * share - start, rate, given)[1] >= LEAST_LIGHTS
         ),
         None,
     )
@@ -99,19 +99,19 @@ def _image(settings: CaptureSettings) -> str:
 
 
 def _with_smaller_images(
-    settings: CaptureSettings, most_paths: float, asked: Collection[str]
+    settings: CaptureSettings, most_paths: float, given: Collection[str]
 ) -> CaptureSettings:
     """Fewer pixels and fewer paths a pixel, each by the same factor as far as both may shrink."""
     factor = most_paths / (settings.validation_views * settings.validation_paths)
     if factor >= 1.0:
         return settings
     side, samples = settings.validation_resolution, settings.validation_samples
-    if "validation_resolution" not in asked:
-        both = "validation_samples" not in asked
+    if "validation_resolution" not in given:
+        both = "validation_samples" not in given
         smaller = side * factor ** (0.25 if both else 0.5)
         side = min(side, max(_LEAST_RESOLUTION, 8 * int(smaller / 8)))
         settings = settings.model_copy(update={"validation_resolution": side})
-    if "validation_samples" not in asked:
+    if "validation_samples" not in given:
         factor = most_paths / (settings.validation_views * settings.validation_paths)
         samples = min(samples, max(_LEAST_SAMPLES, 2 * int(samples * factor / 2)))
         settings = settings.model_copy(update={"validation_samples": samples})

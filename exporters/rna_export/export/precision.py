@@ -79,14 +79,14 @@ def precision_word(word: str) -> tuple[str, Precision]:
 
 
 def precisions_of(
-    asked: Sequence[tuple[str, Precision]], presets: Collection[str]
+    given: Sequence[tuple[str, Precision]], presets: Collection[str]
 ) -> dict[str, list[Precision]]:
     """Preset -> its formats; those for one preset are in place of those for all.
 
-    asked: as `precision_word` has them. Raises `ExportError` for a preset that is not there.
+    given: as `precision_word` has them. Raises `ExportError` for a preset that is not there.
     """
     of: dict[str, list[Precision]] = {"": [], **{preset: [] for preset in presets}}
-    for preset, precision in dict.fromkeys(asked):
+    for preset, precision in dict.fromkeys(given):
         if preset not in of:
             raise ExportError(
                 f"--precision: found preset {preset!r}, expected one of {', '.join(presets)}"

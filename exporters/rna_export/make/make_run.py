@@ -20,7 +20,7 @@ from rna_export.make.phases import Phase, phase_folder, score, trained_in
 from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan
 from rna_export.make.progress import Clock, Progress
 from rna_export.make.rays import Rays, open_rays, rays_folder
-from rna_export.make.state import Asked, Last, Round, Score, State, load_state
+from rna_export.make.state import Last, Round, RunSettings, Score, State, load_state
 from rna_export.make.stop import Verdict, verdict
 from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import PRESETS
@@ -53,12 +53,12 @@ class Make:
     """
 
     def __init__(
-        self, options: MakeOptions, asked: Asked, begun: float, say: Callable[[str], None]
+        self, options: MakeOptions, settings: RunSettings, begun: float, say: Callable[[str], None]
     ):
         self._options, self._begun = options, begun
         self._by_cost = sorted(options.presets, key=_decoder_size, reverse=True)
         self._lead = self._by_cost[0]
-        self._state = load_state(options.work, asked) or self._first_state(asked, say)
+        self._state = load_state(options.work, settings) or self._first_state(settings, say)
         if self._state.rounds:
             minutes = f"after {self._state.seconds / 60:.1f} min"
             say(f"resuming {options.work} {minutes}, in round {len(self._state.rounds)}")
@@ -95,7 +95,7 @@ class Make:
         folders = tuple(self._best_folder(preset) for preset in self._options.presets)
         return Made(self._rays.dataset, why, len(self._state.rounds), folders, self._lead)
 
-    def _first_state(self, asked: Asked, say: Callable[[str], None]) -> State:
+    def _first_state(self, settings: RunSettings, say: Callable[[str], None]) -> State:
         options = self._options
         say(
             f"opening {options.source.path.name} in Blender: its geometry, the speed of Cycles here"
@@ -103,7 +103,7 @@ class Make:
         shutil.rmtree(rays_folder(options), ignore_errors=True)  # of a start that was not finished
         options.work.mkdir(parents=True, exist_ok=True)
         dataset = open_rays(options, self._begun)
-        state = State(asked=asked, lights=dataset.manifest.settings.lights)
+        state = State(asked=settings, lights=dataset.manifest.settings.lights)
         state.seconds = monotonic() - self._begun
         state.save(options.work)
         self._begun = monotonic()

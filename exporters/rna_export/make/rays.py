@@ -24,10 +24,10 @@ def open_rays(options: MakeOptions, begun: float) -> Dataset:
     """
     limit = None if options.minutes is None else TimeLimit(options.minutes, begun, CAPTURE)
     small = {} if options.fixes_lights else {"lights_per_shard": _SHARD}
-    asked = {**small, **options.settings}
+    settings = {**small, **options.settings}
     return begin(
         options.source,
-        asked,
+        settings,
         rays_folder(options),
         options.workers,
         limit,

@@ -15,9 +15,9 @@ from rna_export.capture.orientation import joined_axes
 from rna_export.capture.rna_capture import (
     add_settings,
     add_workers,
-    asked_settings,
     check_settings,
     check_source,
+    given_settings,
 )
 from rna_export.export.credit import add_credit
 from rna_export.export.precision import add_precision, precisions_of
@@ -165,7 +165,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.export.closing import closing_lines, sheet_of
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
-    from rna_export.make.state import WRITTEN, Asked, is_work_folder
+    from rna_export.make.state import WRITTEN, RunSettings, is_work_folder
     from rna_export.make.training_picture import TrainingPicture
     from rna_export.memory import keep_freed_memory
     from rna_export.training.device import chosen_device
@@ -176,9 +176,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     given = [args.model] if args.for_scene is None else [args.model, args.for_scene]
     check_outputs([args.out], given)
     check_outside(work, [args.out, *given])
-    settings = {**asked_settings(args), "seed": args.seed}
+    settings = {**given_settings(args), "seed": args.seed}
     goal = _goal(args)
-    asked = Asked(
+    run_settings = RunSettings(
         source=args.model.name,
         source_sha256=hashlib.sha256(args.model.read_bytes()).hexdigest(),
         arguments=arguments,
@@ -215,7 +215,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 workers=CaptureWorkers(python, scratch, args.workers, where, args.store),
                 picture=picture,
             )
-            made = Make(options, asked, begun, print).run()
+            made = Make(options, run_settings, begun, print).run()
         print("writing the package: measuring its error and cost, rendering its poster", flush=True)
         manifest = export(made, args.out, args.source, args.license, precisions)
         marked = _kept_picture(options, args.out)

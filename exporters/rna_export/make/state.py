@@ -16,8 +16,8 @@ WRITTEN = (_NAME, "rays", "runs", "scratch")
 """Names of all that a run, of this version or an earlier one, writes into its work folder."""
 
 
-class Asked(BaseModel):
-    """Settings that must match to resume a run."""
+class RunSettings(BaseModel):
+    """Settings that must match to resume a run; `asked` in the file."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -67,7 +67,7 @@ class State(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
 
-    asked: Asked
+    asked: RunSettings
     lights: int  # that the capture was planned with
     seconds: float = 0.0  # spent so far
     rounds: list[Round] = []
@@ -83,7 +83,7 @@ def is_work_folder(folder: Path) -> bool:
     return (folder / _NAME).is_file()
 
 
-def load_state(work: Path, asked: Asked) -> State | None:
+def load_state(work: Path, settings: RunSettings) -> State | None:
     """The state in a work folder; None if no make has begun there.
 
     Raises `TrainingError` when it is damaged or belongs to a run with other settings.
@@ -97,8 +97,8 @@ def load_state(work: Path, asked: Asked) -> State | None:
         raise TrainingError(
             f"{path}: {what_is_wrong(error)}; delete {work} to start over"
         ) from error
-    for name in Asked.model_fields:
-        begun, now = getattr(state.asked, name), getattr(asked, name)
+    for name in RunSettings.model_fields:
+        begun, now = getattr(state.asked, name), getattr(settings, name)
         if begun != now:
             raise TrainingError(
                 f"{work} was started with {name} {begun}, found {now}: delete it to start over, or "

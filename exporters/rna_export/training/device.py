@@ -7,10 +7,10 @@ import torch
 from rna_sdk.errors import TrainingError
 
 
-def chosen_device(asked: str) -> str:
+def chosen_device(device: str) -> str:
     """`cpu` or `cuda` for these or `auto`. Raises `TrainingError` for a GPU that is not there."""
-    if asked == "cuda" and not torch.cuda.is_available():
+    if device == "cuda" and not torch.cuda.is_available():
         raise TrainingError("--device cuda: PyTorch finds no CUDA device")
-    if asked == "auto":
+    if device == "auto":
         return "cuda" if torch.cuda.is_available() else "cpu"
-    return asked
+    return device

@@ -34,7 +34,7 @@ _ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class Run:
-    """One training, as asked for."""
+    """The options of one training."""
 
     dataset: DatasetPart
     preset: Preset
@@ -194,7 +194,7 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
     if not last.is_file():
         return None
     saved = load_progress(last)
-    begun, asked = saved["record"], _record(run, saved["progress"]["step"])
+    begun, record = saved["record"], _record(run, saved["progress"]["step"])
     begun_preset = Preset.model_validate(begun["preset"])
     for what, before, now in (
         ("preset", begun["preset_name"], run.preset_name),
@@ -206,8 +206,8 @@ def _continued(last: Path, run: Run) -> dict[str, Any] | None:
             length(begun["minutes"], begun["steps"]),
             length(run.minutes, run.preset.training.steps),
         ),
-        ("model or training", begun_preset.model_dump(mode="json"), asked["preset"]),
-        ("dataset", begun["capture"], asked["capture"]),
+        ("model or training", begun_preset.model_dump(mode="json"), record["preset"]),
+        ("dataset", begun["capture"], record["capture"]),
     ):
         if before != now:
             told = f" {before}, found {now}" if isinstance(now, str | int) else ""

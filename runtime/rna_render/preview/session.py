@@ -292,11 +292,11 @@ def _changed(view: View, change: Change, start: Orbit) -> View:
         orbit = orbit.dollied(change.dolly)
     if any(change.pan):
         orbit = orbit.panned(*change.pan)
-    asked: dict[str, Any] = {
+    changes: dict[str, Any] = {
         "lighting": change.lighting,
         "light_rotation_deg": change.light_rotation_deg,
         "exposure": change.exposure,
         "view": change.view,
         "denoise": change.denoise,
     }
-    return replace(view, orbit=orbit, **{k: v for k, v in asked.items() if v is not None})
+    return replace(view, orbit=orbit, **{k: v for k, v in changes.items() if v is not None})

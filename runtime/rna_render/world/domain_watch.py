@@ -1,4 +1,4 @@
-"""Counts how often an asset is asked for directions that it was not trained for."""
+"""Counts how often an asset is queries for directions that it was not trained for."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class WatchedAsset:
         self._asset, self._name = asset, name
         self.parts = tuple(_WatchedPart(part, self) for part in asset.parts)
         self._counting = Lock()
-        self._asked = self._from_outside = self._lit_outside = self._outside = 0
+        self._queries = self._from_outside = self._lit_outside = self._outside = 0
         self._told = False
 
     def __getattr__(self, name: str) -> object:
@@ -41,10 +41,10 @@ class WatchedAsset:
         lit = in_region(self._asset.domain.wi, wi)
         self.add(len(wo), *(int(np.count_nonzero(~x)) for x in (seen, lit, seen & lit)))
 
-    def add(self, asked: int, from_outside: int, lit_outside: int, outside: int) -> None:
+    def add(self, queries: int, from_outside: int, lit_outside: int, outside: int) -> None:
         """Count queries: how many, with views and with lights from outside, and with either."""
         with self._counting:
-            self._asked += asked
+            self._queries += queries
             self._from_outside += from_outside
             self._lit_outside += lit_outside
             self._outside += outside
@@ -55,7 +55,7 @@ class WatchedAsset:
             return None
         self._told = True
         whole, views, lights = (
-            f"{count / self._asked:.1%}"
+            f"{count / self._queries:.1%}"
             for count in (self._outside, self._from_outside, self._lit_outside)
         )
         return (

@@ -331,8 +331,8 @@ class BlenderWorker:
         Arguments as in `render_view`.
         """
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
-        asked = {"out": str(out), "emits": False, "normals": True, "points": True}
-        request = {**asked, **_pinhole(to_world, fov_y, width, height)}
+        options = {"out": str(out), "emits": False, "normals": True, "points": True}
+        request = {**options, **_pinhole(to_world, fov_y, width, height)}
         self._render("renderView", request, wi, samples, seed, width, height)
         passes = _read_render(out, *self._needed())
         out.unlink()
@@ -355,8 +355,8 @@ class BlenderWorker:
         whether the materials emit light.
         """
         out = self._folder / f"view-{self._name}-{self._renders}.exr"
-        asked = {"out": str(out), "emits": emits, "normals": False, "points": False}
-        request = {**asked, **_pinhole(to_world, fov_y, width, height)}
+        options = {"out": str(out), "emits": emits, "normals": False, "points": False}
+        request = {**options, **_pinhole(to_world, fov_y, width, height)}
         self._render("renderView", request, wi, samples, seed, width, height)
         passes = _read_render(out)
         out.unlink()

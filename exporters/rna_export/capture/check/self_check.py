@@ -61,7 +61,7 @@ class SelfCheck:
     samples: int
     normals: bool
     side: int = _SIDES[1]
-    asked: int = 0
+    rays: int = 0
     kept: int = 0
     shares: dict[str, float] = field(default_factory=lambda: dict.fromkeys(KINDS, 0.0))
     brightness: float = 1.0  # of Cycles' images, over what it should be
@@ -85,7 +85,7 @@ class SelfCheck:
     def add(self, traced: TracedRays) -> None:
         """Compare view rays as a capture traces them."""
         n, points, rendered = len(traced.rays), traced.points, traced.rendered
-        self.asked += n
+        self.rays += n
         self.kept += int(traced.kept.sum())
         elsewhere, turned = other_hits(self.scene, traced.rays, points, rendered, self.normals)
         found = {ELSEWHERE: elsewhere, TURNED: turned}
