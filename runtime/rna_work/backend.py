@@ -9,7 +9,7 @@ from rna_work.workers import MakeWorker
 
 
 class Slot(Protocol):
-    """A place for one worker.
+    """A slot for one worker.
 
     Attributes:
         name: of the worker.
@@ -30,7 +30,7 @@ class Slot(Protocol):
 
 
 class Backend(Protocol):
-    """A place where workers run.
+    """Slots in which workers run.
 
     Attributes:
         losses: how often an item may lose its worker before it counts as failed.

@@ -36,7 +36,7 @@ class Needs:
         return f"{self.cpus:g} CPU{gpus}{memory}"
 
 
-class Place(Protocol):
+class Executor(Protocol):
     """This machine, or a cluster.
 
     Attributes:
@@ -59,8 +59,8 @@ class Place(Protocol):
     ) -> tuple[Backend, int]:
         """Slots for workers with the given threads (None: all of a machine), and their number.
 
-        local: what holds the only one on this machine, if that is the place: a thread of its own,
-        or the one that takes the outcomes. needs_gpu: machines of a cluster with a GPU alone;
+        local: what holds the only one on this machine, without a cluster: a thread of its own, or
+        the one that takes the outcomes. needs_gpu: machines of a cluster with a GPU alone;
         raises WorkError where it knows of none.
         """
 
@@ -119,8 +119,8 @@ def this_machine() -> ThisMachine:
     return ThisMachine(len(os.sched_getaffinity(0)))
 
 
-def place(address: str | None) -> AbstractContextManager[Place]:
-    """Context with the place that `--cluster` names. Raises WorkError if it cannot be used."""
+def open_executor(address: str | None) -> AbstractContextManager[Executor]:
+    """Context with the executor that `--cluster` names. Raises WorkError if it cannot be used."""
     if address is None:
         return nullcontext(this_machine())
     from rna_work.cluster.ray_cluster import connected

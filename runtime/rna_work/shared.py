@@ -7,19 +7,19 @@ from pathlib import Path
 from uuid import uuid4
 
 from rna_sdk.errors import WorkError
-from rna_work.executors import Place
+from rna_work.executors import Executor
 
 
-def check_shared(where: Place, folder: Path) -> None:
-    """Raises WorkError where a machine of a place has not this folder, or has another one."""
-    if not where.far:
+def check_shared(executor: Executor, folder: Path) -> None:
+    """Raises WorkError where a machine of an executor has not this folder, or has another one."""
+    if not executor.far:
         return
     folder = folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)
     token = folder / f".shared-{uuid4().hex}"
     token.touch()
     try:
-        where.on_every_node(partial(_find, token))
+        executor.on_every_node(partial(_find, token))
     finally:
         token.unlink()
 

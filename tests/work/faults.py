@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_work.executors import Needs, place
+from rna_work.executors import Needs, open_executor
 from rna_work.pool import Pool
 from rna_work.timeouts import Timeouts
 from tests.work.conftest import start_cluster
@@ -38,8 +38,8 @@ def command(address: str, folder: Path, items: int, seconds: float) -> None:
     """What a user would run: makes the files that are missing."""
     missing = [k for k in range(items) if not (folder / f"{k:05d}.bin").is_file()]
     make = partial(Writing, folder, seconds)
-    with place(address) as where:
-        backend = where.workers(Needs("processes"), None)
+    with open_executor(address) as executor:
+        backend = executor.workers(Needs("processes"), None)
         timeouts = Timeouts(least=3.0)
         with Pool(backend, make, attempts=3, timeouts=timeouts, tell=print) as pool:
             for outcome in pool.run(missing):

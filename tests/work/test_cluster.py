@@ -11,7 +11,7 @@ import pytest
 
 from rna_export.trials.pool import TrialWorkers
 from rna_sdk.errors import WorkError
-from rna_work.executors import Needs, Place, place
+from rna_work.executors import Executor, Needs, open_executor
 from rna_work.pool import Pool
 from rna_work.timeouts import Timeouts
 from rna_work.workers import WorkerLost
@@ -21,49 +21,49 @@ pytestmark = pytest.mark.filterwarnings("ignore")  # Ray's own, of its future ve
 
 
 @pytest.fixture(scope="module")
-def where(ray_address: str) -> Any:
-    with place(ray_address) as where:
-        yield where
+def executor(ray_address: str) -> Any:
+    with open_executor(ray_address) as executor:
+        yield executor
 
 
 CORE = Needs("processes")
 
 
-def test_every_item_has_an_outcome_and_all_nodes_work(where: Place) -> None:
-    with Pool(where.workers(CORE, None), Doubling, ahead=1) as pool:
+def test_every_item_has_an_outcome_and_all_nodes_work(executor: Executor) -> None:
+    with Pool(executor.workers(CORE, None), Doubling, ahead=1) as pool:
         first = [o.value() for o in pool.run([0.2] * 12)]
         assert len(pool.nodes()) == 3
         values = [o.value() for o in pool.run(range(50), ordered=True)]
     assert first == [0.4] * 12 and values == list(range(0, 100, 2))
 
 
-def test_failures_are_as_on_one_machine(where: Place, tmp_path: Path) -> None:
-    with Pool(where.workers(CORE, 2), Repeating, attempts=2) as pool:
+def test_failures_are_as_on_one_machine(executor: Executor, tmp_path: Path) -> None:
+    with Pool(executor.workers(CORE, 2), Repeating, attempts=2) as pool:
         assert [o.value() for o in pool.run([Once(tmp_path / "a", "fail")])] == ["done"]
         [failed] = pool.run(["fail"])
         assert isinstance(failed.failure, ValueError)
         assert [o.value() for o in pool.run([Once(tmp_path / "b", "die")])] == ["done"]
-    with Pool(where.workers(CORE, 1), CannotStart) as pool:
+    with Pool(executor.workers(CORE, 1), CannotStart) as pool:
         with pytest.raises(ValueError, match="cannot start"):
             list(pool.run([1]))
 
 
-def test_what_hangs_is_ended_and_run_again(where: Place, tmp_path: Path) -> None:
+def test_what_hangs_is_ended_and_run_again(executor: Executor, tmp_path: Path) -> None:
     timeouts = Timeouts(least=1.0)
-    with Pool(where.workers(CORE, 2), Repeating, attempts=2, timeouts=timeouts) as pool:
+    with Pool(executor.workers(CORE, 2), Repeating, attempts=2, timeouts=timeouts) as pool:
         found = [o.value() for o in pool.run([1, 2, 3, Once(tmp_path / "mark", "hang"), 4])]
     assert sorted(map(str, found)) == ["2", "4", "6", "8", "done"]
 
 
-def test_a_worker_that_dies_over_and_over_fails_its_item(where: Place) -> None:
-    with Pool(where.workers(CORE, 2), Doubling) as pool:
+def test_a_worker_that_dies_over_and_over_fails_its_item(executor: Executor) -> None:
+    with Pool(executor.workers(CORE, 2), Doubling) as pool:
         outcomes = list(pool.run(["die", 1]))
     assert sorted(o.failure is None for o in outcomes) == [False, True]
     assert any(isinstance(o.failure, WorkerLost) for o in outcomes)
 
 
 def test_a_source_travels_with_what_lies_beside_it(
-    where: Place, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    executor: Executor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     source, texture = tmp_path / "a" / "toy.py", tmp_path / "maps" / "wood.png"
@@ -71,23 +71,25 @@ def test_a_source_travels_with_what_lies_beside_it(
         path.parent.mkdir()
     source.write_text("toy")
     texture.write_bytes(b"wood")
-    carried = where.carry(source, [texture, source])
+    carried = executor.carry(source, [texture, source])
     here = carried.here()
     assert here != source and here.read_text() == "toy"
     assert (here.parent / "../maps/wood.png").read_bytes() == b"wood"
-    assert carried.here() == here and where.carry(source, [texture]).here() == here
+    assert carried.here() == here and executor.carry(source, [texture]).here() == here
     texture.write_bytes(b"oak")
-    assert where.carry(source, [texture]).here() != here
+    assert executor.carry(source, [texture]).here() != here
 
 
-def test_files_that_are_elsewhere_and_missing_are_an_error(where: Place, tmp_path: Path) -> None:
+def test_files_that_are_elsewhere_and_missing_are_an_error(
+    executor: Executor, tmp_path: Path
+) -> None:
     from rna_work.cluster.travelling import check_elsewhere
 
     source, outside = tmp_path / "a" / "toy.blend", tmp_path / "b" / "wood.png"
     for path in (source, outside):
         path.parent.mkdir()
         path.write_bytes(b"x")
-    where.carry(source, fixed=[outside])  # all nodes are this machine, which has it
+    executor.carry(source, fixed=[outside])  # all nodes are this machine, which has it
     with pytest.raises(WorkError, match=r"toy\.blend reads .*gone\.png by an absolute path"):
         check_elsewhere(source, {tmp_path / "gone.png": "0"})
 
@@ -95,7 +97,7 @@ def test_files_that_are_elsewhere_and_missing_are_an_error(where: Place, tmp_pat
 def test_no_cluster_is_one_line() -> None:
     with (
         pytest.raises(WorkError, match=r"^--cluster 127\.0\.0\.1:1: no cluster answers: "),
-        place("127.0.0.1:1"),
+        open_executor("127.0.0.1:1"),
     ):
         pass
 
@@ -122,40 +124,40 @@ class BusyHead:
 def test_a_busy_head_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
     head = BusyHead(failures=2)
     monkeypatch.setattr("rna_work.cluster.ray_cluster.imported_ray", lambda: head)
-    with place("auto"):
+    with open_executor("auto"):
         assert head.connected
     head.failures = 3
     with (
         pytest.raises(WorkError, match=r"^--cluster auto: no cluster answers: It did not start\.$"),
-        place("auto"),
+        open_executor("auto"),
     ):
         pass
 
 
-def test_workers_share_a_gpu(cluster: Any, where: Place) -> None:
+def test_workers_share_a_gpu(cluster: Any, executor: Executor) -> None:
     """Ray believes what a node says of its GPUs; whether CUDA works there is not seen here."""
     node = cluster.add_node(num_cpus=2, num_gpus=1)
     try:
-        while not where.gpus():
+        while not executor.gpus():
             time.sleep(0.1)
-        workers = TrialWorkers.usual("auto", 2, where)
+        workers = TrialWorkers.usual("auto", 2, executor)
         assert workers.device == "cuda"
         with Pool(workers.backend(), Doubling) as pool:
             found = [o.value() for o in pool.run(["gpus"] * 8)]
             assert pool.nodes().total() == 2
         assert found == ["0"] * 8
-        whole = TrialWorkers.usual("cuda", None, where).backend()
+        whole = TrialWorkers.usual("cuda", None, executor).backend()
         assert whole.width() == 1 and whole.options()["num_gpus"] == 1.0
-        assert TrialWorkers.usual("cuda", 4, where).backend().options()["num_gpus"] == 0.25
+        assert TrialWorkers.usual("cuda", 4, executor).backend().options()["num_gpus"] == 0.25
     finally:
         cluster.remove_node(node)
 
 
-def test_workers_go_where_there_is_memory(cluster: Any, where: Place) -> None:
+def test_workers_go_where_there_is_memory(cluster: Any, executor: Executor) -> None:
     node = cluster.add_node(num_cpus=1, memory=1 << 40)
     try:
         needs = Needs("processes", memory=1 << 39)
-        backend = where.workers(needs, None)
+        backend = executor.workers(needs, None)
         while not backend.width():
             time.sleep(0.1)
         assert backend.width() == 1
@@ -172,7 +174,7 @@ def test_local_is_a_cluster_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
         is_initialized=lambda: False, init=lambda **o: seen.update(o), shutdown=seen.clear
     )
     monkeypatch.setattr("rna_work.cluster.ray_cluster.imported_ray", lambda: ray)
-    with place("local"):
+    with open_executor("local"):
         assert seen["address"] == "local"
     assert not seen
 

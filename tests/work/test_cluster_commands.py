@@ -10,7 +10,7 @@ from rna_export.capture.rna_capture import main as capture
 from rna_export.trials.pool import TrialPool, TrialWorkers
 from rna_export.trials.trial import Trial
 from rna_render.command.rna_run import main as render
-from rna_work.executors import place
+from rna_work.executors import open_executor
 from tests.exporters.scenes import write_scene
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.render.assets import sphere
@@ -82,15 +82,15 @@ def test_trainings_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
     dataset = make_dataset(tmp_path / "ball.rays")
     trials = [Trial(name=f"t{k}", family="ours", preset=tiny(steps=12), seed=k) for k in range(2)]
 
-    def points(where: object, name: str) -> dict[str, object]:
-        workers = TrialWorkers(None if where.far else 1, 1, "cpu", where)
+    def points(executor: object, name: str) -> dict[str, object]:
+        workers = TrialWorkers(None if executor.far else 1, 1, "cpu", executor)
         with TrialPool(dataset.folder, workers) as pool:
             records = list(pool.run([(t, tmp_path / name / t.name) for t in trials]))
         return {record.trial.name: record.points for record in records}
 
-    with place(None) as here:
+    with open_executor(None) as here:
         expected = points(here, "a")
-    with place(ray_address) as there:
+    with open_executor(ray_address) as there:
         assert points(there, "b") == expected
     for trial in trials:
         packages = [tmp_path / name / trial.name / "int8-int8.rna" for name in ("a", "b")]

@@ -45,7 +45,7 @@ def test_ray_is_imported_in_three_files_alone() -> None:
 @pytest.mark.parametrize(
     "code",
     [
-        "from rna_work.executors import place; place(None).__enter__()",
+        "from rna_work.executors import open_executor; open_executor(None).__enter__()",
         "import rna_export.capture.capture_run, rna_export.trials.pool, rna_export.fit.fit_run",
         "import rna_render.command.sequence, rna_render.command.pieces",
         "import rna_work.cluster.ray_cluster, rna_work.cluster.ray_slots",

@@ -18,7 +18,7 @@ from rna_export.trials.trial_worker import Job, TrialWorker
 from rna_work.cluster.mirror import Mirror
 from rna_work.cluster.store import Store
 from rna_work.cluster.stored import StoredFolder
-from rna_work.executors import place
+from rna_work.executors import open_executor
 from rna_work.sources import InPlace
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.work.stores import s3
@@ -116,7 +116,7 @@ def store(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Store]:
 def test_what_is_in_the_store_is_not_trained_again(
     store: Store, dataset: DatasetPart, tmp_path: Path
 ) -> None:
-    with place(None) as here:
+    with open_executor(None) as here:
         workers = TrialWorkers(1, 1, "cpu", here, store)
         logs = []
         for name in ("a", "b"):
@@ -134,8 +134,8 @@ def test_trainings_on_a_cluster_have_the_same_bits(
     store = Store(f"file://{tmp_path}/store")
     points = []
     for name, address in (("a", None), ("b", ray_address)):
-        with place(address) as where:
-            workers = TrialWorkers(1, 1, "cpu", where, store if address else None)
+        with open_executor(address) as executor:
+            workers = TrialWorkers(1, 1, "cpu", executor, store if address else None)
             with TrialPool(dataset.folder, workers) as pool:
                 [record] = pool.run([(TRIALS[0], tmp_path / name / "t0")])
         points.append(record.points)

@@ -33,7 +33,7 @@ from rna_render.command.frame_worker import Frame, FrameJob, FrameWorker
 from rna_render.image.output import Output
 from rna_render.scene import Scene, read_scene
 from rna_render.world.scene_sources import carried_scene
-from rna_work.executors import Place, place
+from rna_work.executors import Executor, open_executor
 from rna_work.pool import Pool
 
 FRAMES = 10  # those of a new process are slower at first
@@ -52,43 +52,45 @@ def seconds(pool: Pool[Any, Any], items: Iterable[Any], workers: int) -> float:
     return (ends[-1] - ends[0]) / (len(ends) - 1)
 
 
-def capture_seconds(where: Place, source: Source, folder: Path, workers: int) -> float:
+def capture_seconds(executor: Executor, source: Source, folder: Path, workers: int) -> float:
     """A shard of a capture."""
-    capture_workers = CaptureWorkers(blender_env.find_python(), folder / "scratch", workers, where)
+    capture_workers = CaptureWorkers(
+        blender_env.find_python(), folder / "scratch", workers, executor
+    )
     settings = {"lights": 32 * 12, "rays": 1024, "samples": 16, "validation_views": 1}
     dataset = begin(source, settings, folder / "a.rays", capture_workers, None, lambda line: None)
-    carried = Collector.of(dataset, where, None).carried()
-    scratch = None if where.far else capture_workers.scratch
+    carried = Collector.of(dataset, executor, None).carried()
+    scratch = None if executor.far else capture_workers.scratch
     job = CaptureJob(carried, None, source, capture_workers.carried(source), scratch)
     tasks = [TrainingShard(k) for k in range(dataset.manifest.shards)]
     return seconds(Pool(capture_workers.backend(), partial(CaptureWorker, job)), tasks, workers)
 
 
-def frame_seconds(where: Place, scene: Path, folder: Path) -> float:
+def frame_seconds(executor: Executor, scene: Path, folder: Path) -> float:
     """A frame, by one worker with all cores."""
     size = {"samples": 8, "resolution": [640, 360]}
     turning = {"animation": {"frames": FRAMES, "turntable": {}}, **size}
     scene_file = read_scene(scene)
     data = scene_file.scene.model_dump(exclude={"animation", "samples", "resolution"}) | turning
     scene_file = scene_file.with_changes(**dict(Scene.model_validate(data)))
-    backend, threads = where.whole_machines(None)
+    backend, threads = executor.whole_machines(None)
     numbers, output = range(FRAMES), Output(folder / "%d.exr")
-    files = carried_scene(scene_file, where)
+    files = carried_scene(scene_file, executor)
     job = FrameJob(scene_file, files, numbers, output, threads, time.perf_counter(), "cpu")
     frames = [Frame(number, str(number)) for number in numbers]
     return seconds(Pool(backend, partial(FrameWorker, job)), frames, 1)
 
 
 def one_round(
-    places: list[tuple[str, Place]], source: Source, scene: Path, workers: int
+    executors: list[tuple[str, Executor]], source: Source, scene: Path, workers: int
 ) -> dict[str, float]:
-    """Seconds of a shard and of a frame in each place, in this order."""
+    """Seconds of a shard and of a frame by each executor, in this order."""
     found = {}
-    for name, where in places:
+    for name, executor in executors:
         folder = Path(tempfile.mkdtemp())
         try:
-            found[f"frames, {name}"] = frame_seconds(where, scene, folder)
-            found[f"capture, {name}"] = capture_seconds(where, source, folder, workers)
+            found[f"frames, {name}"] = frame_seconds(executor, scene, folder)
+            found[f"capture, {name}"] = capture_seconds(executor, source, folder, workers)
         finally:
             shutil.rmtree(folder)
     return found
@@ -118,13 +120,13 @@ def run(args: argparse.Namespace) -> None:
     workers = len(os.sched_getaffinity(0))
     source = Source.captured(args.source, (), CaptureSettings())
     rounds: list[dict[str, float]] = []
-    with place(None) as here, place("local") as there:
-        places = [("here", here), ("ray", there)]
+    with open_executor(None) as here, open_executor("local") as there:
+        executors = [("here", here), ("ray", there)]
         while len(rounds) < args.rounds:
             begun = time.monotonic()
             if rounds and begun - started + longest > 60.0 * args.minutes:
                 break
-            rounds.append(one_round(places, source, args.scene, workers))
-            places.reverse()
+            rounds.append(one_round(executors, source, args.scene, workers))
+            executors.reverse()
             longest = max(longest, time.monotonic() - begun)
     publish(report(rounds), args)

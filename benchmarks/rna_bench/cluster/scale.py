@@ -17,7 +17,7 @@ from typing import Any
 
 from rna_bench.options import add_out
 from rna_bench.results import publish
-from rna_work.executors import Needs, place
+from rna_work.executors import Needs, open_executor
 from rna_work.pool import Pool
 
 _SHARD_SECONDS = 60.0  # what a shard of a capture takes, about
@@ -54,9 +54,9 @@ def cpu_seconds() -> float:
     return used.ru_utime + used.ru_stime
 
 
-def measure(where: Any, tasks: int, workers: int, size: int, ahead: int) -> dict[str, Any]:
+def measure(executor: Any, tasks: int, workers: int, size: int, ahead: int) -> dict[str, Any]:
     """Runs the tasks; figures of the driver."""
-    backend = where.workers(Needs("processes", cpus=0.5), workers)
+    backend = executor.workers(Needs("processes", cpus=0.5), workers)
     pool: Pool[int, bytes] = Pool(backend, partial(StandIn, size), ahead=ahead)
     with pool:
         for _ in pool.run(range(10 * workers)):  # all have started
@@ -87,7 +87,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> None:
-    with place(None if args.cluster == "none" else args.cluster) as where:
-        small = measure(where, args.tasks, args.workers, 100, ahead=4)
-        large = measure(where, 200, args.workers, 10_000_000, ahead=0)
+    with open_executor(None if args.cluster == "none" else args.cluster) as executor:
+        small = measure(executor, args.tasks, args.workers, 100, ahead=4)
+        large = measure(executor, 200, args.workers, 10_000_000, ahead=0)
     publish({"small": small, "large": large}, args)

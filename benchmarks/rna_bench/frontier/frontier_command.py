@@ -11,7 +11,7 @@ import argparse
 from pathlib import Path
 
 from rna_export.training.options import add_trainings
-from rna_work.executors import Place, place
+from rna_work.executors import Executor, open_executor
 
 _PARTS = ("train", "cost", "cycles", "chart")
 
@@ -55,14 +55,14 @@ def add_options(p: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> None:
     """Train, measure and chart; resumes and skips completed steps."""
-    with place(args.cluster) as where:
-        _run(args, where)
+    with open_executor(args.cluster) as executor:
+        _run(args, executor)
 
 
-def _run(args: argparse.Namespace, where: Place) -> None:
+def _run(args: argparse.Namespace, executor: Executor) -> None:
     from rna_bench.frontier.frontier_study import Study
 
-    study = Study.of(args, where)
+    study = Study.of(args, executor)
     parts = [args.only] if args.only else _PARTS
     if "train" in parts:
         study.train()

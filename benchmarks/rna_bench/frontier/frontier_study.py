@@ -31,7 +31,7 @@ from rna_export.trials.unwrap import check_unwrapping
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 from rna_sdk.package import Package
-from rna_work.executors import Place
+from rna_work.executors import Executor
 from rna_work.progress import Progress
 
 Model = TypeVar("Model", bound=BaseModel)
@@ -51,7 +51,7 @@ class Study:
     stamp: dict[str, Any]
 
     @classmethod
-    def of(cls, args: argparse.Namespace, where: Place) -> Study:
+    def of(cls, args: argparse.Namespace, executor: Executor) -> Study:
         """The study that the options describe.
 
         Raises `TrainingError` for names that are not in the grid.
@@ -59,7 +59,9 @@ class Study:
         dataset = Dataset(args.dataset).only
         grid, usual = (short_grid, SHORT_STEPS) if args.short else (full_grid, FULL_STEPS)
         trials = grid(dataset.kind, args.steps or usual)
-        workers = TrialWorkers.usual(args.device, args.workers, where, args.store, dataset.folder)
+        workers = TrialWorkers.usual(
+            args.device, args.workers, executor, args.store, dataset.folder
+        )
         return cls(dataset, trials, _chosen(trials, args.trials), args.out, workers, args.stamp)
 
     def folder(self, trial: Trial) -> Path:

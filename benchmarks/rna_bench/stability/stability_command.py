@@ -14,7 +14,7 @@ from typing import Any
 from rna_export.machine import default_workers
 from rna_sdk.errors import CaptureError
 from rna_work.cluster.cluster_option import add_cluster_option
-from rna_work.executors import place
+from rna_work.executors import open_executor
 
 # As in `suite.CASES`, which takes seconds to import: not for --help.
 CASE_NAMES = (
@@ -102,9 +102,9 @@ def run(args: argparse.Namespace) -> None:
         workshop = _workshop(args)
         settings = {"steps": workshop.steps, "short": args.short, "tier": args.tier or "default"}
         cases = [case for case in CASES if args.cases is None or case.name in args.cases]
-        with place(args.cluster) as where:
+        with open_executor(args.cluster) as executor:
             folder = args.out / "cases"
-            results = run_cases(cases, workshop, folder, settings, args.again, print, where)
+            results = run_cases(cases, workshop, folder, settings, args.again, print, executor)
         write_page(args.out, args.stamp, workshop.name, settings, results)
     print(f"wrote {args.out / 'index.html'}, {args.out / 'summary.md'}")
 

@@ -29,7 +29,7 @@ from rna_bench.stability.workshop import Workshop
 from rna_export.memory import keep_freed_memory
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
-from rna_work.executors import Place, this_machine
+from rna_work.executors import Executor, this_machine
 from rna_work.pool import Pool
 from rna_work.shared import check_shared
 
@@ -89,11 +89,11 @@ def run_cases(
     settings: dict[str, Any],
     again: bool,
     say: Callable[[str], None],
-    where: Place | None = None,
+    executor: Executor | None = None,
 ) -> list[Result]:
     """A result a case; rows that `folder` has already are not measured again, unless `again`.
 
-    where: what the cases run on, None for this machine. Raises TrainingError where rows were
+    executor: what the cases run on, None for this machine. Raises TrainingError where rows were
     measured with other settings.
     """
     folder.mkdir(parents=True, exist_ok=True)
@@ -104,7 +104,7 @@ def run_cases(
         if reason is None and (again or not _path(folder, case).is_file())
     ]
     if wanted:
-        _measure(wanted, workshop, folder, settings, say, where or this_machine())
+        _measure(wanted, workshop, folder, settings, say, executor or this_machine())
     results = []
     for case, reason in zip(cases, reasons, strict=True):
         rows = [] if reason else _rows(_path(folder, case), settings)
@@ -124,12 +124,12 @@ def _measure(
     folder: Path,
     settings: dict[str, Any],
     say: Callable[[str], None],
-    where: Place,
+    executor: Executor,
 ) -> None:
     """Measure cases and write their rows. Raises the first failure, after the others are done."""
-    check_shared(where, folder)
-    backend, cores = where.whole_machines(None, local="caller")
-    make = partial(_CaseWorker, workshop.with_workers(cores) if where.far else workshop)
+    check_shared(executor, folder)
+    backend, cores = executor.whole_machines(None, local="caller")
+    make = partial(_CaseWorker, workshop.with_workers(cores) if executor.far else workshop)
     failures = []
     pool: Pool[Case, list[Row]] = Pool(backend, make, tell=say)
     with pool:

@@ -41,7 +41,7 @@ from rna_sdk.package.manifest.manifest_fields import Region
 from rna_sdk.runtime import in_region
 from rna_work.backend import Backend
 from rna_work.cluster.store import Store
-from rna_work.executors import Needs, Place, this_machine
+from rna_work.executors import Executor, Needs, this_machine
 from rna_work.pool import Pool
 from rna_work.progress import Progress
 from rna_work.sources import Carried
@@ -64,7 +64,7 @@ class CaptureWorkers:
     python: Path
     scratch: Path
     count: int | None
-    place: Place = field(default_factory=this_machine)
+    executor: Executor = field(default_factory=this_machine)
     store: Store | None = None
 
     def probe(self, source: Source) -> BlenderWorker:
@@ -73,16 +73,16 @@ class CaptureWorkers:
 
     def carried(self, source: Source) -> Carried:
         """The source for workers, with the other files that it reads, found by opening it here."""
-        if not self.place.far:
-            return self.place.carry(source.path)
+        if not self.executor.far:
+            return self.executor.carry(source.path)
         with self.probe(source) as worker:
             files = worker.opened["files"]
         travel, fixed = ([Path(path) for path in files[kind]] for kind in ("travel", "fixed"))
-        return self.place.carry(source.path, travel, fixed)
+        return self.executor.carry(source.path, travel, fixed)
 
     def backend(self) -> Backend:
-        """The place's room for workers."""
-        return self.place.workers(Needs("threads", resource=_RESOURCE), self.count)
+        """The executor's room for workers."""
+        return self.executor.workers(Needs("threads", resource=_RESOURCE), self.count)
 
 
 def begin(
@@ -169,10 +169,10 @@ def finish(
     missing = [task for task in every if not task.path(dataset).is_file()]
     if not missing:
         return
-    collector = Collector.of(dataset, workers.place, workers.store)
+    collector = Collector.of(dataset, workers.executor, workers.store)
     missing = collector.fetch(missing)
-    workers.place.on_every_node(blender_env.find_or_set_up, _RESOURCE)
-    scratch = None if workers.place.far else workers.scratch
+    workers.executor.on_every_node(blender_env.find_or_set_up, _RESOURCE)
+    scratch = None if workers.executor.far else workers.scratch
     job = CaptureJob(collector.carried(), collector.store, source, workers.carried(source), scratch)
     cost = partial(_cost, dataset)
     total = sum(map(cost, missing))

@@ -24,7 +24,7 @@ from rna_sdk.file_kinds import not_a
 from rna_sdk.owned_folder import owned
 from rna_work.cluster.cluster_option import add_cluster_option
 from rna_work.cluster.store import add_store_option
-from rna_work.executors import place
+from rna_work.executors import open_executor
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_folder import Dataset
@@ -203,9 +203,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...]) -> None:
     with (
         owned(args.out, "rna-capture", _is_dataset) as folder,
         folder.scratch() as scratch,
-        place(args.cluster) as where,
+        open_executor(args.cluster) as executor,
     ):
-        workers = CaptureWorkers(python, scratch, args.workers, where, args.store)
+        workers = CaptureWorkers(python, scratch, args.workers, executor, args.store)
         begun = _is_dataset(args.out)
         if begun:
             dataset = _continue(args.out, args.source, arguments, given)

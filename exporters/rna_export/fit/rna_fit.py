@@ -14,7 +14,7 @@ from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_sdk.outputs import check_outputs, check_outside
 from rna_sdk.owned_folder import owned
-from rna_work.executors import Place, place
+from rna_work.executors import Executor, open_executor
 
 if TYPE_CHECKING:
     from rna_export.capture.dataset.dataset_part import DatasetPart
@@ -97,11 +97,11 @@ def goal_of(args: argparse.Namespace) -> Goal:
 
 
 def _in_place(args: argparse.Namespace) -> None:
-    with place(args.cluster) as where:
-        _run(args, where)
+    with open_executor(args.cluster) as executor:
+        _run(args, executor)
 
 
-def _run(args: argparse.Namespace, where: Place) -> None:
+def _run(args: argparse.Namespace, executor: Executor) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.fit.fit_run import fit, is_work_folder
     from rna_export.trials.grid import full_grid, short_grid
@@ -110,7 +110,7 @@ def _run(args: argparse.Namespace, where: Place) -> None:
     if args.steps < 16:
         raise TrainingError(f"--steps: found {args.steps}, expected at least 16")
     dataset = Dataset(args.dataset).only
-    workers = TrialWorkers.usual(args.device, args.workers, where, args.store, dataset.folder)
+    workers = TrialWorkers.usual(args.device, args.workers, executor, args.store, dataset.folder)
     grid = args.grid or ("full" if workers.device == "cuda" else "short")
     models = {"full": full_grid, "short": short_grid}[grid](dataset.kind, args.steps)
     ours = [trial for trial in models if trial.family == "ours"]

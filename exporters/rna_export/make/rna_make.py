@@ -27,7 +27,7 @@ from rna_sdk.atomic_file import write_atomically
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_sdk.outputs import check_outputs, check_outside
 from rna_sdk.owned_folder import owned
-from rna_work.executors import place
+from rna_work.executors import open_executor
 
 if TYPE_CHECKING:
     from rna_export.fit.goal import Goal
@@ -200,7 +200,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
         f"{picture.path} shows the model while it is trained: ours, Cycles, the error", flush=True
     )
     with owned(work, "rna-make", is_work_folder) as folder:
-        with folder.scratch() as scratch, place(args.cluster) as where:
+        with folder.scratch() as scratch, open_executor(args.cluster) as executor:
             options = MakeOptions(
                 source=source,
                 settings=settings,
@@ -212,7 +212,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
                 steps=args.steps,
                 seed=args.seed,
                 device=device,
-                workers=CaptureWorkers(python, scratch, args.workers, where, args.store),
+                workers=CaptureWorkers(python, scratch, args.workers, executor, args.store),
                 picture=picture,
             )
             made = Make(options, run_settings, begun, print).run()

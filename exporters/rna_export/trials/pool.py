@@ -17,7 +17,7 @@ from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend
 from rna_work.cluster.store import Store
 from rna_work.cluster.stored import StoredFolder
-from rna_work.executors import Needs, Place, this_machine
+from rna_work.executors import Executor, Needs, this_machine
 from rna_work.pool import Pool
 from rna_work.shared import check_shared
 from rna_work.sources import Carried, InPlace
@@ -37,7 +37,7 @@ class TrialWorkers:
     count: int | None
     threads: int
     device: str
-    place: Place = field(default_factory=this_machine)
+    executor: Executor = field(default_factory=this_machine)
     store: Store | None = None
     memory: int = 0
 
@@ -46,7 +46,7 @@ class TrialWorkers:
         cls,
         device: str,
         workers: int | None = None,
-        place: Place | None = None,
+        executor: Executor | None = None,
         store: Store | None = None,
         dataset: Path | None = None,
     ) -> TrialWorkers:
@@ -55,25 +55,25 @@ class TrialWorkers:
         device: `auto` is the GPU if there is one. dataset: that each worker of a cluster
         holds. Raises `TrainingError` for `cuda` without one.
         """
-        place = place or this_machine()
-        gpus = place.gpus()
+        executor = executor or this_machine()
+        gpus = executor.gpus()
         if device == "cuda" and not gpus:
             raise TrainingError("--device cuda: there is no CUDA device")
         device = "cuda" if gpus and device != "cpu" else "cpu"
-        if place.far:
+        if executor.far:
             memory = 0 if dataset is None else memory_for(dataset)
-            return cls(workers, 1, device, place, store, memory)
+            return cls(workers, 1, device, executor, store, memory)
         cores = len(os.sched_getaffinity(0))
         count = workers or (1 if device == "cuda" else cores)
-        return cls(count, max(1, cores // count), device, place, store)
+        return cls(count, max(1, cores // count), device, executor, store)
 
     def backend(self) -> Backend:
-        """The place's room for workers, which share its GPUs evenly if there are more of them."""
+        """Its room for workers, which share its GPUs evenly if there are more of them."""
         gpus = 0.0
         if self.device == "cuda":
-            gpus = min(1.0, self.place.gpus() / self.count) if self.count else 1.0
+            gpus = min(1.0, self.executor.gpus() / self.count) if self.count else 1.0
         needs = Needs("processes", self.threads, gpus, self.memory)
-        return self.place.workers(needs, self.count)
+        return self.executor.workers(needs, self.count)
 
 
 def memory_for(dataset: Path) -> int:
@@ -90,16 +90,16 @@ class TrialPool:
     """
 
     def __init__(self, dataset: Path, workers: TrialWorkers, tell: Callable[[str], None] = print):
-        self._place, self._store = workers.place, workers.store
+        self._executor, self._store = workers.executor, workers.store
         carried = self._carried(dataset.resolve() / "manifest.json")
         make = partial(TrialWorker, carried, workers.threads, workers.device)
         self._pool: Pool[Job, Record] = Pool(workers.backend(), make, tell=tell)
 
     def _carried(self, manifest: Path) -> Carried:
         if self._store is None:
-            check_shared(self._place, manifest.parent)
+            check_shared(self._executor, manifest.parent)
             return InPlace(manifest)
-        self._place.on_every_node(self._store.check)
+        self._executor.on_every_node(self._store.check)
         self._dataset = StoredFolder.of(manifest, self._store.below("datasets"))
         return self._dataset
 
@@ -120,7 +120,7 @@ class TrialPool:
         at the end, with the last lines of their logs.
         """
         if trials and self._store is None:
-            check_shared(self._place, trials[0][1].parent)
+            check_shared(self._executor, trials[0][1].parent)
         failures = []
         for outcome in self._pool.run([self._job(*given) for given in trials]):
             job = outcome.item

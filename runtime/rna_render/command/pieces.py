@@ -24,7 +24,7 @@ from rna_render.paths.time_limit import SomePixels
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.scene_sources import carried_scene, scene_key
 from rna_sdk.errors import SceneError
-from rna_work.executors import Place
+from rna_work.executors import Executor
 from rna_work.pool import Pool
 from rna_work.progress import Progress
 from rna_work.sources import Carried
@@ -34,7 +34,7 @@ _MOST = 1 << 18  # pixels: of more, what comes back would be hundreds of megabyt
 
 
 def render_pieces(
-    scene_file: SceneFile, where: Place, threads: int | None, folder: Path, device: str = CPU
+    scene_file: SceneFile, executor: Executor, threads: int | None, folder: Path, device: str = CPU
 ) -> tuple[Film, KeptPieces]:
     """The finished image, and what was kept of it, which its owner removes with the image written.
 
@@ -47,8 +47,8 @@ def render_pieces(
         raise scene_file.error(
             ("quality", "seconds"), "limits the time of one machine, expected none with --cluster"
         )
-    files = carried_scene(scene_file, where)
-    backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
+    files = carried_scene(scene_file, executor)
+    backend, threads = executor.whole_machines(threads, needs_gpu=device != CPU)
     kept = KeptPieces(folder, f"{device} {scene_key(scene_file)}")
     count, image = prod(scene.resolution), _Image(scene.resolution)
     there = []

@@ -234,7 +234,7 @@ def _run(options: argparse.Namespace) -> int:
     from rna_render.image.denoise import Denoiser
     from rna_render.image.output import Output
     from rna_render.scene.scene_file import read_scene
-    from rna_work.executors import place
+    from rna_work.executors import open_executor
 
     names = ("samples", "resolution", "seed", "tier", "view")
     changes = {name: value for name in names if (value := getattr(options, name)) is not None}
@@ -253,8 +253,8 @@ def _run(options: argparse.Namespace) -> int:
     if options.frames is None:
         return _render_in_pieces(scene_file, output, options)
     numbers = frame_numbers(scene_file, *options.frames)
-    with place(options.cluster) as where:
-        how = options.threads, _START, where, options.device
+    with open_executor(options.cluster) as executor:
+        how = options.threads, _START, executor, options.device
         return render_sequence(scene_file, numbers, output, *how)
 
 
@@ -311,14 +311,19 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
     from rna_render.command.pieces import render_pieces
     from rna_render.world.scene_sources import files_of
     from rna_sdk.owned_folder import owned
-    from rna_work.executors import place
+    from rna_work.executors import open_executor
 
     output.check(files_of(scene_file))
     first = output.paths()[0]
     folder = first.with_name(f"{first.name}.pieces")
     try:
-        with owned(folder, "rna-run", is_of_pieces) as own, place(options.cluster) as where:
-            film, kept = render_pieces(scene_file, where, options.threads, folder, options.device)
+        with (
+            owned(folder, "rna-run", is_of_pieces) as own,
+            open_executor(options.cluster) as executor,
+        ):
+            film, kept = render_pieces(
+                scene_file, executor, options.threads, folder, options.device
+            )
             output.write(scene_file.scene, film)
             kept.remove()
             own.dissolve()

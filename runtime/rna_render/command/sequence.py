@@ -18,7 +18,7 @@ from rna_render.scene.scene_file import SceneFile
 from rna_render.world.scene_sources import carried_scene, contents_key, files_of
 from rna_sdk.console import INTERRUPTED
 from rna_sdk.errors import SceneError
-from rna_work.executors import Place
+from rna_work.executors import Executor
 from rna_work.pool import Pool
 from rna_work.progress import Progress
 from rna_work.shared import check_shared
@@ -47,7 +47,7 @@ def render_sequence(
     output: Output,
     threads: int | None,
     started: float,
-    where: Place,
+    executor: Executor,
     device: str = CPU,
 ) -> int:
     """Render the frames that are not there yet. Returns the exit status.
@@ -60,16 +60,16 @@ def render_sequence(
     missing = _missing(scene_file, numbers, output)
     if not missing:
         return 0
-    check_shared(where, output.paths()[0].parent)
-    backend, threads = where.whole_machines(threads, needs_gpu=device != CPU)
-    files = carried_scene(scene_file, where)
-    absolute = output.absolute() if where.far else output
+    check_shared(executor, output.paths()[0].parent)
+    backend, threads = executor.whole_machines(threads, needs_gpu=device != CPU)
+    files = carried_scene(scene_file, executor)
+    absolute = output.absolute() if executor.far else output
     job = FrameJob(scene_file, files, numbers, absolute, threads, started, device)
     try:
         tell = partial(print, flush=True)
         pool: Pool[Frame, FrameFiles] = Pool(backend, partial(FrameWorker, job), tell=tell)
         with pool:
-            _take(pool, missing, where)
+            _take(pool, missing, executor)
     except KeyboardInterrupt:
         print(
             "stopped; frames under way were not written; the same command goes on", file=sys.stderr
@@ -78,14 +78,14 @@ def render_sequence(
     return 0
 
 
-def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], where: Place) -> None:
+def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], executor: Executor) -> None:
     """Say of each frame that it is finished; on a cluster below a bar of the whole."""
     seconds: list[float] = []
     with ExitStack() as stack:
         found = stack.enter_context(closing(pool.run(missing)))
         outcomes: Iterator[Outcome[Frame, FrameFiles]] = found
         tell: Callable[[str], None] = partial(print, flush=True)
-        if where.far:  # this machine's own worker has a bar for each frame
+        if executor.far:  # this machine's own worker has a bar for each frame
             progress = stack.enter_context(Progress(len(missing), "frame", "frames"))
             outcomes, tell = progress.of(pool, outcomes), progress.tell
         for outcome in outcomes:
@@ -101,13 +101,13 @@ def _take(pool: Pool[Frame, FrameFiles], missing: list[Frame], where: Place) -> 
 def _missing(scene_file: SceneFile, numbers: range, output: Output) -> list[Frame]:
     """The frames that are not there; raises RnaError if one of them cannot be written."""
     inputs, missing = files_of(scene_file), []
-    for place, number in enumerate(numbers, 1):
+    for index, number in enumerate(numbers, 1):
         scene, files = frame_scene(scene_file.scene, number), output.frame(number)
         if files.is_there(scene):
             print(f"frame {number}: is there already")
         else:
             files.check(inputs)
-            missing.append(Frame(number, f"frame {number} ({place} of {len(numbers)})"))
+            missing.append(Frame(number, f"frame {number} ({index} of {len(numbers)})"))
     return missing
 
 

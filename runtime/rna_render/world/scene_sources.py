@@ -16,19 +16,19 @@ from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_messages import Key
 from rna_sdk.regular_file import read_regular
 from rna_work.cached import content_hash
-from rna_work.executors import Place
+from rna_work.executors import Executor
 from rna_work.sources import Carried
 
 
-def carried_scene(scene_file: SceneFile, where: Place) -> Carried:
+def carried_scene(scene_file: SceneFile, executor: Executor) -> Carried:
     """The scene file for workers, with all that it names. Raises SceneError if a file is missing.
 
     Paths in the scene that are absolute stay as they are: such files have to be on all machines.
     """
-    if not where.far:
-        return where.carry(scene_file.path)
+    if not executor.far:
+        return executor.carry(scene_file.path)
     relative, absolute = _files(scene_file)
-    return where.carry(scene_file.path, relative, absolute)
+    return executor.carry(scene_file.path, relative, absolute)
 
 
 def scene_key(scene_file: SceneFile) -> str:

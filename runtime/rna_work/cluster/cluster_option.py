@@ -6,7 +6,7 @@ import argparse
 
 
 def add_cluster_option(parser: argparse.ArgumentParser) -> None:
-    """The option `--cluster`, for `rna_work.executors.place`."""
+    """The option `--cluster`, for `rna_work.executors.open_executor`."""
     parser.add_argument(
         "--cluster",
         metavar="ADDRESS",

@@ -1,4 +1,4 @@
-"""A Ray cluster as a place for work. Nothing else of the project imports Ray."""
+"""A Ray cluster as an executor. Nothing else of the project imports Ray."""
 
 from __future__ import annotations
 

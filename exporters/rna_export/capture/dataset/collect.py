@@ -11,7 +11,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import check_whole
 from rna_sdk.errors import CaptureError
 from rna_work.cluster.store import Store
-from rna_work.executors import Place
+from rna_work.executors import Executor
 from rna_work.shared import check_shared
 from rna_work.sources import Carried, InPlace
 
@@ -27,17 +27,17 @@ class Collector:
     """
 
     dataset: Dataset
-    place: Place
+    executor: Executor
     store: Store | None
 
     @classmethod
-    def of(cls, dataset: Dataset, place: Place, store: Store | None) -> Collector:
+    def of(cls, dataset: Dataset, executor: Executor, store: Store | None) -> Collector:
         """Raises WorkError if a machine cannot write finished files."""
         if store is None:
-            check_shared(place, dataset.folder)
-            return cls(dataset, place, None)
-        place.on_every_node(store.check)
-        return cls(dataset, place, store.below(_name(dataset)))
+            check_shared(executor, dataset.folder)
+            return cls(dataset, executor, None)
+        executor.on_every_node(store.check)
+        return cls(dataset, executor, store.below(_name(dataset)))
 
     def carried(self) -> Carried:
         """The manifest for workers, with what they read if they do not see the folder."""
@@ -49,7 +49,7 @@ class Collector:
             for path in folder.rglob("*")
             if path.is_file() and _is_read(path.relative_to(folder).parts[0])
         ]
-        return self.place.carry(folder / "manifest.json", others)
+        return self.executor.carry(folder / "manifest.json", others)
 
     def fetch(self, missing: list[Task]) -> list[Task]:
         """Fetch the finished files of the store; returns the tasks without a whole one."""
