@@ -22,10 +22,11 @@ from rna_export.training.presets import PRESETS
 from rna_export.training.training_run import Run, train
 from rna_sdk.errors import ExportError
 from rna_sdk.package import Int8Planes, Package, validate
+from rna_sdk.package.decoder.profile_decoder import read_profile_decoder
 from rna_sdk.package.decoder.saturation import PAIR_LIMIT, can_saturate, pair_sums
 from rna_sdk.runtime import load
+from rna_sdk.runtime.engine.decoder_graph import fast_graph
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
-from rna_sdk.runtime.engine.int8_graph import fuse_int8_layers
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.exporters.test_decoder_export import make_model, run
 
@@ -57,14 +58,16 @@ def test_the_runtime_runs_the_exported_integers(preset: str) -> None:
         close = np.isclose(found, expected, rtol=1e-4, atol=1e-5).all(axis=1)
         assert close.mean() > 0.98
     # Those four nodes and the layers are not in what onnxruntime runs.
-    fused, entry = fuse_int8_layers(decoder)
+    fast = fast_graph(read_profile_decoder(decoder, "decoder"), np.inf)
+    assert fast is not None
+    fused, entry = fast
     assert entry is not None and len(entry.gain) == queries.shape[1]
     operators = {node.op_type for node in onnx.load_from_string(fused).graph.node}
     assert not {"QuantizeLinear", "DequantizeLinear", "Gemm", "Add"} & operators
 
 
 @torch.no_grad()
-def test_queries_that_another_node_reads_in_uint8_are_made_in_the_graph() -> None:
+def test_queries_that_another_node_reads_in_uint8_run_in_the_graph() -> None:
     model = make_model()
     queries = random_queries(model, 500, 7)
     decoder = onnx.load_from_string(export_decoder(model, int8_decoder(model, queries)))
@@ -72,9 +75,9 @@ def test_queries_that_another_node_reads_in_uint8_are_made_in_the_graph() -> Non
     reader = onnx.helper.make_node("DequantizeLinear", [*first.output, *first.input[1:]], ["seen"])
     decoder.graph.node.append(reader)
     changed = decoder.SerializeToString()
-    assert fuse_int8_layers(changed)[1] is None
-    expected = run(changed, queries)
-    found = Decoder(changed).run(queries.numpy())
+    expected, runtime = run(changed, queries), Decoder(changed)
+    assert runtime._form._entry is None
+    found = runtime.run(queries.numpy())
     assert np.isclose(found, expected, rtol=1e-4, atol=1e-5).all(axis=1).mean() > 0.98
 
 

@@ -9,13 +9,14 @@ import onnx
 import pytest
 from onnx import helper, numpy_helper
 
-from rna_sdk.package.decoder.decoder_profile import outside_profile, saturating_weights
 from rna_sdk.package.decoder.onnx_model import read_model
+from rna_sdk.package.decoder.profile_decoder import read_profile, saturating_weights
 from tests.package.builders import make_decoder_model, make_int8_decoder_model
 
 
 def reason(model: onnx.ModelProto) -> str | None:
-    return outside_profile(read_model(memoryview(model.SerializeToString())))
+    found = read_profile(read_model(memoryview(model.SerializeToString())))
+    return found if isinstance(found, str) else None
 
 
 def models() -> list[onnx.ModelProto]:

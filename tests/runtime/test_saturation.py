@@ -10,9 +10,10 @@ import pytest
 from onnx import numpy_helper
 from onnx.reference import ReferenceEvaluator
 
+from rna_sdk.package.decoder.profile_decoder import read_profile_decoder
 from rna_sdk.package.decoder.saturation import PAIR_LIMIT, can_saturate, pair_sums
+from rna_sdk.runtime.engine.decoder_graph import int8_graph
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
-from rna_sdk.runtime.engine.int8_graph import fuse_int8_layers
 from tests.package.builders import make_int8_decoder_model
 
 
@@ -60,7 +61,9 @@ def with_weights(model: onnx.ModelProto, low: int, high: int) -> onnx.ModelProto
 @pytest.mark.parametrize(("width", "columns"), [(16, 22), (64, 24), (130, 33), (264, 22)])
 def test_sums_are_exact(low: int, high: int, width: int, columns: int) -> None:
     """Queries at both ends of their range make the largest products of all."""
-    model = with_weights(make_int8_decoder_model(columns, width, 2, opset=19), low, high)
+    model = with_weights(
+        make_int8_decoder_model(columns, width, 2, opset=19, in_profile=True), low, high
+    )
     queries = np.random.default_rng(1).choice(np.float32([-9, 9]), (1001, columns))
     (expected,) = ReferenceEvaluator(model).run(None, {"queries": queries})
     decoder = Decoder(model.SerializeToString())
@@ -73,7 +76,10 @@ def test_sums_are_exact(low: int, high: int, width: int, columns: int) -> None:
 
 def test_weights_that_cannot_saturate_stay_int8() -> None:
     for limit, dtype in ((PAIR_LIMIT // 2, np.int8), (127, np.uint8)):
-        model = with_weights(make_int8_decoder_model(22, 64, 2), -limit, limit)
-        fused = onnx.load_from_string(fuse_int8_layers(model.SerializeToString())[0])
-        weights = [t for t in fused.graph.initializer if t.name.endswith("/weight")]
+        model = with_weights(make_int8_decoder_model(22, 64, 2, in_profile=True), -limit, limit)
+        decoder = read_profile_decoder(model.SerializeToString(), "decoder")
+        fused = onnx.load_from_string(int8_graph(decoder, 24))
+        shapes = {(64, 24, 1, 1), (64, 64, 1, 1), (64, 6)}
+        weights = [t for t in fused.graph.initializer if tuple(t.dims) in shapes]
+        assert len(weights) == 3
         assert {numpy_helper.to_array(t).dtype for t in weights} == {np.dtype(dtype)}

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from rna_sdk.errors import PackageError
 from rna_sdk.package.decoder.decoder_bounds import check_bounds
 from rna_sdk.package.decoder.decoder_form import INPUT_NAME, DecoderForm
-from rna_sdk.package.decoder.decoder_profile import outside_profile, saturating_weights
 from rna_sdk.package.decoder.onnx_fields import DataType
 from rna_sdk.package.decoder.onnx_model import FLOAT, Model, Value, read_model
+from rna_sdk.package.decoder.profile_decoder import read_profile, saturating_weights
 from rna_sdk.package.decoder.protobuf import WireError
 from rna_sdk.package.decoder.saturation import PAIR_LIMIT
 from rna_sdk.package.issues import Code, Issue, refuse
@@ -73,8 +73,8 @@ def check_decoder(data: memoryview, form: DecoderForm) -> list[Issue]:
 
 def _warnings(model: Model, name: str) -> list[Issue]:
     issues = []
-    if (reason := outside_profile(model)) is not None:
-        issues.append(Issue.of(Code.DECODER_PROFILE, name, reason, "the decoder profile"))
+    if isinstance(outside := read_profile(model), str):
+        issues.append(Issue.of(Code.DECODER_PROFILE, name, outside, "the decoder profile"))
     if weights := saturating_weights(model):
         expected = f"neighbours of one sign that add up to at most {PAIR_LIMIT}"
         issues.append(Issue.of(Code.DECODER_SATURATION, f"{name}#{weights[0]}", "larger", expected))

@@ -39,7 +39,6 @@ class NodeProto:
 
 class AttributeProto:
     NAME = 1
-    F = 2
     I = 3  # noqa: E741
     T = 5
     G = 6
@@ -59,7 +58,6 @@ class AttributeProto:
 class TensorProto:
     DIMS = 1
     DATA_TYPE = 2
-    FLOAT_DATA = 4
     NAME = 8
     RAW_DATA = 9
     EXTERNAL_DATA = 13

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-import struct
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -40,7 +39,7 @@ _GRAPHS_AND_SPARSE = (
 class Tensor:
     """An initializer or a tensor in an attribute.
 
-    raw: its data, where it is `raw_data`. data: the TensorProto's bytes.
+    raw: its data, where it is `raw_data`.
     """
 
     name: str
@@ -48,16 +47,6 @@ class Tensor:
     dims: tuple[int, ...]
     external: bool
     raw: memoryview | None
-    data: memoryview
-
-    def array(self) -> NDArray[Any] | None:
-        """Its values; None for a type not in DTYPES, or data that is not `raw_data`.
-
-        Raises ValueError where the data's size is not that of the shape.
-        """
-        if self.raw is None or self.dtype not in DTYPES:
-            return None
-        return np.frombuffer(self.raw, DTYPES[self.dtype]).reshape(self.dims)
 
     @property
     def is_whole(self) -> bool:
@@ -67,29 +56,16 @@ class Tensor:
         return len(self.raw) == math.prod(self.dims) * DTYPES[self.dtype].itemsize
 
     def values(self) -> NDArray[Any]:
-        """`array` of a tensor that is whole."""
-        values = self.array()
-        assert values is not None
-        return values
-
-    def floats(self) -> NDArray[np.float32] | None:
-        """float32 values, `raw_data` or packed `float_data`; None for others. Errors as `array`."""
-        if self.dtype != FLOAT:
-            return None
-        if self.raw is not None:
-            return self.array()
-        packed = Message(self.data).one(fields.TensorProto.FLOAT_DATA)
-        if not isinstance(packed, memoryview):
-            return None
-        return np.frombuffer(packed, "<f4").reshape(self.dims).astype(np.float32)
+        """Those of a tensor that is whole."""
+        assert self.raw is not None
+        return np.frombuffer(self.raw, DTYPES[self.dtype]).reshape(self.dims)
 
 
 @dataclass(frozen=True)
 class Node:
     """One operator call.
 
-    tensors: those in its attributes. integers, floats: attributes that are one, by name.
-    data: the NodeProto's bytes.
+    tensors: those in its attributes. integers: attributes that are one, by name.
     """
 
     operator: str
@@ -99,29 +75,17 @@ class Node:
     tensors: tuple[Tensor, ...]
     attributes: tuple[str, ...]
     integers: dict[str, int]
-    floats: dict[str, float]
     longest_list: int
     nested: bool
-    data: memoryview
-
-    def number(self, attribute: str, default: float) -> float:
-        """An attribute that is an integer or a float; 0 where it has no value."""
-        if attribute not in self.attributes:
-            return default
-        return self.floats.get(attribute, self.integers.get(attribute, 0))
 
 
 @dataclass(frozen=True)
 class Value:
-    """A graph input or output. `dtype` 0: no tensor; a dim of None: symbolic or unknown.
-
-    data: the ValueInfoProto's bytes, which say nothing more that counts.
-    """
+    """A graph input or output. `dtype` 0: no tensor; a dim of None: symbolic or unknown."""
 
     name: str
     dtype: int
     dims: tuple[int | None, ...]
-    data: memoryview = field(default=memoryview(b""), compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -147,16 +111,6 @@ class Model:
         read = Counter(name for node in self.nodes for name in node.inputs)
         read.update(value.name for value in self.outputs)
         return read
-
-    def arrays(self, names: tuple[str, ...]) -> list[NDArray[Any] | None]:
-        """`Tensor.array` of each; None for a name of no constant."""
-        found = (self.constants.get(name) for name in names)
-        return [None if tensor is None else tensor.array() for tensor in found]
-
-    def floats(self, name: str) -> NDArray[np.float32] | None:
-        """`Tensor.floats`; None for a name of no constant."""
-        tensor = self.constants.get(name)
-        return None if tensor is None else tensor.floats()
 
 
 def read_model(data: memoryview) -> Model:
@@ -197,7 +151,6 @@ def _tensor(tensor: Message) -> Tensor:
         dims=tuple(tensor.integers(fields.TensorProto.DIMS)),
         external=external or any(tensor.integers(fields.TensorProto.DATA_LOCATION)),
         raw=raw if isinstance(raw, memoryview) else None,
-        data=tensor.data,
     )
 
 
@@ -217,19 +170,9 @@ def _node(node: Message) -> Node:
             for name, a in named
             if a.has(fields.AttributeProto.I)
         },
-        floats={name: _float(a) for name, a in named if a.has(fields.AttributeProto.F)},
         longest_list=max((_longest_list(attribute) for attribute in attributes), default=0),
         nested=any(attribute.has(n) for attribute in attributes for n in _GRAPHS_AND_SPARSE),
-        data=node.data,
     )
-
-
-def _float(attribute: Message) -> float:
-    """NaN where the field is no float."""
-    packed = attribute.fields[fields.AttributeProto.F][-1]
-    if isinstance(packed, int) or len(packed) != struct.calcsize("<f"):
-        return float("nan")
-    return float(struct.unpack("<f", packed)[0])
 
 
 def _longest_list(attribute: Message) -> int:
@@ -247,7 +190,6 @@ def _value(value: Message) -> Value:
         name=value.text(fields.ValueInfoProto.NAME),
         dtype=tensor.integer(fields.TensorTypeProto.ELEM_TYPE),
         dims=tuple(map(_size, dims)),
-        data=value.data,
     )
 
 

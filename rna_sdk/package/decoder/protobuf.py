@@ -20,7 +20,7 @@ class WireError(ValueError):
 
 
 class Message:
-    """The fields of one message: number -> values in order. `data`: its bytes.
+    """The fields of one message: number -> values in order.
 
     A value is an int (varint), or a memoryview (bytes, strings, messages, fixed numbers).
     A message and those inside it draw on one budget of items, so that a file of tiny fields
@@ -28,7 +28,6 @@ class Message:
     """
 
     def __init__(self, data: memoryview, budget: Iterator[int] | None = None) -> None:
-        self.data = data
         self._budget = iter(range(MAX_ITEMS)) if budget is None else budget
         self.fields: dict[int, list[int | memoryview]] = {}
         for number, value in _read_fields(data):

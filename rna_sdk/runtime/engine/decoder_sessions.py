@@ -8,12 +8,11 @@ import numpy as np
 import onnxruntime as ort
 from numpy.typing import NDArray
 
-from rna_sdk.package.decoder.decoder_profile import outside_profile
 from rna_sdk.package.decoder.onnx_model import read_model
-from rna_sdk.package.decoder.profile_decoder import read_profile_decoder
+from rna_sdk.package.decoder.profile_decoder import read_profile
 from rna_sdk.runtime.engine.agreement import TIES, close_rows
 from rna_sdk.runtime.engine.compiled_decoder import CompiledDecoder
-from rna_sdk.runtime.engine.decoder_graph import prepare_decoder
+from rna_sdk.runtime.engine.decoder_graph import fast_graph
 from rna_sdk.runtime.engine.int8_entry import Entry
 
 _TILES = ((32_768, 4096), (131_072, 2048), (524_288, 1024))
@@ -103,13 +102,17 @@ class Graph:
 
 
 def _fast_form(original: bytes, largest_query: float) -> Graph | CompiledDecoder | None:
-    """A decoder that is faster than onnxruntime on the original graph; None if there is none."""
-    if outside_profile(read_model(memoryview(original))) is None:
-        decoder = read_profile_decoder(original, "decoder")
-        if not decoder.is_int8 and decoder.width <= COMPILED_WIDTH:
-            return CompiledDecoder(decoder)
-    data, entry = prepare_decoder(original, largest_query)
-    return None if data is original else Graph(data, entry)
+    """A decoder that is faster than onnxruntime on the original graph; None if there is none.
+
+    Outside the decoder profile there is none: the graph runs as it is.
+    """
+    decoder = read_profile(read_model(memoryview(original)))
+    if isinstance(decoder, str):
+        return None
+    if not decoder.is_int8 and decoder.width <= COMPILED_WIDTH:
+        return CompiledDecoder(decoder)
+    faster = fast_graph(decoder, largest_query)
+    return None if faster is None else Graph(*faster)
 
 
 def _agree(fast: Graph | CompiledDecoder, original: bytes, largest_query: float) -> bool:

@@ -1,4 +1,4 @@
-"""How the queries of an int8 decoder become uint8: found in its graph, done by a kernel here.
+"""How the queries of an int8 decoder become uint8, in a kernel here.
 
 onnxruntime takes four passes over the queries for it, 38 ns/query; the kernel takes one.
 """
@@ -14,7 +14,7 @@ from numba import types
 from numpy.typing import NDArray
 
 from rna_sdk.compiled import compiled
-from rna_sdk.package.decoder.onnx_model import Model
+from rna_sdk.package.decoder.profile_decoder import ProfileDecoder
 
 _VECTOR = types.Array(types.float32, 1, "C", readonly=True)
 _COLUMN_STEP = 4
@@ -23,16 +23,20 @@ _COLUMN_STEP = 4
 
 @dataclass(frozen=True)
 class Entry:
-    """uint8 = round(clip(query, *limits) * gain + offset), clamped; gain and offset (columns,).
+    """uint8 = round(clip(query, *limits) * gain + offset), clamped; gain and offset (columns,)."""
 
-    Attributes:
-        places: indices of its nodes in the graph.
-    """
-
-    places: tuple[int, ...]
     limits: NDArray[np.float32]
     gain: NDArray[np.float32]
     offset: NDArray[np.float32]
+
+    @classmethod
+    def of(cls, decoder: ProfileDecoder) -> Entry | None:
+        """That of a decoder in int8; None for one in float32."""
+        if decoder.gain is None or decoder.offset is None:
+            return None
+        step = np.float32(decoder.layers[0].step)  # 1 in what rna-export writes
+        limits = np.array([decoder.low, decoder.high], np.float32)
+        return cls(limits, decoder.gain / step, decoder.offset / step)
 
     @property
     def columns(self) -> int:
@@ -44,28 +48,6 @@ class Entry:
         result = np.zeros((len(queries), self.columns), np.uint8)
         _quantizer()(queries, self.limits, self.gain, self.offset, result)
         return result
-
-
-def find_entry(model: Model, start: str, end: str) -> Entry | None:
-    """Clip, Mul, Add, QuantizeLinear from the value `start` to `end`; None if it is otherwise."""
-    value, places, operands = start, [], []
-    for operator in ("Clip", "Mul", "Add", "QuantizeLinear"):
-        place = next((k for k, node in enumerate(model.nodes) if value in node.inputs[:1]), None)
-        if place is None or model.readers[value] != 1 or model.nodes[place].operator != operator:
-            return None
-        places.append(place)
-        operands.append(model.arrays(model.nodes[place].inputs[1:]))
-        value = model.nodes[place].outputs[0]
-    found = [number for group in operands for number in group if number is not None]
-    if value != end or len(found) != 6:
-        return None
-    low, high, gain, offset, scale, zero = found
-    if gain.ndim != 1 or gain.shape != offset.shape or zero.dtype != np.uint8:
-        return None
-    if scale.ndim or scale != 1 or zero != 0:
-        return None
-    limits = np.array([low, high], np.float32).reshape(2)
-    return Entry(tuple(places), limits, gain.astype(np.float32), offset.astype(np.float32))
 
 
 @cache

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package.decoder import onnx_fields as fields
@@ -15,11 +16,49 @@ from rna_sdk.package.decoder import onnx_fields as fields
 Attributes = Mapping[str, int | Sequence[int]]
 
 
+class GraphBuilder:
+    """Nodes and constants in order; values and constants get names by number."""
+
+    def __init__(self) -> None:
+        self._nodes: list[bytes] = []
+        self._constants: list[bytes] = []
+
+    def node(
+        self,
+        operator: str,
+        *inputs: str | float | np.generic | NDArray[Any],
+        output: str = "",
+        domain: str = "",
+        **attributes: int | Sequence[int],
+    ) -> str:
+        """A node; numbers (float32) and arrays among its inputs become constants.
+
+        Returns the name of its result: `output`, or one by number.
+        """
+        names = [one if isinstance(one, str) else self._constant(one) for one in inputs]
+        output = output or f"v{len(self._nodes)}"
+        self._nodes.append(node(operator, names, output, attributes, domain))
+        return output
+
+    def _constant(self, number: Any) -> str:
+        array = np.float32(number) if isinstance(number, float) else number
+        name = f"c{len(self._constants)}"
+        self._constants.append(tensor(name, np.asarray(array)))
+        return name
+
+    def model(
+        self, source: bytes, result: bytes, opsets: Iterable[tuple[str, int]], producer: str = ""
+    ) -> bytes:
+        """The ModelProto from one `value` to another."""
+        parts = self._nodes, self._constants, [source], [result]
+        return model(*parts, opsets, ir_version=8, producer=producer)
+
+
 def model(
-    nodes: Iterable[bytes | memoryview],
-    tensors: Iterable[bytes | memoryview],
-    inputs: Iterable[bytes | memoryview],
-    outputs: Iterable[bytes | memoryview],
+    nodes: Iterable[bytes],
+    tensors: Iterable[bytes],
+    inputs: Iterable[bytes],
+    outputs: Iterable[bytes],
     opsets: Iterable[tuple[str, int]],
     ir_version: int,
     name: str = "decoder",
@@ -104,7 +143,7 @@ def _opset(domain: str, version: int) -> bytes:
     return named + _integer(fields.OperatorSetIdProto.VERSION, version)
 
 
-def _chunk(number: int, data: bytes | memoryview) -> bytes:
+def _chunk(number: int, data: bytes) -> bytes:
     """A field of bytes: a string or a message inside a message."""
     return _varint(number << 3 | 2) + _varint(len(data)) + bytes(data)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -62,7 +61,7 @@ class Decoder:
         return _closed(x, self.ends)
 
     def file(self) -> bytes:
-        graph = _Graph()
+        graph = pb.GraphBuilder()
         value = graph.node("Clip", "queries", -LARGEST_INPUT, LARGEST_INPUT)
         for k, layer in enumerate(self.layers):
             value = graph.node("Relu", value) if k else value
@@ -112,7 +111,7 @@ class Int8Decoder:
         return result
 
     def file(self) -> bytes:
-        graph, zero = _Graph(), np.uint8(0)
+        graph, zero = pb.GraphBuilder(), np.uint8(0)
         value = graph.node("Clip", "queries", -LARGEST_INPUT, LARGEST_INPUT)
         value = graph.node("Add", graph.node("Mul", value, self.gain), self.offset)
         for layer in self.layers:
@@ -223,32 +222,10 @@ def _closed(x: np.ndarray, ends: np.ndarray) -> np.ndarray:
     return colours @ wide if wide.ndim else colours * wide
 
 
-class _Graph:
-    """Nodes and constants in order."""
-
-    def __init__(self) -> None:
-        self.nodes: list[bytes] = []
-        self.constants: list[bytes] = []
-
-    def node(self, operator: str, *inputs: Any, output: str = "", **attributes: int) -> str:
-        """A node; numbers and arrays among its inputs become constants. The name of its result."""
-        names = [value if isinstance(value, str) else self._constant(value) for value in inputs]
-        output = output or f"v{len(self.nodes)}"
-        self.nodes.append(pb.node(operator, names, output, attributes))
-        return output
-
-    def _constant(self, value: Any) -> str:
-        array = np.float32(value) if isinstance(value, float) else value
-        self.constants.append(pb.tensor(f"c{len(self.constants)}", np.asarray(array)))
-        return f"c{len(self.constants) - 1}"
-
-
-def _file(graph: _Graph, value: str, ends: np.ndarray, columns: int, output: str) -> bytes:
+def _file(graph: pb.GraphBuilder, value: str, ends: np.ndarray, columns: int, output: str) -> bytes:
     """The ModelProto from `queries` to the output, the closing nodes included."""
     value = graph.node("Exp", graph.node("Clip", value, 0.0, TOP))
     value = graph.node("Sub", value, 1.0)
     graph.node("MatMul" if np.ndim(ends) else "Mul", value, ends, output=output)
-    inputs = [pb.value("queries", ["N", columns])]
-    outputs = [pb.value(output, ["N", OUTPUTS[output]])]
-    parts = graph.nodes, graph.constants, inputs, outputs
-    return pb.model(*parts, [("", 17)], ir_version=8, producer="rna-conformance")
+    ends_at = pb.value("queries", ["N", columns]), pb.value(output, ["N", OUTPUTS[output]])
+    return graph.model(*ends_at, [("", 17)], producer="rna-conformance")
