@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rna_bench.stability.cases import posed
-from rna_bench.stability.workshop import Subject, Workshop
+from rna_bench.stability.fixtures import Fixtures, Subject
 
 UNIT = np.eye(3, dtype=np.float32)
 
@@ -48,8 +48,8 @@ def test_the_worse_part_is_judged_at_thirty_degrees(error: float, passes: bool) 
 @pytest.mark.blender
 def test_the_captured_arm_turns_as_the_case_says(tmp_path: Path) -> None:
     """A tiny capture of two poses: each arm, turned back, fills the same box; the body stays."""
-    workshop = Workshop(tmp_path, Subject(), 10, 1, short=True)
-    rest, moved = (posed.capture(workshop, angle, lights=1, rays=64) for angle in (0.0, 60.0))
+    fixtures = Fixtures(tmp_path, Subject(), 10, 1, short=True)
+    rest, moved = (posed.capture(fixtures, angle, lights=1, rays=64) for angle in (0.0, 60.0))
     assert [part.name for part in rest.parts] == list(posed.PARTS)
     positions = {
         name: [dataset.part(name).geometry().positions for dataset in (rest, moved)]

@@ -11,15 +11,15 @@ import pytest
 from rna_bench.cli import main
 from rna_bench.stability import stability_command
 from rna_bench.stability.case import Case, Verdict
+from rna_bench.stability.fixtures import Fixtures, Subject
 from rna_bench.stability.stability_page import read_results, table
 from rna_bench.stability.suite import CASES, Result, run_cases
-from rna_bench.stability.workshop import Subject, Workshop
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import make_dataset
 
 
 def counting(measured: list[int]) -> Case:
-    def measure(workshop: Workshop) -> list[dict]:
+    def measure(fixtures: Fixtures) -> list[dict]:
         measured.append(1)
         return [{"value": len(measured)}]
 
@@ -41,11 +41,11 @@ def test_the_command_knows_every_case() -> None:
 
 def test_a_finished_case_is_measured_once(tmp_path: Path) -> None:
     measured: list[int] = []
-    workshop = Workshop(tmp_path / "work", Subject(), 100, 1)
+    fixtures = Fixtures(tmp_path / "work", Subject(), 100, 1)
 
     def run(again: bool = False, steps: int = 100) -> list[Result]:
         case = counting(measured)
-        return run_cases([case], workshop, tmp_path, {"steps": steps}, again, lambda _: None)
+        return run_cases([case], fixtures, tmp_path, {"steps": steps}, again, lambda _: None)
 
     assert run()[0].status == "pass" and run()[0].status == "pass" and len(measured) == 1
     assert run(again=True)[0].status == "fail" and len(measured) == 2
@@ -54,10 +54,10 @@ def test_a_finished_case_is_measured_once(tmp_path: Path) -> None:
 
 
 def test_cases_say_why_they_are_left_out(tmp_path: Path) -> None:
-    workshop = Workshop(tmp_path / "work", Subject(make_dataset(tmp_path / "ball")), 100, 1)
+    fixtures = Fixtures(tmp_path / "work", Subject(make_dataset(tmp_path / "ball")), 100, 1)
     lit = replace(counting([]), needs=("dataset", "source"))
     hair = replace(counting([]), kinds=("fiber",))
-    results = run_cases([lit, hair], workshop, tmp_path, {}, False, lambda _: None)
+    results = run_cases([lit, hair], fixtures, tmp_path, {}, False, lambda _: None)
     assert [r.skipped for r in results] == ["no source given", "not for assets of kind surface"]
     assert table(results).count("| skipped |") == 2
 

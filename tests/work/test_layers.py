@@ -25,7 +25,7 @@ def imports(path: object) -> set[str]:
 
 
 def test_it_lies_below_renderer_and_exporter() -> None:
-    ours = {name for path in FOLDER.glob("*.py") for name in imports(path) if name[:4] == "rna_"}
+    ours = {name for path in FOLDER.rglob("*.py") for name in imports(path) if name[:4] == "rna_"}
     above = {name for name in ours if not name.startswith("rna_work.")}
     below = ("atomic_file", "console", "errors", "regular_file")
     assert above == {f"rna_sdk.{name}" for name in below}
@@ -39,7 +39,7 @@ def test_ray_is_imported_in_three_files_alone() -> None:
         for path in (REPOSITORY / folder).rglob("*.py")
         if any(name.split(".")[0] == "ray" for name in imports(path))
     }
-    assert found == {"cluster.py", "ray_slots.py", "travelling.py"}
+    assert found == {"ray_cluster.py", "ray_slots.py", "travelling.py"}
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from matplotlib.figure import FigureBase
 
 if TYPE_CHECKING:
-    from rna_bench.stability.workshop import Workshop
+    from rna_bench.stability.fixtures import Fixtures
 
 Row = dict[str, Any]
 """One measurement, as JSON has it."""
@@ -46,7 +46,7 @@ class Case:
     varies: str
     mark: str
     advice: str
-    measure: Callable[[Workshop], list[Row]]
+    measure: Callable[[Fixtures], list[Row]]
     judge: Callable[[list[Row]], Verdict]
     draw: Callable[[FigureBase, list[Row]], None]
     needs: tuple[str, ...] = ()

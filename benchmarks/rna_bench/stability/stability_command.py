@@ -99,18 +99,18 @@ def run(args: argparse.Namespace) -> None:
     if args.redraw is not None:
         write_page(args.out, *read_results(args.redraw))
     else:
-        workshop = _workshop(args)
-        settings = {"steps": workshop.steps, "short": args.short, "tier": args.tier or "default"}
+        fixtures = _fixtures(args)
+        settings = {"steps": fixtures.steps, "short": args.short, "tier": args.tier or "default"}
         cases = [case for case in CASES if args.cases is None or case.name in args.cases]
         with open_executor(args.cluster) as executor:
             folder = args.out / "cases"
-            results = run_cases(cases, workshop, folder, settings, args.again, print, executor)
-        write_page(args.out, args.stamp, workshop.name, settings, results)
+            results = run_cases(cases, fixtures, folder, settings, args.again, print, executor)
+        write_page(args.out, args.stamp, fixtures.name, settings, results)
     print(f"wrote {args.out / 'index.html'}, {args.out / 'summary.md'}")
 
 
-def _workshop(args: argparse.Namespace) -> Any:
-    from rna_bench.stability.workshop import Subject, Workshop
+def _fixtures(args: argparse.Namespace) -> Any:
+    from rna_bench.stability.fixtures import Fixtures, Subject
     from rna_export.capture.blender_process.blender_worker import Source
     from rna_export.capture.dataset.dataset_folder import Dataset
 
@@ -125,4 +125,4 @@ def _workshop(args: argparse.Namespace) -> Any:
     source = Source(args.source, arguments) if args.source else None
     subject = Subject(dataset, args.package, args.tier, source)
     folder = args.work or args.out / "work"
-    return Workshop(folder, subject, args.steps, args.workers, args.short)
+    return Fixtures(folder, subject, args.steps, args.workers, args.short)

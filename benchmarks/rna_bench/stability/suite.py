@@ -25,7 +25,7 @@ from rna_bench.stability.cases import (
     unseen,
     zoom,
 )
-from rna_bench.stability.workshop import Workshop
+from rna_bench.stability.fixtures import Fixtures
 from rna_export.memory import keep_freed_memory
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
@@ -84,7 +84,7 @@ class Result:
 
 def run_cases(
     cases: Sequence[Case],
-    workshop: Workshop,
+    fixtures: Fixtures,
     folder: Path,
     settings: dict[str, Any],
     again: bool,
@@ -97,14 +97,14 @@ def run_cases(
     measured with other settings.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    reasons = [why_not(case, workshop) for case in cases]
+    reasons = [why_not(case, fixtures) for case in cases]
     wanted = [
         case
         for case, reason in zip(cases, reasons, strict=True)
         if reason is None and (again or not _path(folder, case).is_file())
     ]
     if wanted:
-        _measure(wanted, workshop, folder, settings, say, executor or this_machine())
+        _measure(wanted, fixtures, folder, settings, say, executor or this_machine())
     results = []
     for case, reason in zip(cases, reasons, strict=True):
         rows = [] if reason else _rows(_path(folder, case), settings)
@@ -120,7 +120,7 @@ def _path(folder: Path, case: Case) -> Path:
 
 def _measure(
     cases: list[Case],
-    workshop: Workshop,
+    fixtures: Fixtures,
     folder: Path,
     settings: dict[str, Any],
     say: Callable[[str], None],
@@ -129,7 +129,7 @@ def _measure(
     """Measure cases and write their rows. Raises the first failure, after the others are done."""
     check_shared(executor, folder)
     backend, cores = executor.whole_machines(None, local="caller")
-    make = partial(_CaseWorker, workshop.with_workers(cores) if executor.far else workshop)
+    make = partial(_CaseWorker, fixtures.with_workers(cores) if executor.far else fixtures)
     failures = []
     pool: Pool[Case, list[Row]] = Pool(backend, make, tell=say)
     with pool:
@@ -156,7 +156,7 @@ def _told(cases: list[Case], say: Callable[[str], None]) -> Iterator[Case]:
 class _CaseWorker:
     """Measures cases: see `rna_work.workers.Worker`."""
 
-    workshop: Workshop
+    fixtures: Fixtures
     name: str
 
     def __enter__(self) -> _CaseWorker:
@@ -167,18 +167,18 @@ class _CaseWorker:
         pass
 
     def run(self, case: Case) -> list[Row]:
-        return case.measure(self.workshop)
+        return case.measure(self.fixtures)
 
     def kill(self) -> None:
         """The worker is a process, or whoever waits for it is interrupted."""
 
 
-def why_not(case: Case, workshop: Workshop) -> str | None:
+def why_not(case: Case, fixtures: Fixtures) -> str | None:
     """Why a case is left out, or None."""
-    missing = [name for name in case.needs if name not in workshop.subject.given]
+    missing = [name for name in case.needs if name not in fixtures.subject.given]
     if missing:
         return f"no {' and no '.join(missing)} given"
-    kind = workshop.kind
+    kind = fixtures.kind
     if kind is not None and kind not in case.kinds:
         return f"not for assets of kind {kind}"
     return None

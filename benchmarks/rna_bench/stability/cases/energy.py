@@ -7,7 +7,7 @@ from matplotlib.figure import FigureBase
 
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
-from rna_bench.stability.workshop import Workshop
+from rna_bench.stability.fixtures import Fixtures
 from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.dataset.validation_view import is_lit
 from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
@@ -19,13 +19,13 @@ MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above
 _POINTS, _DIRECTIONS = 1000, 1024
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    white = workshop.capture_white()
-    scene, count = scene_of(white.dataset), workshop.some(_POINTS)
-    preset = workshop.preset("surface", resolution=128)
-    asked = {"white": (of_model(workshop.train("small", white, preset).model), scene)}
-    if workshop.subject.dataset is not None:
-        asked["given"] = workshop.answers(), scene_of(workshop.dataset.dataset)
+def measure(fixtures: Fixtures) -> list[Row]:
+    white = fixtures.capture_white()
+    scene, count = scene_of(white.dataset), fixtures.some(_POINTS)
+    preset = fixtures.preset("surface", resolution=128)
+    asked = {"white": (of_model(fixtures.train("small", white, preset).model), scene)}
+    if fixtures.subject.dataset is not None:
+        asked["given"] = fixtures.answers(), scene_of(fixtures.dataset.dataset)
     return [{"asset": name, **row} for name, one in asked.items() for row in furnace(*one, count)]
 
 

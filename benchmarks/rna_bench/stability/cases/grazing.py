@@ -9,8 +9,8 @@ from matplotlib.figure import FigureBase
 
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
+from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import joined_views, relative_error
-from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset.validation_view import is_lit
 from rna_export.metrics import display
 
@@ -20,15 +20,15 @@ EDGES_DEG = (*range(0, 80, 10), 80, 85, 90)
 _FEWEST = 50  # samples that a bin's error is taken of
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    dataset = workshop.dataset
+def measure(fixtures: Fixtures) -> list[Row]:
+    dataset = fixtures.dataset
     kind = dataset.kind
-    preset = workshop.preset(kind, inputs=workshop.paper_inputs(kind))
-    paper = workshop.train("paper-inputs", dataset, preset).model
+    preset = fixtures.preset(kind, inputs=fixtures.paper_inputs(kind))
+    paper = fixtures.train("paper-inputs", dataset, preset).model
     asked = {
-        "package": workshop.answers(),
+        "package": fixtures.answers(),
         "the paper's inputs": of_model(paper),
-        "ours, as long": of_model(workshop.base.model),
+        "ours, as long": of_model(fixtures.base.model),
     }
     samples, halves = joined_views(dataset.validation_views())
     return [

@@ -8,8 +8,8 @@ from matplotlib.figure import FigureBase
 
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, light_numbers, rows_of
+from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import scores_of
-from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import Trained
 from rna_export.training.optimization.losses import sample_loss
@@ -22,8 +22,8 @@ _HELD_OUT = 0.05  # share of the lights that no subset has
 _TESTED = 50_000
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    dataset = workshop.dataset
+def measure(fixtures: Fixtures) -> list[Row]:
+    dataset = fixtures.dataset
     samples = dataset.training_samples()
     light = light_numbers(samples)
     order = np.random.default_rng(11).permutation(light[-1] + 1)
@@ -34,9 +34,9 @@ def measure(workshop: Workshop) -> list[Row]:
     plans += [("points", most, points) for points in POINTS]
     rows = []
     for series, lights, points in plans:
-        chosen = subset(light, order[kept : kept + lights], workshop.some(points))
+        chosen = subset(light, order[kept : kept + lights], fixtures.some(points))
         row = {"series": series, "lights": lights, "points": len(chosen)}
-        rows.append(row | _trained(workshop, dataset, row, chosen, samples, held_out))
+        rows.append(row | _trained(fixtures, dataset, row, chosen, samples, held_out))
     return rows
 
 
@@ -48,7 +48,7 @@ def subset(light: np.ndarray, chosen: np.ndarray, points: int) -> np.ndarray:
 
 
 def _trained(
-    workshop: Workshop,
+    fixtures: Fixtures,
     dataset: DatasetPart,
     row: Row,
     chosen: np.ndarray,
@@ -57,7 +57,7 @@ def _trained(
 ) -> Row:
     some = ChosenSamples(dataset, lambda every: rows_of(every, chosen))
     name = f"little-{row['lights']}-{row['points']}"
-    trained = workshop.train(name, some, workshop.preset(dataset.kind))
+    trained = fixtures.train(name, some, fixtures.preset(dataset.kind))
     views = dataset.validation_views()
     scores = scores_of(trained.model, views)
     own = loss_of(trained, _tested(rows_of(samples, chosen)))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from matplotlib.figure import FigureBase
 
 from rna_bench.stability.case import Case, Row, Verdict, values
+from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import scores_of
-from rna_bench.stability.workshop import Workshop
 from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import Preset
 
@@ -14,21 +14,21 @@ SPREAD = 0.3  # the mark, dB
 SEEDS = 5
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    dataset, views = workshop.dataset, workshop.dataset.validation_views()
-    preset = workshop.preset(dataset.kind)
+def measure(fixtures: Fixtures) -> list[Row]:
+    dataset, views = fixtures.dataset, fixtures.dataset.validation_views()
+    preset = fixtures.preset(dataset.kind)
     rows = []
     for seed in range(SEEDS):
-        trained = _seeded(workshop, preset, seed)
+        trained = _seeded(fixtures, preset, seed)
         scores = scores_of(trained.model, views)
         rows.append({"seed": seed, "psnr": scores.psnr_without_noise.db, "flip": scores.flip})
     return rows
 
 
-def _seeded(workshop: Workshop, preset: Preset, seed: int) -> Trained:
+def _seeded(fixtures: Fixtures, preset: Preset, seed: int) -> Trained:
     if seed == 0:
-        return workshop.base
-    return workshop.train(f"seed-{seed}", workshop.dataset, preset, seed)
+        return fixtures.base
+    return fixtures.train(f"seed-{seed}", fixtures.dataset, preset, seed)
 
 
 def judge(rows: list[Row]) -> Verdict:

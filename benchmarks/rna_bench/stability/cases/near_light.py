@@ -16,7 +16,7 @@ from matplotlib.figure import FigureBase
 from rna_bench.scenes.beside_cycles import Beside, CyclesScene, OurScene
 from rna_bench.scenes.stage import Stage
 from rna_bench.stability.case import Case, Row, Verdict, values
-from rna_bench.stability.workshop import Workshop
+from rna_bench.stability.fixtures import Fixtures
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 
 LOST_DB = 3.0  # the mark
@@ -25,11 +25,11 @@ DISTANCES = (10.0, 5.0, 2.0, 1.0, 0.7, 0.5)  # of the asset's size
 _RESOLUTION, _SAMPLES, _CYCLES_SAMPLES = (128, 96), 32, 64
 
 
-def measure(workshop: Workshop) -> list[Row]:
+def measure(fixtures: Fixtures) -> list[Row]:
     view = {"turn_deg": 0.0, "resolution": _RESOLUTION, "margin": 0.95}
-    stage = Stage.of(workshop.asset, workshop.package.resolve(), workshop.subject.tier, **view)
-    spent = workshop.some(_SAMPLES), workshop.some(_CYCLES_SAMPLES)
-    with workshop.cycles(workshop.source) as worker:
+    stage = Stage.of(fixtures.asset, fixtures.package.resolve(), fixtures.subject.tier, **view)
+    spent = fixtures.some(_SAMPLES), fixtures.some(_CYCLES_SAMPLES)
+    with fixtures.cycles(fixtures.source) as worker:
         return list(_near_lights(stage, worker, DISTANCES, *spent))
 
 

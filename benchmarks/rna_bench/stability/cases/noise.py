@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import FigureBase
 
 from rna_bench.stability.case import Case, Row, Verdict, values
-from rna_bench.stability.workshop import Workshop
+from rna_bench.stability.fixtures import Fixtures
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.training.optimization.noise import with_fitting_loss
 from rna_export.training.validation import score, shade
@@ -18,23 +18,23 @@ LOSSES = ("log", "unbiased")
 _RAYS_OF_ONE_PATH = 16384  # a light: what all captures spend; 0.13 M samples of 64 paths
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    views = workshop.capture_white().validation_views()
+def measure(fixtures: Fixtures) -> list[Row]:
+    views = fixtures.capture_white().validation_views()
     rows = []
     for paths in PATHS:
-        dataset = workshop.capture(
+        dataset = fixtures.capture(
             f"noise-{paths}",
             "white.py",
-            lights=workshop.some(512),
+            lights=fixtures.some(512),
             rays=_RAYS_OF_ONE_PATH // paths,
             samples=paths,
             validation_views=1,
             validation_resolution=32,
             validation_samples=2,
         )
-        preset = workshop.preset("surface", resolution=64)
+        preset = fixtures.preset("surface", resolution=64)
         models = {
-            loss: workshop.train(loss, dataset, preset.with_training(loss=loss)).model
+            loss: fixtures.train(loss, dataset, preset.with_training(loss=loss)).model
             for loss in LOSSES
         }
         unit = float(models["log"].unit)

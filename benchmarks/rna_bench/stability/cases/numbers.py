@@ -17,8 +17,8 @@ from rna_bench.scenes.stage import Stage
 from rna_bench.stability.answers import Answers, Queries, of_model, of_package, picked
 from rna_bench.stability.case import Case, Row, Verdict
 from rna_bench.stability.chosen import Samples, rows_of
+from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import joined_views
-from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset.asset_arguments import evaluate_arguments
 from rna_export.capture.dataset.validation_view import queries_of
 from rna_export.metrics import psnr_without_noise
@@ -33,18 +33,18 @@ _FLOOR = 1e-3  # radiance: errors below count against this
 _BRIGHT = 1e6
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    samples, halves = joined_views(workshop.dataset.validation_views())
+def measure(fixtures: Fixtures) -> list[Row]:
+    samples, halves = joined_views(fixtures.dataset.validation_views())
     some = np.random.default_rng(41).integers(len(samples["visible"]), size=_QUERIES)
     queries = queries_of(rows_of(samples, some))
-    answers = workshop.answers()
+    answers = fixtures.answers()
     usual = answers(queries)
-    rows = [checked("float64", usual, in_float64(workshop.package, workshop.asset, queries))]
+    rows = [checked("float64", usual, in_float64(fixtures.package, fixtures.asset, queries))]
     rows += odd_inputs(answers, queries)
-    rows.append(_bright_light(workshop))
-    paths = workshop.packages_of_base().items()
+    rows.append(_bright_light(fixtures))
+    paths = fixtures.packages_of_base().items()
     packages = {precision: of_package(load_one_part(path, threads=1)) for precision, path in paths}
-    full = picked(of_model(workshop.base.model), samples)
+    full = picked(of_model(fixtures.base.model), samples)
     rows += _few_bits(packages, full, samples, halves)
     rows += _least_bits(packages["int8-int8"], queries)
     return rows
@@ -117,11 +117,11 @@ def checked(name: str, found: Any, expected: Any = None) -> Row:
     return row
 
 
-def _bright_light(workshop: Workshop) -> Row:
+def _bright_light(fixtures: Fixtures) -> Row:
     """An image under a light of irradiance 1e6 is that under 1, a million times."""
     view = {"turn_deg": 0.0, "resolution": (48, 48)}
-    path = workshop.package.resolve()
-    stage = Stage.of(workshop.asset, path, workshop.subject.tier, **view)
+    path = fixtures.package.resolve()
+    stage = Stage.of(fixtures.asset, path, fixtures.subject.tier, **view)
     images = []
     for irradiance in (1.0, _BRIGHT):
         light = {

@@ -8,8 +8,8 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import Samples
+from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import joined_views, relative_error
-from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset.dataset_folder import Dataset
 
 MOST, AT_DEG = 2.0, 30.0  # the mark: times a part's error at rest, at that angle
@@ -20,15 +20,15 @@ SHOULDER = np.array([0.15, 0.42, 0.0])  # of assets/posed.py, here +Y up; the ar
 _VIEWS = 6
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    rest = capture(workshop, 0.0, lights=workshop.some(500), rays=4096)
-    preset = workshop.preset("surface")
+def measure(fixtures: Fixtures) -> list[Row]:
+    rest = capture(fixtures, 0.0, lights=fixtures.some(500), rays=4096)
+    preset = fixtures.preset("surface")
     models = {
-        name: of_model(workshop.train(f"small-{name}", rest.part(name), preset).model)
+        name: of_model(fixtures.train(f"small-{name}", rest.part(name), preset).model)
         for name in PARTS
     }
     # What a pose is asked for is its images alone.
-    moved = {angle: capture(workshop, angle, lights=1, rays=64) for angle in ANGLES}
+    moved = {angle: capture(fixtures, angle, lights=1, rays=64) for angle in ANGLES}
     return [
         {"angle_deg": angle, **row}
         for angle, dataset in ({0.0: rest} | moved).items()
@@ -36,9 +36,9 @@ def measure(workshop: Workshop) -> list[Row]:
     ]
 
 
-def capture(workshop: Workshop, angle_deg: float, lights: int, rays: int) -> Dataset:
+def capture(fixtures: Fixtures, angle_deg: float, lights: int, rays: int) -> Dataset:
     """The figure in a pose, body and arm a part each."""
-    return workshop.capture_parts(
+    return fixtures.capture_parts(
         f"posed-{angle_deg:g}",
         "posed.py",
         "--angle",
@@ -49,7 +49,7 @@ def capture(workshop: Workshop, angle_deg: float, lights: int, rays: int) -> Dat
         samples=4,
         validation_views=_VIEWS,
         validation_resolution=96,
-        validation_samples=workshop.some(256),
+        validation_samples=fixtures.some(256),
     )
 
 

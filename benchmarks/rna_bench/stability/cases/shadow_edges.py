@@ -10,8 +10,8 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples
+from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import relative_error
-from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset.validation_view import ValidationView, is_lit
 
 FACTOR = 2.0  # the mark
@@ -21,13 +21,13 @@ _TERMINATOR = np.sin(np.radians(10.0))  # |n.wi| below: the surface turns away f
 _SAME_SURFACE = 3.0  # neighbours within this many typical steps from pixel to pixel
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    dataset = workshop.dataset
+def measure(fixtures: Fixtures) -> list[Row]:
+    dataset = fixtures.dataset
     blind = ChosenSamples(dataset, without_hint, _view_without_hint)
-    preset = workshop.preset(dataset.kind)
+    preset = fixtures.preset(dataset.kind)
     models = {
-        "with the hint": of_model(workshop.base.model),
-        "without": _hint_blind(of_model(workshop.train("no-hint", blind, preset).model)),
+        "with the hint": of_model(fixtures.base.model),
+        "without": _hint_blind(of_model(fixtures.train("no-hint", blind, preset).model)),
     }
     views = dataset.validation_views()
     return [

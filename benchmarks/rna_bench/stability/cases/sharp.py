@@ -11,7 +11,7 @@ from matplotlib.figure import FigureBase
 
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
-from rna_bench.stability.workshop import ASSETS, Workshop
+from rna_bench.stability.fixtures import ASSETS, Fixtures
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
 from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.capture_settings import SHARPEST
@@ -64,41 +64,41 @@ MATERIALS = (
 )
 
 
-def measure(workshop: Workshop) -> list[Row]:
+def measure(fixtures: Fixtures) -> list[Row]:
     # A ball of one material needs no fine planes.
-    ours = workshop.preset("surface", resolution=64)
-    ours = ours.with_training(steps=_TIMES_LONGER * workshop.steps)
+    ours = fixtures.preset("surface", resolution=64)
+    ours = ours.with_training(steps=_TIMES_LONGER * fixtures.steps)
     known = tuple(block for block in ours.model.inputs if block != "highlight")
     models = {
         "ours": ours,
         "no highlight": ours.with_model(inputs=known),
-        "the paper's": ours.with_model(inputs=workshop.paper_inputs("surface")),
+        "the paper's": ours.with_model(inputs=fixtures.paper_inputs("surface")),
     }
     rows = []
     for material in MATERIALS:
         name = f"ball-{material.name}"
-        lights = workshop.some(300)
+        lights = fixtures.some(300)
         views = {"rays": 4096, "samples": 1, "sharpest": min(material.roughness, SHARPEST)}
-        dataset = workshop.capture(
+        dataset = fixtures.capture(
             name, "ball.py", *material.arguments, lights=lights, **views, **_STAYS
         )
         source = Source(ASSETS / "ball.py", material.arguments)
-        truth = workshop.kept(name, partial(_from_cycles, workshop, dataset, source))
+        truth = fixtures.kept(name, partial(_from_cycles, fixtures, dataset, source))
         for label, preset in models.items():
             if label == "the paper's" and material.name not in _DRAWN:
                 continue
             run = label.replace("'", "").replace(" ", "-")
-            answers = of_model(workshop.train(run, dataset, preset).model)
+            answers = of_model(fixtures.train(run, dataset, preset).model)
             rows.append(
                 {"material": material.name, "inputs": label, **_row(answers, truth, material)}
             )
     return rows
 
 
-def _from_cycles(workshop: Workshop, dataset: DatasetPart, source: Source) -> dict[str, np.ndarray]:
+def _from_cycles(fixtures: Fixtures, dataset: DatasetPart, source: Source) -> dict[str, np.ndarray]:
     """Samples of unseen lights, and a scan through the highlight of one point (`scan-` names)."""
     scene = scene_of(dataset.dataset)
-    with workshop.cycles(source) as worker:
+    with fixtures.cycles(source) as worker:
         parts = [_light(scene, worker, k) for k in range(_TEST_LIGHTS)]
         scan = _scan(scene, worker)
     test = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}

@@ -9,8 +9,8 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
+from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import joined_views, relative_error
-from rna_bench.stability.workshop import Workshop
 from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_sdk.package import Curves
@@ -26,22 +26,22 @@ _SHOWN = {
 _POINTS = 1_000_000  # that say which cells hold several surfaces
 
 
-def measure(workshop: Workshop) -> list[Row]:
+def measure(fixtures: Fixtures) -> list[Row]:
     rows = []
     for shape, kind in SHAPES.items():
-        dataset = workshop.capture(
+        dataset = fixtures.capture(
             f"thin-{shape}",
             "thin.py",
             shape,
-            lights=workshop.some(300),
+            lights=fixtures.some(300),
             rays=4096,
             samples=2,
             validation_views=4,
             validation_resolution=128,
             validation_samples=32,
         )
-        preset = workshop.preset(kind)
-        model = workshop.train("small", dataset, preset).model
+        preset = fixtures.preset(kind)
+        model = fixtures.train("small", dataset, preset).model
         samples, halves = joined_views(dataset.validation_views())
         cells = Cells.of(model.triplane.low, model.triplane.high, model.config.resolution)
         folded = np.isin(cells.numbers(samples["position"]), folded_cells(dataset, cells))
@@ -49,7 +49,7 @@ def measure(workshop: Workshop) -> list[Row]:
             # Its rim, where it folds, is a hard place, too: what would one side alone give there?
             up = facing_up(samples)
             one_side = ChosenSamples(dataset, lambda some: rows_of(some, facing_up(some)))
-            alone = workshop.train("one-side", one_side, preset).model
+            alone = fixtures.train("one-side", one_side, preset).model
             asked = {"folded": (model, folded & up), "alone": (alone, folded & up)}
         else:
             asked = {"folded": (model, folded), "clear": (model, ~folded)}

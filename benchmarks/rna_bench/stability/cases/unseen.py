@@ -10,8 +10,8 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.answers import Answers, of_model, picked
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
+from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import joined_views, relative_error
-from rna_bench.stability.workshop import Workshop
 from rna_export.capture.dataset.validation_view import queries_of
 from rna_export.capture.rays.directions import sphere
 
@@ -21,15 +21,15 @@ _EDGES_DEG = (-90, -60, -40, -20, -10, 0, 10, 20, 40, 60, 90)
 _ANYWHERE = 200_000  # queries in random directions
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    dataset = workshop.dataset
+def measure(fixtures: Fixtures) -> list[Row]:
+    dataset = fixtures.dataset
     upper = ChosenSamples(dataset, upper_half)
-    preset = workshop.preset(dataset.kind)
-    model = workshop.train("hemisphere", upper, preset).model
+    preset = fixtures.preset(dataset.kind)
+    model = fixtures.train("hemisphere", upper, preset).model
     answers, largest = of_model(model), float(upper.training_samples()["radiance"].max())
     rows = by_elevation(answers, *joined_views(dataset.validation_views()))
     samples, _ = joined_views(dataset.validation_views())
-    rows.append(anywhere(answers, samples, workshop.some(_ANYWHERE)))
+    rows.append(anywhere(answers, samples, fixtures.some(_ANYWHERE)))
     return [{**row, "largest_trained": largest} for row in rows]
 
 

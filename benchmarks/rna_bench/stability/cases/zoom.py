@@ -12,7 +12,7 @@ from PIL import Image
 
 from rna_bench.scenes.beside_cycles import OurScene
 from rna_bench.stability.case import Case, Row, Verdict, values
-from rna_bench.stability.workshop import Workshop
+from rna_bench.stability.fixtures import Fixtures
 from rna_export.capture.blender_process.blender_worker import BlenderWorker
 from rna_export.compare.views import shots_of
 from rna_export.metrics import flip, psnr_without_noise, to_png
@@ -27,19 +27,19 @@ _TEXELS = 256  # along a side of the planes of `small` and `hq`
 PIXELS, _SAMPLES, _CYCLES_SAMPLES = 96, 16, 48
 
 
-def measure(workshop: Workshop) -> list[Row]:
-    asset = workshop.asset
+def measure(fixtures: Fixtures) -> list[Row]:
+    asset = fixtures.asset
     shots = [s for s in shots_of(asset, PIXELS, 0.0) if s.camera_name == "close-up"][:2]
     rows = []
-    with workshop.cycles(workshop.source) as worker:
+    with fixtures.cycles(fixtures.source) as worker:
         for number, shot in enumerate(shots):
             for footprint in FOOTPRINTS:
                 camera = zoomed(shot.eye, shot.target, footprint * texel(asset))
-                scene = _scene(workshop, camera, shot.wi)
-                name = f"zoom-{workshop.name}-{number}-{footprint:g}"
-                reference = workshop.kept(name, partial(_cycles, worker, camera, shot.wi))
+                scene = _scene(fixtures, camera, shot.wi)
+                name = f"zoom-{fixtures.name}-{number}-{footprint:g}"
+                reference = fixtures.kept(name, partial(_cycles, worker, camera, shot.wi))
                 halves = reference["halves"]
-                ours = OurScene(scene).render(workshop.some(_SAMPLES)).pixels
+                ours = OurScene(scene).render(fixtures.some(_SAMPLES)).pixels
                 rows.append({"view": number, "texels": footprint, **_row(ours, halves)})
     return rows
 
@@ -64,9 +64,9 @@ def zoomed(eye: np.ndarray, target: np.ndarray, pixel: float) -> CameraModel:
     )
 
 
-def _scene(workshop: Workshop, camera: CameraModel, wi: np.ndarray) -> Scene:
+def _scene(fixtures: Fixtures, camera: CameraModel, wi: np.ndarray) -> Scene:
     light = DirectionalModel(type="directional", direction=tuple(wi), irradiance=(1.0, 1.0, 1.0))
-    model = AssetModel(path=workshop.package, tier=workshop.subject.tier)
+    model = AssetModel(path=fixtures.package, tier=fixtures.subject.tier)
     return Scene(assets=(model,), camera=camera, lights=(light,), resolution=(PIXELS, PIXELS))
 
 

@@ -53,7 +53,7 @@ class Subject:
         return found | ({"package"} if self.package or self.dataset else set())
 
 
-class Workshop:
+class Fixtures:
     """A folder of captures, runs and references; finished ones are reused.
 
     Attributes:
@@ -69,10 +69,10 @@ class Workshop:
         self.steps = max(10, steps // _SHORT) if short else steps
         self._folder, self._workers = folder, workers
 
-    def with_workers(self, workers: int) -> Workshop:
+    def with_workers(self, workers: int) -> Fixtures:
         """A copy with a number of Blender processes, for another machine; nothing is loaded yet."""
         steps = self.steps * _SHORT if self.short else self.steps
-        return Workshop(self._folder, self.subject, steps, workers, self.short)
+        return Fixtures(self._folder, self.subject, steps, workers, self.short)
 
     def _made_once(self, name: str) -> AbstractContextManager[None]:
         """Held while something is made, which cases on other machines may want as well."""
