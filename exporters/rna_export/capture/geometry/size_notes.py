@@ -9,6 +9,7 @@ import numpy as np
 from rna_export.capture.geometry.islands import connected
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.geometry.quantised_mesh import POSITION_STEPS
+from rna_sdk.size_note import metres
 
 _DETAIL_STEPS = 64  # an object of fewer steps across is off by 1% of its size
 _LEAST_TRIANGLES = 12  # of an object with a shape: a box
@@ -26,12 +27,12 @@ def size_notes(geometries: Mapping[str, Mesh | Curves]) -> list[str]:
     step = farthest * _FLOAT32_STEP
     if step > longest / POSITION_STEPS and farthest > 2.0 * longest:
         notes.append(
-            f"the geometry is {longest:.3g} m long and {farthest:.3g} m from the origin, where "
-            f"float32 coordinates have steps of {step:.2g} m: move it to the origin"
+            f"the geometry is {metres(longest)} long and {metres(farthest)} from the origin, where "
+            f"float32 coordinates have steps of {metres(step)}: move it to the origin"
         )
     if longest > _LONGEST:
         notes.append(
-            f"the longest side is {longest:.4g} m; if the source is in centimetres, scale it by "
+            f"the longest side is {metres(longest)}; if the source is in centimetres, scale it by "
             "0.01 (-- --unit 0.01 for .hair, .tfx, .abc and .usd)"
         )
     return notes
@@ -44,9 +45,10 @@ def too_coarse(name: str, mesh: Mesh) -> str | None:
     smallest = _smallest_island(mesh, _DETAIL_STEPS * step) if step > 0.0 else None
     if smallest is None:
         return None
+    longest = metres(POSITION_STEPS * step)
     return (
-        f"part {name!r} is {POSITION_STEPS * step:.4g} m long, in 16 bits steps of {step:.2g} m, "
-        f"but its smallest object is {smallest:.2g} m: its geometry is kept in float32; without a "
+        f"part {name!r} is {longest} long, in 16 bits steps of {metres(step)}, but its smallest "
+        f"object is {metres(smallest)}: its geometry is kept in float32; without a "
         "backdrop (hidden in renders), more view rays would meet the object"
     )
 

@@ -13,6 +13,7 @@ from rna_export.capture.rays.view_rays import outside_rays
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves, Mesh
 from rna_sdk.package.manifest.manifest_fields import Region
+from rna_sdk.size_note import metres
 
 _RAYS = 65536
 _FEW, _TOO_FEW = 0.05, 1e-3  # of the rays through the bounding sphere meet the asset
@@ -42,7 +43,7 @@ def check_seen(
     if share == 0.0:
         raise CaptureError(
             f"{source}: none of {_RAYS:,} rays through its bounding sphere of radius "
-            f"{scene.radius:.3g} m meets it: it is too thin to be seen"
+            f"{metres(scene.radius)} meets it: it is too thin to be seen"
         )
     return [] if stray is None else [f"{stray}, and most view rays meet nothing between"]
 
@@ -68,9 +69,10 @@ def _stray(geometries: Mapping[str, Mesh | Curves]) -> str | None:
         if away[order[k]] * _APART < away[order[0]]:
             first = order[0]
             others = f" (and {k - 1:,} more)" if k > 1 else ""
+            across = metres(2.0 * away[order[k]])
             return (
                 f"{kinds[first]} {numbers[first]:,}{others} of part {names[first]!r} is "
-                f"{away[first]:.3g} m from the rest, which is {2.0 * away[order[k]]:.3g} m across"
+                f"{metres(away[first])} from the rest, which is {across} across"
             )
     return None
 
