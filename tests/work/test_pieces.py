@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import signal
+from contextlib import nullcontext
+from math import prod
 from pathlib import Path
 
 import pytest
@@ -9,8 +13,10 @@ import pytest
 from rna_render.command.kept_pieces import KeptPieces, Piece, missing_pieces
 from rna_render.command.pieces import PieceWorker, render_pieces
 from rna_render.command.rna_run import main as render
+from rna_render.image.film import Film
 from rna_render.image.output import Output
 from rna_render.scene.scene_file import SceneFile, read_scene
+from rna_sdk.console import INTERRUPTED
 from rna_sdk.errors import SceneError
 from rna_work.executors import this_machine
 from tests.render.assets import sphere
@@ -84,6 +90,32 @@ def test_damaged_pieces_are_rendered_again(
     assert rendered.count(rendered[0]) == 2 and rendered.count(rendered[1]) == 1
 
 
+def test_ctrl_c_says_how_much_of_the_image_is_kept(
+    scene_file: SceneFile,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    keep = KeptPieces.keep
+
+    def keep_and_press(self: KeptPieces, piece: Piece, film: Film) -> None:
+        keep(self, piece, film)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    monkeypatch.setattr(KeptPieces, "keep", keep_and_press)
+    monkeypatch.setattr("rna_work.executors.place", lambda address: nullcontext(this_machine()))
+    out = tmp_path / "a.exr"
+    assert render([str(scene_file.path), "--out", str(out), "--cluster", "a:1"]) == INTERRUPTED
+    pieces = tmp_path / "a.exr.pieces"
+    start, stop = min(path.stem for path in pieces.glob("*.safetensors")).split("-")
+    share = (int(stop) - int(start)) / prod(scene_file.scene.resolution)
+    assert 0.01 < share < 0.5 and not out.exists()
+    assert capsys.readouterr().err.splitlines()[-1] == (
+        f"stopped: no image was written; {share:.0%} of its pixels, each with all 4 samples, are "
+        f"in {pieces}; the same command goes on"
+    )
+
+
 def test_what_is_missing_between_pieces() -> None:
     there = [Piece(3, 5), Piece(5, 8)]
     assert list(missing_pieces(10, there)) == [Piece(0, 3), Piece(8, 10)]
@@ -93,7 +125,5 @@ def test_what_is_missing_between_pieces() -> None:
 def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
     blocked = tmp_path / "file"
     blocked.touch()
-    from rna_render.image.film import Film
-
     with pytest.raises(SceneError, match="cannot be written"):
         KeptPieces(blocked, "key").keep(Piece(0, 4), Film((4, 1)))

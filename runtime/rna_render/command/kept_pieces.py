@@ -46,7 +46,7 @@ class KeptPieces:
 
     def found(self) -> Iterator[tuple[Piece, Film]]:
         """Kept pieces of this very image, in order; others are deleted."""
-        for path in self._paths():
+        for path in _paths(self.folder):
             film = self._read(path)
             if film is None:
                 path.unlink()
@@ -66,13 +66,10 @@ class KeptPieces:
 
     def remove(self) -> None:
         """The image is written: its pieces are deleted, and the folder that had only these."""
-        for path in self._paths():
+        for path in _paths(self.folder):
             path.unlink()
         with suppress(OSError):
             self.folder.rmdir()
-
-    def _paths(self) -> list[Path]:
-        return [path for path in sorted(self.folder.glob(_PIECES)) if path.is_file()]
 
     def _read(self, path: Path) -> Film | None:
         """None for a piece of another image, and for a damaged file."""
@@ -101,6 +98,15 @@ def missing_pieces(count: int, there: list[Piece]) -> Iterator[Piece]:
 def is_of_pieces(folder: Path) -> bool:
     """Whether a folder holds pieces alone, of any image."""
     return all(path.match(_PIECES) for path in folder.iterdir() if not path.name.startswith("."))
+
+
+def kept_pixels(folder: Path) -> int:
+    """Number of pixels of the pieces that a folder holds; 0 if there is no such folder."""
+    return sum(_piece_of(path).pixels for path in _paths(folder))
+
+
+def _paths(folder: Path) -> list[Path]:
+    return [path for path in sorted(folder.glob(_PIECES)) if path.is_file()]
 
 
 def _piece_of(path: Path) -> Piece:

@@ -307,7 +307,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
 
 
 def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
-    from rna_render.command.kept_pieces import is_of_pieces
+    from rna_render.command.kept_pieces import is_of_pieces, kept_pixels
     from rna_render.command.pieces import render_pieces
     from rna_render.world.scene_sources import files_of
     from rna_sdk.owned_folder import owned
@@ -328,8 +328,12 @@ def _render_in_pieces(scene_file: SceneFile, output: Output, options: argparse.N
             kept.remove()
             own.dissolve()
     except KeyboardInterrupt:
+        scene = scene_file.scene
+        share = kept_pixels(folder) / math.prod(scene.resolution)
         print(
-            f"stopped; finished pieces are in {folder}; the same command goes on", file=sys.stderr
+            f"stopped: no image was written; {share:.0%} of its pixels, each with all "
+            f"{scene.samples} samples, are in {folder}; the same command goes on",
+            file=sys.stderr,
         )
         return INTERRUPTED
     for path in output.paths():

@@ -72,7 +72,9 @@ def render_sequence(
             _take(pool, missing, executor)
     except KeyboardInterrupt:
         print(
-            "stopped; frames under way were not written; the same command goes on", file=sys.stderr
+            f"stopped: {_there(scene_file, numbers, output)}; frames under way were not written; "
+            "the same command goes on",
+            file=sys.stderr,
         )
         return INTERRUPTED
     return 0
@@ -109,6 +111,17 @@ def _missing(scene_file: SceneFile, numbers: range, output: Output) -> list[Fram
             files.check(inputs)
             missing.append(Frame(number, f"frame {number} ({index} of {len(numbers)})"))
     return missing
+
+
+def _there(scene_file: SceneFile, numbers: range, output: Output) -> str:
+    """How many frames the files on disk have, and of how many samples each is the mean."""
+    scene = scene_file.scene
+    frames = ((n, output.frame(n)) for n in numbers)
+    there = ((n, files) for n, files in frames if files.paths()[-1].is_file())  # written last
+    count = sum(files.is_there(frame_scene(scene, n)) for n, files in there)
+    limited = scene.quality is not None and scene.quality.seconds is not None
+    of = f"at most {scene.samples}" if limited else str(scene.samples)
+    return f"{count} of {len(numbers)} frames are written, each of {of} samples"
 
 
 def _told(outcome: Outcome[Frame, FrameFiles], frame: FrameFiles) -> str:
