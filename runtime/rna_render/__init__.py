@@ -4,7 +4,8 @@ What other packages use of it; `rna_render.scene` has what a scene file says.
 
 Examples:
     >>> scene_file = read_scene("scene.yaml")
-    >>> film = render(scene_file.scene, make_integrator(scene_file.scene, load_world(scene_file)))
+    >>> scene, world = scene_file.resolved, load_world(scene_file)
+    >>> film = render(scene, make_integrator(scene, world))
 """
 
 from __future__ import annotations

@@ -157,15 +157,14 @@ def _both(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Our image, (h, w, 3), and two of Cycles, (2, h, w, 3)."""
     file = SceneFile(folder / "scene.yaml", ours, {})
-    channels = render(
-        ours, make_integrator(ours, load_world(file), resolve=file.resolve)
-    ).channels()
+    channels = render(ours, make_integrator(file.resolved, load_world(file))).channels()
     image = np.stack([channels[c] for c in "RGB"], axis=-1)
     return image, np.stack([_cycles(worker, theirs, folder, seed) for seed in (1, 2)])
 
 
 def _cycles(worker: BlenderWorker, scene: Scene, folder: Path, seed: int) -> np.ndarray:
-    described = cycles_scene(scene, folder.joinpath, bounces=scene.max_depth - 1)
+    found = SceneFile(folder / "scene.yaml", scene, {}).resolved
+    described = cycles_scene(found, bounces=scene.max_depth - 1)
     view = (
         Camera(scene.camera, scene.resolution).to_world,
         np.radians(scene.camera.vertical_fov_deg),

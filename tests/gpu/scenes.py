@@ -37,8 +37,7 @@ def on_gpu(
 
 def on_cpu(scene_file: SceneFile, world: World) -> Film:
     # The GPU's paths go on with one ray from every point.
-    resolve = scene_file.resolve
-    integrator = make_integrator(scene_file.scene, world, resolve=resolve, branches=1)
+    integrator = make_integrator(scene_file.resolved, world, branches=1)
     return render(scene_file.scene, integrator)
 
 
@@ -86,7 +85,7 @@ def of_objects(
         Placement(mesh, matrix, mesh_light(mesh, matrix))
         for (mesh, _), matrix in zip(things, matrices, strict=True)
     ]
-    made = [make_light(model, Path) for model in scene.lights]
+    made = [make_light(model) for model in scene.lights]
     shapes = [light for light in made if isinstance(light, PlacedLight)]
     placements += [Placement(x, x.world_from_object, x, boundless=True) for x in shapes]
     return SceneFile(Path("scene.yaml"), scene, {}), World(placements)

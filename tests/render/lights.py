@@ -17,7 +17,7 @@ ADAPTER: TypeAdapter[Any] = TypeAdapter(LightModel)
 
 def light(type: str, **fields: Any) -> Light:
     """A light as a scene file describes it; paths are those of the file system."""
-    return make_light(ADAPTER.validate_python({"type": type, **fields}), lambda path: path)
+    return make_light(ADAPTER.validate_python({"type": type, **fields}))
 
 
 def at(x: tuple[float, float, float], n: int) -> np.ndarray:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Literal
 
 import numba
@@ -54,7 +53,7 @@ def shoot(
         _placed(thing, world_from_object(model.transform))
         for (thing, _), model in zip(things, scene.objects, strict=True)
     ]
-    made = [make_light(model, Path) for model in scene.lights]
+    made = [make_light(model) for model in scene.lights]
     shapes = [light for light in made if isinstance(light, PlacedLight)]
     placements += [Placement(x, x.world_from_object, x, boundless=True) for x in shapes]
     world = World(placements)

@@ -57,7 +57,7 @@ def test_a_scene_becomes_an_exr_and_a_png(folder, tmp_path, capsys):
     assert np.asarray(Image.open(png)).shape == (8, 12, 3)
     printed = capsys.readouterr()
     assert printed.out.splitlines() == [f"wrote {out}", f"wrote {png}"]
-    assert "first rays traced after" in printed.err
+    assert "first pixels after" in printed.err
 
 
 def test_light_from_behind_shows_the_shadowed_output(folder, tmp_path):
@@ -204,7 +204,7 @@ def long_render(folder, tmp_path):
 
 def test_ctrl_c_writes_the_mean_of_the_finished_samples(long_render, tmp_path):
     said = b""
-    while b"first rays traced" not in said:
+    while b"first pixels" not in said:
         said += long_render.stderr.read1()
     while b"/96.0M" not in said:  # the bar shows finished work of 12 x 8 x 1,000,000 rays
         said += long_render.stderr.read1()

@@ -29,7 +29,7 @@ WRAPS = {REPEAT: 10497, CLAMP: 33071, MIRROR: 33648}
 
 
 def read(path: Path):
-    return read_mesh_object(path, None, lambda path: path)
+    return read_mesh_object(path)
 
 
 @contextmanager

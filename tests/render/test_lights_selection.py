@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from rna_render.image.images import write_exr
 from rna_render.lights import LightSelection, make_light
-from rna_render.scene.light_models import EnvironmentModel
+from rna_render.scene import CameraModel, EnvironmentModel, LightModel, Scene, SceneFile
 from rna_sdk.errors import SceneError
 from tests.render.lights import light
 
@@ -65,10 +65,16 @@ def test_great_powers_do_not_overflow():
 def test_an_image_is_found_beside_the_scene_file(tmp_path):
     write_exr(tmp_path / "sky.exr", {name: np.ones((2, 4), np.float32) for name in "RGB"}, {})
     model = EnvironmentModel(type="environment", path=Path("sky.exr"))
-    sky = make_light(model, lambda path: tmp_path / path)
+    sky = make_light(_read_in(tmp_path, model))
     assert sky.escaped(np.float32([[0, 1, 0]]))[0].tolist() == [[1, 1, 1]]
     with pytest.raises(SceneError, match=r"nowhere.sky\.exr: cannot read the image"):
-        make_light(model, lambda path: tmp_path / "nowhere" / path)
+        make_light(_read_in(tmp_path / "nowhere", model))
+
+
+def _read_in(folder: Path, model: EnvironmentModel) -> LightModel:
+    """The light as a scene file in the folder has it."""
+    scene = Scene(camera=CameraModel(position=(0, 0, 1), look_at=(0, 0, 0)), lights=(model,))
+    return SceneFile(folder / "scene.yaml", scene, {}).resolved.lights[0]
 
 
 def test_every_light_keeps_its_group_and_whether_the_camera_sees_it(tmp_path):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PIL import Image
@@ -136,7 +134,8 @@ def test_materials_of_scene_files(tmp_path):
     Image.fromarray(TEXELS).save(tmp_path / "t.png")
 
     def make(**data) -> Material:
-        return make_material(ADAPTER.validate_python(data), lambda path: tmp_path / path)
+        textures = {k: tmp_path / v for k, v in data.items() if k == "texture"}
+        return make_material(ADAPTER.validate_python(data | textures))
 
     diffuse = make(type="diffuse", color=(0.1, 0.2, 0.3), texture="t.png", emission=(1, 2, 3))
     assert diffuse.base_color == (0.1, 0.2, 0.3) and diffuse.emission == (1, 2, 3)
@@ -221,7 +220,7 @@ def test_emitted_luminance_of_textures():
 
 def test_ground():
     model = GroundModel(height=-0.5, size=4.0)
-    plane = ground(model, Path)
+    plane = ground(model)
     assert plane.positions[:, 1].tolist() == [-0.5] * 4
     assert np.ptp(plane.positions, axis=0).tolist() == [4, 0, 4]
     assert plane.normals.tolist() == [[0, 1, 0]] * 4
@@ -232,4 +231,4 @@ def test_ground():
     np.testing.assert_allclose(found.base_color, 0.8)
     assert not plane.catches_shadows and not plane.is_emissive
     catcher = GroundModel.model_validate({"material": {"type": "shadow_catcher"}})
-    assert ground(catcher, Path).catches_shadows
+    assert ground(catcher).catches_shadows

@@ -31,8 +31,12 @@ FROM_BELOW = GLTF_UVS * np.float32([1, -1]) + np.float32([0, 1])  # (0, 0) the l
 
 
 def read(path, material=None) -> MeshObject:
-    model = None if material is None else TypeAdapter(MaterialModel).validate_python(material)
-    return read_mesh_object(path, model, lambda name: path.parent / name)
+    if material is None:
+        return read_mesh_object(path)
+    textures = {k: path.parent / v for k, v in material.items() if k == "texture"}
+    return read_mesh_object(
+        path, TypeAdapter(MaterialModel).validate_python({**material, **textures})
+    )
 
 
 def colours_at_corners(mesh) -> dict[tuple[float, ...], list[float]]:

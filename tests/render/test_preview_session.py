@@ -188,7 +188,7 @@ def test_a_change_interrupts_a_sample_between_bands(scene_file, world, monkeypat
     class Counting:
         """An integrator whose view is changed while it renders its 34th band of 64 pixels."""
 
-        def __init__(self, scene, world, resolve):
+        def __init__(self, scene, world):
             self.groups, self.at_once = (), None
             self._integrator, self.resolution = make_integrator(scene, world), scene.resolution
             self.bands, self._lock = 0, threading.Lock()
@@ -218,7 +218,7 @@ def test_a_change_interrupts_a_sample_between_bands(scene_file, world, monkeypat
 def test_lights_that_cannot_be_used_are_an_error_and_the_next_view_is_shown(
     scene_file, world, monkeypatch
 ):
-    def refuse(scene, world, resolve):
+    def refuse(scene, world):
         if not scene.lights:
             raise SceneError("no such image", file="sky.hdr")
         return make_integrator(scene, world)
@@ -243,7 +243,7 @@ def test_an_unknown_choice_changes_nothing(session):
 
 
 def test_what_ends_the_render_thread_ends_the_session(scene_file, world, monkeypatch):
-    def fail(scene, world, resolve):
+    def fail(scene, world):
         raise MemoryError("too large")
 
     monkeypatch.setattr("rna_render.preview.session.make_integrator", fail)

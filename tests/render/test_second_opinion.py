@@ -51,7 +51,7 @@ def our_batches(folder: Path, scene: Scene) -> np.ndarray:
     resolution = [OURS_FINER * width, OURS_FINER * height]
     path.write_text(yaml.safe_dump(plain(scene | {"resolution": resolution})))
     file = read_scene(path)
-    integrator = make_integrator(file.scene, load_world(file), resolve=file.resolve)
+    integrator = make_integrator(file.resolved, load_world(file))
     images = []
     with one_thread():
         for seed in range(BATCHES):

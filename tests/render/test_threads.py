@@ -74,7 +74,7 @@ def test_small_bands_of_threads_that_switch_all_the_time(
     images = []
     for threads in (1, 2, 4, 8):
         monkeypatch.setattr(rna_render.paths.bands, "kernel_threads", lambda count=threads: count)
-        renderer = make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
+        renderer = make_integrator(scene_file.resolved, world)
         bands = rendered_bands(renderer, 40 * 28, [Sampler(0, 0)], most=64)
         images.append(np.concatenate([band.beauty for band, _ in bands]))
     assert all(np.array_equal(image, images[0], equal_nan=True) for image in images[1:])

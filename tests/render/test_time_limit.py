@@ -10,14 +10,13 @@ import pytest
 from rna_render.command.rna_run import main
 from rna_render.image.film import Layers
 from rna_render.image.images import read_exr
-from rna_render.paths import time_limit
+from rna_render.paths import time_limit, world_in_time
 from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.render import render
 from rna_render.paths.sampling import Sampler
 from rna_render.paths.time_limit import in_time, seconds_a_sample
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
-from rna_render.world import world_loading
 from tests.package.builders import make_measured_tier
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package
@@ -100,9 +99,9 @@ def test_cheaper_tiers_where_too_few_samples_would_fit(
 ) -> None:
     """16 samples are enough; here one takes 0.1, 0.05 or 0.02 seconds."""
     seconds = {"hq": 0.1, "small": 0.05, "tiny": 0.02}
-    monkeypatch.setattr(world_loading, "make_integrator", lambda _, world, **__: world)
+    monkeypatch.setattr(world_in_time, "make_integrator", lambda _, world, **__: world)
     monkeypatch.setattr(
-        world_loading, "seconds_a_sample", lambda world, _: seconds[world.things[0].tier.name]
+        world_in_time, "seconds_a_sample", lambda world, _: seconds[world.things[0].tier.name]
     )
     world = load_world(read_scene(scene(folder, limit)))
     assert [asset.tier.name for asset in world.things] == [name]

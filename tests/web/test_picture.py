@@ -73,9 +73,7 @@ def write_scene(folder: Path, asset: dict, lights: str, size: list[int], samples
 
 def by_rna_run(path: Path) -> np.ndarray:
     scene_file = read_scene(path)
-    integrator = make_integrator(
-        scene_file.scene, load_world(scene_file), resolve=scene_file.resolve
-    )
+    integrator = make_integrator(scene_file.resolved, load_world(scene_file))
     return rgba(render(scene_file.scene, integrator))
 
 

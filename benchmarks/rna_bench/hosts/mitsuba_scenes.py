@@ -189,7 +189,7 @@ class Ours:
         path.write_text(yaml.safe_dump(_plain(scene)))
         self._file = read_scene(path)
         world = load_world(self._file)
-        self._integrator = make_integrator(self._file.scene, world, resolve=self._file.resolve)
+        self._integrator = make_integrator(self._file.resolved, world)
 
     def __call__(self, seed: int) -> np.ndarray:
         channels = render(

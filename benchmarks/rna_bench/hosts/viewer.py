@@ -47,8 +47,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> None:
     scene_file = read_scene(args.scene)
-    scene = scene_file.scene.model_copy(update={"resolution": tuple(args.resolution), "samples": 1})
-    integrator = make_integrator(scene, load_world(scene_file), resolve=scene_file.resolve)
+    scene = scene_file.resolved.model_copy(
+        update={"resolution": tuple(args.resolution), "samples": 1}
+    )
+    integrator = make_integrator(scene, load_world(scene_file))
     device = rna_gpu.open_device()
     readings: dict[str, dict[str, list[float]]] = {}
     for _ in range(args.repeats):

@@ -72,8 +72,8 @@ def _check_texture(path: Path) -> None:
 
 
 def _check_mesh(path: Path) -> None:
-    mesh = read_mesh_object(path, None, lambda path: path)
-    read_mesh_object(path, DiffuseModel(type="diffuse"), lambda path: path)
+    mesh = read_mesh_object(path)
+    read_mesh_object(path, DiffuseModel(type="diffuse"))
     _finite("positions", mesh.positions)
     _finite("normals", mesh.normals, -1.001, 1.001)
     _check_surface(mesh)

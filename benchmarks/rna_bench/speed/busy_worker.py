@@ -114,8 +114,8 @@ def renderer() -> Iterator[Task]:
 
     scene_file = read_scene(QUICKSTART)
     world = load_world(scene_file)
-    scene = scene_file.scene.model_copy(update={"samples": 1, "quality": None})
-    integrator = make_integrator(scene, world, resolve=scene_file.resolve)
+    scene = scene_file.resolved.model_copy(update={"samples": 1, "quality": None})
+    integrator = make_integrator(scene, world)
     pixels = float(np.prod(scene.resolution))
 
     def sample() -> float:

@@ -11,7 +11,6 @@ The description is JSON in the renderer's own space, +Y up:
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -24,20 +23,19 @@ from rna_sdk.errors import SceneError
 
 def cycles_scene(
     scene: Scene,
-    resolve: Callable[[Path], Path] = Path,
     bounces: int | None = None,
     emission: bool = False,
 ) -> dict[str, Any]:
     """The description that `BlenderWorker.render_scene` takes.
 
-    resolve: finds files that the scene names. Raises SceneError for what has no twin in Blender:
+    scene: with resolved paths. Raises SceneError for what has no twin in Blender:
     assets of several packages, a scaled one (Cycles does not scale the depth of subsurface
     scattering), objects and grounds that are not of one diffuse colour, spheres that shine.
     """
     return {
         "assets": _assets(scene),
-        "meshes": [*_objects(scene, resolve), *_ground(scene, resolve)],
-        "lights": [_light(model.model_dump(mode="json"), resolve) for model in scene.lights],
+        "meshes": [*_objects(scene), *_ground(scene)],
+        "lights": [_light(model.model_dump(mode="json")) for model in scene.lights],
         "bounces": bounces,
         "emission": emission,
     }
@@ -55,20 +53,20 @@ def _assets(scene: Scene) -> list[list[list[float]]]:
     return [world_from_object(asset.transform).tolist() for asset in scene.assets]
 
 
-def _objects(scene: Scene, resolve: Callable[[Path], Path]) -> list[dict[str, Any]]:
+def _objects(scene: Scene) -> list[dict[str, Any]]:
     meshes = []
     for model in scene.objects:
         colour = _colour(model.material)
-        mesh = read_mesh_object(resolve(model.path), model.material, resolve)
+        mesh = read_mesh_object(model.path, model.material)
         meshes.append(_mesh(mesh, world_from_object(model.transform), colour))
     return meshes
 
 
-def _ground(scene: Scene, resolve: Callable[[Path], Path]) -> list[dict[str, Any]]:
+def _ground(scene: Scene) -> list[dict[str, Any]]:
     if scene.ground is None:
         return []
     colour = _colour(scene.ground.material)
-    return [_mesh(ground(scene.ground, resolve), np.eye(4), colour)]
+    return [_mesh(ground(scene.ground), np.eye(4), colour)]
 
 
 def _mesh(mesh: MeshObject, matrix: np.ndarray, colour: tuple[float, ...]) -> dict[str, Any]:
@@ -89,9 +87,9 @@ def _colour(material: MaterialModel | None) -> tuple[float, ...]:
     return material.color
 
 
-def _light(light: dict[str, Any], resolve: Callable[[Path], Path]) -> dict[str, Any]:
+def _light(light: dict[str, Any]) -> dict[str, Any]:
     if light["type"] == "sphere":
         raise SceneError("the Cycles comparison does not support sphere lights")
     if light.get("path"):
-        light["path"] = str(resolve(Path(light["path"])).resolve())
+        light["path"] = str(Path(light["path"]).resolve())
     return light

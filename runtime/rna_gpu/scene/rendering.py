@@ -40,7 +40,6 @@ class GpuRenderer:
         self,
         scene_file: SceneFile,
         world: World,
-        on_first_hits: Callable[[], None] = lambda: None,
         open_it: Callable[[], Device] | None = None,
     ) -> None:
         """open_it: opens the device, and another one where it is lost; None for the fastest.
@@ -49,7 +48,6 @@ class GpuRenderer:
             GpuError: there is no GPU, or the scene does not fit on it.
         """
         self._scene_file, self._world = scene_file, world
-        self._on_first_hits: Callable[[], None] | None = on_first_hits
         self._open = open_it or _DEVICE.get
         self._lock, self._losses = Lock(), 0
         self._start()
@@ -64,9 +62,6 @@ class GpuRenderer:
         with self._lock:
             starts = range(0, len(pixels), self._gpu.band)
             bands = [self._rendered(pixels[k : k + starts.step], sampler) for k in starts]
-            if self._on_first_hits is not None:
-                self._on_first_hits()
-                self._on_first_hits = None
         return Layers.concatenate(bands)
 
     def _rendered(self, pixels: NDArray[np.uint32], sampler: Sampler) -> Layers:
@@ -85,8 +80,8 @@ class GpuRenderer:
                 self._start()
 
     def _start(self) -> None:
-        scene, world = self._scene_file.scene, self._world
-        every = all_lights(scene, world, self._scene_file.resolve)
+        scene, world = self._scene_file.resolved, self._world
+        every = all_lights(scene, world)
         clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
         # Shadow catchers find light by samples of lights alone, which have to find all of it.
         catches = world.catches_shadows.any()

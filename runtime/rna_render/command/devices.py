@@ -6,7 +6,6 @@ gives an OpenRenderer.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from importlib.metadata import EntryPoint, entry_points
 from typing import Protocol
 
@@ -24,13 +23,10 @@ CPU = "cpu"
 class OpenRenderer(Protocol):
     """Opens a device for a scene."""
 
-    def __call__(
-        self, scene_file: SceneFile, world: World, on_first_hits: Callable[[], None]
-    ) -> BandRenderer:
+    def __call__(self, scene_file: SceneFile, world: World) -> BandRenderer:
         """Renderer of `scene_file.scene`, whose things are in `world`.
 
-        on_first_hits: called once, when the first camera rays have been traced. Raises RnaError
-        for what the device does not know or have room for.
+        Raises RnaError for what the device does not know or have room for.
         """
         ...
 
@@ -39,7 +35,6 @@ def open_renderer(
     device: str,
     scene_file: SceneFile,
     world: World,
-    on_first_hits: Callable[[], None] = lambda: None,
 ) -> BandRenderer:
     """Renderer of the scene on a device: "cpu", or one that a package offers.
 
@@ -48,8 +43,8 @@ def open_renderer(
         RnaError: the device does not know the scene, or has no room for it.
     """
     if device == CPU:
-        return make_integrator(scene_file.scene, world, on_first_hits, scene_file.resolve)
-    return find_device(device)(scene_file, world, on_first_hits)
+        return make_integrator(scene_file.resolved, world)
+    return find_device(device)(scene_file, world)
 
 
 def find_device(name: str) -> OpenRenderer:

@@ -287,7 +287,7 @@ def _render_still(scene_file: SceneFile, output: Output, options: argparse.Names
             scene_file,
             world,
             interrupt.requested,
-            first_rays=lambda: f"first rays traced after {time.perf_counter() - _START:.2f} s",
+            first_band=lambda: f"first pixels after {time.perf_counter() - _START:.2f} s",
             on_sample=Interim(options.every, partial(output.write_so_far, scene)),
             device=options.device,
         )

@@ -81,26 +81,27 @@ def render_with_bar(
     world: World,
     stop: Callable[[], bool],
     what: str = "rendering",
-    first_rays: Callable[[], str] | None = None,
+    first_band: Callable[[], str] | None = None,
     on_sample: Callable[[Film], None] = lambda film: None,
     device: str = CPU,
 ) -> Film:
     """Render the scene, or fewer samples of it if `stop` says so.
 
-    what: stands before the bar. first_rays: what to print when the first rays are traced.
+    what: stands before the bar. first_band: what to print when the first band is finished.
     on_sample: given the film after every sample but the last. device: where; see `devices`.
     """
     scene = scene_file.scene
     total = scene.resolution[0] * scene.resolution[1] * scene.samples
     bar = tqdm(total=total, unit="ray", unit_scale=True, desc=what, leave=False, position=0)
 
-    def report_start() -> None:
-        if first_rays is not None:
-            bar.write(first_rays(), file=sys.stderr)
+    def advance(pixels: int) -> None:
+        if first_band is not None and not bar.n:
+            bar.write(first_band(), file=sys.stderr)
+        bar.update(pixels)
 
     with bar:
-        renderer = open_renderer(device, scene_file, world, report_start)
-        film = render(scene, renderer, stop, bar.update, on_sample)
+        renderer = open_renderer(device, scene_file, world)
+        film = render(scene, renderer, stop, advance, on_sample)
     warn_of_extrapolation([*world.things, *world.indirect])
     if film.samples < scene.samples and not stop():
         print(f"{what}: time for {film.samples} of {scene.samples} samples", file=sys.stderr)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 from rna_render.lights.base import Light
 from rna_render.lights.directional import directional_light
@@ -34,14 +33,13 @@ _SHAPES: dict[type, Callable[..., Light]] = {
 }
 
 
-def make_light(model: LightModel, resolve: Callable[[Path], Path]) -> Light:
+def make_light(model: LightModel) -> Light:
     """The light that a scene file describes.
 
-    resolve: from a path as the scene file gives it to one that can be opened. Raises SceneError
-    for an environment whose image cannot be used.
+    Raises SceneError for an environment whose image cannot be used.
     """
     if not isinstance(model, EnvironmentModel):
         return _SHAPES[type(model)](model)
     if model.path is None:
         return EnvironmentLight(model)
-    return EnvironmentImageLight(model, environment_image(resolve(model.path)))
+    return EnvironmentImageLight(model, environment_image(model.path))

@@ -260,17 +260,22 @@ def bsdf_density(
 
 
 @compiled(fastmath=())
-def evaluate(
+def scatter(
     parameters: Parameters,
     row: np.ndarray,
     n: np.ndarray,
     ng: np.ndarray,
     wo: np.ndarray,
+    u: np.ndarray | None,
     wi: np.ndarray,
-    result: np.ndarray,
+    value: np.ndarray | None,
+    density: np.ndarray | None,
 ) -> None:
-    """Values of directions wi at the given rows. Here and below neighbours with the same row share
-    what the functions above take for it."""
+    """Fill directions wi sampled with u, unless that is None; then values and densities of wi.
+
+    Compiled for each choice of what is None. Neighbours with the same row share what the functions
+    above take for it.
+    """
     table, mean = albedo_views(parameters[8])
     k = 0
     while k < len(wi):
@@ -278,76 +283,12 @@ def evaluate(
         g, o = vector_at(ng, p), unit(vector_at(wo, p))
         point, frame = _row(parameters, p, vector_at(n, p), g, o)
         while k < len(wi) and row[k] == p:
-            value = bsdf_value(point, frame, g, o, unit(vector_at(wi, k)), table, mean)
-            result[k, 0], result[k, 1], result[k, 2] = value
-            k += 1
-
-
-@compiled(fastmath=())
-def pdf(
-    parameters: Parameters,
-    row: np.ndarray,
-    n: np.ndarray,
-    ng: np.ndarray,
-    wo: np.ndarray,
-    wi: np.ndarray,
-    result: np.ndarray,
-) -> None:
-    table, _ = albedo_views(parameters[8])
-    k = 0
-    while k < len(wi):
-        p = row[k]
-        g, o = vector_at(ng, p), unit(vector_at(wo, p))
-        point, frame = _row(parameters, p, vector_at(n, p), g, o)
-        while k < len(wi) and row[k] == p:
-            result[k] = bsdf_density(point, frame, o, unit(vector_at(wi, k)), table)
-            k += 1
-
-
-@compiled(fastmath=())
-def evaluate_with_pdf(
-    parameters: Parameters,
-    row: np.ndarray,
-    n: np.ndarray,
-    ng: np.ndarray,
-    wo: np.ndarray,
-    wi: np.ndarray,
-    result: np.ndarray,
-    density: np.ndarray,
-) -> None:
-    table, mean = albedo_views(parameters[8])
-    k = 0
-    while k < len(wi):
-        p = row[k]
-        g, o = vector_at(ng, p), unit(vector_at(wo, p))
-        point, frame = _row(parameters, p, vector_at(n, p), g, o)
-        while k < len(wi) and row[k] == p:
-            i = unit(vector_at(wi, k))
-            value = bsdf_value(point, frame, g, o, i, table, mean)
-            result[k, 0], result[k, 1], result[k, 2] = value
-            density[k] = bsdf_density(point, frame, o, i, table)
-            k += 1
-
-
-@compiled(fastmath=())
-def sample_with_pdf(
-    parameters: Parameters,
-    row: np.ndarray,
-    n: np.ndarray,
-    ng: np.ndarray,
-    wo: np.ndarray,
-    u: np.ndarray,
-    wi: np.ndarray,
-    density: np.ndarray,
-) -> None:
-    table, _ = albedo_views(parameters[8])
-    k = 0
-    while k < len(wi):
-        p = row[k]
-        g, o = vector_at(ng, p), unit(vector_at(wo, p))
-        point, frame = _row(parameters, p, vector_at(n, p), g, o)
-        while k < len(wi) and row[k] == p:
-            i = bsdf_sample(point, frame, o, u[k, 0], u[k, 1], u[k, 2], table)
-            wi[k, 0], wi[k, 1], wi[k, 2] = i
-            density[k] = bsdf_density(point, frame, o, unit(vector_at(wi, k)), table)
+            if u is not None:
+                i = bsdf_sample(point, frame, o, u[k, 0], u[k, 1], u[k, 2], table)
+                wi[k, 0], wi[k, 1], wi[k, 2] = i
+            if value is not None:
+                f = bsdf_value(point, frame, g, o, unit(vector_at(wi, k)), table, mean)
+                value[k, 0], value[k, 1], value[k, 2] = f
+            if density is not None:
+                density[k] = bsdf_density(point, frame, o, unit(vector_at(wi, k)), table)
             k += 1

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,13 +17,13 @@ if TYPE_CHECKING:
 _LEAST_SIZE, _REACHES = 100.0, 20.0  # metres; side over the distance of what stands on it
 
 
-def ground(model: GroundModel, resolve: Callable[[Path], Path], reach: float = 0.0) -> MeshObject:
+def ground(model: GroundModel, reach: float = 0.0) -> MeshObject:
     """A square of two triangles about (0, height, 0) that faces +Y.
 
     Its texture coordinates are metres, u along +X and v along +Z, with (0, 0) in the middle: an
-    image covers a square metre, upright for who looks down with -Z up. resolve: as in
-    `make_material`, whose errors it raises. reach: the largest x or z of what stands on it, which
-    a ground without a size follows.
+    image covers a square metre, upright for who looks down with -Z up. reach: the
+    largest x or z of what stands on it, which a ground without a size follows. Raises the errors
+    of `make_material`.
     """
     half = (model.size or max(_LEAST_SIZE, _REACHES * reach)) / 2
     x, z = np.array([[-1, 1, 1, -1], [1, 1, -1, -1]]) * half
@@ -35,6 +33,6 @@ def ground(model: GroundModel, resolve: Callable[[Path], Path], reach: float = 0
         uvs=np.column_stack([x, z]).astype(np.float32),
         triangles=np.array([[0, 1, 2], [0, 2, 3]], np.uint32),
         material_numbers=np.zeros(2, np.int32),
-        materials=(make_material(model.material, resolve),),
+        materials=(make_material(model.material),),
         catches_shadows=isinstance(model.material, ShadowCatcherModel),
     )

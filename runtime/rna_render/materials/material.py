@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
-from pathlib import Path
 
 from rna_render.materials.textures import SRGB, Texture, read_texels
 from rna_render.scene.material_models import (
@@ -65,18 +63,16 @@ def reflectance_of_ior(ior: float) -> float:
     return ((ior - 1.0) / (ior + 1.0)) ** 2
 
 
-def make_material(model: MaterialModel, resolve: Callable[[Path], Path]) -> Material:
+def make_material(model: MaterialModel) -> Material:
     """The material that a scene file describes.
 
-    resolve: from a path of the scene file to one that can be opened. A shadow catcher is white
-    and Lambertian here. Raises SceneError if its texture cannot be read.
+    A shadow catcher is white and Lambertian here. Raises SceneError if its texture cannot be read.
     """
     if isinstance(model, ShadowCatcherModel):
         return Material()
     texture = None
     if model.texture is not None:
-        path = resolve(model.texture)
-        texture = Texture(read_texels(path, path), SRGB)
+        texture = Texture(read_texels(model.texture, model.texture), SRGB)
     plain = Material(model.color, emission=model.emission, base_color_texture=texture)
     if isinstance(model, ConductorModel):
         return replace(plain, metallic=1.0, roughness=model.roughness)

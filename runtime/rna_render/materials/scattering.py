@@ -59,10 +59,9 @@ class Scattering:
     ) -> np.ndarray:
         """f(wo, wi) |n.wi|: (k, 3) float32; 0 for a wi behind the shading normal or on the other
         side of the surface than wo."""
-        result = np.empty((len(wi), 3), np.float32)
-        at = _rows(row, wo), n, ng, wo, wi
-        bsdf.evaluate(self._parameters(), *at, result)
-        return result
+        value = np.empty((len(wi), 3), np.float32)
+        bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, None, wi, value, None)
+        return value
 
     def sample(
         self,
@@ -79,8 +78,7 @@ class Scattering:
         behind the surface, where `evaluate` is 0.
         """
         wi = np.empty((len(u), 3), np.float32)
-        at = _rows(row, wo), n, ng, wo, u
-        bsdf.sample_with_pdf(self._parameters(), *at, wi, np.empty(len(u), np.float32))
+        bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, u, wi, None, None)
         return wi
 
     def pdf(
@@ -93,10 +91,9 @@ class Scattering:
     ) -> np.ndarray:
         """Density of `sample` in wi, per steradian: (k,) float32; it integrates to 1 over the
         whole sphere."""
-        result = np.empty(len(wi), np.float32)
-        at = _rows(row, wo), n, ng, wo, wi
-        bsdf.pdf(self._parameters(), *at, result)
-        return result
+        density = np.empty(len(wi), np.float32)
+        bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, None, wi, None, density)
+        return density
 
     def evaluate_and_pdf(
         self,
@@ -107,10 +104,9 @@ class Scattering:
         row: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Results of `evaluate` and `pdf`, in one pass."""
-        result, density = np.empty((len(wi), 3), np.float32), np.empty(len(wi), np.float32)
-        at = _rows(row, wo), n, ng, wo, wi
-        bsdf.evaluate_with_pdf(self._parameters(), *at, result, density)
-        return result, density
+        value, density = np.empty((len(wi), 3), np.float32), np.empty(len(wi), np.float32)
+        bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, None, wi, value, density)
+        return value, density
 
     def sample_and_pdf(
         self,
@@ -122,13 +118,10 @@ class Scattering:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Results of `sample` and its `pdf`, in one pass."""
         wi, density = np.empty((len(u), 3), np.float32), np.empty(len(u), np.float32)
-        at = _rows(row, wo), n, ng, wo, u
-        bsdf.sample_with_pdf(self._parameters(), *at, wi, density)
+        bsdf.scatter(self._parameters(), _rows(row, wo), n, ng, wo, u, wi, None, density)
         return wi, density
 
-    def _parameters(
-        self,
-    ) -> bsdf.Parameters:
+    def _parameters(self) -> bsdf.Parameters:
         weights = np.ones((1, 2), np.float32) if self.weights is None else self.weights
         none = np.zeros(1, np.float32), np.ones(1, np.float32), np.zeros((1, 3), np.float32)
         clear = none if self.clear is None else (self.clear.weight, self.clear.alpha, self.clear.n)

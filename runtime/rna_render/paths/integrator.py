@@ -12,9 +12,8 @@ start on, and are stopped by every other.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from threading import Lock
 from typing import Literal
 
 import numpy as np
@@ -75,8 +74,8 @@ class Integrator:
     scatter. clamp: clamp on per-path indirect radiance; None disables it.
     branches: rays that go on from the point that the camera sees; each then counts for that part
     of a path, with its clamp.
-    on_first_hits: called once, when the first camera rays have been traced. strategy: how light is
-    found; anything but "both" is for tests, since each way alone misses some lights or is slow.
+    strategy: how light is found; anything but "both" is for tests, since each way alone misses some
+    lights or is slow.
     """
 
     at_once = None
@@ -88,7 +87,6 @@ class Integrator:
         lights: Sequence[Light],
         max_depth: int,
         clamp: float | None = None,
-        on_first_hits: Callable[[], None] = lambda: None,
         strategy: Strategy = "both",
         branches: int = BRANCHES,
     ) -> None:
@@ -99,8 +97,6 @@ class Integrator:
         self._max_depth = max_depth
         self._branches = branches if world.scatters else 1
         self._clamp = None if clamp is None else np.float32(clamp / self._branches)
-        self._on_first_hits: Callable[[], None] | None = on_first_hits
-        self._reporting = Lock()
         self._strategy = strategy
         self._sampling = LightSampling(world, self._lights)
         self._sampling_alone = LightSampling(world, lights)
@@ -146,17 +142,10 @@ class Integrator:
         direction = self._camera.directions(pixels, sampler.square(pixels, PIXEL_DIMENSION))
         origin = np.tile(self._camera.position, (len(pixels), 1))
         hits = self._world.scene.intersect(origin, direction, rays=CAMERA_RAY)
-        self._report_first_hits()
         beta = np.ones((len(pixels), 3), np.float32) if hits.weight is None else hits.weight
         path, never = np.arange(len(pixels)), np.zeros(len(self._lights))
         number = np.full(len(pixels), sampler.sample, np.int64)
         return _Rays(path, origin, direction, hits, beta, None, never, number)
-
-    def _report_first_hits(self) -> None:
-        with self._reporting:
-            if self._on_first_hits is not None:
-                self._on_first_hits()
-                self._on_first_hits = None
 
     def _vertices(self, role: Role, rays: _Rays) -> Vertices:
         return self._world.vertices(role, rays.hits, rays.direction, seen=rays.pdf is None)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from pathlib import Path
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
@@ -22,27 +21,22 @@ AUTO = 10.0
 def make_integrator(
     scene: Scene,
     world: World,
-    on_first_hits: Callable[[], None] = lambda: None,
-    resolve: Callable[[Path], Path] = Path,
     branches: int = BRANCHES,
 ) -> Integrator:
-    """Integrator of `scene`, whose things are in `world`.
+    """Integrator of `scene`, with resolved paths, whose things are in `world`.
 
-    resolve: finds files that the scene names. branches: as of Integrator. Raises
-    SceneError for an environment's image that cannot be used.
+    branches: as in Integrator. Raises SceneError for an environment's image that cannot be used.
     """
-    lights = all_lights(scene, world, resolve)
+    lights = all_lights(scene, world)
     camera = Camera(scene.camera, scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
-    return Integrator(
-        world, camera, lights, scene.max_depth, clamp, on_first_hits, branches=branches
-    )
+    return Integrator(world, camera, lights, scene.max_depth, clamp, branches=branches)
 
 
-def all_lights(scene: Scene, world: World, resolve: Callable[[Path], Path] = Path) -> list[Light]:
+def all_lights(scene: Scene, world: World) -> list[Light]:
     """Lights of the world, then those without a shape; errors as of `make_integrator`."""
     without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
-    return [*world.lights, *(make_light(model, resolve) for model in without_shape)]
+    return [*world.lights, *(make_light(model) for model in without_shape)]
 
 
 def indirect_clamp(

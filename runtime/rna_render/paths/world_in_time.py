@@ -55,7 +55,7 @@ def load_world(
 
 
 def _integrator_of(scene_file: SceneFile, world: World) -> Integrator:
-    return make_integrator(scene_file.scene, world, resolve=scene_file.resolve)
+    return make_integrator(scene_file.resolved, world)
 
 
 def _world_in_time(

@@ -246,7 +246,7 @@ class Session:
         """All samples of the whole image, or one of a first look."""
         width, height = (max(1, round(side / divisor)) for side in scene.resolution)
         scene = scene.model_copy(update={"resolution": (width, height)})
-        integrator = make_integrator(scene, self._world, resolve=self._scene_file.resolve)
+        integrator = make_integrator(replace(self._scene_file, scene=scene).resolved, self._world)
         film = Film(scene.resolution, integrator.groups)
         for number in range(scene.samples if divisor == 1 else 1):
             start = time.perf_counter()

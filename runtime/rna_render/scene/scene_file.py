@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import yaml
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from rna_render.scene.limits import MAX_SCENE_BYTES
 from rna_render.scene.scene_messages import Key, mistakes
@@ -41,6 +42,11 @@ class SceneFile:
     def resolve(self, path: Path) -> Path:
         """`path`, which the file gives relative to itself."""
         return (self.path.parent / path).resolve()
+
+    @property
+    def resolved(self) -> Scene:
+        """The scene with all paths as they can be opened."""
+        return _with_paths(self.scene, self.resolve)
 
     def check(self, key: Key, path: Path) -> None:
         """Raises SceneError, which points at `key`, where `path` is not a regular file."""
@@ -99,6 +105,17 @@ def read_scene(path: Path) -> SceneFile:
     except ValidationError as error:
         raise _scene_error(path, lines, error) from error
     return SceneFile(path, scene, lines)
+
+
+def _with_paths(part: Any, resolve: Callable[[Path], Path]) -> Any:
+    """A part of a scene with all its paths resolved."""
+    if isinstance(part, Path):
+        return resolve(part)
+    if isinstance(part, tuple):
+        return tuple(_with_paths(item, resolve) for item in part)
+    if isinstance(part, BaseModel):
+        return part.model_copy(update={k: _with_paths(v, resolve) for k, v in part})
+    return part
 
 
 def _parse(path: Path, text: str) -> tuple[object, dict[Key, int]]:

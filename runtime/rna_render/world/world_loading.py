@@ -73,12 +73,11 @@ class _AssetLoader:
 def _placed_objects(scene_file: SceneFile) -> list[Placement]:
     loaded: dict[tuple[Path, str], MeshObject] = {}
     placements = []
-    for index, model in enumerate(scene_file.scene.objects):
-        path = scene_file.resolve(model.path)
-        key = path, repr(model.material)
+    for index, model in enumerate(scene_file.resolved.objects):
+        key = model.path, repr(model.material)
         if key not in loaded:
             try:
-                loaded[key] = read_mesh_object(path, model.material, scene_file.resolve)
+                loaded[key] = read_mesh_object(model.path, model.material)
             except SceneError as error:
                 raise scene_file.error(("objects", index), str(error)) from error
         matrix = world_from_object(model.transform)
@@ -87,11 +86,11 @@ def _placed_objects(scene_file: SceneFile) -> list[Placement]:
 
 
 def _placed_ground(scene_file: SceneFile, things: Sequence[Placement]) -> list[Placement]:
-    model = scene_file.scene.ground
+    model = scene_file.resolved.ground
     if model is None:
         return []
     reach = 0.0 if model.size is not None else max(map(_reach, things), default=0.0)
-    mesh = ground(model, scene_file.resolve, reach)
+    mesh = ground(model, reach)
     return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
 
 
@@ -103,7 +102,7 @@ def _reach(placement: Placement) -> float:
 
 def _placed_lights(scene_file: SceneFile) -> list[Placement]:
     models = [model for model in scene_file.scene.lights if isinstance(model, AreaModel)]
-    lights = [make_light(model, scene_file.resolve) for model in models]
+    lights = [make_light(model) for model in models]
     return [
         Placement(light, light.world_from_object, light, boundless=True)
         for light in lights

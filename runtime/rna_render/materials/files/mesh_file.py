@@ -28,16 +28,13 @@ class MeshFileWarning(UserWarning):
     """Something in a mesh file changes its look and is not shown."""
 
 
-def read_mesh_object(
-    path: Path, material: MaterialModel | None, resolve: Callable[[Path], Path]
-) -> MeshObject:
+def read_mesh_object(path: Path, material: MaterialModel | None = None) -> MeshObject:
     """A .glb, .gltf, .obj or .ply file as one mesh, in the file's own space.
 
     Nodes of glTF are baked, without lights, cameras and animation; coordinates of OBJ and PLY
     are taken as they are, with +Y up. Parts without normals get flat ones.
 
-    material: what the whole mesh is made of; the file's own materials if None. resolve: from a
-    path in `material` to one that can be opened.
+    material: what the whole mesh is made of; the file's own materials if None.
 
     Warns once (MeshFileWarning) with all that the file says of its look and is not shown, such
     as volumes or vertex colours. Raises SceneError, which names the file: it is not there,
@@ -48,7 +45,7 @@ def read_mesh_object(
     if reader is None:
         known = ", ".join(_READERS)
         raise SceneError(f"expected a file that ends with one of {known}", file=path)
-    own = None if material is None else [make_material(material, resolve)]
+    own = None if material is None else [make_material(material)]
     file, mesh = _read(reader, path, own, isinstance(material, ShadowCatcherModel))
     if file.left_out:
         message = f"{path}: not shown: {', '.join(file.left_out)}"
