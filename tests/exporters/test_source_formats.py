@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 import trimesh
 
-from rna_export.blender.rna_sources.groom_options import GROOMS
+from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_export.capture.axes import from_blender, to_blender
 from rna_export.capture.blender_process.blender_worker import BlenderWorker, Source
 from rna_export.capture.orientation import rotation
-from rna_export.capture.rna_capture import SUFFIXES
 from rna_sdk.errors import CaptureError
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.scenes import write_scene
@@ -49,7 +48,9 @@ def sources(tmp_path_factory: pytest.TempPathFactory, blender_python: Path) -> d
     return {path.suffix: path for path in (script, *folder.glob("t.*"))}
 
 
-@pytest.mark.parametrize("suffix", [s for s in SUFFIXES if s not in GROOMS])
+@pytest.mark.parametrize(
+    "suffix", [s for s, known in SOURCE_FORMATS.items() if known.options != "groom"]
+)
 def test_format(suffix: str, sources: dict[str, Path], open_worker: OpenWorker) -> None:
     positions = open_worker(sources[suffix]).export_corners()["positions"]
     found = np.unique(np.round(positions, 5) + 0.0, axis=0)

@@ -12,7 +12,14 @@ from pydantic import ValidationError
 
 from rna_render.image.images import write_exr
 from rna_render.lights import LightSelection, make_light
-from rna_render.scene import CameraModel, EnvironmentModel, LightModel, Scene, SceneFile
+from rna_render.scene import (
+    CameraModel,
+    EnvironmentModel,
+    GroundModel,
+    LightModel,
+    Scene,
+    SceneFile,
+)
 from rna_sdk.errors import SceneError
 from tests.render.lights import light
 
@@ -73,7 +80,8 @@ def test_an_image_is_found_beside_the_scene_file(tmp_path):
 
 def _read_in(folder: Path, model: EnvironmentModel) -> LightModel:
     """The light as a scene file in the folder has it."""
-    scene = Scene(camera=CameraModel(position=(0, 0, 1), look_at=(0, 0, 0)), lights=(model,))
+    camera = CameraModel(position=(0, 0, 1), look_at=(0, 0, 0))
+    scene = Scene(camera=camera, lights=(model,), ground=GroundModel())
     return SceneFile(folder / "scene.yaml", scene, {}).resolved.lights[0]
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
-from rna_export.blender.rna_sources.groom_options import ALEMBIC_AND_USD, GROOMS
+from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_export.capture.blender_process import blender_env, source_help
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.orientation import AXES, joined_axes
@@ -31,10 +31,11 @@ if TYPE_CHECKING:
     from rna_render.scene import SceneFile
 
 _GO_ON = "run the same command again to resume"
-SUFFIXES = (".blend", ".gltf", ".glb", ".obj", ".ply", *ALEMBIC_AND_USD, *GROOMS, ".py")
+_SUFFIXES = ", ".join(SOURCE_FORMATS)
+_Z_UP = ", ".join(suffix for suffix, known in SOURCE_FORMATS.items() if known.up == "Z")
 _BECOMES = {
     "front": "+Z (X, Y, Z, -X, -Y or -Z, default: -Y for Z up, as in Blender; else Z, as in glTF)",
-    "up": "+Y (as --front, default: Z for .blend, .ply, .hair, .py; upAxis for USD; else Y)",
+    "up": f"+Y (as --front, default: Z for {_Z_UP}; upAxis for USD; else Y)",
 }
 _OPTIONS = (  # fields of CaptureSettings
     "samples",
@@ -64,9 +65,7 @@ def parser() -> argparse.ArgumentParser:
         "a Python source, or set what a groom, Alembic or\nUSD file lacks; to list them: "
         "rna-capture groom.tfx -- --help",
     )
-    p.add_argument(
-        "source", nargs="?", type=Path, help=f"model (path), one of {', '.join(SUFFIXES)}"
-    )
+    p.add_argument("source", nargs="?", type=Path, help=f"model (path), one of {_SUFFIXES}")
     p.add_argument(
         "--out",
         type=Path,
@@ -225,12 +224,10 @@ def check_source(source: Path) -> None:
     """Raises `CaptureError` for a missing file or an unsupported format."""
     if not source.is_file():
         raise CaptureError(f"{source}: no such file")
-    if source.suffix.lower() not in SUFFIXES:
+    if source.suffix.lower() not in SOURCE_FORMATS:
         if (wrong := not_a("model", source)) is not None:
             raise CaptureError(f"{source}: {wrong}")
-        raise CaptureError(
-            f"{source}: found {source.suffix!r}, expected one of {', '.join(SUFFIXES)}"
-        )
+        raise CaptureError(f"{source}: found {source.suffix!r}, expected one of {_SUFFIXES}")
 
 
 def _is_dataset(folder: Path) -> bool:

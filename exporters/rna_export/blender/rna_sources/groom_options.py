@@ -5,9 +5,6 @@ from __future__ import annotations
 import argparse
 from typing import NoReturn
 
-GROOMS = (".hair", ".tfx")
-USD = (".usd", ".usda", ".usdc", ".usdz")
-ALEMBIC_AND_USD = (".abc", *USD)
 TAPER = 0.3  # tip radius / root radius for files without radii
 
 
@@ -18,14 +15,14 @@ class _Parser(argparse.ArgumentParser):
         raise ValueError(f"{message} (after --; all options: -- --help)")
 
 
-def parser(suffix: str) -> argparse.ArgumentParser:
-    """The options after `--` for a file with one of the suffixes above."""
+def parser(suffix: str, options: str | None) -> argparse.ArgumentParser:
+    """The options after `--` for a file with this suffix, and these of its `SourceFormat`."""
     p = _Parser(
         prog=f"rna-capture groom{suffix} --out groom.rays --",
         description="Geometry and material of the strands. Lengths are in metres.",
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
-    if suffix in GROOMS:
+    if options == "groom":
         p.add_argument("--unit", type=float, default=0.01, help="metres per file unit")
     else:
         _add_of_scenes(p)

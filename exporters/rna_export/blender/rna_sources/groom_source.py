@@ -11,6 +11,7 @@ import numpy as np
 import rna_hair
 from rna_hair.objects import add_curves, chiang_material
 from rna_sources.groom_options import TAPER, parser
+from rna_sources.source_formats import SOURCE_FORMATS
 
 
 def load(source: str, arguments: list[str]) -> list[str]:
@@ -31,7 +32,9 @@ def load(source: str, arguments: list[str]) -> list[str]:
 
 def options(path: Path, arguments: list[str]) -> argparse.Namespace:
     """The arguments after `--`, checked."""
-    args: argparse.Namespace = parser(path.suffix.lower()).parse_args(arguments)
+    suffix = path.suffix.lower()
+    kind = SOURCE_FORMATS[suffix].options
+    args: argparse.Namespace = parser(suffix, kind).parse_args(arguments)
     ranges = {"unit": 1e-9, "radius": 1e-12, "points": 2, "strands": 1, "ior": 1.0}
     for name, least in ranges.items():
         value = getattr(args, name)

@@ -23,9 +23,7 @@ from rna_sources import (
     scene_import,
     usd_curves,
 )
-from rna_sources.groom_options import ALEMBIC_AND_USD, GROOMS, USD
-
-_UP_IS_Z = (".blend", ".ply", ".hair", ".py")  # or no up that they say; Blender's then
+from rna_sources.source_formats import SOURCE_FORMATS
 
 
 def load(source: str, arguments: list[str], front: str | None, up: str | None) -> list[str]:
@@ -37,35 +35,36 @@ def load(source: str, arguments: list[str], front: str | None, up: str | None) -
     suffix = Path(source).suffix.lower()
     notes = _open(source, suffix, arguments)
     notes += mesh_repair.repair()
-    up_is_z = usd_curves.up_is_z(source) if suffix in USD else suffix in _UP_IS_Z
-    orientation.turn(front, up, up_is_z)
+    usual = SOURCE_FORMATS[suffix].up
+    orientation.turn(front, up, usd_curves.up_is_z(source) if usual == "USD" else usual == "Z")
     return notes
 
 
 def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
-    notes: list[str] = []  # of the import
+    """Returns notes of the import."""
+    if suffix not in SOURCE_FORMATS:
+        *kinds, last = SOURCE_FORMATS
+        raise ValueError(f"cannot load {source}: expected {', '.join(kinds)} or {last}")
     if suffix == ".blend":
         bpy.ops.wm.open_mainfile(filepath=source, use_scripts=False)
         _check_libraries()
         _make_local()
-        return notes
+        return []
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    if suffix in (".gltf", ".glb"):
-        notes = gltf_import.load(source)
-    elif suffix == ".obj":
-        bpy.ops.wm.obj_import(filepath=source)
-    elif suffix == ".ply":
-        bpy.ops.wm.ply_import(filepath=source)
-    elif suffix == ".py":
-        _run_script(source, arguments)
-    elif suffix in GROOMS:
-        notes = groom_source.load(source, arguments)
-    elif suffix in ALEMBIC_AND_USD:
-        scene_import.load(source, arguments)
-    else:
-        kinds = ".blend, .gltf, .glb, .obj, .ply, .abc, .usd, .hair, .tfx or .py"
-        raise ValueError(f"cannot load {source}: expected {kinds}")
-    return notes
+    match SOURCE_FORMATS[suffix].reader:
+        case "gltf":
+            return gltf_import.load(source)
+        case "groom":
+            return groom_source.load(source, arguments)
+        case "obj":
+            bpy.ops.wm.obj_import(filepath=source)
+        case "ply":
+            bpy.ops.wm.ply_import(filepath=source)
+        case "scene":
+            scene_import.load(source, arguments)
+        case "script":
+            _run_script(source, arguments)
+    return []
 
 
 def _check_libraries() -> None:

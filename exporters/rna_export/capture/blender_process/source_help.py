@@ -5,11 +5,12 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from rna_export.blender.rna_sources.groom_options import ALEMBIC_AND_USD, GROOMS, parser
+from rna_export.blender.rna_sources.groom_options import parser
+from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_export.capture.blender_process.blender_env import find_python
 from rna_sdk.errors import CaptureError
 
-_WITH_OPTIONS = (*GROOMS, *ALEMBIC_AND_USD)
+_WITH_OPTIONS = {suffix: f.options for suffix, f in SOURCE_FORMATS.items() if f.options}
 _SCRIPT_HELP = Path(__file__).parents[2] / "blender" / "script_help.py"
 
 
@@ -22,7 +23,7 @@ def show(source: Path) -> None:
     """Print the source's options; a script, which must exist, runs in Blender to tell its own."""
     suffix = source.suffix.lower()
     if suffix in _WITH_OPTIONS:
-        parser(suffix).print_help()
+        parser(suffix, _WITH_OPTIONS[suffix]).print_help()
     elif suffix == ".py":
         if not source.is_file():
             raise CaptureError(f"{source}: no such file")
