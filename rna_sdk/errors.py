@@ -6,7 +6,10 @@
     +-- PackageError     a `.rna` file breaks the format; carries the issues found
     +-- QueryError       wrong arguments to a runtime call: names, shapes, dtypes
     +-- SceneError       a scene file cannot be rendered; names file, line and key
+    +-- GpuError         no GPU, or one that cannot do what is asked
+    |   +-- DeviceLostError  the device was lost during work
     +-- PreviewError     the preview cannot start
+    +-- ViewError        a page cannot be served or exported
     +-- CaptureError     capture cannot start or go on
     +-- TrainingError    training cannot start or go on
     +-- ExportError      a checkpoint cannot be turned into a package
@@ -94,3 +97,15 @@ class ConformanceError(RnaError):
 
 class WorkError(RnaError):
     """A worker of long work ended, or a cluster cannot be used."""
+
+
+class GpuError(RnaError):
+    """No usable GPU, its memory or limits exceeded, or a failed call."""
+
+
+class DeviceLostError(GpuError):
+    """The device was lost during work. Open a new one and load the asset again."""
+
+
+class ViewError(RnaError):
+    """A page cannot be served or exported."""

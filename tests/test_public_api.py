@@ -44,7 +44,7 @@ OTHER_HALF = {
     "rna_render.lights",
     "rna_render.materials",
     "rna_render.paths.integrator_factory",
-    "rna_render.paths.path_numbers",
+    "rna_render.paths.sampling",
     "rna_render.world.bodies",
     "rna_render.world.domain_watch",
 }

@@ -9,9 +9,9 @@ buffers, without a copy to the CPU. The web viewer uses the same shaders, `wgsl/
 
 from rna_gpu.asset import GpuAsset, GpuFiber, GpuPart, GpuSurface
 from rna_gpu.device import Device, open_device
-from rna_gpu.errors import DeviceLostError, GpuError
 from rna_gpu.evaluator import GpuRows
 from rna_gpu.loading import load
+from rna_sdk.errors import DeviceLostError, GpuError
 
 __all__ = [
     "Device",

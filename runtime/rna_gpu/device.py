@@ -10,7 +10,7 @@ import numpy as np
 import wgpu
 from numpy.typing import NDArray
 
-from rna_gpu.errors import DeviceLostError, GpuError
+from rna_sdk.errors import DeviceLostError, GpuError
 
 _WANTED = (
     "max-storage-buffer-binding-size",

@@ -9,8 +9,7 @@ import numpy as np
 
 from rna_render import read_environment
 from rna_render.scene import DirectionalModel, EnvironmentModel, SceneFile, read_scene
-from rna_sdk.errors import PackageError, SceneError
-from rna_view.errors import ViewError
+from rna_sdk.errors import PackageError, SceneError, ViewError
 from rna_view.site_files import Site
 
 

@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 from rna_sdk.atomic_file import atomic_file, write_atomically
-from rna_view.errors import ViewError
+from rna_sdk.errors import ViewError
 from rna_view.site_files import SITE_NAME, VIEWER_FILES, Site, viewer_file
 
 SERVE_NOTE = (

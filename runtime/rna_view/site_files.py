@@ -11,9 +11,9 @@ from importlib.resources import files
 from pathlib import Path
 from urllib.parse import quote, urlencode
 
+from rna_sdk.errors import ViewError
 from rna_sdk.file_kinds import kind_of, not_a
 from rna_sdk.package import Package
-from rna_view.errors import ViewError
 
 VIEWER_FILES = ("index.html", "viewer.js", "viewer.css")
 SCENE = "scene.json"

@@ -1,16 +1,17 @@
-"""Folders that a machine keeps between commands, each made once and whole."""
+"""Folders that a machine keeps between commands, each made once and whole; and a lock."""
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import os
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from uuid import uuid4
 
 from rna_sdk.errors import WorkError
-from rna_work.locks import locked
 
 
 def cached(name: str, write: Callable[[Path], None]) -> Path:
@@ -50,3 +51,12 @@ def content_hash(path: Path) -> str:
     """SHA-256 of a file."""
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+@contextmanager
+def locked(file: Path) -> Iterator[None]:
+    """Held by one of all machines that share the file; free again where its holder ends."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with file.open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield

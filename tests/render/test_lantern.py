@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from rna_render.command.terminal import cost_lines
 from rna_render.lights import AssetLight
 from rna_render.paths.integrator_factory import make_integrator
 from rna_render.paths.render import render
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
 from rna_render.world.domain_watch import DomainWarning, WatchedAsset, warn_of_extrapolation
-from rna_render.world.tier_costs import cost_lines
 from rna_sdk.package import Cone, Domain
 from rna_sdk.runtime import load, transmittance
 from rna_trace.asset_parts import mesh_transmittance

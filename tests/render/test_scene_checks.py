@@ -10,7 +10,7 @@ import pytest
 
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
-from rna_render.world.scene_light import DarkWarning, warn_of_darkness
+from rna_render.world.world_loading import DarkWarning, warn_of_darkness
 from rna_sdk.errors import SceneError
 from tests.render.assets import sphere
 from tests.render.packages import write_lambert_package, write_lamp_package

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from rna_render.command.terminal import cost_lines
 from rna_render.paths.world_in_time import load_world
 from rna_render.scene.scene_file import read_scene
-from rna_render.world.tier_costs import cost_lines
 from rna_sdk.runtime import Asset
 from tests.package.builders import make_measured_tier, make_tiny_package
 

@@ -13,8 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from rna_sdk.errors import PackageError
-from rna_view.errors import ViewError
+from rna_sdk.errors import PackageError, ViewError
 from rna_view.page_server import PageServer
 from rna_view.rna_view_command import main
 from rna_view.scene_page import scene_site

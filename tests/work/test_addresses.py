@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rna_sdk.errors import WorkError
-from rna_work.cluster.addresses import prepare
+from rna_work.cluster.ray_cluster import prepare
 
 
 @pytest.mark.parametrize(

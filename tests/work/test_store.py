@@ -17,9 +17,8 @@ from rna_export.capture.capture_run import CaptureWorkers, finish
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_arrays
 from rna_sdk.errors import WorkError
-from rna_work.cluster.mirror import Mirror
 from rna_work.cluster.store import Store
-from rna_work.cluster.stored import StoredFolder
+from rna_work.cluster.stored import Mirror, StoredFolder
 from tests.exporters.test_capture_time import WithoutBlender
 from tests.exporters.test_capture_time import dataset as dataset
 from tests.work.stores import s3

@@ -15,9 +15,8 @@ from rna_export.trials.pool import TrialPool, TrialWorkers
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_worker import Job, TrialWorker
-from rna_work.cluster.mirror import Mirror
 from rna_work.cluster.store import Store
-from rna_work.cluster.stored import StoredFolder
+from rna_work.cluster.stored import Mirror, StoredFolder
 from rna_work.executors import open_executor
 from rna_work.sources import InPlace
 from tests.exporters.synthetic import make_dataset, tiny

@@ -29,7 +29,7 @@ from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
 from rna_export.trials.packages import write_packages
 from rna_sdk.errors import CaptureError
-from rna_work.locks import locked
+from rna_work.cached import locked
 
 ASSETS = Path(__file__).parent / "assets"
 

@@ -29,9 +29,8 @@ from rna_bench.stability.fixtures import Fixtures
 from rna_export.memory import keep_freed_memory
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
-from rna_work.executors import Executor, this_machine
+from rna_work.executors import Executor, check_shared, this_machine
 from rna_work.pool import Pool
-from rna_work.shared import check_shared
 
 CASES: tuple[Case, ...] = tuple(
     module.CASE

@@ -17,9 +17,8 @@ from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend
 from rna_work.cluster.store import Store
 from rna_work.cluster.stored import StoredFolder
-from rna_work.executors import Executor, Needs, this_machine
+from rna_work.executors import Executor, Needs, check_shared, this_machine
 from rna_work.pool import Pool
-from rna_work.shared import check_shared
 from rna_work.sources import Carried, InPlace
 
 _OWN_BYTES = 1_000_000_000  # of a worker without samples

@@ -13,8 +13,8 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
-from rna_work.cluster.mirror import Mirror
 from rna_work.cluster.store import Store
+from rna_work.cluster.stored import Mirror
 from rna_work.sources import Carried
 
 _LINES = 3  # of a log, in an error

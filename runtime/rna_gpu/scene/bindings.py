@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from rna_gpu.device import Device
-from rna_gpu.errors import GpuError
 from rna_gpu.geometry import Geometry
 from rna_gpu.shaders import compose
 from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
+from rna_sdk.errors import GpuError
 
 STRIDE = 256  # bytes: what offsets of uniforms are multiples of
 _STORAGE_BUFFERS = 10  # that a step binds

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from rna_gpu.asset import GpuAsset, GpuFiber, GpuPart, GpuSurface
 from rna_gpu.device import Device, open_device
-from rna_gpu.errors import DeviceLostError
 from rna_gpu.loading import load
 from rna_gpu.scene.scene_tables import asset_at, scene_tables
 from rna_gpu.scene.wavefront import Wavefront
@@ -21,6 +20,7 @@ from rna_render import Layers, Sampler, World
 from rna_render.paths.integrator_factory import all_lights, indirect_clamp
 from rna_render.scene import SceneFile
 from rna_render.world.domain_watch import WatchedAsset
+from rna_sdk.errors import DeviceLostError
 
 LOSSES = 3
 """So many lost devices of a scene are replaced; the band under way is rendered again."""

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_gpu.errors import GpuError
 from rna_render.materials import IDENTITY, SRGB, Texture
+from rna_sdk.errors import GpuError
 from rna_trace import REPEAT
 
 NONE = np.uint32(0xFFFFFFFF)

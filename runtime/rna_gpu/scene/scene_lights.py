@@ -21,7 +21,7 @@ from rna_render.lights import (
     LightRow,
     LightSelection,
 )
-from rna_render.paths.path_numbers import LIGHTS_AT_A_VERTEX
+from rna_render.paths.sampling import LIGHTS_AT_A_VERTEX
 
 LIGHT_WORDS = 8  # vec4f: LIGHT_SIZE
 _SEEN, _DELTA = 1, 2

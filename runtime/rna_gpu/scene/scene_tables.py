@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import cast
+from typing import Any, cast
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry, Placed, Shape, build_geometry
-from rna_gpu.scene.scene_domains import domain_rows
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_gpu.scene.scene_lights import light_rows
 from rna_gpu.scene.scene_surfaces import Surfaces
@@ -20,6 +19,9 @@ from rna_render.lights import Light, PlacedLight
 from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 from rna_sdk.runtime import Asset
 from rna_trace import OFFSET
+
+_SPHERE, _HEMISPHERE = 0xFFFFFFFF, 0xFFFFFFFE  # as wgsl/render/domains.wgsl has them
+_ROUNDING = 1e-6  # that of rna_sdk.runtime.in_region
 
 
 @dataclass
@@ -123,3 +125,33 @@ def _albedo() -> NDArray[np.float32]:
     """ALBEDO_TABLE with its means behind each row, two entries a vec4f."""
     whole = np.concatenate([ALBEDO_TABLE, ALBEDO_MEANS[:, None]], axis=1).reshape(-1)
     return np.pad(whole, (0, -len(whole) % 4)).reshape(-1, 4).astype(np.float32)
+
+
+def domain_rows(domains: Sequence[Any]) -> NDArray[np.float32]:
+    """(n, 4) float32: a row a part, whose words are numbers and places of cones; then the cones.
+
+    domains: `Asset.domain` of the parts' assets.
+    """
+    cones: list[list[float]] = []
+    heads = np.zeros((len(domains), 4), np.uint32)
+    for head, domain in zip(heads, domains, strict=True):
+        for column, region in ((0, domain.wo), (2, domain.wi)):
+            head[column : column + 2] = _words(region, cones, len(domains))
+    rows = [heads.view(np.float32), np.array(cones, np.float32).reshape(-1, 4)]
+    return np.concatenate([*rows, np.zeros((1, 4), np.float32)])
+
+
+def _words(region: Any, cones: list[list[float]], heads: int) -> tuple[int, int]:
+    if region == "sphere":
+        return _SPHERE, 0
+    if region == "hemisphere":
+        return _HEMISPHERE, 0
+    first = heads + len(cones)
+    for cone in region:
+        cones.append(_cone(cone))
+    return len(region), first
+
+
+def _cone(cone: Any) -> list[float]:
+    axis = np.asarray(cone.axis, np.float64)
+    return [*(axis / np.linalg.norm(axis)), float(np.cos(cone.half_angle)) - _ROUNDING]

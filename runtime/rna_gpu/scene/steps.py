@@ -16,7 +16,7 @@ from rna_gpu.scene.scene_tables import SceneTables
 from rna_render import Camera
 from rna_render.lights import AssetLight, InfiniteLight, Light
 from rna_render.materials import TABLE_SIZE
-from rna_render.paths.path_numbers import LIGHTS_AT_A_VERTEX
+from rna_render.paths.sampling import LIGHTS_AT_A_VERTEX
 from rna_render.scene import Scene
 from rna_trace import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
 

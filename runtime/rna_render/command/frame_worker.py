@@ -19,8 +19,8 @@ from rna_render.paths.world_in_time import load_world
 from rna_render.scene.animation import frame_scene
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.scene_model import Scene
-from rna_render.world.scene_light import warn_of_darkness
 from rna_render.world.world import World
+from rna_render.world.world_loading import warn_of_darkness
 from rna_sdk.errors import SceneError
 from rna_sdk.kernel_threads import limit_kernel_threads
 from rna_work.sources import Carried

@@ -269,11 +269,16 @@ def _use_threads(count: int | None) -> int:
 
 def _render_still(scene_file: SceneFile, output: Output, options: argparse.Namespace) -> int:
     from rna_render.command.devices import open_renderer
-    from rna_render.command.interim import Interim
-    from rna_render.command.terminal import Interrupt, render_with_bar, tell_costs, tell_tiers
+    from rna_render.command.terminal import (
+        Interim,
+        Interrupt,
+        render_with_bar,
+        tell_costs,
+        tell_tiers,
+    )
     from rna_render.paths.world_in_time import load_world
-    from rna_render.world.scene_light import warn_of_darkness
     from rna_render.world.scene_sources import files_of
+    from rna_render.world.world_loading import warn_of_darkness
 
     scene = scene_file.scene
     output.check(files_of(scene_file))

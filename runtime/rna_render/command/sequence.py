@@ -18,10 +18,9 @@ from rna_render.scene.scene_file import SceneFile
 from rna_render.world.scene_sources import carried_scene, contents_key, files_of
 from rna_sdk.console import INTERRUPTED
 from rna_sdk.errors import SceneError
-from rna_work.executors import Executor
+from rna_work.executors import Executor, check_shared
 from rna_work.pool import Pool
 from rna_work.progress import Progress
-from rna_work.shared import check_shared
 from rna_work.threads import HERE
 from rna_work.workers import Outcome
 

@@ -1,11 +1,13 @@
-"""Rendering with a bar of progress, which Ctrl-C ends early."""
+"""Rendering with a bar of progress, which Ctrl-C ends early; what is printed of a scene."""
 
 from __future__ import annotations
 
 import signal
 import sys
+import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from typing import cast
 
 from tqdm import tqdm
@@ -15,12 +17,14 @@ from rna_render.image.film import Film
 from rna_render.paths.render import render
 from rna_render.scene.scene_file import SceneFile
 from rna_render.world.domain_watch import warn_of_extrapolation
-from rna_render.world.tier_costs import cost_lines, loaded_assets
 from rna_render.world.world import World
 from rna_sdk.file_kinds import kind_of
 from rna_sdk.package import Package
-from rna_sdk.runtime import Asset
+from rna_sdk.runtime import Asset, is_no_worse, load
 from rna_sdk.size_note import size_note
+
+_FASTER = 0.9
+"""Largest relative cost of another tier that is worth a note."""
 
 
 class Interrupt:
@@ -106,3 +110,49 @@ def render_with_bar(
     if film.samples < scene.samples and not stop():
         print(f"{what}: time for {film.samples} of {scene.samples} samples", file=sys.stderr)
     return film
+
+
+class Interim:
+    """Hands a film on after a sample, if enough time has passed since it did so last.
+
+    seconds: from the end of one writing to the next, the first being after the first sample; None
+    for no writing. write: is given the film.
+    """
+
+    def __init__(self, seconds: float | None, write: Callable[[Film], None]) -> None:
+        self._seconds, self._write = seconds, write
+        self._next = 0.0
+
+    def __call__(self, film: Film) -> None:
+        if self._seconds is not None and time.monotonic() >= self._next:
+            self._write(film)
+            self._next = time.monotonic() + self._seconds
+
+
+def cost_lines(scene_file: SceneFile, world: World) -> Iterator[str]:
+    """A line for each package and tier of the scene. Measures what was not measured before."""
+    told = set()
+    for index, asset in enumerate(loaded_assets(scene_file, world)):
+        path = scene_file.asset_path(index)
+        if (path, asset.tier.name) not in told:
+            told.add((path, asset.tier.name))
+            ns = asset.measured_ns_per_query()
+            yield f"{path.name}: {asset.tier.name}, {ns:.0f} ns/query on this CPU" + "".join(
+                f"; {name} takes {other:.0f} and is no worse"
+                for name, other in _others(path, asset.tier.name).items()
+                if other < _FASTER * ns
+            )
+
+
+def loaded_assets(scene_file: SceneFile, world: World) -> list[Asset]:
+    """The scene's assets, in its order: the first of the world's things."""
+    return cast(list[Asset], world.things[: len(scene_file.scene.assets)])
+
+
+def _others(path: Path, chosen: str) -> dict[str, float]:
+    """ns/query of the package's other tiers that are as accurate."""
+    with Package.open(path) as package:
+        tiers = package.manifest.tiers
+        mine = package.tier(chosen)
+    names = [tier.name for tier in tiers if tier is not mine and is_no_worse(tier, mine)]
+    return {name: load(path, tier=name, threads=1).measured_ns_per_query() for name in names}

@@ -21,8 +21,14 @@ import numpy as np
 from rna_render.image.film import Layers
 from rna_render.lights import InfiniteLight, Light
 from rna_render.paths.light_sampling import LightChoice, LightSampling
-from rna_render.paths.path_numbers import CHOICES, DIRECTION, PIXEL_DIMENSION, ROULETTE, PathNumbers
-from rna_render.paths.sampling import Sampler
+from rna_render.paths.sampling import (
+    CHOICES,
+    DIRECTION,
+    PIXEL_DIMENSION,
+    ROULETTE,
+    PathNumbers,
+    Sampler,
+)
 from rna_render.paths.shadow_catcher import caught_light
 from rna_render.paths.weighing import (
     add_rows,

@@ -9,7 +9,7 @@ import numpy as np
 from numba import prange
 
 from rna_render.lights import Light, LightSamples, LightSelection
-from rna_render.paths.path_numbers import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, PathNumbers
+from rna_render.paths.sampling import CHOICES, LIGHT, LIGHTS_AT_A_VERTEX, PathNumbers
 from rna_render.world.world import Vertices, World
 from rna_sdk.compiled import compiled
 

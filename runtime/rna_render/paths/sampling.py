@@ -1,4 +1,4 @@
-"""Random numbers: Owen-scrambled Sobol' points.
+"""Random numbers: Owen-scrambled Sobol' points, and which of them each decision on a path takes.
 
 Numbers are a pure function of seed, pixel, sample and dimension, so an image depends neither on
 the number of threads nor on how it was cut into bands. Every prefix of 2^k samples of a pixel is
@@ -13,6 +13,15 @@ import numpy as np
 
 from rna_sdk.compiled import compiled
 from rna_trace.hashing import Bits, hash_bits
+
+# So many lights at most have a sample each at one point.
+LIGHTS_AT_A_VERTEX = 4
+
+# Dimensions of the sampler: the place in the pixel, then these at each point of a path, with one
+# for each light that has a sample there.
+PIXEL_DIMENSION = 0
+CHOICES, DIRECTION, ROULETTE, LIGHT = 1, 2, 3, 4
+DIMENSIONS_A_VERTEX = 3 + LIGHTS_AT_A_VERTEX
 
 
 @dataclass(frozen=True)
@@ -128,3 +137,27 @@ def _scrambled_sobol(
             points[i, part, 0] = _first_coordinate(key[i], index[i])
         for i in range(n):
             points[i, part, 1] = _second_coordinate(key[i], index[i])
+
+
+@dataclass(frozen=True, slots=True)
+class PathNumbers:
+    """The random numbers of some paths at one of their points.
+
+    pixels: (n,) uint32, of the paths. depth: number of the point, from 1. number: (n,) int64, of
+    the path among all of its pixel that have come to this point; None for that of the sample.
+    """
+
+    sampler: Sampler
+    pixels: np.ndarray
+    depth: int
+    number: np.ndarray | None = None
+
+    def take(self, row: np.ndarray) -> PathNumbers:
+        """The numbers of some of the paths."""
+        number = None if self.number is None else self.number[row]
+        return PathNumbers(self.sampler, self.pixels[row], self.depth, number)
+
+    def square(self, dimension: int, parts: int = 1) -> np.ndarray:
+        """(n * parts, 2) float64 in [0, 1), for one of the dimensions above, as Sampler.square."""
+        number = (self.depth - 1) * DIMENSIONS_A_VERTEX + dimension
+        return self.sampler.square(self.pixels, number, parts, self.number)

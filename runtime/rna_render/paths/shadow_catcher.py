@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rna_render.paths.light_sampling import LightChoice, LightSampling
-from rna_render.paths.path_numbers import PathNumbers
+from rna_render.paths.sampling import PathNumbers
 from rna_render.world.world import Vertices
 
 

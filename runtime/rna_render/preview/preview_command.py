@@ -13,7 +13,7 @@ from rna_render.preview.lighting import lighting_choices
 from rna_render.preview.server import PreviewServer
 from rna_render.preview.session import Session
 from rna_render.scene.scene_file import SceneFile
-from rna_render.world.scene_light import warn_of_darkness
+from rna_render.world.world_loading import warn_of_darkness
 from rna_sdk.errors import SceneError
 
 

@@ -1,5 +1,9 @@
 """Limits of a scene's numbers, for the scene file, the command line and other files alike."""
 
+from pathlib import Path
+
+from rna_sdk.errors import SceneError
+
 MAX_PIXELS_A_SIDE = 32768
 MAX_SAMPLES = 1 << 20
 MAX_DEPTH = 1024
@@ -16,6 +20,7 @@ MAX_IMAGE_PIXELS = 1 << 27
 MAX_IMAGE_VALUES = 1 << 29
 # Radiance of more bytes than this, as float32 RGB, has to be at most so many times its file.
 MAX_FREE_BYTES = 1 << 28
+BYTES_A_TEXEL = 12
 MAX_EXPANSION = 1024
 
 # Of the mesh that a file becomes, with a copy for each node that shows a glTF mesh.
@@ -30,3 +35,20 @@ MAX_SCENE_BYTES = 1 << 24
 # Of a path in a scene file, bytes: PATH_MAX and NAME_MAX of Linux.
 MAX_PATH_BYTES = 4095
 MAX_NAME_BYTES = 255
+
+
+def check_image_size(path: Path, width: int, height: int) -> None:
+    """Raise SceneError if an image of that size is empty, too large, or too large for its file."""
+    too_long = max(width, height) > MAX_PIXELS_A_SIDE or width * height > MAX_IMAGE_PIXELS
+    if min(width, height) < 1 or too_long:
+        raise SceneError(
+            f"has {width} x {height} pixels; from 1 to {MAX_PIXELS_A_SIDE} a side, 2^27 in all",
+            file=path,
+        )
+    size, stored = width * height * BYTES_A_TEXEL, path.stat().st_size
+    if size > MAX_FREE_BYTES and size > MAX_EXPANSION * stored:
+        raise SceneError(
+            f"has {width} x {height} pixels in {stored} bytes; an image above {MAX_FREE_BYTES} "
+            f"bytes of radiance is at most {MAX_EXPANSION} times its file",
+            file=path,
+        )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from rna_render.lights import AssetEmission, PlacedLight, make_light
 from rna_render.materials import MeshObject, ground, read_mesh_object
-from rna_render.scene.light_models import AreaModel
+from rna_render.scene.light_models import AreaModel, LightModel
 from rna_render.scene.scene_file import SceneFile
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.domain_watch import watched
@@ -108,3 +109,20 @@ def _placed_lights(scene_file: SceneFile) -> list[Placement]:
         for light in lights
         if isinstance(light, PlacedLight)
     ]
+
+
+class DarkWarning(UserWarning):
+    """Nothing in a scene shines."""
+
+
+def warn_of_darkness(scene_file: SceneFile, world: World) -> None:
+    """Warns with DarkWarning where no light, object, ground or asset of the scene shines."""
+    shining = any(p.light is not None and p.light is not p.thing for p in world.placements)
+    if not shining and not any(map(_shines, scene_file.scene.lights)):
+        message = "the scene has no light, so its image is black: give it lights (docs/scene.md)"
+        warnings.warn(f"{scene_file.path}: {message}", DarkWarning, stacklevel=2)
+
+
+def _shines(light: LightModel) -> bool:
+    strengths = ("irradiance", "intensity", "radiance")
+    return any(any(getattr(light, name, ())) for name in strengths)

@@ -1,8 +1,12 @@
-"""A Ray cluster as an executor. Nothing else of the project imports Ray."""
+"""A Ray cluster as an executor. Nothing else of the project imports Ray.
+
+What its address needs is found out before Ray is imported, which reads it then.
+"""
 
 from __future__ import annotations
 
 import os
+import socket
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -13,7 +17,6 @@ from typing import Any, TypeVar
 from rna_sdk.console import install_hint
 from rna_sdk.errors import RnaError, WorkError
 from rna_work.cached import content_hash
-from rna_work.cluster.addresses import prepare
 from rna_work.cluster.ray_slots import RayWorkers
 from rna_work.cluster.travelling import Travelling, check_elsewhere
 from rna_work.executors import Needs
@@ -23,6 +26,11 @@ from rna_work.sources import Carried
 Answer = TypeVar("Answer")
 
 _TRIES = 3
+_ANSWER_SECONDS = 10.0
+_ASKED = {  # of a head, and of the server of its ray:// address
+    "": "/ray.rpc.NodeInfoGcsService/CheckAlive",
+    "ray": "/ray.rpc.RayletDriver/ClusterInfo",
+}
 _NODE_SECONDS = 1800.0  # for what each node does before work begins, such as installing Blender
 
 
@@ -158,3 +166,44 @@ def first_line(error: BaseException) -> str:
     lines = str(error).strip().splitlines() or [type(error).__name__]
     more = (line for line in lines[1:] if line and not line[0].isspace())
     return f"{lines[0]} {next(more, '')}".strip()
+
+
+def prepare(address: str) -> None:
+    """See that somebody listens, and show the cluster's token if it asks for one.
+
+    Ray itself would try for minutes. Raises WorkError.
+    """
+    scheme, _, rest = address.rpartition("://")
+    host, colon, port = rest.rpartition(":")
+    if not colon or not (port.isascii() and port.isdigit()):
+        return  # such as `auto`
+    try:
+        socket.create_connection((host, int(port)), timeout=_ANSWER_SECONDS).close()
+    except (OSError, OverflowError, ValueError) as error:  # of ports and names that cannot be
+        raise WorkError(f"--cluster {address}: no cluster answers: {error}") from error
+    if "RAY_AUTH_MODE" not in os.environ and scheme in _ASKED and _asks(rest, _ASKED[scheme]):
+        if not _has_token():
+            raise WorkError(
+                f"--cluster {address}: requires a token: copy ~/.ray/auth_token from its head node "
+                "to this machine"
+            )
+        os.environ["RAY_AUTH_MODE"] = "token"
+
+
+def _asks(target: str, method: str) -> bool:
+    """Whether a server wants a token. Without this answer Ray takes it that none does."""
+    try:
+        import grpc
+    except ModuleNotFoundError:
+        return False
+    with grpc.insecure_channel(target) as channel:
+        try:
+            channel.unary_unary(method)(b"", timeout=_ANSWER_SECONDS)
+        except grpc.RpcError as error:
+            return bool(error.code() == grpc.StatusCode.UNAUTHENTICATED)
+    return False
+
+
+def _has_token() -> bool:
+    named = any(os.environ.get(name) for name in ("RAY_AUTH_TOKEN", "RAY_AUTH_TOKEN_PATH"))
+    return named or (Path.home() / ".ray" / "auth_token").is_file()

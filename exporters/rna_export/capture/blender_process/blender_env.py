@@ -12,7 +12,7 @@ import venv
 from pathlib import Path
 
 from rna_sdk.errors import CaptureError
-from rna_work.locks import locked
+from rna_work.cached import locked
 
 BPY_VERSION = "5.0.1"  # the first whose fibers have the shape THICK_LINEAR
 VARIABLE = "RNA_BLENDER_PYTHON"

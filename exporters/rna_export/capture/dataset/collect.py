@@ -11,8 +11,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import check_whole
 from rna_sdk.errors import CaptureError
 from rna_work.cluster.store import Store
-from rna_work.executors import Executor
-from rna_work.shared import check_shared
+from rna_work.executors import Executor, check_shared
 from rna_work.sources import Carried, InPlace
 
 _MADE = ("train", "emission", "validation")

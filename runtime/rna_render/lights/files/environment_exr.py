@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 
 from rna_render.image.images import read_exr_headers, read_exr_part
-from rna_render.lights.files.image_size import check_image_size
-from rna_render.scene.limits import MAX_IMAGE_VALUES
+from rna_render.scene.limits import MAX_IMAGE_VALUES, check_image_size
 from rna_sdk.errors import SceneError
 
 Header = Mapping[str, Any]

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from numba import prange
 
-from rna_render.lights.files.image_size import check_image_size
+from rna_render.scene.limits import check_image_size
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 from rna_sdk.regular_file import read_regular

@@ -1,7 +1,0 @@
-"""What rna-view cannot do."""
-
-from rna_sdk.errors import RnaError
-
-
-class ViewError(RnaError):
-    """A page cannot be served or exported."""
