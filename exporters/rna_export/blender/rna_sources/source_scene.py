@@ -51,11 +51,12 @@ def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
         _make_local()
         return []
     bpy.ops.wm.read_factory_settings(use_empty=True)
+    notes: list[str] = []
     match SOURCE_FORMATS[suffix].reader:
         case "gltf":
-            return gltf_import.load(source)
+            notes = gltf_import.load(source)
         case "groom":
-            return groom_source.load(source, arguments)
+            notes = groom_source.load(source, arguments)
         case "obj":
             bpy.ops.wm.obj_import(filepath=source)
         case "ply":
@@ -64,7 +65,7 @@ def _open(source: str, suffix: str, arguments: list[str]) -> list[str]:
             scene_import.load(source, arguments)
         case "script":
             _run_script(source, arguments)
-    return []
+    return notes
 
 
 def _check_libraries() -> None:
