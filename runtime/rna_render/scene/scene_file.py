@@ -46,7 +46,8 @@ class SceneFile:
     @property
     def resolved(self) -> Scene:
         """The scene with all paths as they can be opened."""
-        return _with_paths(self.scene, self.resolve)
+        scene: Scene = _with_paths(self.scene, self.resolve)
+        return scene
 
     def check(self, key: Key, path: Path) -> None:
         """Raises SceneError, which points at `key`, where `path` is not a regular file."""
