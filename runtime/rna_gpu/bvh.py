@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_gpu.records.geometry import NODE
 from rna_sdk.compiled import compiled
 
 BINS = 16
@@ -25,12 +26,9 @@ Centres = NDArray[np.float32]
 Order = NDArray[np.int64]
 """Numbers of the primitives, (n,); a set is a range of it."""
 
-NODE = np.dtype([("low", "<f4", 3), ("child", "<u4"), ("high", "<f4", 3), ("count", "<u4")])
-"""wgsl/geometry.wgsl: `child` is the right child, or a leaf's first primitive."""
-
 
 def build_tree(boxes: NDArray[np.float32]) -> tuple[NDArray[Any], NDArray[np.int64]]:
-    """A tree over n boxes: nodes of dtype NODE, root first, and the order of the primitives.
+    """A tree over n boxes: nodes of dtype NODE.dtype, root first, and the order of the primitives.
 
     boxes: (n, 2, 3) float32, corners; n at least 1.
     """
@@ -40,7 +38,7 @@ def build_tree(boxes: NDArray[np.float32]) -> tuple[NDArray[Any], NDArray[np.int
     links = np.zeros((2 * count, 2), np.uint32)
     centres = (0.5 * (boxes[:, 0].astype(np.float64) + boxes[:, 1])).astype(np.float32)
     used = _build(np.ascontiguousarray(boxes, np.float32), centres, order, corners, links)
-    nodes = np.empty(used, NODE)
+    nodes = np.empty(used, NODE.dtype)
     nodes["low"], nodes["high"] = corners[:used, 0], corners[:used, 1]
     nodes["child"], nodes["count"] = links[:used, 0], links[:used, 1]
     return nodes, order

@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_gpu.bvh import NODE, build_tree
+from rna_gpu.bvh import build_tree
+from rna_gpu.records.geometry import INSTANCE, NODE
 from rna_sdk.package import Curves
-
-INSTANCE_WORDS = 32  # of 4 bytes: RNA_INSTANCE vec4f
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +59,7 @@ class Geometry:
     Attributes:
         nodes: of dtype NODE. primitives: (p, 4) uint32. points, normals: (v, 4) float32; their
             last numbers are the radius of curves' points, and u and v of meshes'.
-        instances: (k, 8, 4) float32, some of them bits.
+        instances: (k,) of dtype INSTANCE.
         order: (k,) number of each stored instance in what was given.
         extents: largest coordinate of each body.
         places: of each body the place in `primitives` of each of its primitives, (m,), in the order
@@ -72,7 +71,7 @@ class Geometry:
     primitives: NDArray[np.uint32]
     points: NDArray[np.float32]
     normals: NDArray[np.float32]
-    instances: NDArray[np.float32]
+    instances: NDArray[Any]
     order: NDArray[np.int64]
     extents: list[float]
     places: list[NDArray[np.int64]]
@@ -99,13 +98,15 @@ def build_geometry(bodies: Sequence[Sequence[Shape]], placed: Sequence[Placed]) 
         at += len(moved)
         first_point += len(piece.points)
         first_primitive += len(piece.primitives)
-    records = [_instance(placed[k], roots[placed[k].body], pieces[placed[k].body]) for k in order]
+    instances = np.zeros(len(order), INSTANCE.dtype)
+    for row, k in zip(instances, order, strict=True):
+        _fill_instance(row, placed[k], roots[placed[k].body], pieces[placed[k].body])
     return Geometry(
-        np.concatenate(nodes).astype(NODE),
+        np.concatenate(nodes).astype(NODE.dtype),
         np.concatenate(primitives),
         np.concatenate([piece.points for piece in pieces]),
         np.concatenate([piece.normals for piece in pieces]),
-        np.array(records, np.float32).reshape(-1, 8, 4),
+        instances,
         order,
         [piece.extent for piece in pieces],
         places,
@@ -188,13 +189,10 @@ def _world_box(body: _Body, matrix: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack([world.min(axis=0) - margin, world.max(axis=0) + margin])
 
 
-def _instance(placed: Placed, root: int, body: _Body) -> NDArray[np.float32]:
+def _fill_instance(row: Any, placed: Placed, root: int, body: _Body) -> None:
     matrix = placed.world_from_object
     scale = float(np.cbrt(abs(np.linalg.det(matrix[:3, :3]))))
-    record = np.zeros((8, 4), np.float32)
-    record[:3] = np.linalg.inv(matrix)[:3]
-    record[3:6, :3] = matrix[:3, :3] / scale
-    record[6, :3], record[6, 3] = matrix[:3, 3], scale
-    record[7, :2] = np.array([root, placed.rays], np.uint32).view(np.float32)
-    record[7, 2] = body.extent
-    return record
+    row["to_object"] = np.linalg.inv(matrix)[:3]
+    row["rotation"][:, :3] = matrix[:3, :3] / scale
+    row["place"], row["scale"] = matrix[:3, 3], scale
+    row["root"], row["rays"], row["extent"] = root, placed.rays, body.extent

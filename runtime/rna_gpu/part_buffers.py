@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rna_gpu.decoder_packing import PackedDecoder
 from rna_gpu.device import Device
-from rna_gpu.records.part import GROUP, NONE, PART, PRECISIONS, UNIFORM_WEIGHTS
+from rna_gpu.records.part import GROUP, LAYER, NONE, PART, PRECISIONS, UNIFORM_WEIGHTS
 from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
 
 
@@ -33,7 +33,7 @@ def part_uniform(
     slots[: len(decoder.slots)] = decoder.slots
     if isinstance(planes, Int8Planes):
         record["scales"].reshape(3, -1)[:, : part.channels] = planes.scales
-    record["layers"][: len(decoder.layers)] = np.stack(decoder.layers)
+    record["layers"][: len(decoder.layers)] = LAYER.stacked(decoder.layers)
     return record
 
 

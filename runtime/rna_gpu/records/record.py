@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 _SCALARS = {"<f4": "f32", "<u4": "u32"}
 _VECTORS = {"<f4": "vec{}f", "<u4": "vec{}<u32>"}
@@ -73,6 +74,13 @@ class Record:
             if isinstance(field.form, Record) and self.offsets[field.name] % 16:
                 raise ValueError(f"{name}.{field.name} is not at a multiple of 16 bytes")
 
+    def stacked(self, rows: Sequence[NDArray[Any]]) -> NDArray[Any]:
+        """(n,) of dtype, of records () each."""
+        result = np.zeros(len(rows), self.dtype)
+        for k, row in enumerate(rows):
+            result[k] = row
+        return result
+
     def wgsl(self) -> str:
         """The struct's declaration; each member's byte offset is in its comment."""
         lines = []
@@ -80,6 +88,17 @@ class Record:
             comment = "; ".join(filter(None, [str(self.offsets[field.name]), field.meaning]))
             lines.append(f"    {field.name}: {field.wgsl}, // {comment}\n")
         return f"struct {self.name} {{ // {self.dtype.itemsize} bytes\n{''.join(lines)}}}\n"
+
+    def accessors(self, section: str) -> str:
+        """Functions of WGSL that read a member of a record in `table`, by the record's number.
+
+        section: of the frame, where the first record begins. Arrays are read an element at a time.
+        """
+        start = f"table[frame.{section} + {self.dtype.itemsize // 16}u * k + "
+        return "".join(
+            _accessor(field, self.name.lower(), start, self.offsets[field.name] // 4)
+            for field in self.fields
+        )
 
     def layout(self) -> dict[str, Any]:
         """For JavaScript, in words of 4 bytes: where members begin, and how many words they have.
@@ -108,6 +127,20 @@ def _literal(value: int | float | tuple[float, ...]) -> str:
     if isinstance(value, int):
         return f": u32 = {value if value < 1 << 16 else hex(value)}u"
     return f": f32 = {value}"
+
+
+def _accessor(field: Field, prefix: str, start: str, word: int) -> str:
+    scalar = _SCALARS[str(field.form)]
+    width = field.shape[-1] if field.shape else 1
+    argument, row, column = "", f"{word // 4}u]", f".{'xyzw'[word % 4 :][:width]}"
+    kind = field.wgsl
+    if field.shape[1:]:
+        argument, row, column = ", i: u32", f"{word // 4}u + i / 4u]", "[i % 4u]"
+        kind = scalar
+    value = f"{start}{row}{column}"
+    if scalar == "u32":
+        value = f"bitcast<{kind}>({value})"
+    return f"fn {prefix}_{field.name}(k: u32{argument}) -> {kind} {{\n    return {value};\n}}\n"
 
 
 def _numpy_form(field: Field) -> np.dtype[Any]:

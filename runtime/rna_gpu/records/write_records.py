@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import re
 import sys
+from collections.abc import Mapping
 from typing import Any
 
-from rna_gpu.records import part, scene
+from rna_gpu.records import geometry, part, scene, tables
 from rna_gpu.records.record import Record, constants
+from rna_render.lights import LIGHT_ROWS, row_places
 from rna_sdk.package.generated import generate, note
 
 _MODULE = "rna_gpu.records.write_records"
@@ -18,20 +20,39 @@ _LIMITS = {
     "MAX_EXACT_INPUTS": part.MAX_EXACT_INPUTS,
     "UNIFORM_WEIGHTS": part.UNIFORM_WEIGHTS,
 }
+_SECTIONS = {
+    "things": tables.THING,
+    "surfaces": tables.SURFACE,
+    "textures": tables.TEXTURE,
+    "lights": tables.LIGHT,
+}
 
 
 def files() -> dict[str, str]:
     """Path below the repository -> text."""
-    of_parts = part.LAYER, part.PART
+    of_parts, of_bodies = (part.LAYER, part.PART), (geometry.NODE, geometry.INSTANCE)
     of_scenes = scene.FRAME, scene.PATH, scene.PENDING
-    layouts = {record.name: record.layout() for record in (*of_parts, *of_scenes)}
-    numbers = _LIMITS | part.PART_CONSTANTS | scene.SCENE_CONSTANTS
-    tables = {"note": note(_MODULE), "constants": numbers, "records": layouts}
+    records = *of_parts, *of_bodies, *of_scenes, *_SECTIONS.values()
+    found = {
+        "note": note(_MODULE),
+        "constants": _LIMITS | part.PART_CONSTANTS | scene.SCENE_CONSTANTS | tables.TABLE_CONSTANTS,
+        "records": {record.name: record.layout() for record in records},
+        "lights": {kind: row_places(kind) for kind in LIGHT_ROWS},
+    }
     return {
         f"{_SHADERS}/part_records.wgsl": _wgsl(part.PART_CONSTANTS, *of_parts),
+        f"{_SHADERS}/geometry_records.wgsl": _wgsl({}, *of_bodies),
         f"{_SHADERS}/render/scene_records.wgsl": _wgsl(scene.SCENE_CONSTANTS, *of_scenes),
-        f"{_SHADERS}/records.json": _json(tables),
+        f"{_SHADERS}/render/table_records.wgsl": _tables(),
+        f"{_SHADERS}/render/lobe_constants.wgsl": _wgsl(tables.LOBE_CONSTANTS),
+        f"{_SHADERS}/records.json": _json(found),
     }
+
+
+def _tables() -> str:
+    """Functions that read the sections of the table; none of its records stands there alone."""
+    read = "\n".join(record.accessors(name) for name, record in _SECTIONS.items())
+    return f"{_wgsl(tables.TABLE_CONSTANTS)}\n{read}\n{tables.light_accessors()}"
 
 
 def _json(tables: dict[str, Any]) -> str:
@@ -42,9 +63,9 @@ def _json(tables: dict[str, Any]) -> str:
     )
 
 
-def _wgsl(values: dict[str, int], *records: Record) -> str:
-    structs = "\n".join(record.wgsl() for record in records)
-    return f"// {note(_MODULE)} Numbers before comments: bytes.\n\n{constants(values)}\n{structs}"
+def _wgsl(values: Mapping[str, Any], *records: Record) -> str:
+    parts = [f"// {note(_MODULE)}\n", constants(values), *(record.wgsl() for record in records)]
+    return "\n".join(filter(None, parts))
 
 
 if __name__ == "__main__":

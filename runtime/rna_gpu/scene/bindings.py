@@ -8,7 +8,6 @@ from typing import Any
 from rna_gpu.device import Device
 from rna_gpu.geometry import Geometry
 from rna_gpu.shaders import compose
-from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
 from rna_sdk.errors import GpuError
 
 STRIDE = 256  # bytes: what offsets of uniforms are multiples of
@@ -37,7 +36,7 @@ class Bindings:
 
     def pipeline(self, name: str, *layouts: Any, file: str = "") -> Any:
         """Pipeline of an entry point of wgsl/render/. file: its composition, if named otherwise."""
-        source = _lobes() + compose({}, f"render/{file or name}")
+        source = compose({}, f"render/{file or name}")
         return self._device.pipeline(source, name, [self.path, *layouts])
 
     def group(self, layout: Any, buffers: Sequence[Any], uniform: Any = None) -> Any:
@@ -66,20 +65,3 @@ def upload_geometry(device: Device, made: Geometry) -> list[Any]:
         "normals": made.normals,
     }
     return [device.upload(values, "STORAGE", what=name) for name, values in arrays.items()]
-
-
-def _lobes() -> str:
-    """The mixtures of directions, as constants of wgsl/render/lobes.wgsl."""
-    surface, fiber = SURFACE_LOBES, FIBER_LOBES
-    shares = {
-        "SURFACE_SHARES": (surface.uniform, surface.cosine, surface.mirror),
-        "FIBER_SHARES": (fiber.uniform, fiber.cone, fiber.forward),
-    }
-    widths = {
-        "MIRROR_KAPPA": surface.mirror_kappa,
-        "CONE_SCALE": fiber.cone_scale,
-        "FORWARD_KAPPA": fiber.forward_kappa,
-    }
-    lines = [f"const {name} = vec3f{values};\n" for name, values in shares.items()]
-    lines += [f"const {name}: f32 = {value};\n" for name, value in widths.items()]
-    return "".join(lines)

@@ -31,7 +31,7 @@ class Probe:
         geometry = build_geometry([shapes], [Placed(0, np.eye(4), 7)])
         self._places, self._device = geometry.places[0], device
         rows = surfaces.with_points(geometry.first_points)
-        textures = np.array(surfaces.images.textures, np.float32).reshape(-1, 4)
+        textures = surfaces.images.texture_rows()
         self._tables = np.concatenate([rows, textures]), surfaces.images.whole()
         self._frame = np.zeros(1, FRAME.dtype)
         self._frame["textures"] = len(rows)

@@ -7,27 +7,27 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rna_gpu.records.tables import TEXTURE
 from rna_render.materials import IDENTITY, SRGB, Texture
 from rna_sdk.errors import GpuError
 from rna_trace import REPEAT
 
 NONE = np.uint32(0xFFFFFFFF)
 _SIDE = (1 << 16) - 1
-TEXTURE_SIZE = 3  # vec4f, as in wgsl/render/textures.wgsl
 
 
 class Images:
     """Contents of the binding `images`, and records of its textures.
 
     Attributes:
-        textures: the records of wgsl/render/textures.wgsl, (TEXTURE_SIZE, 4) float32 each.
+        textures: () each, of dtype TEXTURE.
     """
 
     def __init__(self) -> None:
         self._arrays: list[NDArray[np.uint32]] = [np.zeros(4, np.uint32)]
         self._length = 4
         self._kept: dict[int, tuple[int, object]] = {}
-        self.textures: list[NDArray[np.float32]] = []
+        self.textures: list[NDArray[Any]] = []
 
     def add(self, values: NDArray[Any]) -> int:
         """Place of the values, 4 bytes each."""
@@ -49,7 +49,7 @@ class Images:
         form: int = REPEAT,
         transform: NDArray[np.float64] = IDENTITY,
     ) -> int:
-        """Number of a texture of (h, w, 1, 2 or 3) texels; form: of wgsl/render/textures.wgsl.
+        """Number of a texture of (h, w, 1, 2 or 3) texels; form: as of TEXTURE.
 
         Raises:
             GpuError: it is too large.
@@ -57,10 +57,10 @@ class Images:
         height, width = texels.shape[:2]
         if max(height, width) > _SIDE:
             raise GpuError(f"a texture of {width} x {height} texels; a GPU takes {_SIDE} a side")
-        record = np.zeros((TEXTURE_SIZE, 4), np.float32)
-        words = self._place(texels), height << 16 | width, form
-        record[0, :3] = np.array(words, np.uint32).view(np.float32)
-        record[1:, :3] = transform
+        record = np.zeros((), TEXTURE.dtype)
+        record["place"], record["size"] = self._place(texels), height << 16 | width
+        record["form"] = form
+        record["row_u"], record["row_v"] = transform
         self.textures.append(record)
         return len(self.textures) - 1
 
@@ -72,6 +72,10 @@ class Images:
             words[..., : max(channels, 3 if channels == 1 else channels)] = texels
             self._kept[id(texels)] = self.add(words), texels
         return self._kept[id(texels)][0]
+
+    def texture_rows(self) -> NDArray[np.float32]:
+        """(n, 4): the textures' records, one behind the other."""
+        return TEXTURE.stacked(self.textures).view(np.float32).reshape(-1, 4)
 
     def whole(self) -> NDArray[np.uint32]:
         """All images in one array."""

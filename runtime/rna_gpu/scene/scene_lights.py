@@ -1,8 +1,7 @@
-"""The lights of a scene, as wgsl/render/lights.wgsl and triangle_lights.wgsl have them."""
+"""The lights of a scene, as rows of LIGHT."""
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Sequence
 from typing import Any
 
@@ -10,21 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry
+from rna_gpu.records.tables import LIGHT, LIGHT_DELTA, LIGHT_INFINITE, LIGHT_SEEN
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_render import MeshObject, World
 from rna_render.lights import (
-    ROW_NUMBERS,
-    TRIANGLES,
     AssetLight,
     EnvironmentImageLight,
+    InfiniteLight,
     Light,
-    LightRow,
     LightSelection,
+    MeshLight,
 )
 from rna_render.paths.sampling import LIGHTS_AT_A_VERTEX
-
-LIGHT_WORDS = 8  # vec4f: LIGHT_SIZE
-_SEEN, _DELTA = 1, 2
 
 
 def light_rows(
@@ -35,35 +31,36 @@ def light_rows(
     stored: dict[int, int],
     bodies: dict[int, int],
 ) -> NDArray[np.float32]:
-    """(8 k, 4) float32: a light is LIGHT_WORDS vec4f; one at least.
+    """(8 k, 4) float32: rows of LIGHT; one at least.
 
     lights: those of the world first. stored: of the world's instances the numbers in the geometry.
     bodies: of things, by their id.
     """
-    rows = np.zeros((max(len(lights), 1), LIGHT_WORDS, 4), np.float32)
+    rows = np.zeros(max(len(lights), 1), LIGHT.dtype)
     names = sorted({light.group for light in lights} - {""})
     probability = _probabilities(lights, world.radius)
     shining = _Triangles(images, geometry, bodies)
     instance_of = {int(light): k for k, light in enumerate(world.light) if light >= 0}
     for k, (row, light) in enumerate(zip(rows, lights, strict=False)):
-        group = np.uint32(names.index(light.group)) if light.group else NONE
-        flags = _SEEN * getattr(light, "visible_to_camera", False) + _DELTA * light.delta
-        instance = 0
-        row[1:6] = light.row.numbers[:ROW_NUMBERS].reshape(5, 4)
-        row[6, :3] = probability[k]
-        if light.row.kind == TRIANGLES:
-            instance = stored[instance_of[k]]
-            row[1, :3] = light.factor if isinstance(light, AssetLight) else 1.0
-            words = shining.words(light.row, world.placements[instance_of[k]].thing)
-            row[7] = words.view(np.float32)
+        row["kind"] = light.row.kind
+        row["group"] = names.index(light.group) if light.group else NONE
+        row["flags"] = _flags(light)
+        row["numbers"] = light.row.numbers.reshape(-1, 4)
+        row["probability"] = probability[k]
+        if isinstance(light, AssetLight | MeshLight):
+            instance = instance_of[k]
+            row["instance"] = stored[instance]
+            row["numbers"][0, :3] = light.factor
+            row["places"] = shining.places(light, world.placements[instance].thing)
         elif isinstance(light, EnvironmentImageLight):
-            texels, *sums = light.image.tables
-            row.reshape(-1)[4 + 7 : 4 + 9] = texels.shape[:2]  # numbers 7 and 8
-            places = [images.add(values.astype(np.float32)) for values in (texels, *sums)]
-            row[7] = np.array(places, np.uint32).view(np.float32)
-        head = np.array([light.row.kind, group, flags, instance], np.uint32)
-        row[0] = head.view(np.float32)
-    return rows.reshape(-1, 4)
+            row["places"] = [images.add(a.astype(np.float32)) for a in light.image.tables]
+    return rows.view(np.float32).reshape(-1, 4)
+
+
+def _flags(light: Light) -> int:
+    seen = LIGHT_SEEN * getattr(light, "visible_to_camera", False)
+    infinite = LIGHT_INFINITE * isinstance(light, InfiniteLight)
+    return int(seen + LIGHT_DELTA * light.delta + infinite)
 
 
 class _Triangles:
@@ -73,13 +70,12 @@ class _Triangles:
         self._images, self._geometry, self._bodies = images, geometry, bodies
         self._kept: dict[int, NDArray[np.uint32]] = {}
 
-    def words(self, row: LightRow, thing: Any) -> NDArray[np.uint32]:
-        """(4,): see wgsl/render/triangle_lights.wgsl."""
-        count = int(row.words[4])
-        if not count:
+    def places(self, light: AssetLight | MeshLight, thing: Any) -> NDArray[np.uint32]:
+        """(4,): LIGHT_PLACES of triangles."""
+        if not len(light.cumulative):
             return np.zeros(4, np.uint32)
         if id(thing) not in self._kept:
-            self._kept[id(thing)] = self._added(_numbers(row.words[2], count + 1), thing)
+            self._kept[id(thing)] = self._added(light.cumulative, thing)
         return self._kept[id(thing)]
 
     def _added(self, sums: NDArray[np.float64], thing: Any) -> NDArray[np.uint32]:
@@ -95,12 +91,6 @@ class _Triangles:
         add = self._images.add
         own = add(cumulative), add(places[local].astype(np.uint32)), add(density)
         return np.array([*own[:2], (own[2] - first) % 2**32, len(local)], np.uint32)
-
-
-def _numbers(address: np.uint64, count: int) -> NDArray[np.float64]:
-    """View of the float64 array at an address in a light's row."""
-    pointer = ctypes.cast(int(address), ctypes.POINTER(ctypes.c_double))
-    return np.ctypeslib.as_array(pointer, (count,))
 
 
 def _shining_triangles(thing: Any) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

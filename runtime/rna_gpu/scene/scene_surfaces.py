@@ -1,4 +1,4 @@
-"""The surfaces of a scene, as wgsl/render/surfaces.wgsl has them."""
+"""The surfaces of a scene, as rows of SURFACE."""
 
 from __future__ import annotations
 
@@ -9,33 +9,37 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.geometry import Shape, Strands, Triangles
+from rna_gpu.records.tables import (
+    EMITS,
+    HAS_CUTOFF,
+    HAS_SCHLICK,
+    IS_GLASS,
+    LETS_THROUGH,
+    MATERIAL_TEXTURES,
+    OF_FIBERS,
+    OF_MATERIAL,
+    OF_NEURAL,
+    SURFACE,
+)
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_render import MeshObject
 from rna_render.materials import Material, main_texture, transmitted_by
 from rna_trace import TransmittanceTexture, texture_numbers
 
-SURFACE_SIZE = 9  # vec4f
-_OF_MATERIAL, _OF_NEURAL, _OF_FIBERS = range(3)
-_EMITS, _LETS_THROUGH, _IS_GLASS, _HAS_CUTOFF, _HAS_SCHLICK = 1, 2, 4, 8, 16
-_TEXTURES = (
-    "base_color_texture",
-    "metallic_roughness_texture",
-    "coat_weight_texture",
-    "emission_texture",
-    "clear_coat_texture",
-    "clear_coat_roughness_texture",
-    "transmission_texture",
-    "normal_texture",
+_FACTORS = (
+    *("base_color", "roughness", "metallic", "coat_f0", "coat_weight", "transmission"),
+    *("emission", "normal_scale", "clear_coat", "clear_coat_roughness"),
 )
-Record = NDArray[np.float32]
+Row = NDArray[Any]
+"""() of dtype SURFACE."""
 
 
 @dataclass
 class Surfaces:
-    """Surfaces as they are numbered: SURFACE_SIZE vec4f each.
+    """Surfaces as they are numbered.
 
     Attributes:
-        records: of the surfaces. bodies: of each the number of its body.
+        rows: of the surfaces. bodies: of each the number of its body.
         parts: of the surfaces of assets: (asset's place in World.things, number of the part), in
             the order of their numbers in the shaders.
         has_coat: whether any is more than Lambert's, so that the table of albedos is needed.
@@ -43,7 +47,7 @@ class Surfaces:
     """
 
     images: Images
-    records: list[Record] = field(default_factory=list)
+    rows: list[Row] = field(default_factory=list)
     bodies: list[int] = field(default_factory=list)
     parts: list[tuple[int, int]] = field(default_factory=list)
     has_coat: bool = False
@@ -54,23 +58,22 @@ class Surfaces:
 
         place: of an asset in World.things. body: the thing's number in the geometry.
         """
-        first = len(self.records)
+        first = len(self.rows)
         shapes = [self._object(thing)] if isinstance(thing, MeshObject) else []
         if not isinstance(thing, MeshObject):
             shapes = [self._part(place, number, part) for number, part in enumerate(thing.parts)]
-        self.bodies += [body] * (len(self.records) - first)
+        self.bodies += [body] * (len(self.rows) - first)
         return shapes
 
-    def with_points(self, first_points: list[int]) -> Record:
-        """All records, one behind the other; attributes of points begin at the bodies' first."""
-        rows = np.array(self.records, np.float32)
-        words = rows.view(np.uint32)
+    def with_points(self, first_points: list[int]) -> NDArray[np.float32]:
+        """(n, 4): all rows; attributes of points begin at those of their bodies."""
+        rows = SURFACE.stacked(self.rows)
         first = np.array([first_points[body] for body in self.bodies], np.uint32)
-        for column, width in ((2, 2), (3, 4)):
-            places = words[:, 4, column]
+        for name, width in (("second_uvs", 2), ("tangents", 4)):
+            places = rows[name]
             moved = places - np.uint32(width) * first  # modulo 2^32, as in the shader
-            words[:, 4, column] = np.where(places == NONE, NONE, moved)
-        return rows.reshape(-1, 4)
+            rows[name] = np.where(places == NONE, NONE, moved)
+        return rows.view(np.float32).reshape(-1, 4)
 
     def _object(self, mesh: MeshObject) -> Shape:
         catches = mesh.catches_shadows
@@ -84,31 +87,28 @@ class Surfaces:
         return Triangles(mesh.positions, mesh.normals, mesh.triangles, own, mesh.uvs)
 
     def _material(self, material: Material, catches: bool, places: list[np.uint32]) -> int:
-        record = _surface(_OF_MATERIAL, 0)
-        record[1] = *material.base_color, material.roughness
-        coat = material.coat_f0, material.coat_weight
-        record[2] = material.metallic, *coat, material.transmission
-        record[3] = *material.emission, material.normal_scale
-        record[4, :2] = material.clear_coat, material.clear_coat_roughness
-        record[4, 2:] = np.array(places, np.uint32).view(np.float32)
-        found = [getattr(material, name) for name in _TEXTURES]
-        numbers = [NONE if t is None else np.uint32(self.images.add_texture(t)) for t in found]
-        record[5:7] = np.array(numbers, np.uint32).view(np.float32).reshape(2, 4)
+        row = _surface(OF_MATERIAL, 0)
+        for name in _FACTORS:
+            row[name] = getattr(material, name)
+        row["second_uvs"], row["tangents"] = places
+        found = [getattr(material, name) for name in MATERIAL_TEXTURES.values()]
+        numbers = [NONE if t is None else self.images.add_texture(t) for t in found]
+        row["textures"] = np.array(numbers, np.uint32).reshape(-1, 4)
         if any(material.emission) and not catches:
-            _set(record, _EMITS)
+            row["flags"] |= EMITS
         if material.transmission > 0.0:
-            _set(record, _IS_GLASS)
+            row["flags"] |= IS_GLASS
         through = None if catches else transmitted_by(material)
         if through is not None:
-            self._let_through(record, through, main_texture(material))
+            self._let_through(row, through, main_texture(material))
         self.has_coat |= material.metallic > 0 or material.coat_f0 > 0 or material.clear_coat > 0
-        return self._add(record)
+        return self._add(row)
 
     def _part(self, place: int, number: int, part: Any) -> Shape:
         self.parts.append((place, number))
         if part.kind == "fiber":
-            record = _surface(_OF_FIBERS, len(self.parts) - 1)
-            return Strands(part.curves, self._add(_emitting(record, part.emits)))
+            row = _surface(OF_FIBERS, len(self.parts) - 1, part.emits)
+            return Strands(part.curves, self._add(row))
         mesh = part.mesh
         maps = texture_numbers(mesh, part.normal_maps)
         panes = texture_numbers(mesh, part.transmittance_records)
@@ -119,49 +119,38 @@ class Surfaces:
 
     def _part_surface(self, part: Any, normal_map: int, pane: int) -> int:
         """Number of the surface of triangles with that normal map and that pane; -1 for none."""
-        record = _emitting(_surface(_OF_NEURAL, len(self.parts) - 1), part.emits)
+        row = _surface(OF_NEURAL, len(self.parts) - 1, part.emits)
         if normal_map >= 0:
-            texture = self.images.add_texels(part.normal_maps[normal_map].texture)
-            record[0, 3] = np.uint32(texture).view(np.float32)
+            row["normal_map"] = self.images.add_texels(part.normal_maps[normal_map].texture)
         if pane >= 0:
             given = part.transmittance_records[pane]
             through = TransmittanceTexture(given.texture, given.cutoff, ior=given.ior)
-            self._let_through(record, through, None)
-        return self._add(record)
+            self._let_through(row, through, None)
+        return self._add(row)
 
-    def _let_through(self, record: Record, through: TransmittanceTexture, image: Any) -> None:
+    def _let_through(self, row: Row, through: TransmittanceTexture, image: Any) -> None:
         """image: the texture that has the coordinates; None for the mesh's own."""
         form = through.wrap[0] | through.wrap[1] << 2 | (image.uv_set << 5 if image else 0)
         transform = [image.transform] if image is not None else []
-        texture = self.images.add_texels(through.texels, form, *transform)
-        record[7, 0] = np.uint32(texture).view(np.float32)
-        _set(record, _LETS_THROUGH)
+        row["through"] = self.images.add_texels(through.texels, form, *transform)
+        row["flags"] |= LETS_THROUGH
         if through.cutoff is not None:
-            _set(record, _HAS_CUTOFF)
-            record[7, 1] = through.cutoff
-        record[7, 2:] = through.ior or (0.0, 0.0)
+            row["flags"] |= HAS_CUTOFF
+            row["cutoff"] = through.cutoff
+        row["ior"] = through.ior or (0.0, 0.0)
         if through.f0 is not None:
-            _set(record, _HAS_SCHLICK)
-            record[8, 0] = through.f0
+            row["flags"] |= HAS_SCHLICK
+            row["f0"] = through.f0
         self.transmits = True
 
-    def _add(self, record: Record) -> int:
-        self.records.append(record)
-        return len(self.records) - 1
+    def _add(self, row: Row) -> int:
+        self.rows.append(row)
+        return len(self.rows) - 1
 
 
-def _surface(kind: int, part: int) -> Record:
-    record = np.zeros((SURFACE_SIZE, 4), np.float32)
-    record[0] = np.array([kind, part, 0, NONE], np.uint32).view(np.float32)
-    record[4, 2:] = record[5:7] = NONE.view(np.float32)
-    return record
-
-
-def _set(record: Record, flag: int) -> None:
-    record.view(np.uint32)[0, 2] |= flag
-
-
-def _emitting(record: Record, emits: bool) -> Record:
-    if emits:
-        _set(record, _EMITS)
-    return record
+def _surface(kind: int, part: int, emits: bool = False) -> Row:
+    row = np.zeros((), SURFACE.dtype)
+    row["kind"], row["part"], row["flags"] = kind, part, EMITS if emits else 0
+    for name in ("normal_map", "second_uvs", "tangents", "textures"):
+        row[name] = NONE
+    return row

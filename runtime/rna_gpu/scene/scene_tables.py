@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry, Placed, Shape, build_geometry
+from rna_gpu.records.tables import THING
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_gpu.scene.scene_lights import light_rows
 from rna_gpu.scene.scene_surfaces import Surfaces
@@ -69,7 +70,7 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     _BUILT[world] = geometry
     ordered = [kept[i] for i in geometry.order]
     shining = np.where(world.light[ordered] < 0, NONE, world.light[ordered]).astype(np.uint32)
-    geometry.instances[:, 7, 3] = shining.view(np.float32)
+    geometry.instances["own"] = shining
     stored = {k: at for at, k in enumerate(ordered)}
     return _joined(world, lights, surfaces, geometry, stored, numbers, placed)
 
@@ -90,7 +91,7 @@ def _joined(
         "lights": light_rows(lights, world, images, geometry, stored, bodies),
         "albedo": _albedo() if surfaces.has_coat else np.zeros((1, 4), np.float32),
         "domains": domain_rows([asset_at(world, place).domain for place, _ in surfaces.parts]),
-        "textures": np.array(images.textures, np.float32).reshape(-1, 4),
+        "textures": images.texture_rows(),
     }
     starts = np.cumsum([0, *(len(section) for section in rows.values())]).tolist()
     table = np.concatenate(list(rows.values()))
@@ -107,8 +108,8 @@ def asset_at(world: World, place: int) -> Asset:
 def _things(
     world: World, kept: Sequence[int], geometry: Geometry, placed: Sequence[Placed]
 ) -> NDArray[np.float32]:
-    """A vec4f an instance: number, role, step off the surface, whether rays pass through."""
-    rows = np.zeros((len(kept), 4), np.float32)
+    """(k, 4): a row of THING an instance."""
+    rows = np.zeros(len(kept), THING.dtype)
     for row, k, stored in zip(rows, kept, geometry.order, strict=True):
         thing = world.placements[k].thing
         is_object = isinstance(thing, MeshObject)
@@ -116,9 +117,9 @@ def _things(
         size = world.scale[k] * np.sqrt(3.0) * geometry.extents[placed[stored].body]
         reach = np.abs(matrix[:3, 3]).max() + size
         step = OFFSET * reach if is_object else 0.0
-        catches = world.catches_shadows[k]
-        row[:] = world.number[k], catches, step, not is_object
-    return rows
+        row["number"], row["step"] = world.number[k], step
+        row["catches"], row["passes"] = world.catches_shadows[k], not is_object
+    return rows.view(np.float32).reshape(-1, 4)
 
 
 def _albedo() -> NDArray[np.float32]:

@@ -14,8 +14,8 @@ fn rna_inverse(d: vec3f) -> vec3f {
 
 // Where the ray enters a node's box; RNA_FAR where it does not.
 fn rna_enter_node(node: u32, origin: vec3f, inverse: vec3f, near: f32, far: f32) -> f32 {
-    let a = (rna_nodes[2u * node].xyz - origin) * inverse;
-    let b = (rna_nodes[2u * node + 1u].xyz - origin) * inverse;
+    let a = (rna_nodes[node].low - origin) * inverse;
+    let b = (rna_nodes[node].high - origin) * inverse;
     let lower = min(a, b);
     let upper = max(a, b);
     let enter = max(max(lower.x, lower.y), max(lower.z, near));
@@ -28,7 +28,7 @@ fn rna_descend(
     node: u32, ray: RnaRay, inverse: vec3f, far: f32, top: ptr<function, u32>,
 ) -> u32 {
     let left = node + 1u;
-    let right = bitcast<u32>(rna_nodes[2u * node].w);
+    let right = rna_nodes[node].child;
     let to_left = rna_enter_node(left, ray.origin, inverse, ray.near, far);
     let to_right = rna_enter_node(right, ray.origin, inverse, ray.near, far);
     if to_left >= RNA_FAR && to_right >= RNA_FAR {
@@ -81,12 +81,12 @@ fn rna_trace_body(
     var found = false;
     let inverse = rna_inverse(ray.direction);
     loop {
-        let count = bitcast<u32>(rna_nodes[2u * node + 1u].w);
+        let count = rna_nodes[node].count;
         var next = RNA_NOTHING;
         if count == 0u {
             next = rna_descend(node, ray, inverse, (*hit).t, &top);
         }
-        let first = bitcast<u32>(rna_nodes[2u * node].w);
+        let first = rna_nodes[node].child;
         for (var k = 0u; k < count; k++) {
             if rna_meet(first + k, ray, own_strand, hit) {
                 found = true;
@@ -111,16 +111,15 @@ fn rna_trace_body(
 fn rna_trace_instance(
     instance: u32, ray: RnaRay, own: u32, rays: u32, any: bool, hit: ptr<function, RnaHit>,
 ) -> bool {
-    let record = rna_instances[RNA_INSTANCE * instance + 7u];
-    if instance == own || (bitcast<u32>(record.y) & rays) == 0u {
+    if instance == own || (rna_instances[instance].rays & rays) == 0u {
         return false;
     }
-    let scale = rna_instances[RNA_INSTANCE * instance + 6u].w;
+    let scale = rna_instances[instance].scale;
     let local = rna_to_object(ray, instance);
     var nearest = *hit;
     nearest.instance = instance;
     nearest.t = min((*hit).t / scale, RNA_FAR);
-    if !rna_trace_body(bitcast<u32>(record.x), local, RNA_NOTHING, any, &nearest) {
+    if !rna_trace_body(rna_instances[instance].root, local, RNA_NOTHING, any, &nearest) {
         return false;
     }
     nearest.t *= scale;
@@ -135,12 +134,12 @@ fn rna_trace(ray: RnaRay, own: u32, rays: u32, any: bool) -> RnaHit {
     var node = 0u;
     let inverse = rna_inverse(ray.direction);
     loop {
-        let count = bitcast<u32>(rna_nodes[2u * node + 1u].w);
+        let count = rna_nodes[node].count;
         var next = RNA_NOTHING;
         if count == 0u {
             next = rna_descend(node, ray, inverse, hit.t, &top);
         }
-        let first = bitcast<u32>(rna_nodes[2u * node].w);
+        let first = rna_nodes[node].child;
         for (var k = 0u; k < count; k++) {
             if rna_trace_instance(first + k, ray, own, rays, any, &hit) && any {
                 return hit;

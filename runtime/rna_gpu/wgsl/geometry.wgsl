@@ -1,9 +1,8 @@
 // Geometry and rays: spec/RNA.md, 4 Geometry. Trees, triangles and segments of all bodies lie in
-// three buffers; `instances` place the bodies in the world. `geometry.py` fills them.
+// three buffers; instances place the bodies in the world. `geometry.py` fills them.
 
-// A node: two vec4f. An inner one has the corner min and, as bits, its right child, then max and 0;
-// its left child is the next node. A leaf has its first primitive instead, and their number.
-@group(2) @binding(0) var<storage, read> rna_nodes: array<vec4f>;
+// The tree over instances comes first.
+@group(2) @binding(0) var<storage, read> rna_nodes: array<RnaNode>;
 
 // A triangle: three points and 2 surface. A segment: its first point, neighbours on its strand
 // (1: before, 2: after), strand and 2 surface + 1.
@@ -12,12 +11,8 @@
 // Position and, of curves, radius; the fourth number of a mesh's points is the host's.
 @group(2) @binding(2) var<storage, read> rna_points: array<vec4f>;
 
-// RNA_INSTANCE vec4f each: rows of the matrix to object space (3), of the rotation to the world (3),
-// then translation to the world and scale, then root node, bits of the rays that meet it, largest
-// coordinate of its body, a number of the host's. The nodes of the tree over instances come first in rna_nodes.
-@group(2) @binding(3) var<storage, read> rna_instances: array<vec4f>;
+@group(2) @binding(3) var<storage, read> rna_instances: array<RnaInstance>;
 
-const RNA_INSTANCE: u32 = 8u;
 const RNA_FAR: f32 = 1e30;
 const RNA_STACK: u32 = 48u;
 
@@ -45,8 +40,7 @@ fn rna_miss(far: f32) -> RnaHit {
 
 // The ray in an instance's object space, where its direction is unit as well.
 fn rna_to_object(ray: RnaRay, instance: u32) -> RnaRay {
-    let at = RNA_INSTANCE * instance;
-    let scale = rna_instances[at + 6u].w;
+    let scale = rna_instances[instance].scale;
     return RnaRay(
         rna_object_point(ray.origin, instance),
         ray.near / scale,
@@ -56,29 +50,29 @@ fn rna_to_object(ray: RnaRay, instance: u32) -> RnaRay {
 }
 
 fn rna_object_point(x: vec3f, instance: u32) -> vec3f {
-    let at = RNA_INSTANCE * instance;
     let p = vec4f(x, 1.0);
     return vec3f(
-        dot(rna_instances[at], p), dot(rna_instances[at + 1u], p), dot(rna_instances[at + 2u], p),
+        dot(rna_instances[instance].to_object[0], p),
+        dot(rna_instances[instance].to_object[1], p),
+        dot(rna_instances[instance].to_object[2], p),
     );
 }
 
 fn rna_object_direction(d: vec3f, instance: u32) -> vec3f {
-    let at = RNA_INSTANCE * instance;
-    return d.x * rna_instances[at + 3u].xyz + d.y * rna_instances[at + 4u].xyz
-        + d.z * rna_instances[at + 5u].xyz;
+    return d.x * rna_instances[instance].rotation[0].xyz
+        + d.y * rna_instances[instance].rotation[1].xyz
+        + d.z * rna_instances[instance].rotation[2].xyz;
 }
 
 fn rna_world_direction(d: vec3f, instance: u32) -> vec3f {
-    let at = RNA_INSTANCE * instance + 3u;
     return vec3f(
-        dot(rna_instances[at].xyz, d),
-        dot(rna_instances[at + 1u].xyz, d),
-        dot(rna_instances[at + 2u].xyz, d),
+        dot(rna_instances[instance].rotation[0].xyz, d),
+        dot(rna_instances[instance].rotation[1].xyz, d),
+        dot(rna_instances[instance].rotation[2].xyz, d),
     );
 }
 
 fn rna_world_point(x: vec3f, instance: u32) -> vec3f {
-    let place = rna_instances[RNA_INSTANCE * instance + 6u];
-    return place.w * rna_world_direction(x, instance) + place.xyz;
+    return rna_instances[instance].scale * rna_world_direction(x, instance)
+        + rna_instances[instance].place;
 }

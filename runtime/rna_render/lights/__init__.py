@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from rna_render.lights.base import (
         InfiniteLight,
         Light,
-        LightRow,
         LightSamples,
         PlacedLight,
         ShapeLight,
@@ -22,28 +21,28 @@ if TYPE_CHECKING:
     from rna_render.lights.directions import LUMINANCE
     from rna_render.lights.environment import EnvironmentImageLight
     from rna_render.lights.equirectangular import EquirectangularImage
-    from rna_render.lights.kinds import ROW_NUMBERS, TRIANGLES
+    from rna_render.lights.kinds import LIGHT_ROWS, ROW_NUMBERS, row_places
     from rna_render.lights.make import make_light
     from rna_render.lights.mesh import MeshLight
     from rna_render.lights.selection import LightSelection
 
 __all__ = [
+    "LIGHT_ROWS",
     "LUMINANCE",
     "ROW_NUMBERS",
-    "TRIANGLES",
     "AssetEmission",
     "AssetLight",
     "EnvironmentImageLight",
     "EquirectangularImage",
     "InfiniteLight",
     "Light",
-    "LightRow",
     "LightSamples",
     "LightSelection",
     "MeshLight",
     "PlacedLight",
     "ShapeLight",
     "make_light",
+    "row_places",
 ]
 
 __getattr__, __dir__ = lazy_face(__name__)

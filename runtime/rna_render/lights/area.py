@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from rna_render.lights.base import PlacedLight
@@ -15,7 +17,7 @@ from rna_trace.rays import vectors
 class AreaLight(PlacedLight):
     """The same radiance from every point of one side of a shape, to every direction.
 
-    kind: of its row. numbers: those of its shape. area: m^2, of the side that shines.
+    area: m^2, of the side that shines. kind, shape: of its row.
     """
 
     delta = False
@@ -25,13 +27,13 @@ class AreaLight(PlacedLight):
         model: RectangleModel | DiskModel | SphereModel,
         area: float,
         kind: int,
-        numbers: np.ndarray,
+        **shape: Any,
     ) -> None:
         self.group = model.group
         self.visible_to_camera = model.visible_to_camera
         self.area = area
         self._radiance = np.asarray(model.radiance, np.float32)
-        self.row = light_row(kind, self._radiance, numbers)
+        self.row = light_row(kind, self._radiance, **shape)
 
     def power(self, scene_radius: float) -> float:
         return float(np.pi * self.area * luminance(self._radiance))

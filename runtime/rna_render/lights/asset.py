@@ -105,6 +105,11 @@ class AssetLight(ShapeLight):
         size = scene_radius / float(self._scale)
         return float(self.factor * self._scale**2) * self._emission.power(size)
 
+    @property
+    def cumulative(self) -> np.ndarray:
+        """Of AssetEmission."""
+        return self._emission.cumulative
+
     def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
         return self.factor * self._emission.sent(place, d_world @ self._rotation)
 

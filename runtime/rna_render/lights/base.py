@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_render.lights.kinds import LightRow
 from rna_trace.embree.tracing import ClosestHits, GeometryScene
 from rna_trace.rays import vectors
 
@@ -30,19 +31,6 @@ class LightSamples:
     distance: np.ndarray
     radiance: np.ndarray
     pdf: np.ndarray
-
-
-@dataclass(frozen=True, slots=True)
-class LightRow:
-    """A light as compiled code has it.
-
-    kind: one of `kinds`. numbers: float64, as its kind has them. words: uint64, likewise;
-    addresses among them are valid as long as the light.
-    """
-
-    kind: int
-    numbers: np.ndarray
-    words: np.ndarray
 
 
 class Light(ABC):

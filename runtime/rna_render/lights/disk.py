@@ -6,11 +6,13 @@ import numpy as np
 
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
-from rna_render.lights.kinds import DISK, OWN
+from rna_render.lights.kinds import DISK, row_places
 from rna_render.scene.light_models import DiskModel
 from rna_sdk.compiled import compiled
 from rna_trace.embree import DiscScene
 from rna_trace.vectors import Vector
+
+_FRAME, _RADIUS = (row_places("disk")[name] for name in ("frame", "radius"))
 
 
 class DiskLight(AreaLight):
@@ -18,8 +20,8 @@ class DiskLight(AreaLight):
 
     def __init__(self, model: DiskModel) -> None:
         self.world_from_object = facing_frame(model.position, model.look_at)
-        numbers = np.append(self.world_from_object[:3].ravel(), model.radius)
-        super().__init__(model, np.pi * model.radius**2, DISK, numbers)
+        shape = {"frame": self.world_from_object[:3], "radius": model.radius}
+        super().__init__(model, np.pi * model.radius**2, DISK, **shape)
         centre, normal = np.zeros((1, 3), np.float32), np.array([[0, 0, 1]], np.float32)
         self.scene = DiscScene(centre, normal, np.array([model.radius], np.float32))
 
@@ -27,7 +29,7 @@ class DiskLight(AreaLight):
 @compiled(fastmath=())
 def _shape(numbers: np.ndarray) -> tuple[np.ndarray, float]:
     """Frame and radius."""
-    return numbers[OWN : OWN + 12].reshape(3, 4), numbers[OWN + 12]
+    return numbers[_FRAME : _FRAME + 12].reshape(3, 4), numbers[_RADIUS]
 
 
 @compiled(fastmath=())

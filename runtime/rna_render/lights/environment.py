@@ -47,7 +47,7 @@ class EnvironmentImageLight(InfiniteLight):
         self._model, self._untouched = model, image
         self._image = image.turned(np.radians(model.rotation_deg))
         self._scale = np.asarray(model.radiance, np.float32)
-        self.row = light_row(IMAGE, self._scale, self._image.numbers, self._image.words)
+        self.row = light_row(IMAGE, self._scale, self._image.words, **self._image.members)
 
     @property
     def image(self) -> EquirectangularImage:

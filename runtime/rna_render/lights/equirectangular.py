@@ -27,6 +27,7 @@ import numpy as np
 
 from rna_render.lights.image_kernels import (
     COLUMN_FINENESS,
+    IMAGE_NUMBERS,
     ROW_FINENESS,
     TOTAL,
     TURN_COSINE,
@@ -96,6 +97,13 @@ class EquirectangularImage:
     def _turn(self, angle: float) -> None:
         self.numbers = self.numbers.copy()
         self.numbers[TURN_COSINE], self.numbers[TURN_SINE] = np.cos(angle), np.sin(angle)
+
+    @property
+    def members(self) -> dict[str, float]:
+        """What the row of a light of this image holds beside its colour."""
+        rows, columns, _ = self._texels.shape
+        members = dict(zip(IMAGE_NUMBERS, self.numbers.tolist(), strict=True))
+        return members | {"rows": rows, "columns": columns}
 
     @property
     def tables(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

@@ -11,6 +11,7 @@ from numba import carray, prange  # type: ignore[attr-defined]
 
 from rna_render.lights.directions import LUMINANCE
 from rna_render.lights.intervals import guide_entry, interval_near, place_within
+from rna_render.lights.kinds import OWN, row_places
 from rna_sdk.compiled import compiled
 from rna_trace.angles import sine_and_cosine, turns_of
 from rna_trace.memory import pointer_f32, pointer_f64, pointer_i32, signed
@@ -19,7 +20,8 @@ from rna_trace.vectors import Vector
 # What `sample_image_batch` and `look_up_image_batch` read. Addresses of arrays, and the image's
 # size; and numbers: the turn about +y, the sum of all cells' weights, the mean that they leave out.
 TEXELS, HEIGHTS, ROWS, ROW_GUIDE, COLUMNS, COLUMN_GUIDE, HEIGHT, WIDTH = range(8)
-TURN_COSINE, TURN_SINE, TOTAL, MEAN = range(4)
+IMAGE_NUMBERS = "turn_cosine", "turn_sine", "total", "mean"
+TURN_COSINE, TURN_SINE, TOTAL, MEAN = (row_places("image")[name] - OWN for name in IMAGE_NUMBERS)
 
 # Entries of a guide for each interval. The more there are, the fewer steps are left to guess.
 ROW_FINENESS, COLUMN_FINENESS = 8, 4

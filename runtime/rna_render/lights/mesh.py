@@ -8,16 +8,22 @@ from collections.abc import Callable
 import numpy as np
 from numba import carray, prange  # type: ignore[attr-defined]
 
-from rna_render.lights.base import LightRow, ShapeLight
+from rna_render.lights.base import ShapeLight
 from rna_render.lights.directions import Axes, flat_pdf
 from rna_render.lights.intervals import find_interval, place_within
-from rna_render.lights.kinds import OWN, TRIANGLES, light_row
+from rna_render.lights.kinds import TRIANGLES, LightRow, light_row, row_places
 from rna_sdk.compiled import compiled
 from rna_sdk.errors import SceneError
 from rna_trace.embree.tracing import ClosestHits
 from rna_trace.memory import pointer_f64, signed
 from rna_trace.rays import vectors
 from rna_trace.vectors import Vector
+
+_ROTATION, _PLACE, _SCALE = (
+    row_places("triangles")[name] for name in ("rotation", "place", "scale")
+)
+# Of a row's words: addresses of arrays of float64, and the number of triangles.
+_CORNERS, _NORMALS, _CUMULATIVE, _PER_AREA, _COUNT = range(5)
 
 Emission = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
@@ -65,13 +71,19 @@ class TriangleLight(ShapeLight):
     def power(self, scene_radius: float) -> float:
         return self._power
 
+    @property
+    def cumulative(self) -> np.ndarray:
+        """(t + 1,) float64 running shares of the triangles; (0,) where none sends light."""
+        return self._cumulative if self._power > 0.0 else self._cumulative[:0]
+
     def placed_row(self, rotation: np.ndarray, place: np.ndarray, scale: float) -> LightRow:
         """The row of the same triangles elsewhere: scaled, then rotated, then moved."""
         arrays = self._corners, self._normals, self._cumulative, self._per_area
         addresses = [array.ctypes.data for array in arrays]
-        count = len(self._corners) if self._power > 0.0 else 0
-        numbers = np.concatenate([np.ravel(rotation), place, [scale]])
-        return light_row(TRIANGLES, np.ones(3), numbers, [*addresses, count])
+        count = len(self._corners) if len(self.cumulative) else 0
+        words = [*addresses, count]
+        at = {"rotation": rotation, "place": place, "scale": scale}
+        return light_row(TRIANGLES, np.ones(3), words, **at)
 
     def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
         u, v = place[:, 1].astype(np.float32), place[:, 2].astype(np.float32)
@@ -107,6 +119,8 @@ class MeshLight(TriangleLight):
     so often; None where it is opaque. The other arguments are those of TriangleLight; a triangle
     of luminance 0 must not shine anywhere.
     """
+
+    factor = 1.0
 
     def __init__(
         self,
@@ -147,15 +161,15 @@ def sample_triangles(
     numbers: np.ndarray, words: np.ndarray, x: Vector, u1: float, u2: float
 ) -> tuple[Vector, float, float, Vector]:
     """Direction, distance, density, and triangle with barycentrics as three float64."""
-    count = signed(words[4])
+    count = signed(words[_COUNT])
     if count == 0:
         return (0.0, 0.0, 0.0), 0.0, 0.0, (0.0, 0.0, 0.0)
-    corners = carray(pointer_f64(words[0]), (count, 3, 3))
-    normals = carray(pointer_f64(words[1]), (count, 3))
-    cumulative = carray(pointer_f64(words[2]), (count + 1,))
-    per_area = carray(pointer_f64(words[3]), (count,))
-    rotation = numbers[OWN : OWN + 9].reshape(3, 3)
-    place, scale = numbers[OWN + 9 : OWN + 12], numbers[OWN + 12]
+    corners = carray(pointer_f64(words[_CORNERS]), (count, 3, 3))
+    normals = carray(pointer_f64(words[_NORMALS]), (count, 3))
+    cumulative = carray(pointer_f64(words[_CUMULATIVE]), (count + 1,))
+    per_area = carray(pointer_f64(words[_PER_AREA]), (count,))
+    rotation = numbers[_ROTATION : _ROTATION + 9].reshape(3, 3)
+    place, scale = numbers[_PLACE : _PLACE + 3], numbers[_SCALE]
     moved = (x[0] - place[0]) / scale, (x[1] - place[1]) / scale, (x[2] - place[2]) / scale
     x = _turned(rotation.T, moved)
     value = u1 * cumulative[-1]

@@ -6,10 +6,13 @@ import numpy as np
 
 from rna_render.lights.base import Light
 from rna_render.lights.directions import luminance, unit
-from rna_render.lights.kinds import OWN, POINT, light_row
+from rna_render.lights.kinds import POINT, light_row, row_places
 from rna_render.scene.light_models import PointModel, SpotModel
 from rna_sdk.compiled import compiled
 from rna_trace.vectors import Vector
+
+_AT = row_places("point")
+_PLACE, _AXIS, _INNER, _OUTER = (_AT[name] for name in ("place", "axis", "cos_inner", "cos_outer"))
 
 
 class _PointLike(Light):
@@ -33,8 +36,14 @@ class _PointLike(Light):
         self.group = model.group
         self._intensity = np.asarray(model.intensity, np.float64)
         self._cos_inner, self._cos_outer = cos_inner, cos_outer
-        cone = *model.position, *axis, cos_inner, cos_outer
-        self.row = light_row(POINT, self._intensity, cone)
+        self.row = light_row(
+            POINT,
+            self._intensity,
+            place=model.position,
+            axis=axis,
+            cos_inner=cos_inner,
+            cos_outer=cos_outer,
+        )
 
     def power(self, scene_radius: float) -> float:
         # The integral of smoothstep(t) is half that of 1.
@@ -76,12 +85,13 @@ def _falloff(cosine: float, cos_inner: float, cos_outer: float) -> float:
 @compiled(fastmath=())
 def sample_point_light(numbers: np.ndarray, x: Vector) -> tuple[Vector, float, Vector, float]:
     """Direction, distance, irradiance, and 1 for a density, or 0 without its cone."""
-    dx, dy, dz = numbers[OWN] - x[0], numbers[OWN + 1] - x[1], numbers[OWN + 2] - x[2]
+    place, axis = numbers[_PLACE : _PLACE + 3], numbers[_AXIS : _AXIS + 3]
+    dx, dy, dz = place[0] - x[0], place[1] - x[1], place[2] - x[2]
     r = np.sqrt(dx * dx + dy * dy + dz * dz)
     # A light that stands on the surface lights nothing: its direction does not exist.
     scale = 1.0 / r if r > 0.0 else 0.0
     dx, dy, dz = dx * scale, dy * scale, dz * scale
-    cosine = -(dx * numbers[OWN + 3] + dy * numbers[OWN + 4] + dz * numbers[OWN + 5])
-    factor = _falloff(cosine, numbers[OWN + 6], numbers[OWN + 7]) * scale * scale
+    cosine = -(dx * axis[0] + dy * axis[1] + dz * axis[2])
+    factor = _falloff(cosine, numbers[_INNER], numbers[_OUTER]) * scale * scale
     irradiance = factor * numbers[0], factor * numbers[1], factor * numbers[2]
     return (dx, dy, dz), r, irradiance, 1.0 if factor > 0.0 else 0.0

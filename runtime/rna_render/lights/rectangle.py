@@ -9,7 +9,7 @@ import numpy as np
 
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import facing_frame, flat_pdf
-from rna_render.lights.kinds import OWN, RECTANGLE
+from rna_render.lights.kinds import RECTANGLE, row_places
 from rna_render.scene.light_models import RectangleModel
 from rna_sdk.compiled import compiled
 from rna_trace.embree import TriangleScene
@@ -19,6 +19,8 @@ from rna_trace.vectors import Vector
 # uniformly over the area instead, which is as good for what looks so small.
 MIN_SOLID_ANGLE = 1e-7
 
+_FRAME, _HALF = (row_places("rectangle")[name] for name in ("frame", "half"))
+
 
 class RectangleLight(AreaLight):
     """A rectangle that faces +z in its own space, centred at the origin, its height along +y."""
@@ -27,8 +29,8 @@ class RectangleLight(AreaLight):
         width, height = model.size
         self.world_from_object = facing_frame(model.position, model.look_at, model.up)
         half = np.array([width / 2.0, height / 2.0])
-        numbers = np.concatenate([self.world_from_object[:3].ravel(), half])
-        super().__init__(model, width * height, RECTANGLE, numbers)
+        shape = {"frame": self.world_from_object[:3], "half": half}
+        super().__init__(model, width * height, RECTANGLE, **shape)
         corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
         positions = (corners * [*half, 0.0]).astype(np.float32)
         self.scene = TriangleScene([(positions, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))])
@@ -37,7 +39,7 @@ class RectangleLight(AreaLight):
 @compiled(fastmath=())
 def _shape(numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Frame and half sides."""
-    return numbers[OWN : OWN + 12].reshape(3, 4), numbers[OWN + 12 : OWN + 14]
+    return numbers[_FRAME : _FRAME + 12].reshape(3, 4), numbers[_HALF : _HALF + 2]
 
 
 @compiled(fastmath=())

@@ -6,11 +6,13 @@ import numpy as np
 
 from rna_render.lights.area import AreaLight
 from rna_render.lights.directions import cone_direction
-from rna_render.lights.kinds import OWN, SPHERE
+from rna_render.lights.kinds import SPHERE, row_places
 from rna_render.scene.light_models import SphereModel
 from rna_sdk.compiled import compiled
 from rna_trace.embree import SphereScene
 from rna_trace.vectors import Vector
+
+_CENTRE, _RADIUS = (row_places("sphere")[name] for name in ("centre", "radius"))
 
 
 class SphereLight(AreaLight):
@@ -18,10 +20,16 @@ class SphereLight(AreaLight):
 
     def __init__(self, model: SphereModel) -> None:
         area = 4.0 * np.pi * model.radius**2
-        super().__init__(model, area, SPHERE, np.array([*model.position, model.radius]))
+        super().__init__(model, area, SPHERE, centre=model.position, radius=model.radius)
         self.world_from_object = np.eye(4)
         self.world_from_object[:3, 3] = model.position
         self.scene = SphereScene(np.zeros((1, 3), np.float32), np.array([model.radius], np.float32))
+
+
+@compiled(fastmath=())
+def _shape(numbers: np.ndarray) -> tuple[np.ndarray, float]:
+    """Centre and radius."""
+    return numbers[_CENTRE : _CENTRE + 3], numbers[_RADIUS]
 
 
 @compiled(fastmath=())
@@ -59,8 +67,8 @@ def sample_sphere(
     numbers: np.ndarray, x: Vector, u1: float, u2: float
 ) -> tuple[Vector, float, float]:
     """Direction, distance and density."""
-    radius = numbers[OWN + 3]
-    cx, cy, cz, length, one_minus_cosine = _cone(numbers[OWN : OWN + 3], radius, x)
+    centre, radius = _shape(numbers)
+    cx, cy, cz, length, one_minus_cosine = _cone(centre, radius, x)
     if not length > 0.0:
         return (0.0, 0.0, 1.0), 0.0, 0.0
     wi = cone_direction(cx / length, cy / length, cz / length, one_minus_cosine, u1, u2)
@@ -70,4 +78,5 @@ def sample_sphere(
 @compiled(fastmath=())
 def sphere_density(numbers: np.ndarray, x: Vector) -> float:
     """Density of directions that meet the sphere."""
-    return _cone_pdf(_cone(numbers[OWN : OWN + 3], numbers[OWN + 3], x)[4])
+    centre, radius = _shape(numbers)
+    return _cone_pdf(_cone(centre, radius, x)[4])

@@ -14,7 +14,7 @@ fn point_tangent(base: u32, point: u32) -> vec4f {
 
 // The file's tangent, interpolated, and the bitangent's sign; a sign of 0 where a corner has none.
 fn given_tangent(record: vec4<u32>, b: vec3f) -> vec4f {
-    let base = bitcast<u32>(surface_row(record.w >> 1u, 4u).w);
+    let base = surface_tangents(record.w >> 1u);
     if base == NONE {
         return vec4f(0.0);
     }
@@ -54,7 +54,7 @@ fn kept_above(m: vec3f, g: vec3f, o: vec3f) -> vec3f {
 // The normal m with the relief of its material's normal texture; g, o: geometric normal and unit
 // direction to the viewer.
 fn bumped_normal(record: vec4<u32>, b1: f32, b2: f32, m: vec3f, g: vec3f, o: vec3f) -> vec3f {
-    let texture = surface_texture(record.w >> 1u, RELIEF);
+    let texture = surface_textures(record.w >> 1u, RELIEF);
     if texture == NONE {
         return m;
     }
@@ -68,7 +68,7 @@ fn bumped_normal(record: vec4<u32>, b1: f32, b2: f32, m: vec3f, g: vec3f, o: vec
     if tangent.w == 0.0 || dot(t, t) == 0.0 {
         return m;
     }
-    let scale = surface_row(record.w >> 1u, 3u).w;
+    let scale = surface_normal_scale(record.w >> 1u);
     let relief = 2.0 * texture_value(texture, uvs * b) - 1.0;
     let bitangent = tangent.w * cross(m, t);
     let bent = unit_or_zero(relief.z * m + scale * (relief.x * t + relief.y * bitangent));

@@ -27,7 +27,7 @@ fn closest(
         pendings[2u * k].part = NONE; // a ray into a black sky brings nothing
         return;
     }
-    let far = min(hit.t / rna_instances[RNA_INSTANCE * path.own + 6u].w, RNA_FAR);
+    let far = min(hit.t / rna_instances[path.own].scale, RNA_FAR);
     let way = RnaRay(path.leaving, 0.0, asked.wi, far);
     pendings[2u * k].visible = own_kept(path.own, way, asked.strand);
     pendings[2u * k].weight = asked.weight * found.weight;

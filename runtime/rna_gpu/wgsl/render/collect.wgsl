@@ -4,7 +4,7 @@ fn met_weight(path: Path, light: u32, pdf: f32) -> vec3f {
     if frame.depth == 0u {
         return path.beta;
     }
-    return path.beta * share(path.pdf, light_probability(light, frame.depth) * pdf);
+    return path.beta * share(path.pdf, samples_of(light, frame.depth) * pdf);
 }
 
 fn add_met(k: u32, path: Path, light: u32, met: Met) {
@@ -13,9 +13,8 @@ fn add_met(k: u32, path: Path, light: u32, met: Met) {
 
 fn collect_sky(k: u32, path: Path) {
     for (var light = 0u; light < frame.light_count; light++) {
-        let kind = light_kind(light);
-        let seen = frame.depth > 0u || (light_flags(light) & 1u) != 0u;
-        if seen && (kind == IMAGE || kind == UNIFORM || kind == SUN) {
+        let seen = frame.depth > 0u || light_is(light, LIGHT_SEEN);
+        if seen && light_is(light, LIGHT_INFINITE) {
             add_met(k, path, light, escaped(light, path.direction));
             if frame.depth == 0u {
                 sums[frame.sums * k].w = 1.0;
@@ -30,13 +29,13 @@ fn collect_shape(k: u32, path: Path) {
         sums[frame.sums * k].w = 1.0;
     }
     let pdf = shape_pdf(light, path.origin, path.direction);
-    let radiance = select(vec3f(0.0), light_vector(light, 0u), pdf > 0.0);
+    let radiance = select(vec3f(0.0), light_colour(light), pdf > 0.0);
     add_met(k, path, light, Met(radiance, pdf));
 }
 
 // The light of a thing that scatters, too.
 fn collect_shining(k: u32, path: Path, record: vec4<u32>) {
-    let light = bitcast<u32>(rna_instances[RNA_INSTANCE * path.instance + 7u].w);
+    let light = rna_instances[path.instance].own;
     if light == NONE || !surface_has(record.w >> 1u, EMITS) {
         return;
     }
@@ -53,7 +52,7 @@ fn collect_shining(k: u32, path: Path, record: vec4<u32>) {
         add_met(k, path, light, Met(emission_on(record, path.b1, path.b2), pdf));
         return;
     }
-    let weight = met_weight(path, light, pdf) * light_vector(light, 0u);
+    let weight = met_weight(path, light, pdf) * light_colour(light);
     let v = vertex_of(path);
     let none = vec3f(0.0);
     pendings[2u * k] = Pending(
@@ -65,7 +64,7 @@ fn describe(k: u32, v: Vertex) {
     let at = frame.sums * k;
     sums[at].w = 1.0;
     sums[at + 1u] = vec4f(v.n_world, 1.0);
-    sums[at + 2u] = vec4f(v.x_world, thing_of(v.instance).x);
+    sums[at + 2u] = vec4f(v.x_world, thing_number(v.instance));
 }
 
 // What shows behind a shadow catcher.
@@ -73,12 +72,10 @@ fn behind_catcher(k: u32, path: Path) {
     let at = frame.sums * k;
     sums[at + 1u].w = 2.0;
     for (var light = 0u; light < frame.light_count; light++) {
-        let kind = light_kind(light);
-        let is_sky = kind == IMAGE || kind == UNIFORM || kind == SUN;
-        if is_sky && (light_flags(light) & 1u) != 0u {
+        if light_is(light, LIGHT_INFINITE) && light_is(light, LIGHT_SEEN) {
             let radiance = vec4f(escaped(light, path.direction).radiance * path.beta, 0.0);
             sums[at + 4u] = vec4f((sums[at + 4u] + radiance).xyz, 1.0);
-            let group = bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].y);
+            let group = light_group(light);
             if group != NONE {
                 sums[at + 6u + 2u * group] += radiance;
             }
@@ -107,7 +104,7 @@ fn collect(
         if meets {
             collect_shape(k, path);
         }
-    } else if thing_of(path.instance).y == SCATTERS {
+    } else if thing_catches(path.instance) == 0u {
         if frame.depth == 0u {
             describe(k, vertex_of(path));
         }

@@ -19,7 +19,7 @@ fn chosen_light(pixel: u32) -> u32 {
     var below = 0.0;
     var chosen = 0u;
     for (var k = 0u; k < frame.light_count; k++) {
-        let p = light_probability(k, 3u);
+        let p = samples_of(k, 3u);
         if p > 0.0 && u >= below {
             chosen = k;
         }
@@ -70,7 +70,7 @@ fn catch_light(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, ke
     if dot(v.ng_world, path.direction) * dot(v.ng_world, found.wi) >= 0.0 {
         cosine = 0.0;
     }
-    let weight = found.radiance * (cosine / (found.pdf * light_probability(light, 1u)));
+    let weight = found.radiance * (cosine / (found.pdf * samples_of(light, 1u)));
     if waits_for_light(k) {
         pendings[2u * k].part = CATCHES_IT;
         pendings[2u * k].weight = weight;
@@ -82,8 +82,8 @@ fn catch_light(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, ke
 
 // The part of the estimate that belongs to samples of this light, over its density.
 fn light_share(light: u32, pdf_of_light: f32, own: f32) -> f32 {
-    let pdf = pdf_of_light * light_probability(light, frame.depth);
-    if (light_flags(light) & 2u) != 0u || (frame.flags & RAYS_MEET_LIGHTS) == 0u {
+    let pdf = pdf_of_light * samples_of(light, frame.depth);
+    if light_is(light, LIGHT_DELTA) || (frame.flags & RAYS_MEET_LIGHTS) == 0u {
         return 1.0 / pdf;
     }
     return share(pdf, own) / pdf;
@@ -130,7 +130,7 @@ fn count_seen(k: u32, seen: f32) {
 // Whether what the light throws on the point's own instance is part of its transport.
 fn is_own_light(light: u32, v: Vertex) -> bool {
     return light_kind(light) == TRIANGLES && light_instance(light) == v.instance
-        && thing_of(v.instance).w == 1.0;
+        && thing_passes(v.instance) == 1u;
 }
 
 @compute @workgroup_size(64)
@@ -145,8 +145,7 @@ fn direct(
     pendings[2u * k + 1u].part = NONE;
     let path = paths[k];
     let v = vertex_of(path);
-    let thing = thing_of(v.instance);
-    let catches = thing.y == CATCHES;
+    let catches = thing_catches(v.instance) == 1u;
     let light = chosen_light(path.pixel);
     if (catches && frame.depth != 1u) || is_own_light(light, v) {
         return;
@@ -164,7 +163,7 @@ fn direct(
     if frame.depth == 1u && !catches {
         sums[frame.sums * k + 3u].x += 1.0;
     }
-    let own = select(NONE, v.instance, thing.w == 1.0);
+    let own = select(NONE, v.instance, thing_passes(v.instance) == 1u);
     let kept = kept_on(shadow_ray(v.x_world, origin_of(v, found.wi), found), own);
     if catches {
         catch_light(k, path, v, light, found, kept);

@@ -1,7 +1,6 @@
 // An equirectangular image: see rna_render/lights/equirectangular.py and image_kernels.py, which this follows. In `images`
-// a light has, at places of its record's last vec4f: texels (h, w, 3), heights (h + 1), running sums
-// of rows (h + 2) and of each row's cells (h + 1, w + 1). Numbers 3 to 9 of the light: cosine and sine
-// of its turn, sum of all weights, mean that they leave out, h, w.
+// a light has texels (h, w, 3), heights (h + 1), running sums of rows (h + 2) and of each row's cells
+// (h + 1, w + 1).
 
 struct Cell {
     corners: mat4x3f,
@@ -12,20 +11,16 @@ fn image_float(at: u32) -> f32 {
     return bitcast<f32>(images[at]);
 }
 
-fn image_place(light: u32, k: u32) -> u32 {
-    return bitcast<u32>(table[frame.lights + LIGHT_SIZE * light + 7u][k]);
-}
-
 fn luminance(c: vec3f) -> f32 {
     return dot(c, vec3f(0.2126, 0.7152, 0.0722));
 }
 
 fn image_size(light: u32) -> vec2<u32> {
-    return vec2<u32>(u32(light_number(light, 7u)), u32(light_number(light, 8u)));
+    return vec2<u32>(u32(image_rows(light)), u32(image_columns(light)));
 }
 
 fn image_texel(light: u32, row: u32, column: u32) -> vec3f {
-    let at = image_place(light, 0u) + 3u * (row * image_size(light).y + column);
+    let at = image_texels(light) + 3u * (row * image_size(light).y + column);
     return vec3f(image_float(at), image_float(at + 1u), image_float(at + 2u));
 }
 
@@ -80,8 +75,8 @@ fn sample_linear(a: f32, b: f32, u: f32) -> f32 {
 }
 
 fn image_density(light: u32, row: u32, sine: f32, here: f32, mean_here: f32) -> f32 {
-    let total = light_number(light, 5u);
-    let mean = light_number(light, 6u);
+    let total = image_total(light);
+    let mean = image_mean(light);
     if total <= 0.0 {
         return 0.0;
     }
@@ -91,7 +86,7 @@ fn image_density(light: u32, row: u32, sine: f32, here: f32, mean_here: f32) -> 
         pdf *= max(mean_here - mean, 0.0) / max(mean_here, 1e-30);
     }
     if row > 0u && row < size.x {
-        let height = image_float(image_place(light, 1u) + row);
+        let height = image_float(image_heights(light) + row);
         pdf *= height * f32(size.x) / (PI * max(sine, 1e-30));
     }
     return pdf;
@@ -100,7 +95,7 @@ fn image_density(light: u32, row: u32, sine: f32, here: f32, mean_here: f32) -> 
 // Where in a cell of that row, down from the middles above.
 fn sample_down(light: u32, row: u32, l: vec4f, u: f32) -> f32 {
     let h = image_size(light).x;
-    let height = image_float(image_place(light, 1u) + row);
+    let height = image_float(image_heights(light) + row);
     let cap = 2.0 * asin(sqrt(u * height / 2.0)) / PI * f32(h);
     if row == 0u {
         return cap + 0.5;
@@ -113,10 +108,10 @@ fn sample_down(light: u32, row: u32, l: vec4f, u: f32) -> f32 {
 
 fn sample_image(light: u32, u: vec2f) -> LightSample {
     let size = image_size(light);
-    let rows = image_place(light, 2u);
+    let rows = image_row_sums(light);
     let down = u.y * image_float(rows + size.x + 1u);
     let row = interval(rows, size.x + 1u, down);
-    let columns = image_place(light, 3u) + row * (size.y + 1u);
+    let columns = image_column_sums(light) + row * (size.y + 1u);
     let across = u.x * image_float(columns + size.y);
     let column = interval(columns, size.y, across);
     let cell = image_cell(light, row, column);
@@ -129,16 +124,16 @@ fn sample_image(light: u32, u: vec2f) -> LightSample {
     let sine = sin(theta);
     let away = sine * sin(phi);
     let along = -sine * cos(phi);
-    let turn = vec2f(light_number(light, 3u), light_number(light, 4u));
+    let turn = vec2f(image_turn_cosine(light), image_turn_sine(light));
     let wi = vec3f(turn.x * away + turn.y * along, cos(theta), turn.x * along - turn.y * away);
     let radiance = in_cell(cell, x, y);
     let pdf = image_density(light, row, sine, luminance(radiance), dot(l, vec4f(0.25)));
-    return light_sample(wi, RNA_FAR, light_vector(light, 0u) * radiance, pdf);
+    return light_sample(wi, RNA_FAR, light_colour(light) * radiance, pdf);
 }
 
 fn look_up_image(light: u32, d: vec3f) -> Met {
     let size = image_size(light);
-    let turn = vec2f(light_number(light, 3u), light_number(light, 4u));
+    let turn = vec2f(image_turn_cosine(light), image_turn_sine(light));
     let x = turn.x * d.x - turn.y * d.z;
     let z = turn.y * d.x + turn.x * d.z;
     let sine = sqrt(x * x + z * z);
@@ -155,5 +150,5 @@ fn look_up_image(light: u32, d: vec3f) -> Met {
     let radiance = in_cell(cell, s - left, t - f32(row));
     let mean = dot(cell.luminances, vec4f(0.25));
     let pdf = image_density(light, row, sine, luminance(radiance), mean);
-    return Met(light_vector(light, 0u) * radiance, pdf);
+    return Met(light_colour(light) * radiance, pdf);
 }

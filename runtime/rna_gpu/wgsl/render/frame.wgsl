@@ -5,8 +5,6 @@ const PI: f32 = 3.14159265358979;
 const SHADOW_RAY: u32 = 4u;
 const SHORTER: f32 = 1.0 - 0x1p-13f; // shadow rays end before the light
 
-const LIGHT_SIZE: u32 = 8u; // vec4f of a light in `table`, see lights.wgsl
-
 const DEAD: u32 = 0u;
 const ALIVE: u32 = 1u;
 
@@ -29,7 +27,7 @@ fn path_number(id: vec3<u32>, groups: vec3<u32>) -> u32 {
 fn add_light(k: u32, light: u32, radiance: vec3f) {
     let at = frame.sums * k;
     sums[at] += vec4f(radiance, 0.0);
-    let group = bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].y);
+    let group = light_group(light);
     if group != NONE {
         sums[at + 5u + 2u * group] += vec4f(radiance, 0.0);
     }

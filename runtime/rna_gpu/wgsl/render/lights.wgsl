@@ -1,16 +1,5 @@
 // Lights: samples of them, and what rays that meet them find. They are those of rna_render.lights.
 
-// A light is LIGHT_SIZE vec4f: kind, group, flags (1 camera sees it, 2 delta), instance of triangles; 20
-// numbers; samples at a point of depth 1, 2 and later; places in `images`.
-const DIRECTIONAL: u32 = 0u;
-const SUN: u32 = 1u;
-const POINT: u32 = 2u;
-const RECTANGLE: u32 = 3u;
-const DISK: u32 = 4u;
-const SPHERE: u32 = 5u;
-const UNIFORM: u32 = 6u;
-const IMAGE: u32 = 7u;
-const TRIANGLES: u32 = 8u;
 const MAX_PDF: f32 = 1e18;
 const MIN_SOLID_ANGLE: f32 = 1e-3; // float32 knows no smaller one to 1e-3 of itself
 
@@ -33,25 +22,13 @@ struct Met {
     pdf: f32,
 }
 
-fn light_kind(light: u32) -> u32 {
-    return bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].x);
-}
-
-fn light_flags(light: u32) -> u32 {
-    return bitcast<u32>(table[frame.lights + LIGHT_SIZE * light].z);
-}
-
-fn light_number(light: u32, k: u32) -> f32 {
-    return table[frame.lights + LIGHT_SIZE * light + 1u + k / 4u][k % 4u];
-}
-
-fn light_vector(light: u32, k: u32) -> vec3f {
-    return vec3f(light_number(light, k), light_number(light, k + 1u), light_number(light, k + 2u));
-}
-
 // Samples that a light gets at a point, on average.
-fn light_probability(light: u32, depth: u32) -> f32 {
-    return table[frame.lights + LIGHT_SIZE * light + 6u][min(depth, 3u) - 1u];
+fn samples_of(light: u32, depth: u32) -> f32 {
+    return light_probability(light)[min(depth, 3u) - 1u];
+}
+
+fn light_is(light: u32, flag: u32) -> bool {
+    return (light_flags(light) & flag) != 0u;
 }
 
 // Of points of a plane: per_area, seen along d; 0 from behind.
@@ -64,17 +41,6 @@ fn flat_pdf(point: vec3f, normal: vec3f, per_area: f32, x: vec3f, d: vec3f) -> f
     let t = height / cosine;
     let pdf = per_area * t * t / cosine;
     return select(0.0, pdf, pdf < MAX_PDF);
-}
-
-// Of a placed shape: rows of its frame, (3, 4), are numbers 3 to 14.
-fn shape_place(light: u32) -> vec3f {
-    return vec3f(light_number(light, 6u), light_number(light, 10u), light_number(light, 14u));
-}
-
-fn shape_axis(light: u32, k: u32) -> vec3f {
-    return vec3f(
-        light_number(light, 3u + k), light_number(light, 7u + k), light_number(light, 11u + k),
-    );
 }
 
 fn edge_angle(x: f32, y: f32, sign: f32, height: f32) -> f32 {
@@ -91,18 +57,18 @@ fn solid_angle(e: vec4f, height: f32) -> vec2f {
 
 // Edges x0, x1, y0, y1 of a rectangle as seen from x.
 fn rectangle_edges(light: u32, from_place: vec3f) -> vec4f {
-    let a = dot(from_place, shape_axis(light, 0u));
-    let b = dot(from_place, shape_axis(light, 1u));
-    let half = vec2f(light_number(light, 15u), light_number(light, 16u));
+    let a = dot(from_place, rectangle_frame(light)[0]);
+    let b = dot(from_place, rectangle_frame(light)[1]);
+    let half = rectangle_half(light);
     return vec4f(-half.x - a, half.x - a, -half.y - b, half.y - b);
 }
 
 fn rectangle_pdf(light: u32, x: vec3f, d: vec3f) -> f32 {
-    let per_area = 0.25 / (light_number(light, 15u) * light_number(light, 16u));
-    let place = shape_place(light);
-    let flat = flat_pdf(place, shape_axis(light, 2u), per_area, x, d);
-    let height = dot(x - place, shape_axis(light, 2u));
-    let angle = solid_angle(rectangle_edges(light, x - place), max(height, 1e-30)).x;
+    let half = rectangle_half(light);
+    let f = rectangle_frame(light);
+    let flat = flat_pdf(f[3], f[2], 0.25 / (half.x * half.y), x, d);
+    let height = dot(x - f[3], f[2]);
+    let angle = solid_angle(rectangle_edges(light, x - f[3]), max(height, 1e-30)).x;
     if flat == 0.0 || angle < MIN_SOLID_ANGLE {
         return flat;
     }
@@ -145,8 +111,8 @@ fn concentric(u: vec2f) -> vec2f {
 
 // 1 - cos of the angular radius of a sphere light; 0 from within.
 fn sphere_cone(light: u32, x: vec3f) -> f32 {
-    let to_centre = light_vector(light, 3u) - x;
-    let radius = light_number(light, 6u);
+    let to_centre = sphere_centre(light) - x;
+    let radius = sphere_radius(light);
     let squared = dot(to_centre, to_centre);
     if squared <= radius * radius {
         return 0.0;
@@ -161,9 +127,9 @@ fn shape_pdf(light: u32, x: vec3f, d: vec3f) -> f32 {
         return rectangle_pdf(light, x, d);
     }
     if kind == DISK {
-        let radius = light_number(light, 15u);
+        let radius = disk_radius(light);
         let per_area = 1.0 / (PI * radius * radius);
-        return flat_pdf(shape_place(light), shape_axis(light, 2u), per_area, x, d);
+        return flat_pdf(disk_frame(light)[3], disk_frame(light)[2], per_area, x, d);
     }
     let cone = sphere_cone(light, x);
     return select(0.0, 1.0 / (2.0 * PI * max(cone, 1e-18)), cone > 0.0);
@@ -172,51 +138,50 @@ fn shape_pdf(light: u32, x: vec3f, d: vec3f) -> f32 {
 // A point of a shape, relative to x.
 fn shape_point(light: u32, x: vec3f, u: vec2f) -> vec3f {
     let kind = light_kind(light);
-    let place = shape_place(light);
     if kind == RECTANGLE {
-        let height = dot(x - place, shape_axis(light, 2u));
+        let f = rectangle_frame(light);
+        let height = dot(x - f[3], f[2]);
         if height <= 0.0 {
-            return place - x;
+            return f[3] - x;
         }
-        let p = rectangle_point(rectangle_edges(light, x - place), height, u);
-        return p.x * shape_axis(light, 0u) + p.y * shape_axis(light, 1u)
-            - height * shape_axis(light, 2u);
+        let p = rectangle_point(rectangle_edges(light, x - f[3]), height, u);
+        return p.x * f[0] + p.y * f[1] - height * f[2];
     }
     if kind == DISK {
-        let p = light_number(light, 15u) * concentric(u);
-        return place + p.x * shape_axis(light, 0u) + p.y * shape_axis(light, 1u) - x;
+        let f = disk_frame(light);
+        let p = disk_radius(light) * concentric(u);
+        return f[3] + p.x * f[0] + p.y * f[1] - x;
     }
-    let to_centre = light_vector(light, 3u) - x;
+    let to_centre = sphere_centre(light) - x;
     let wi = cone_direction(normalize(to_centre), sphere_cone(light, x), u);
     let along = dot(to_centre, wi);
     let rest = to_centre - along * wi;
-    let radius = light_number(light, 6u);
+    let radius = sphere_radius(light);
     return (along - sqrt(max(0.0, radius * radius - dot(rest, rest)))) * wi;
 }
 
 fn point_light(light: u32, x: vec3f) -> LightSample {
-    let way = light_vector(light, 3u) - x;
+    let way = point_place(light) - x;
     let r = length(way);
     if r <= 0.0 {
         return light_sample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0);
     }
     let wi = way / r;
-    let cosine = -dot(wi, light_vector(light, 6u));
-    let inner = light_number(light, 9u);
-    let outer = light_number(light, 10u);
+    let cosine = -dot(wi, point_axis(light));
+    let inner = point_cos_inner(light);
+    let outer = point_cos_outer(light);
     var factor = 1.0;
     if cosine < inner {
         let t = clamp((cosine - outer) / max(inner - outer, 1e-20), 0.0, 1.0);
         factor = t * t * (3.0 - 2.0 * t);
     }
     let pdf = select(0.0, 1.0, factor > 0.0);
-    return light_sample(wi, r, factor / (r * r) * light_vector(light, 0u), pdf);
+    return light_sample(wi, r, factor / (r * r) * light_colour(light), pdf);
 }
 
 fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
     let kind = light_kind(light);
-    let colour = light_vector(light, 0u);
-    let axis = light_vector(light, 3u);
+    let colour = light_colour(light);
     if kind == IMAGE {
         return sample_image(light, u);
     }
@@ -226,11 +191,12 @@ fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
         );
     }
     if kind == SUN {
-        let cone = light_number(light, 6u);
-        return light_sample(cone_direction(axis, cone, u), RNA_FAR, colour, 1.0 / (2.0 * PI * cone));
+        let cone = sun_one_minus_cosine(light);
+        let wi = cone_direction(sun_axis(light), cone, u);
+        return light_sample(wi, RNA_FAR, colour, 1.0 / (2.0 * PI * cone));
     }
     if kind == DIRECTIONAL {
-        return light_sample(axis, RNA_FAR, colour, 1.0);
+        return light_sample(directional_axis(light), RNA_FAR, colour, 1.0);
     }
     if kind == TRIANGLES {
         return sample_triangles(light, x, u);
@@ -249,7 +215,7 @@ fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
 // What a ray along d that leaves the scene finds.
 fn escaped(light: u32, d: vec3f) -> Met {
     let kind = light_kind(light);
-    let colour = light_vector(light, 0u);
+    let colour = light_colour(light);
     if kind == IMAGE {
         return look_up_image(light, d);
     }
@@ -257,8 +223,8 @@ fn escaped(light: u32, d: vec3f) -> Met {
         return Met(colour, SPHERE_PDF);
     }
     if kind == SUN {
-        let off = d - light_vector(light, 3u);
-        let cone = light_number(light, 6u);
+        let off = d - sun_axis(light);
+        let cone = sun_one_minus_cosine(light);
         if dot(off, off) <= 2.0 * cone {
             return Met(colour, 1.0 / (2.0 * PI * cone));
         }
@@ -266,34 +232,42 @@ fn escaped(light: u32, d: vec3f) -> Met {
     return Met(vec3f(0.0), 0.0);
 }
 
+// Where a ray meets the plane of a flat light; RNA_FAR where it is along it.
+fn meet_plane(f: mat4x3f, ray: RnaRay) -> f32 {
+    let down = dot(ray.direction, f[2]);
+    if abs(down) < 1e-20 {
+        return RNA_FAR;
+    }
+    return dot(f[3] - ray.origin, f[2]) / down;
+}
+
+// The ray's place there, along the light's axes.
+fn on_plane(f: mat4x3f, ray: RnaRay, t: f32) -> vec2f {
+    let p = ray.origin + t * ray.direction - f[3];
+    return vec2f(dot(p, f[0]), dot(p, f[1]));
+}
+
 // Where a ray meets the shape of a light; RNA_FAR where it does not.
 fn meet_light(light: u32, ray: RnaRay) -> f32 {
     let kind = light_kind(light);
     var t = RNA_FAR;
     if kind == SPHERE {
-        let centre = light_vector(light, 3u);
-        let radius = light_number(light, 6u);
+        let centre = sphere_centre(light);
+        let radius = sphere_radius(light);
         t = rna_enter_sphere(ray.origin, ray.direction, centre, radius);
         let from_centre = ray.origin - centre;
         if dot(from_centre, from_centre) < radius * radius && t < RNA_FAR {
             t = -t - 2.0 * dot(from_centre, ray.direction);
         }
-    } else if kind == RECTANGLE || kind == DISK {
-        let place = shape_place(light);
-        let down = dot(ray.direction, shape_axis(light, 2u));
-        if abs(down) < 1e-20 {
-            return RNA_FAR;
-        }
-        t = dot(place - ray.origin, shape_axis(light, 2u)) / down;
-        let p = ray.origin + t * ray.direction - place;
-        let at = vec2f(dot(p, shape_axis(light, 0u)), dot(p, shape_axis(light, 1u)));
-        let a = light_number(light, 15u);
-        let inside = select(
-            dot(at, at) <= a * a,
-            abs(at.x) <= a && abs(at.y) <= light_number(light, 16u),
-            kind == RECTANGLE,
-        );
-        t = select(RNA_FAR, t, inside);
+    } else if kind == RECTANGLE {
+        let f = rectangle_frame(light);
+        t = meet_plane(f, ray);
+        let p = abs(on_plane(f, ray, t));
+        t = select(RNA_FAR, t, all(p <= rectangle_half(light)));
+    } else if kind == DISK {
+        let f = disk_frame(light);
+        t = meet_plane(f, ray);
+        t = select(RNA_FAR, t, length(on_plane(f, ray, t)) <= disk_radius(light));
     }
     return select(RNA_FAR, t, t >= ray.near && t < ray.far);
 }

@@ -20,19 +20,17 @@ fn bsdf_of(v: Vertex) -> Bsdf {
     for (var k = BASE; k <= THROUGH; k++) {
         values[k] = factor_on(k, v.record, v.b1, v.b2);
     }
-    let base = surface_row(v.surface, 1u);
-    let rest = surface_row(v.surface, 2u);
-    let clear = surface_row(v.surface, 4u);
-    let roughness = base.w * values[METAL].y;
-    let clear_roughness = clear.y * values[CLEAR_ROUGH].y;
+    let roughness = surface_roughness(v.surface) * values[METAL].y;
+    let clear_roughness = surface_clear_coat_roughness(v.surface) * values[CLEAR_ROUGH].y;
+    let coat = surface_coat_weight(v.surface) * values[COAT].x;
     var b: Bsdf;
-    b.base = base.xyz * values[BASE];
+    b.base = surface_base_color(v.surface) * values[BASE];
     b.alpha = max(roughness * roughness, MIN_ALPHA);
-    b.metallic = rest.x * values[METAL].z;
-    b.f0 = rest.y;
-    b.coat = select(0.0, rest.z * values[COAT].x, rest.y > 0.0);
-    b.diffuse = 1.0 - rest.w * values[THROUGH].x;
-    b.clear = clear.x * values[CLEAR].x;
+    b.metallic = surface_metallic(v.surface) * values[METAL].z;
+    b.f0 = surface_coat_f0(v.surface);
+    b.coat = select(0.0, coat, b.f0 > 0.0);
+    b.diffuse = 1.0 - surface_transmission(v.surface) * values[THROUGH].x;
+    b.clear = surface_clear_coat(v.surface) * values[CLEAR].x;
     b.clear_alpha = max(clear_roughness * clear_roughness, MIN_ALPHA);
     b.m = turned_normal(v.shading, v.ng, v.wo);
     b.clear_m = b.m;

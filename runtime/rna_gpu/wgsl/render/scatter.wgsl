@@ -10,8 +10,7 @@ fn scatter(
     }
     pendings[2u * k].part = NONE;
     let path = paths[k];
-    let thing = thing_of(path.instance);
-    if thing.y == CATCHES {
+    if thing_catches(path.instance) == 1u {
         paths[k].state = DEAD;
         return;
     }
@@ -55,5 +54,5 @@ fn scatter(
     paths[k].direction = wi_world;
     paths[k].pdf = pdf;
     paths[k].beta = beta;
-    paths[k].own = select(NONE, v.instance, thing.w == 1.0);
+    paths[k].own = select(NONE, v.instance, thing_passes(v.instance) == 1u);
 }

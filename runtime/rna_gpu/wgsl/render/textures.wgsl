@@ -1,8 +1,5 @@
-// Textures on triangles: rna_render/materials/textures.py. Each is three vec4f: place in `images`, size
-// (rows * 65536 + columns) and form (wrap in u and in v, sRGB, uv set), as bits; then the rows of
-// its transform. A texel is a u32 of three bytes.
+// Textures on triangles: rna_render/materials/textures.py. A texel is a u32 of three bytes.
 
-const TEXTURE_SIZE: u32 = 3u;
 const REPEAT: u32 = 0u;
 const MIRROR: u32 = 2u;
 
@@ -13,8 +10,10 @@ struct Image {
 }
 
 fn image_of(texture: u32) -> Image {
-    let words = bitcast<vec4<u32>>(table[frame.textures + TEXTURE_SIZE * texture]);
-    return Image(words.x, vec2<u32>(words.y & 0xffffu, words.y >> 16u), words.z);
+    let size = texture_size(texture);
+    return Image(
+        texture_place(texture), vec2<u32>(size & 0xffffu, size >> 16u), texture_form(texture),
+    );
 }
 
 fn texel(at: Image, column: u32, row: u32) -> vec3f {
@@ -55,10 +54,10 @@ fn texels_around(x: f32, size: u32, wrap: u32) -> Around {
 // Bilinear, mixed after decoding, at the mesh's coordinates.
 fn texture_value(texture: u32, uv: vec2f) -> vec3f {
     let at = image_of(texture);
-    let row_u = table[frame.textures + TEXTURE_SIZE * texture + 1u].xyz;
-    let row_v = table[frame.textures + TEXTURE_SIZE * texture + 2u].xyz;
-    let x = texels_around(dot(row_u, vec3f(uv, 1.0)), at.size.x, at.form & 3u);
-    let y = texels_around(dot(row_v, vec3f(uv, 1.0)), at.size.y, (at.form >> 2u) & 3u);
+    let u = dot(texture_row_u(texture), vec3f(uv, 1.0));
+    let v = dot(texture_row_v(texture), vec3f(uv, 1.0));
+    let x = texels_around(u, at.size.x, at.form & 3u);
+    let y = texels_around(v, at.size.y, (at.form >> 2u) & 3u);
     let upper = mix(texel(at, x.first, y.first), texel(at, x.second, y.first), x.part);
     let lower = mix(texel(at, x.first, y.second), texel(at, x.second, y.second), x.part);
     return mix(upper, lower, y.part);
@@ -72,7 +71,7 @@ fn texture_on(texture: u32, record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
 
 // A texture of the triangle's material; 1 where it has none.
 fn factor_on(k: u32, record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
-    let texture = surface_texture(record.w >> 1u, k);
+    let texture = surface_textures(record.w >> 1u, k);
     if texture == NONE {
         return vec3f(1.0);
     }
@@ -81,5 +80,5 @@ fn factor_on(k: u32, record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
 
 // Radiance that a material emits, to both sides.
 fn emission_on(record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
-    return surface_row(record.w >> 1u, 3u).xyz * factor_on(GLOW, record, b1, b2);
+    return surface_emission(record.w >> 1u) * factor_on(GLOW, record, b1, b2);
 }

@@ -46,7 +46,7 @@ fn kept_on(ray: RnaRay, own: u32) -> vec3f {
 // What an asset leaves of light along a ray from itself, in its object space.
 fn own_kept(instance: u32, ray: RnaRay, strand: u32) -> vec3f {
     var hit = rna_miss(ray.far);
-    let root = bitcast<u32>(rna_instances[RNA_INSTANCE * instance + 7u].x);
+    let root = rna_instances[instance].root;
     start_passing(WEAKEN);
     let stopped = rna_trace_body(root, ray, strand, true, &hit);
     return select(passed_weight, vec3f(0.0), stopped);

@@ -15,9 +15,12 @@ fn dielectric_reflectance(eta: f32, cosine: f32) -> f32 {
 
 // The part that a smooth interface does not reflect of a ray along d, in object space.
 fn passed_interface(
-    rule: vec4f, schlick: bool, f0: f32, record: vec4<u32>, b: vec3f, d: vec3f, facing: bool,
+    record: vec4<u32>, b: vec3f, d: vec3f, facing: bool,
 ) -> f32 {
-    let eta = select(rule.w, rule.z, facing);
+    let surface = record.w >> 1u;
+    let ior = surface_ior(surface);
+    let eta = select(ior.y, ior.x, facing);
+    let schlick = surface_has(surface, HAS_SCHLICK);
     if eta == 0.0 && !schlick {
         return 1.0;
     }
@@ -26,6 +29,7 @@ fn passed_interface(
     if eta != 0.0 {
         return 1.0 - dielectric_reflectance(eta, cosine);
     }
+    let f0 = surface_f0(surface);
     let away = 1.0 - cosine;
     return (1.0 - f0) * (1.0 - away * away * away * away * away);
 }
@@ -36,14 +40,10 @@ fn transmittance(record: vec4<u32>, b1: f32, b2: f32, d: vec3f, facing: bool) ->
     if !surface_has(surface, LETS_THROUGH) {
         return vec3f(0.0);
     }
-    let rule = surface_row(surface, 7u);
-    var tau = texture_on(bitcast<u32>(rule.x), record, b1, b2);
+    var tau = texture_on(surface_through(surface), record, b1, b2);
     if surface_has(surface, HAS_CUTOFF) {
-        tau = select(vec3f(0.0), vec3f(1.0), tau > vec3f(rule.y));
+        tau = select(vec3f(0.0), vec3f(1.0), tau > vec3f(surface_cutoff(surface)));
     }
-    let schlick = surface_has(surface, HAS_SCHLICK);
-    let f0 = surface_row(surface, 8u).x;
-    let b = weights_of(b1, b2);
-    let passed = passed_interface(rule, schlick, f0, record, b, d, facing);
+    let passed = passed_interface(record, weights_of(b1, b2), d, facing);
     return min(tau * passed, vec3f(1.0));
 }

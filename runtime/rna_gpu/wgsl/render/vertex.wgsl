@@ -1,8 +1,5 @@
 // The point that a path has come to, from its hit.
 
-const SCATTERS: f32 = 0.0; // roles of things
-const CATCHES: f32 = 1.0;
-
 struct Vertex {
     x: vec3f, // object space, as all that is not said otherwise
     kind: u32,
@@ -23,11 +20,6 @@ struct Vertex {
     ng_world: vec3f,
     b2: f32,
     record: vec4<u32>, // of its primitive
-}
-
-// number, role, step off the surface, 1 where rays that start on it pass through it
-fn thing_of(instance: u32) -> vec4f {
-    return table[frame.things + instance];
 }
 
 // Of a normal map: a u32 a texel, whose first two bytes are its numbers.
@@ -56,7 +48,7 @@ fn triangle_vertex(record: vec4<u32>, b1: f32, b2: f32) -> Vertex {
     v.shading = v.n;
     v.b1 = b1;
     v.b2 = b2;
-    let map = bitcast<u32>(surface_row(record.w >> 1u, 0u).w);
+    let map = surface_normal_map(record.w >> 1u);
     if map != NONE {
         v.shading = rna_mapped_normal(map, image_of(map).size, v.n, p, corner_uvs(record, 0u), b);
     }
@@ -74,7 +66,7 @@ fn segment_vertex(path: Path, record: vec4<u32>, wo: vec3f) -> Vertex {
     v.n = path.normal;
     v.ng = path.normal;
     v.x = path.t * rna_object_direction(path.direction, path.instance)
-        / rna_instances[RNA_INSTANCE * path.instance + 6u].w
+        / rna_instances[path.instance].scale
         + rna_object_point(path.origin, path.instance);
     v.x = on_cone(cone, v.x, v.n);
     let across = cross(v.axis, wo);
@@ -123,7 +115,7 @@ fn vertex_of(path: Path) -> Vertex {
 
 // Where rays along wi start in the world: on materials a step off the surface.
 fn origin_of(v: Vertex, wi_world: vec3f) -> vec3f {
-    let step = thing_of(v.instance).z;
+    let step = thing_step(v.instance);
     return v.x_world + select(step, -step, dot(v.ng_world, wi_world) < 0.0) * v.ng_world;
 }
 
@@ -132,10 +124,10 @@ fn leaving_point(v: Vertex, wi: vec3f) -> vec3f {
     if v.kind == OF_FIBERS {
         return v.x;
     }
-    let extent = rna_instances[RNA_INSTANCE * v.instance + 7u].z;
+    let extent = rna_instances[v.instance].extent;
     return rna_leaving_origin(v.x, v.n, v.ng, v.lift, wi, extent);
 }
 
 fn instance_scale(instance: u32) -> f32 {
-    return rna_instances[RNA_INSTANCE * instance + 6u].w;
+    return rna_instances[instance].scale;
 }

@@ -1,10 +1,7 @@
-// Surfaces and their textures, as rna_gpu/wgsl/render/surfaces.wgsl and textures.wgsl have them.
+// Surfaces and their textures, as rna_gpu's table has them.
+import { constants, packed } from "../webgpu/records.js";
 
-export const SURFACE_ROWS = 9;  // of four words
-const TEXTURE_ROWS = 3, NONE = 0xffffffff;
-const NEURAL = 1, FIBERS = 2;                         // kinds
-const LETS_THROUGH = 2, HAS_CUTOFF = 8;               // flags
-const KIND = 0, PART = 1, FLAGS = 2, MAP = 3, THROUGH = 28, CUTOFF = 29, IOR = 30;  // words of a surface
+const { NONE, OF_NEURAL, OF_FIBERS, LETS_THROUGH, HAS_CUTOFF } = constants;
 
 export class SurfaceTable {
   constructor() {
@@ -12,7 +9,7 @@ export class SurfaceTable {
   }
 
   ofFibers(part) {
-    return this._add(FIBERS, part).number;
+    return this._add({ kind: OF_FIBERS, part });
   }
 
   /** The surface of each triangle of a mesh: those of one normal map and one pane share it. */
@@ -27,9 +24,10 @@ export class SurfaceTable {
     return result;
   }
 
-  /** { table, images, surfaceCount, hasTextures, transmits }: rows of surfaces, then of textures; texels, a word each. */
+  /** { table, images, texturesAt, hasTextures, transmits }: rows of surfaces, then of textures; texels, a word each. */
   arrays() {
-    const table = Uint32Array.from([...this.surfaces, ...this.textures].flatMap((row) => [...row]));
+    const words = this.surfaces.map((surface) => packed("Surface", surface));
+    const table = Uint32Array.from([...words, ...this.textures].flatMap((row) => [...row]));
     const images = new Uint32Array(this.imagesLength);
     let at = 0;
     for (const piece of this.images) {
@@ -37,43 +35,35 @@ export class SurfaceTable {
       at += piece.length;
     }
     return {
-      table, images, surfaceCount: this.surfaces.length, hasTextures: this.textures.length > 0,
-      transmits: this.surfaces.some((row) => row[FLAGS] & LETS_THROUGH),
+      table, images, texturesAt: words.reduce((sum, row) => sum + row.length / 4, 0), hasTextures: this.textures.length > 0,
+      transmits: this.surfaces.some(({ flags }) => flags & LETS_THROUGH),
     };
   }
 
-  _add(kind, part) {
-    const words = new Uint32Array(4 * SURFACE_ROWS);
-    words[KIND] = kind;
-    words[PART] = part;
-    words[MAP] = NONE;
-    return { words, number: this.surfaces.push(words) - 1 };
+  _add(surface) {
+    return this.surfaces.push({ normal_map: NONE, ...surface }) - 1;
   }
 
   _ofRecords(part, map, pane) {
-    const { words, number } = this._add(NEURAL, part), floats = new Float32Array(words.buffer);
-    if (map) words[MAP] = this._texture(map.texture);
+    const surface = { kind: OF_NEURAL, part };
+    if (map) surface.normal_map = this._texture(map.texture);
     if (pane) {
-      words[FLAGS] = LETS_THROUGH | (pane.cutoff == null ? 0 : HAS_CUTOFF);
-      words[THROUGH] = this._texture(pane.texture);
-      floats[CUTOFF] = pane.cutoff ?? 0;
-      floats.set(pane.ior ?? [0, 0], IOR);
+      surface.flags = LETS_THROUGH | (pane.cutoff == null ? 0 : HAS_CUTOFF);
+      Object.assign(surface, { through: this._texture(pane.texture), cutoff: pane.cutoff ?? 0, ior: pane.ior ?? [0, 0] });
     }
-    return number;
+    return this._add(surface);
   }
 
   /** Number of a texture; a texel is a word of three bytes, one channel stands for grey. */
   _texture({ values, width, height, channels }) {
-    const words = new Uint32Array(4 * TEXTURE_ROWS), floats = new Float32Array(words.buffer), texels = new Uint32Array(width * height);
+    const texels = new Uint32Array(width * height), place = this.imagesLength;
     for (let k = 0; k < texels.length; k++) {
       const [r, g = r, b = channels === 1 ? r : 0] = values.subarray(channels * k, channels * (k + 1));
       texels[k] = r | (g << 8) | (b << 16);
     }
-    words.set([this.imagesLength, (height << 16) | width]);
-    floats[4] = floats[9] = 1;  // its transform
     this.images.push(texels);
     this.imagesLength += texels.length;
-    return this.textures.push(words) - 1;
+    return this.textures.push(packed("Texture", { place, size: (height << 16) | width, row_u: [1, 0, 0], row_v: [0, 1, 0] })) - 1;
   }
 }
 

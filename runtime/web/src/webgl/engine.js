@@ -1,6 +1,5 @@
 // The asset in WebGL2: passes over float images, one for hits, and for each light one for rays, one a part for its
 // decoder, one for the sum.
-import { SURFACE_ROWS } from "../geometry/surface_table.js";
 import { finished, openContext, pass, Program, table, Target } from "./context.js";
 import { PartProgram, uploadPlanes } from "./part_program.js";
 import { sources } from "./sources.js";
@@ -34,7 +33,7 @@ export class WebGLEngine {
       points: table(gl, arrays.points), normals: table(gl, arrays.normals),
       surfaces: table(gl, arrays.table), texels: table(gl, new Uint8Array(arrays.images.buffer)),
     };
-    this.geometry = { texturesAt: ["1i", SURFACE_ROWS * arrays.surfaceCount], epsilon: ["1f", arrays.extent * 2 ** -18] };
+    this.geometry = { texturesAt: ["1i", arrays.texturesAt], epsilon: ["1f", arrays.extent * 2 ** -18] };
     this.parts = parts.map((part, k) => {
       const planes = uploadPlanes(gl, part.planes);
       const transport = new PartProgram(gl, k, part, part.transport, part.inputs, planes);

@@ -1,16 +1,14 @@
 // The asset in WebGPU: kernels over a band of the picture, one for hits, and for each light one for rays; the
 // decoder of rna_gpu over the queries of each part; the sum in a buffer.
-import { SURFACE_ROWS } from "../geometry/surface_table.js";
 import { bind, bindGroup, buffer, compiled, dispatch, groupLayout, openDevice, read } from "./gpu_device.js";
 import { planeWords } from "./pack_decoder.js";
 import { PartEvaluator, Pipelines } from "./part_evaluator.js";
-import { constants, packed } from "./records.js";
+import { bytesOf, constants, lightNumbers, packed } from "./records.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
 export const PIXEL_WORDS = 28, VISIBILITY = 24;  // of shaders/band.wgsl
 const KINDS = { sun: 0, environment: 1, given: 2, aroundPoint: 3 };
-const LIGHT_ROWS = 8, IMAGE = 7;  // rna_gpu/wgsl/render/lights.wgsl
 const CAMERA_RAYS = 1;
 
 export class WebGPUEngine {
@@ -73,10 +71,10 @@ export class WebGPUEngine {
     const store = (content, what) => buffer(device, content, undefined, `the asset's ${what}`);
     this.geometry = [
       store(arrays.nodes, "hierarchy"), store(arrays.primitives, "geometry"), store(arrays.points, "geometry"),
-      store(instanceRecord(arrays.extent), "geometry"), store(arrays.normals, "geometry"),
+      store(instance(arrays.extent), "geometry"), store(arrays.normals, "geometry"),
     ];
     this.lightsAt = arrays.table.length / 4;
-    this.table = buffer(device, 4 * arrays.table.length + 16 * LIGHT_ROWS);
+    this.table = buffer(device, 4 * arrays.table.length + bytesOf("Light"));
     device.queue.writeBuffer(this.table, 0, arrays.table);
     this.arrays = arrays;
     this._storeImages();
@@ -228,7 +226,7 @@ export class WebGPUEngine {
     const { lightsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
       camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, depth: 1, rays: CAMERA_RAYS,
-      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: SURFACE_ROWS * arrays.surfaceCount, lights: lightsAt,
+      flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt,
     }));
   }
 
@@ -249,11 +247,11 @@ export class WebGPUEngine {
   /** The environment as light 0 of the table. */
   _writeLight({ angle, colour }) {
     if (angle === undefined) return;
-    const floats = new Float32Array(4 * LIGHT_ROWS), words = new Uint32Array(floats.buffer), { width, height, total, places } = this.environment;
-    words.set([IMAGE, constants.NONE]);
-    floats.set([...colour, Math.cos(angle), Math.sin(angle), total, 0, height, width], 4);
-    words.set(places.map((place) => place + this.arrays.images.length), 28);
-    this.device.queue.writeBuffer(this.table, 16 * this.lightsAt, floats);
+    const { width, height, total, places } = this.environment, turn = { turn_cosine: Math.cos(angle), turn_sine: Math.sin(angle) };
+    const numbers = lightNumbers("image", { colour, ...turn, total, rows: height, columns: width });
+    this.device.queue.writeBuffer(this.table, 16 * this.lightsAt, packed("Light", {
+      kind: constants.IMAGE, group: constants.NONE, numbers, places: places.map((place) => place + this.arrays.images.length),
+    }));
   }
 
   _deleteAsset() {
@@ -274,12 +272,8 @@ export class WebGPUEngine {
   }
 }
 
-/** The only instance, where it stands in the world: rna_gpu/wgsl/geometry.wgsl. */
-function instanceRecord(extent) {
-  const floats = new Float32Array(32), words = new Uint32Array(floats.buffer);
-  for (const row of [0, 12]) for (let k = 0; k < 3; k++) floats[row + 5 * k] = 1;
-  floats[27] = 1;          // scale
-  words.set([1, CAMERA_RAYS], 28);  // root node, rays that meet it
-  floats[30] = extent;
-  return floats;
-}
+/** The only instance, where it stands in the world; node 0 is above it. */
+const instance = (extent) => packed("RnaInstance", {
+  to_object: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], rotation: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], scale: 1, root: 1,
+  rays: CAMERA_RAYS, extent,
+});

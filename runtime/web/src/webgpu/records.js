@@ -10,6 +10,15 @@ export function packed(name, values) {
   return words;
 }
 
+export const bytesOf = (name) => 4 * layouts.records[name].words;
+
+/** The numbers of a light of that kind. */
+export function lightNumbers(kind, values) {
+  const numbers = [];
+  for (const [key, value] of Object.entries(values)) [value].flat().forEach((one, k) => { numbers[layouts.lights[kind][key] + k] = one; });
+  return Float32Array.from(numbers, (value) => value ?? 0);
+}
+
 function write(words, floats, start, name, values) {
   for (const [key, value] of Object.entries(values)) {
     const { at, type, record } = layouts.records[name].members[key], place = start + at;

@@ -20,7 +20,6 @@ struct Surroundings {
 }
 
 const MIRRORED = 1.0 / 3.0;
-const MIRROR_KAPPA = 20.0; // of a von Mises-Fisher distribution
 const FROM_ALL_SIDES = 0.25;
 
 fn mirrored_share(at: Surroundings) -> f32 {
@@ -104,7 +103,7 @@ fn ground_seen(d: vec3f, wi: vec3f) -> vec4f {
     if all(weight <= vec3f(0.0)) {
         return vec4f(0.0, 0.0, 0.0, fade);
     }
-    let step = 0x1p-18f * rna_instances[7].z;
+    let step = 0x1p-18f * rna_instances[0].extent;
     let way = RnaRay(x + vec3f(0.0, step, 0.0), 0.0, wi, RNA_FAR);
     return vec4f(weight * own_kept(0u, way, RNA_NOTHING), fade);
 }

@@ -1,0 +1,139 @@
+"""The sections of a scene's table: things, surfaces, textures and lights, and their flags."""
+
+from __future__ import annotations
+
+from math import prod
+
+from rna_gpu.records.record import Field, Record
+from rna_render.lights import LIGHT_ROWS, ROW_NUMBERS, row_places
+from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
+
+THING = Record(
+    "Thing",
+    Field("number", "<f4", (), "of the asset or object in the scene file"),
+    Field("catches", "<u4", (), "1: a shadow catcher"),
+    Field("step", "<f4", (), "off the surface, where rays start"),
+    Field("passes", "<u4", (), "1: rays that leave it pass through it"),
+)
+
+OF_MATERIAL, OF_NEURAL, OF_FIBERS = range(3)
+EMITS, LETS_THROUGH, IS_GLASS, HAS_CUTOFF, HAS_SCHLICK = 1, 2, 4, 8, 16
+
+MATERIAL_TEXTURES = {
+    "BASE": "base_color_texture",
+    "METAL": "metallic_roughness_texture",
+    "COAT": "coat_weight_texture",
+    "GLOW": "emission_texture",
+    "CLEAR": "clear_coat_texture",
+    "CLEAR_ROUGH": "clear_coat_roughness_texture",
+    "THROUGH": "transmission_texture",
+    "RELIEF": "normal_texture",
+}
+"""Name in WGSL -> attribute of Material; the place here is that in `textures` of a surface."""
+
+SURFACE = Record(
+    "Surface",
+    Field("kind", "<u4", (), "OF_MATERIAL, OF_NEURAL or OF_FIBERS"),
+    Field("part", "<u4", (), "of assets: number among all parts of the scene"),
+    Field("flags", "<u4", (), "of those above"),
+    Field("normal_map", "<u4", (), "of an asset"),
+    Field("base_color", "<f4", (3,)),
+    Field("roughness", "<f4"),
+    Field("metallic", "<f4"),
+    Field("coat_f0", "<f4"),
+    Field("coat_weight", "<f4"),
+    Field("transmission", "<f4"),
+    Field("emission", "<f4", (3,)),
+    Field("normal_scale", "<f4"),
+    Field("clear_coat", "<f4"),
+    Field("clear_coat_roughness", "<f4"),
+    Field("second_uvs", "<u4", (), "place in `images`"),
+    Field("tangents", "<u4", (), "likewise"),
+    Field("textures", "<u4", (2, 4), "numbers, NONE for none"),
+    Field("through", "<u4", (), "texture of what is let through"),
+    Field("cutoff", "<f4"),
+    Field("ior", "<f4", (2,), "of its pane, in front and behind"),
+    Field("f0", "<f4", (), "of its pane by Schlick"),
+)
+
+TEXTURE = Record(
+    "Texture",
+    Field("place", "<u4", (), "in `images`"),
+    Field("size", "<u4", (), "rows * 65536 + columns"),
+    Field("form", "<u4", (), "wrap in u and in v (2 bits each), sRGB, uv set"),
+    Field("row_u", "<f4", (3,), "of the transform"),
+    Field("row_v", "<f4", (3,)),
+)
+
+LIGHT_SEEN, LIGHT_DELTA, LIGHT_INFINITE = 1, 2, 4
+
+LIGHT = Record(
+    "Light",
+    Field("kind", "<u4"),
+    Field("group", "<u4", (), "NONE for none"),
+    Field("flags", "<u4", (), "LIGHT_SEEN: by the camera, LIGHT_DELTA, LIGHT_INFINITE"),
+    Field("instance", "<u4", (), "of triangles"),
+    Field("numbers", "<f4", (ROW_NUMBERS // 4, 4), "of its kind, see below"),
+    Field("probability", "<f4", (3,), "samples at a point of depth 1, 2 and later, on average"),
+    Field("places", "<u4", (4,), "of its kind, in `images`: see below"),
+)
+
+LIGHT_PLACES = {
+    "image": ("texels", "heights", "row_sums", "column_sums"),
+    "triangles": ("sums", "primitives", "densities", "count"),
+}
+
+TABLE_CONSTANTS = {
+    "OF_MATERIAL": OF_MATERIAL,
+    "OF_NEURAL": OF_NEURAL,
+    "OF_FIBERS": OF_FIBERS,
+    "EMITS": EMITS,
+    "LETS_THROUGH": LETS_THROUGH,
+    "IS_GLASS": IS_GLASS,
+    "HAS_CUTOFF": HAS_CUTOFF,
+    "HAS_SCHLICK": HAS_SCHLICK,
+    **{name: k for k, name in enumerate(MATERIAL_TEXTURES)},
+    "LIGHT_SEEN": LIGHT_SEEN,
+    "LIGHT_DELTA": LIGHT_DELTA,
+    "LIGHT_INFINITE": LIGHT_INFINITE,
+    **{kind.upper(): k for k, kind in enumerate(LIGHT_ROWS)},
+}
+
+LOBE_CONSTANTS = {
+    "SURFACE_SHARES": (SURFACE_LOBES.uniform, SURFACE_LOBES.cosine, SURFACE_LOBES.mirror),
+    "FIBER_SHARES": (FIBER_LOBES.uniform, FIBER_LOBES.cone, FIBER_LOBES.forward),
+    "MIRROR_KAPPA": SURFACE_LOBES.mirror_kappa,
+    "CONE_SCALE": FIBER_LOBES.cone_scale,
+    "FORWARD_KAPPA": FIBER_LOBES.forward_kappa,
+}
+
+
+def light_accessors() -> str:
+    """Functions of WGSL that read the numbers of each kind of light."""
+    text = (
+        "fn light_colour(k: u32) -> vec3f {\n"
+        f"    return vec3f({', '.join(f'light_numbers(k, {i}u)' for i in range(3))});\n}}\n"
+    )
+    for kind, row in LIGHT_ROWS.items():
+        for name, first in list(row_places(kind).items())[1:]:
+            text += _light_accessor(f"{kind}_{name}", row[name].shape, first)
+    for kind, names in LIGHT_PLACES.items():
+        for name, column in zip(names, "xyzw", strict=True):
+            text += (
+                f"fn {kind}_{name}(k: u32) -> u32 {{\n    return light_places(k).{column};\n}}\n"
+            )
+    return text
+
+
+def _light_accessor(name: str, shape: tuple[int, ...], first: int) -> str:
+    """A matrix, (rows, columns), is a matCxRf, whose columns WGSL has one by one."""
+    numbers = [f"light_numbers(k, {first + i}u)" for i in range(prod(shape))]
+    kind = "f32"
+    if len(shape) == 2:
+        rows, columns = shape
+        kind = f"mat{columns}x{rows}f"
+        numbers = [numbers[r * columns + c] for c in range(columns) for r in range(rows)]
+    elif shape:
+        kind = f"vec{shape[0]}f"
+    value = f"{kind}({', '.join(numbers)})" if shape else numbers[0]
+    return f"fn {name}(k: u32) -> {kind} {{\n    return {value};\n}}\n"
