@@ -115,9 +115,9 @@ class Steps:
         emission = self._queries("emitter", self._emitting, depth=depth, flags=flags)
         return [self._step("collect", depth=depth), *emission]
 
-    def _queries(self, what: str, parts: Sequence[int], **values: int) -> list[Step]:
+    def _queries(self, what: str, numbers: Sequence[int], **values: int) -> list[Step]:
         steps = []
-        for part in parts:
+        for part in numbers:
             steps += [Step("clear"), self._step("gather", neural_part=part, **values)]
             steps += [Step(what, part=part), self._step("apply", neural_part=part, **values)]
         return steps
