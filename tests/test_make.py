@@ -94,7 +94,7 @@ def test_a_goal_of_a_lamp_behind_glass_is_met(tmp_path: Path) -> None:
 
 
 def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path: Path) -> None:
-    """The same bytes in every entry; measured costs differ."""
+    """Equal bytes in every entry; measured costs differ."""
     source = write_scene(tmp_path, "ball", SCENE)
     capture = [*SMALL[: SMALL.index("--steps")], "--lights", 32]
     export = "--precision float32 small=int8 --source ball --license CC0-1.0".split()

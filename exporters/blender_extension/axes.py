@@ -22,5 +22,5 @@ def matrix_from_blender(matrix):
 
 
 def vector_from_blender(vector):
-    """The same of one vector, as a list of three numbers."""
+    """One vector in the scene's axes, as a list of three numbers."""
     return [vector[0], vector[2], -vector[1]]

@@ -102,7 +102,7 @@ class Device:
             raise GpuError(f"{what}: {size:,} bytes: {_one_line(error)}") from error
 
     def upload(self, values: NDArray[Any], *usages: str, what: str) -> Any:
-        """A new buffer with the bytes of `values`; usages, `what` and errors as of `buffer`."""
+        """A new buffer with the bytes of `values`; for usages, `what` and errors see `buffer`."""
         data = np.ascontiguousarray(values).reshape(-1).view(np.uint8)
         buffer = self.buffer(len(data), *usages, what=what)
         self.write(buffer, data)
@@ -123,14 +123,14 @@ class Device:
             raise kind(f"{self.name}: {_one_line(error)}") from error
 
     def write(self, buffer: Any, values: NDArray[Any]) -> None:
-        """Copy the bytes of `values` to the start of the buffer. Errors as of `working`."""
+        """Copy the bytes of `values` to the start of the buffer. For errors see `working`."""
         data = np.ascontiguousarray(values).reshape(-1).view(np.uint8)
         if len(data):
             with self.working():
                 self.wgpu.queue.write_buffer(buffer, 0, np.pad(data, (0, -len(data) % 4)))
 
     def read(self, buffer: Any, size: int) -> NDArray[np.uint8]:
-        """The first `size` bytes; waits for submitted work. Errors as of `working`."""
+        """The first `size` bytes; waits for submitted work. For errors see `working`."""
         with self.working():
             return np.frombuffer(self.wgpu.queue.read_buffer(buffer, 0, size), np.uint8)
 

@@ -23,10 +23,10 @@ def load(
 
     Args:
         path: the `.rna` file.
-        tier: as of `rna_sdk.runtime.load`.
+        tier: see `rna_sdk.runtime.load`.
         device: the GPU; None opens the fastest one.
-        min_psnr: dB, as of `rna_sdk.runtime.load`.
-        max_error: mean FLIP, as of `rna_sdk.runtime.load`.
+        min_psnr: dB, see `rna_sdk.runtime.load`.
+        max_error: mean FLIP, see `rna_sdk.runtime.load`.
 
     Returns:
         A `GpuSurface` or `GpuFiber` for a package of one part, else a `GpuAsset` with such `parts`.

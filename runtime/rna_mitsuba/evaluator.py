@@ -65,7 +65,7 @@ class PartEvaluator:
     def emission(
         self, x: mi.Point3f, axis: mi.Vector3f, h: mi.Float, wo: mi.Vector3f, active: mi.Bool
     ) -> mi.Color3f:
-        """Radiance towards wo with no light on the asset; arguments as of `transport`."""
+        """Radiance towards wo with no light on the asset; for arguments see `transport`."""
         if not self.emits:
             return mi.Color3f(0)
         valid = active & _is_query(x, axis, h, wo)

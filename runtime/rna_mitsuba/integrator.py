@@ -24,7 +24,7 @@ AOVS = (
 
 
 class RnaPath(mi.SamplingIntegrator):
-    """The integrator `rna_path`, with properties as of Mitsuba's `path`.
+    """The integrator `rna_path`, with the properties of Mitsuba's `path`.
 
     `max_depth` is the maximum path length in edges, default 6 (1: visible emitters only; 2: direct
     light). Russian roulette starts at `rr_depth` edges, default 5. `aovs` adds the channels `AOVS`

@@ -53,7 +53,7 @@ class NormalMaps:
     def at(self, n: np.ndarray, triangle: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
         """The mapped normals, (m, 3) float32, unit.
 
-        n: (m, 3) float32, interpolated normals. triangle, u, v: (m,), as of a hit.
+        n: (m, 3) float32, interpolated normals. triangle, u, v: (m,), those of a hit.
         """
         result = np.empty_like(n)
         tables = self._number, self._texels, self._sizes

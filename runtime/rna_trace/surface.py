@@ -125,7 +125,7 @@ class SurfacePoints:
         return len(self.x)
 
     def checked(self) -> SurfacePoints:
-        """The same, contiguous. Raises QueryError for another dtype or shape."""
+        """The array, contiguous. Raises QueryError for another dtype or shape."""
         count = len(self)
         return SurfacePoints(
             *(vectors(name, getattr(self, name), count) for name in SurfacePoints.__slots__)

@@ -79,7 +79,7 @@ class Executor(Protocol):
     ) -> dict[str, Answer]:
         """Result of `do`, which can be pickled, by the name of each machine.
 
-        resource: as of `Needs`. Raises what it raises, with the name of the machine.
+        resource: see `Needs`. Raises what it raises, with the name of the machine.
         """
 
 

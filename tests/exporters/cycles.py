@@ -1,4 +1,4 @@
-"""The same rays through our Embree scene and through Cycles."""
+"""Rays through our Embree scene and through Cycles."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ def trained(part: DatasetPart, folder: Path) -> Path:
 
 
 def darkened(part: DatasetPart, factor: float) -> DatasetPart:
-    """The same dataset with its radiance, of samples and validation images, times a factor."""
+    """The dataset with its radiance, of samples and validation images, times a factor."""
     for path in part.folder.glob("*/*.safetensors"):
         arrays = load_file(path)
         scaled = {k: (factor * v).astype(v.dtype) for k, v in arrays.items() if "radiance" in k}

@@ -18,7 +18,7 @@ UNIT = 0.3
 
 
 class NoisyPart(DatasetPart):
-    """The same, with noise in its validation images: of this relative deviation a sample."""
+    """The dataset with noise in its validation images: of this relative deviation a sample."""
 
     deviation = 0.0
 

@@ -56,7 +56,7 @@ def welch(a: Channels, b: Channels, side: int) -> np.ndarray:
 
 
 def assert_same_numbers(found: Channels, expected: Channels, share: float = 0.985) -> None:
-    """The same image but for rounding, which sends some paths elsewhere."""
+    """Equal images but for rounding, which sends some paths elsewhere."""
     assert found.keys() == expected.keys() and found["R"].max() > 0.1
     for name, values in expected.items():
         close = np.isclose(found[name], values, rtol=1e-2, atol=1e-3)
@@ -64,7 +64,7 @@ def assert_same_numbers(found: Channels, expected: Channels, share: float = 0.98
 
 
 def assert_same_law(found: Channels, expected: Channels, side: int = 8) -> None:
-    """The same image but for noise; a darker one is told apart."""
+    """Equal images but for noise; a darker one is told apart."""
     tiles = welch(found, expected, side)
     assert np.abs(tiles).max() < 4.5 and np.mean(tiles**2) < 2.0
     assert np.allclose(found["A"].mean(), expected["A"].mean(), atol=0.01)

@@ -61,7 +61,7 @@ def derivative(scene: Any, key: str, value: Callable[[Any], Any]) -> np.ndarray:
 
 
 def difference(scene: Any, key: str, value: Callable[[Any], Any], step: float) -> np.ndarray:
-    """The same by a central difference, with the same random numbers."""
+    """The gradient by a central difference, with the same random numbers."""
     import mitsuba as mi
 
     parameters, images = mi.traverse(scene), []

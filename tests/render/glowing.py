@@ -58,6 +58,6 @@ class GlowingStrands(FiberProbe):
 
 
 def pane(colour, count: int) -> Record:
-    """The same transmittance on the first triangles."""
+    """Equal transmittance on the first triangles."""
     texels = np.rint(255 * np.float64(colour)).astype(np.uint8).reshape(1, 1, -1)
     return Record(0, count, texels)

@@ -21,7 +21,7 @@ def light(type: str, **fields: Any) -> Light:
 
 
 def at(x: tuple[float, float, float], n: int) -> np.ndarray:
-    """The same point n times: (n, 3) float32."""
+    """One point n times: (n, 3) float32."""
     return np.tile(np.float32(x), (n, 1))
 
 

@@ -69,8 +69,8 @@ def write_lamp_package(path: Path, glow: tuple[float, float, float], tint: np.nd
     """A bulb that emits `glow`, a shade of panes of transmittance `tint`, and a fringe of strands.
 
     The bulb is a ball of radius 0.2, the shade four sides of a cube of half-side 0.5, the fringe
-    strands of radius 0.01 on its edge. Transport: nothing of the bulb; of the shade as of
-    `write_lambert_package`; of the fringe as of `write_offset_package`. tint: (3,) uint8.
+    strands of radius 0.01 on its edge. Transport: nothing of the bulb; of the shade that of
+    `write_lambert_package`; of the fringe that of `write_offset_package`. tint: (3,) uint8.
     """
     weights = np.zeros((FIBER_COLUMNS, 6), np.float32)
     weights[H_COLUMN, :3] = 0.5

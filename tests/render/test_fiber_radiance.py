@@ -156,7 +156,7 @@ def test_the_same_seed_gives_the_same_image_on_any_number_of_threads_and_bands(m
 
 
 def test_a_fiber_package_is_rendered_as_its_asset(tmp_path):
-    """The same curls, from a file through the runtime and as a probe: once blue for shadowed."""
+    """Equal curls, from a file through the runtime and as a probe: once blue for shadowed."""
     curves = curls(40, radius=0.05)
     write_offset_package(tmp_path / "curls.rna", curves)
     (tmp_path / "scene.yaml").write_text(

@@ -82,7 +82,7 @@ def test_directions_follow_the_density(name):
 
 @pytest.mark.parametrize("name", CASES)
 def test_rays_find_what_samples_promise(name):
-    """The same density and radiance, but for rays past the rim by rounding."""
+    """Equal density and radiance, but for rays past the rim by rounding."""
     of, x, _, _ = CASES[name]
     drawn = sampled(of, x, 16_384, independent=False)
     radiance, pdf = found(of, x, drawn.wi_world)

@@ -91,7 +91,7 @@ def _doubling(taken: dict[int, float], seconds: float, reference: int) -> Iterat
 
 
 def _at(dataset: DatasetPart, samples: int, folder: Path) -> DatasetPart:
-    """The same plan with other paths a pixel, in a folder of its own."""
+    """This plan with other paths a pixel, in a folder of its own."""
     settings = dataset.manifest.settings.model_copy(update={"validation_samples": 2 * samples})
     manifest = dataset.manifest.model_copy(update={"settings": settings})
     return Dataset.create(folder, manifest, {dataset.name: dataset.geometry()}).only

@@ -107,7 +107,7 @@ class OurScene:
 
 
 class CyclesScene:
-    """The same scene in a worker that has the original open.
+    """A scene in a worker that has the original open.
 
     bounces: of light, or None for what the original's file sets, as capture has it. emission:
     whether its materials emit light.

@@ -46,7 +46,7 @@ class Kept:
         return load_file(path)
 
     def record(self, name: str, make: Callable[[], dict[str, Any]]) -> dict[str, Any]:
-        """The same for JSON values."""
+        """The result of `make`, JSON values, or the stored one."""
         path = self._folder / f"{name}.json"
         if not path.is_file():
             write_atomically(path, json.dumps(make(), indent=1).encode())

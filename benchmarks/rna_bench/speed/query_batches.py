@@ -30,7 +30,7 @@ def random_points(n: int) -> Arrays:
 
 
 def random_queries(asset: OnePart, n: int) -> Arrays:
-    """The same in the box of an asset, as arguments of its `evaluate`."""
+    """Random queries in the box of an asset, as arguments of its `evaluate`."""
     low, high = asset.bounds
     positions, *directions = random_points(n)
     inside = (low + (positions + 1) / 2 * (high - low)).astype(np.float32)

@@ -110,7 +110,7 @@ class Fixtures:
         return self.subject.source
 
     def capture(self, name: str, script: str, *arguments: str, **settings: Any) -> DatasetPart:
-        """The part of an asset of the suite's own that has one; settings as of `capture_parts`."""
+        """The part of an asset of the suite's own that has one; settings: see `capture_parts`."""
         return self.capture_parts(name, script, *arguments, **settings).only
 
     def capture_white(self) -> DatasetPart:

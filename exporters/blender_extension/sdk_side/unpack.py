@@ -82,7 +82,7 @@ def surface_colors(part, positions, n):
 
 
 def fiber_colors(part, curves):
-    """The same of the points of strands: (p, 3) float32.
+    """Colours of the points of strands: (p, 3) float32.
 
     Brightened, as an engine that knows no hair shades strands by their colour alone, without the
     light that goes on from strand to strand.

@@ -57,7 +57,7 @@ class Shot:
         return Camera(self.camera, (self.resolution, self.resolution)).to_world
 
     def scene(self, package: Path, samples: int) -> Scene:
-        """The same picture as a scene of the renderer."""
+        """This picture as a scene of the renderer."""
         light = DirectionalModel(
             type="directional", direction=tuple(self.wi), irradiance=(1.0, 1.0, 1.0)
         )

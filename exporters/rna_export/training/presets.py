@@ -118,11 +118,11 @@ class Preset(BaseModel):
     training: TrainingConfig
 
     def with_model(self, **fields: Any) -> Preset:
-        """The same, but for these fields of `ModelConfig`."""
+        """This preset, but for these fields of `ModelConfig`."""
         return self.model_copy(update={"model": self.model.model_copy(update=fields)})
 
     def with_training(self, **fields: Any) -> Preset:
-        """The same, but for these fields of `TrainingConfig`."""
+        """This preset, but for these fields of `TrainingConfig`."""
         return self.model_copy(update={"training": self.training.model_copy(update=fields)})
 
 

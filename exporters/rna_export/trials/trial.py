@@ -29,7 +29,7 @@ class Trial(BaseModel):
     seed: int = 0
 
     def of_length(self, steps: int) -> Trial:
-        """The same trial with another number of steps."""
+        """This trial with another number of steps."""
         return self.model_copy(update={"preset": self.preset.with_training(steps=steps)})
 
     @property

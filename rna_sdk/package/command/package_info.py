@@ -99,7 +99,7 @@ def _tier_part(part: TierPart) -> Info:
 
 
 def info_lines(info: Info) -> Iterator[str]:
-    """The same for a person; characters that a terminal would obey are shown as `?`."""
+    """The report for a person; characters that a terminal would obey are shown as `?`."""
     for label, text in _rows(info):
         plain = "".join(c if c.isprintable() else "?" for c in text)
         yield f"{label:12}{plain}".rstrip()

@@ -185,7 +185,7 @@ def _check_results(data: bytes, form: DecoderForm) -> None:
 
 
 def _check_rows_apart(expected: Rows, others: Iterable[Rows], form: DecoderForm) -> None:
-    """The same rows came out of calls with other rows, in other places."""
+    """Whether equal rows came out of calls with other rows, in other places."""
     # Sums of int8 halfway between two steps may round another way in a batch of another size.
     enough = 1.0 if form.precision == "float32" else _INT8_SHARE
     for result in others:

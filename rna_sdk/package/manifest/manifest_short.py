@@ -48,7 +48,7 @@ class ShortManifest(ManifestFields):
 
 
 def in_parts(short: ShortManifest) -> Manifest:
-    """The same manifest, its part and tier parts as such."""
+    """The manifest with its part and tier parts as such."""
     part = Part(name=PART_NAME, kind=short.kind, bounds=short.bounds, geometry=short.geometry)
     tiers = tuple(
         Tier(
@@ -63,7 +63,7 @@ def in_parts(short: ShortManifest) -> Manifest:
 
 
 def in_short(manifest: Manifest) -> ShortManifest:
-    """The same manifest of one part that `has_short_form`; the part's name is lost."""
+    """The short form of a manifest of one part that `has_short_form`; the part's name is lost."""
     (part,) = manifest.parts
     tiers = tuple(
         ShortTier(

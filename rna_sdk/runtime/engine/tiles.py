@@ -41,7 +41,7 @@ class QueryFiller:
         self._channels, self._resolution = part.channels, part.resolution
         # Planes stay as they are in the file, converted as they are read: less memory and cache.
         texels, scales = _parts(planes)
-        if self._resolution == 1:  # the same everywhere, as of four texels alike
+        if self._resolution == 1:  # the same everywhere, like four equal texels
             texels, self._resolution = texels.repeat(2, axis=1).repeat(2, axis=2), 2
         self._texels = texels.view(np.uint16 if texels.dtype == np.float16 else texels.dtype)
         self._texels = self._texels.reshape(-1)

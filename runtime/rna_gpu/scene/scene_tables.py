@@ -34,7 +34,7 @@ class SceneTables:
         table: (n, 4) float32, sections one behind the other.
         sections: where in `table` each begins, by its name in wgsl/render/frame.wgsl.
         images: (m,) uint32, see Images.
-        parts: as of Surfaces.
+        parts: see Surfaces.
         transmits: whether something lets light through.
     """
 

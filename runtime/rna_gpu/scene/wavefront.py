@@ -45,7 +45,7 @@ class Wavefront:
         scatters: bool,
         clamp: float | None,
     ) -> None:
-        """parts: those of `tables.parts`. scatters: as World.scatters. clamp: as of indirect_clamp.
+        """parts: those of `tables.parts`. scatters: as World.scatters. clamp: see indirect_clamp.
 
         Raises:
             GpuError: the scene does not fit.

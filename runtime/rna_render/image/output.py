@@ -35,7 +35,7 @@ class Output:
         return self._with_paths(lambda path: path.with_name(path.name % number))
 
     def absolute(self) -> Output:
-        """The same files, for a process with another working directory."""
+        """These files, for a process with another working directory."""
         return self._with_paths(Path.absolute)
 
     def _with_paths(self, of: Callable[[Path], Path]) -> Output:

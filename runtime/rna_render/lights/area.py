@@ -15,7 +15,7 @@ from rna_trace.rays import vectors
 
 
 class AreaLight(PlacedLight):
-    """The same radiance from every point of one side of a shape, to every direction.
+    """Equal radiance from every point of one side of a shape, to every direction.
 
     area: m^2, of the side that shines. kind, shape: of its row.
     """

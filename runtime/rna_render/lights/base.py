@@ -63,7 +63,7 @@ class Light(ABC):
         """
 
     def beside_rays(self) -> Light:
-        """The same light, as it is sampled where rays that scatter find it, too."""
+        """This light as it is sampled where rays that scatter find it, too."""
         return self
 
     def sample(self, x_world: np.ndarray, u: np.ndarray) -> LightSamples:

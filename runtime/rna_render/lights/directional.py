@@ -39,7 +39,7 @@ class DirectionalLight(Light):
 
 
 class SunLight(InfiniteLight):
-    """The same radiance from all directions within an angle of an axis; no camera sees it.
+    """Equal radiance from all directions within an angle of an axis; no camera sees it.
 
     A plane that faces it gets the model's irradiance: the cone's projected solid angle about its
     axis is pi sin^2 of the angle from the axis to the rim.

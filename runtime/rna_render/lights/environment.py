@@ -17,7 +17,7 @@ _SPHERE_PDF = 1.0 / (4.0 * np.pi)
 
 
 class EnvironmentLight(InfiniteLight):
-    """The same radiance from everywhere, sampled uniformly over the sphere."""
+    """Equal radiance from everywhere, sampled uniformly over the sphere."""
 
     delta = False
 

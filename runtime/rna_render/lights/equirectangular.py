@@ -46,7 +46,7 @@ LEFT_TO_RAYS = 0.5
 class _Choice:
     """Tables by which directions are chosen, and what kernels read of them.
 
-    held: the arrays that addresses in `words` point into. words, numbers: as of the image.
+    held: the arrays that addresses in `words` point into. words, numbers: see the image.
     """
 
     held: tuple[np.ndarray, ...]
@@ -113,13 +113,13 @@ class EquirectangularImage:
         return texels, heights, rows, columns
 
     def turned(self, angle: float) -> EquirectangularImage:
-        """The same image, sharing its memory, at another angle."""
+        """This image, sharing its memory, at another angle."""
         result = copy(self)
         result._turn(angle)
         return result
 
     def compensated(self) -> EquirectangularImage:
-        """The same image, sharing its memory, with MIS compensation.
+        """This image, sharing its memory, with MIS compensation.
 
         `sample` skips texels darker than LEFT_TO_RAYS of the mean.
         """

@@ -52,7 +52,7 @@ class _PointLike(Light):
 
 
 class PointLight(_PointLike):
-    """The same intensity to all sides."""
+    """Equal intensity to all sides."""
 
     def __init__(self, model: PointModel) -> None:
         super().__init__(model, np.zeros(3), -1.0, -1.0)

@@ -79,7 +79,7 @@ def escaped_light(kind: int, numbers: np.ndarray, d: Vector) -> tuple[Vector, fl
 
 @compiled(fastmath=())
 def met_light(kind: int, numbers: np.ndarray, x: Vector, d: Vector) -> tuple[Vector, float]:
-    """The same of a ray from x along d that meets a light of one shape and one radiance."""
+    """Radiance and density of a ray from x along d to a light of one shape and one radiance."""
     pdf = 0.0
     if kind == RECTANGLE:
         pdf = rectangle_density(numbers, x, d)

@@ -60,7 +60,7 @@ class _Rays:
     path: (n,) place of their path in the band. origin, direction: (n, 3) float32, world space.
     beta: (n, 3) float32, throughput of their path so far. pdf: (n,) float32, density of the
     direction; None for camera rays. probability: of each light to be sampled where the rays start.
-    number: (n,) int64, as of PathNumbers, for the points that they meet.
+    number: (n,) int64, see PathNumbers, for the points that they meet.
     """
 
     path: np.ndarray

@@ -34,7 +34,7 @@ def make_integrator(
 
 
 def all_lights(scene: Scene, world: World) -> list[Light]:
-    """Lights of the world, then those without a shape; errors as of `make_integrator`."""
+    """Lights of the world, then those without a shape; errors: see `make_integrator`."""
     without_shape = [model for model in scene.lights if not isinstance(model, AreaModel)]
     return [*world.lights, *(make_light(model) for model in without_shape)]
 

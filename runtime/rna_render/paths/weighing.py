@@ -18,8 +18,8 @@ class Tried:
     """Samples of lights for which shadow rays are traced, k of n.
 
     sample: (k,) int64, which samples, ascending. row: (k,) int64, the points that they are for.
-    light: (k,) int64. wi_world, distance: (k, 3) and (k,) float32, as of LightSamples. own: (k,)
-    int32, as of Vertices.
+    light: (k,) int64. wi_world, distance: (k, 3) and (k,) float32, see LightSamples. own: (k,)
+    int32, see Vertices.
     """
 
     sample: np.ndarray
@@ -32,7 +32,7 @@ class Tried:
     def where_kept(self, kept: np.ndarray) -> tuple[Tried, np.ndarray]:
         """Samples that are not fully blocked, and their transmittance: (j, 1) or (j, 3) float32.
 
-        kept: (k, 1) or (k, 3) float32, as of LightSampling.kept.
+        kept: (k, 1) or (k, 3) float32, see LightSampling.kept.
         """
         left = _like(self), np.empty_like(kept)
         count = _take_kept(_arrays(self), kept, _arrays(left[0]), left[1])

@@ -55,7 +55,7 @@ class Picture:
 
     @property
     def png(self) -> bytes:
-        """The same without loss."""
+        """A PNG."""
         return self._encoded("PNG")
 
     def _encoded(self, kind: str, **options: int) -> bytes:

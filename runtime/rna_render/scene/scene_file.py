@@ -67,7 +67,7 @@ class SceneFile:
         return path
 
     def with_changes(self, tier: str | None = None, **changes: Any) -> SceneFile:
-        """The same with other values for top-level keys, and `tier` for every asset."""
+        """This scene with other values for top-level keys, and `tier` for every asset."""
         assets = self.scene.assets
         if tier is not None:
             assets = tuple(asset.model_copy(update={"tier": tier}) for asset in assets)

@@ -208,7 +208,7 @@ Thing = Asset | MeshObject | PlacedLight
 
 
 def make_body(thing: Thing, indirect: Asset | None = None) -> Body:
-    """The body of an asset, of an object or of a light. indirect: as of AssetBody."""
+    """The body of an asset, of an object or of a light. indirect: see AssetBody."""
     if isinstance(thing, PlacedLight):
         return LightBody(thing)
     if isinstance(thing, MeshObject):

@@ -56,7 +56,7 @@ def place_asset(
     """An asset, and the light that it sends out.
 
     world_from_object: (4, 4), a similarity. emission: `emission_of` the asset, for callers that
-    place it several times. factor: on what it emits. indirect: as of Placement.
+    place it several times. factor: on what it emits. indirect: see Placement.
     """
     emission = emission or emission_of(asset)
     light = None

@@ -32,7 +32,7 @@ def carried_scene(scene_file: SceneFile, executor: Executor) -> Carried:
 
 
 def scene_key(scene_file: SceneFile) -> str:
-    """The same for the same image alone: of the scene, and of the bytes of all that it reads.
+    """A hash that equal images share: of the scene, and of the bytes of all that it reads.
 
     Raises SceneError if a file is missing.
     """
@@ -42,7 +42,7 @@ def scene_key(scene_file: SceneFile) -> str:
 
 
 def contents_key(scene_file: SceneFile) -> str:
-    """The same for the same bytes alone, of all files that the scene reads, under their names.
+    """A hash of the bytes of all files that the scene reads, under their names.
 
     Raises SceneError if a file is missing.
     """

@@ -66,7 +66,7 @@ class TierChoice:
         return tuple(self._choice(index, max_error) for index in range(len(self._named)))
 
     def coarser(self, max_error: float) -> Iterator[Tiers]:
-        """The same, then with twice the error and so on, as long as that changes tiers."""
+        """This choice, then with twice the error and so on, as long as that changes tiers."""
         last = None
         while max_error < 2.0:  # FLIP is 1 at most
             tiers = self.within(max_error)

@@ -115,7 +115,7 @@ class Store:
         }
 
     def below(self, folder: str) -> Store:
-        """The same, from a folder on."""
+        """The part of the store from a folder on."""
         return Store(f"{self.url.rstrip('/')}/{folder}")
 
     def check(self) -> None:

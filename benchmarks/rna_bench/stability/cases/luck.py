@@ -1,4 +1,4 @@
-"""The same training with other random numbers."""
+"""Trainings that differ in their random numbers alone."""
 
 from __future__ import annotations
 

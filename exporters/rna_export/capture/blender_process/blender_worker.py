@@ -427,7 +427,7 @@ def _pinhole(to_world: np.ndarray, fov_y: float, width: int, height: int) -> dic
 
 
 def _scene_to_blender(scene: dict[str, Any]) -> dict[str, Any]:
-    """The same scene in Blender's axes."""
+    """A scene in Blender's axes."""
 
     def turned(vectors: Any) -> Any:
         return to_blender(np.asarray(vectors, np.float64)).tolist()

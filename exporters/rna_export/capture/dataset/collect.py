@@ -89,7 +89,7 @@ def _is_read(name: str) -> bool:
 
 
 def _name(dataset: Dataset) -> str:
-    """The same for the same capture alone."""
+    """A name that equal captures share, and others do not."""
     manifest = dataset.manifest
     identity = manifest.model_dump_json(include={"source_sha256", "arguments", "settings", "parts"})
     return f"{manifest.name}-{hashlib.sha256(identity.encode()).hexdigest()[:12]}"

@@ -34,7 +34,7 @@ _OF_A_LIGHT = ("wi", "direct", "visible")
 
 
 def emission_fields(kind: str) -> dict[str, int]:
-    """The same for samples of emission."""
+    """Fields of samples of emission."""
     return {name: n for name, n in SAMPLE_FIELDS[kind].items() if name not in _OF_A_LIGHT}
 
 

@@ -25,7 +25,7 @@ _STEP = 1e-3  # of the asset's size, from a point towards its viewer
 
 
 class CutDataset(Dataset):
-    """The same captured rays; each surface is cut into parts NAME_0, NAME_1, ...
+    """A dataset's captured rays; each surface is cut into parts NAME_0, NAME_1, ...
 
     Raises `CaptureError` for more parts than a package holds, or fewer triangles than pieces.
     """

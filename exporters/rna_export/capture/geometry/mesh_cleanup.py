@@ -11,7 +11,7 @@ from rna_sdk.package import Mesh
 
 
 def with_last(corners: dict[str, np.ndarray], last: Sequence[str]) -> dict[str, np.ndarray]:
-    """The same, the triangles of some materials at the end, in their order; degenerate ones go."""
+    """Corners, the triangles of the last materials at the end; degenerate ones go."""
     positions = corners["positions"].astype(np.float32).reshape(-1, 3, 3)
     area = trimesh.triangles.area(positions.astype(np.float64))
     rank = {material: place for place, material in enumerate(last)}

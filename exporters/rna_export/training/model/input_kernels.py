@@ -16,8 +16,14 @@ from torch import Tensor
 
 from rna_sdk.compiled import compiled
 from rna_sdk.package import query_width
-from rna_sdk.runtime.kernels import block_columns as runtime
-from rna_sdk.runtime.kernels.block_columns import first_three, put, put_fiber, put_surface
+from rna_sdk.package.block_table import FEATURES, LEARNED_NORMAL, POSITION, WI, WO
+from rna_sdk.runtime.kernels.block_columns import (
+    block_columns,
+    first_three,
+    put,
+    put_fiber,
+    put_surface,
+)
 from rna_sdk.runtime.kernels.lane_memory import load_column, load_lanes, load_vectors, store_column
 from rna_sdk.runtime.kernels.lane_vectors import clamped, narrowed, unit
 from rna_sdk.runtime.kernels.lanes import LANES, where
@@ -45,7 +51,7 @@ class Inputs(torch.autograd.Function):
         wo: Tensor,
         wi: Tensor | None,
     ) -> Tensor:
-        columns = runtime.block_columns(blocks, features.shape[1])
+        columns = block_columns(blocks, features.shape[1])
         sources = features.detach(), p, axis, axis.new_empty(0) if h is None else h, wo
         arrays = [_whole(x) for x in (*sources, wo if wi is None else wi)]
         queries = torch.empty(len(arrays[0]), query_width(blocks, features.shape[1]))
@@ -104,16 +110,16 @@ def _fill_block(
     start, channels = np.uintp(row), features.shape[1]
     axis = unit(load_vectors(axes, start))
     o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
-    first = columns[runtime.FEATURES]
+    first = columns[FEATURES]
     if first >= 0:
         for i in range(row, row + LANES):
             for c in range(channels):
                 queries[i, first + c] = features[i, c]
     x = narrowed(load_vectors(p, start))
     signed = 2.0 * x[0] - 1.0, 2.0 * x[1] - 1.0, 2.0 * x[2] - 1.0
-    put(queries, row, columns[runtime.POSITION], signed)
-    put(queries, row, columns[runtime.WO], o)
-    put(queries, row, columns[runtime.WI], l)
+    put(queries, row, columns[POSITION], signed)
+    put(queries, row, columns[WO], o)
+    put(queries, row, columns[WI], l)
     if is_fiber:
         put_fiber(queries, row, columns, axis, clamped(load_lanes(h, start)), o, l)
     else:
@@ -132,11 +138,11 @@ def _gradient(
     of_features: Rows,
 ) -> None:
     for block in prange(len(features) // LANES):
-        row, first = block * LANES, columns[runtime.FEATURES]
+        row, first = block * LANES, columns[FEATURES]
         for i in range(row, row + LANES):
             for c in range(features.shape[1]):
                 of_features[i, c] = gradient[i, first + c] if first >= 0 else np.float32(0.0)
-        if columns[runtime.LEARNED_NORMAL] >= 0:
+        if columns[LEARNED_NORMAL] >= 0:
             _add_bending(row, gradient, features, axes, wo, wi, columns, of_features)
 
 
@@ -154,7 +160,7 @@ def _add_bending(
     """of_features += gradient of `learned_normal`, in LANES rows from `row` on."""
     start, width = np.uintp(row), np.uintp(gradient.shape[1])
     channels = np.uintp(features.shape[1])
-    at = start * width + np.uintp(columns[runtime.LEARNED_NORMAL])
+    at = start * width + np.uintp(columns[LEARNED_NORMAL])
     n = unit(load_vectors(axes, start))
     o, l = unit(load_vectors(wo, start)), unit(load_vectors(wi, start))  # noqa: E741
     bend = first_three(features, start * channels, channels, features.shape[1])

@@ -35,8 +35,8 @@ class TimePace:
 
     All that happens between two steps counts, and time is kept for the validation at the end.
     Progress moves in proportion to the time that is left, so that it makes up for what came late;
-    but by 2% a step at most: after a stall, as of a suspended machine, the rates still come down
-    in steps.
+    but by 2% a step at most: after a stall (a suspended machine) the rates still come down in
+    steps.
 
     begun: as `monotonic` has it. state: of a resumed run.
     """

@@ -44,7 +44,7 @@ class SampleTable(IterableDataset[Tensor]):
         self._batch, self._seed, self._done = min(batch, n), seed, done
 
     def shuffled(self, batch: int, seed: int, done: int) -> SampleTable:
-        """The same rows, not copied, in batches of another size and order."""
+        """These rows, not copied, in batches of another size and order."""
         other = copy.copy(self)
         other._batch, other._seed, other._done = min(batch, len(self)), seed, done
         return other

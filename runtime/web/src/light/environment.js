@@ -62,7 +62,7 @@ function reduced({ rgb, width, height }) {
   return { rgb: result, width: w, height: h };
 }
 
-/** The same radiance from everywhere. */
+/** Equal radiance from everywhere. */
 export function evenImage(radiance) {
   const width = 8, height = 4;
   return { rgb: Float32Array.from({ length: 3 * width * height }, (_, k) => radiance[k % 3]), width, height };

@@ -22,7 +22,7 @@ export function say(text, calm = false, about = "page") {
 
 export const clamp = (x, low, high) => Math.min(Math.max(x, low), high);
 
-/** The same angle in [-180, 180). */
+/** An equal angle in [-180, 180). */
 export const wrappedDegrees = (degrees) => ((((degrees + 180) % 360) + 360) % 360) - 180;
 
 /** With a sign, but for zero. */
