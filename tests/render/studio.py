@@ -17,9 +17,8 @@ from rna_render.paths.integrator import Integrator
 from rna_render.paths.render import render
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
-from rna_render.world.bodies import Thing
 from rna_render.world.camera import Camera
-from rna_render.world.placements import Placement, emission_of, mesh_light
+from rna_render.world.placements import Placement, Thing, emission_of, mesh_light
 from rna_render.world.world import World
 from rna_sdk.package import Mesh
 from tests.render.stage import rgb

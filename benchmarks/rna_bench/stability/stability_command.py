@@ -97,7 +97,7 @@ def run(args: argparse.Namespace) -> None:
     from rna_bench.stability.suite import CASES, run_cases
 
     if args.redraw is not None:
-        write_page(args.out, *read_results(args.redraw))
+        write_page(args.out, *read_results(args.redraw, CASES))
     else:
         fixtures = _fixtures(args)
         settings = {"steps": fixtures.steps, "short": args.short, "tier": args.tier or "default"}

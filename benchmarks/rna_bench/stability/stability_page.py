@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +12,7 @@ from matplotlib.figure import Figure
 from rna_bench.html_pages import write_html
 from rna_bench.plot_style import FAIL, PASS, QUIET, figure, save_chart
 from rna_bench.results import write_results
-from rna_bench.stability.case import Case, Row
-from rna_bench.stability.suite import CASES, Result
+from rna_bench.stability.case import Case, Result, Row
 
 _COLOURS = {"pass": PASS, "fail": FAIL, "skipped": QUIET}
 _SIZE = 6.6, 3.2  # inches of a chart
@@ -37,10 +37,12 @@ def write_page(
     write_html(page, "stability.html", name=name, stamp=stamp, settings=settings, results=told)
 
 
-def read_results(path: Path) -> tuple[dict[str, Any] | None, str, dict[str, Any], list[Result]]:
-    """Stamp (None in old ones), name, settings and results that `write_page` left."""
+def read_results(
+    path: Path, cases: Sequence[Case]
+) -> tuple[dict[str, Any] | None, str, dict[str, Any], list[Result]]:
+    """Stamp (None in old ones), name, settings and results of the cases that `write_page` left."""
     saved = json.loads(path.read_text())
-    by_name = {case.name: case for case in CASES}
+    by_name = {case.name: case for case in cases}
     results = [_read(by_name[c["case"]], c["rows"], c["skipped"]) for c in saved["cases"]]
     return saved.get("stamp"), saved["asset"], saved["settings"], results
 

@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rna_bench.stability.case import Case, Row, Verdict
+from rna_bench.stability.case import Case, Result, Row
 from rna_bench.stability.cases import (
     energy,
     grazing,
@@ -50,35 +50,6 @@ CASES: tuple[Case, ...] = tuple(
         posed,
     )
 )
-
-
-@dataclass(frozen=True)
-class Result:
-    """Result of a case: rows, or the reason why it was skipped."""
-
-    case: Case
-    rows: list[Row]
-    skipped: str | None = None
-
-    @property
-    def verdict(self) -> Verdict | None:
-        """None where it was skipped."""
-        return None if self.skipped else self.case.judge(self.rows)
-
-    @property
-    def status(self) -> str:
-        """One word for the table."""
-        return "skipped" if self.verdict is None else ("pass" if self.verdict.passed else "fail")
-
-    @property
-    def found(self) -> str:
-        """The decisive measurement, or the reason why the case was skipped."""
-        return self.skipped or self.case.judge(self.rows).found
-
-    @property
-    def told(self) -> str:
-        """A line for the user."""
-        return f"{self.case.name}: {self.status}, {self.found}"
 
 
 def run_cases(

@@ -20,7 +20,7 @@ import numpy as np
 
 from rna_render.image.film import Layers
 from rna_render.lights import InfiniteLight, Light
-from rna_render.paths.light_sampling import LightChoice, LightSampling
+from rna_render.paths.light_sampling import LightChoice, LightSampling, caught_light
 from rna_render.paths.sampling import (
     CHOICES,
     DIRECTION,
@@ -29,7 +29,6 @@ from rna_render.paths.sampling import (
     PathNumbers,
     Sampler,
 )
-from rna_render.paths.shadow_catcher import caught_light
 from rna_render.paths.weighing import (
     add_rows,
     clamp_paths,

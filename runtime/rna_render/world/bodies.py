@@ -13,6 +13,7 @@ import numpy as np
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.world.neural_sampling import LobeMixture
+from rna_render.world.placements import Thing
 from rna_sdk.runtime import offset_across
 from rna_trace import surface
 from rna_trace.asset_parts import (
@@ -202,9 +203,6 @@ class LightBody:
         self, part: int, hits: ClosestHits, ray: np.ndarray, wo: np.ndarray, seen: bool
     ) -> Points:
         raise NotImplementedError("a light scatters nothing")
-
-
-Thing = Asset | MeshObject | PlacedLight
 
 
 def make_body(thing: Thing, indirect: Asset | None = None) -> Body:

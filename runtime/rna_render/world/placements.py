@@ -7,10 +7,11 @@ from typing import cast
 
 import numpy as np
 
-from rna_render.lights import AssetEmission, AssetLight, MeshLight, ShapeLight
+from rna_render.lights import AssetEmission, AssetLight, MeshLight, PlacedLight, ShapeLight
 from rna_render.materials import MeshObject
-from rna_render.world.bodies import Thing
 from rna_trace.asset_parts import Asset
+
+Thing = Asset | MeshObject | PlacedLight
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ from numba import prange
 
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
-from rna_render.world.bodies import Thing, make_body
-from rna_render.world.placements import Placement
+from rna_render.world.bodies import make_body
+from rna_render.world.placements import Placement, Thing
 from rna_sdk.compiled import compiled
 from rna_sdk.runtime import Transform
 from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
