@@ -10,7 +10,7 @@ import pytest
 ENGINES = "numba", "onnxruntime", "embreex", "rna_trace.embree", "rna_render.paths.integrator"
 
 
-@pytest.mark.parametrize("module", ["scene_model", "scene_file", "animation"])
+@pytest.mark.parametrize("module", ["scene.scene_model", "scene.scene_file", "scene.animation"])
 def test_the_scene_model_loads_no_engine(module: str) -> None:
     code = f"import rna_render.{module}, sys; print(*sys.modules)"
     command = [sys.executable, "-c", code]
