@@ -1,5 +1,5 @@
 // Surfaces and their textures, as rna_gpu's table has them.
-import { constants, packed } from "../webgpu/records.js";
+import { constants, packed } from "../decoder/records.js";
 
 const { NONE, OF_NEURAL, OF_FIBERS, LETS_THROUGH, HAS_CUTOFF } = constants;
 

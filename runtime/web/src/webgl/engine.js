@@ -150,6 +150,7 @@ export class WebGLEngine {
     for (const part of this.parts) {
       const own = part[output];
       if (!own) continue;
+      this.gl.bindBufferBase(this.gl.UNIFORM_BUFFER, 0, own.record);
       pass(this.gl, own.program, this.answers, {
         to: this.span.rows, textures: { ...own.textures, rows0, rows1, rows2, lit0 }, uniforms: own.uniforms,
       });

@@ -1,9 +1,9 @@
 // The asset in WebGPU: kernels over a band of the picture, one for hits, and for each light one for rays; the
 // decoder of rna_gpu over the queries of each part; the sum in a buffer.
+import { planeWords } from "../decoder/pack_decoder.js";
+import { bytesOf, constants, lightNumbers, packed } from "../decoder/records.js";
 import { bind, bindGroup, buffer, compiled, dispatch, groupLayout, openDevice, read } from "./gpu_device.js";
-import { planeWords } from "./pack_decoder.js";
 import { PartEvaluator, Pipelines } from "./part_evaluator.js";
-import { bytesOf, constants, lightNumbers, packed } from "./records.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;

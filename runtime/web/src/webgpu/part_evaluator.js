@@ -1,7 +1,7 @@
 // One part's transport or emission by rna_evaluate.
+import { packDecoder } from "../decoder/pack_decoder.js";
+import { constants as limits } from "../decoder/records.js";
 import { bind, buffer, compiled, dispatch } from "./gpu_device.js";
-import { packDecoder } from "./pack_decoder.js";
-import { constants as limits } from "./records.js";
 import { compose } from "./sources.js";
 
 /** Pipelines by their source: parts and tiers that are alike share them. */

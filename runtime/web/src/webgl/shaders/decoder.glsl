@@ -2,70 +2,43 @@
 // outputs for each of four inputs.
 
 uniform sampler2D weights;
-uniform int layerCount;
-uniform ivec4 layers[LAYERS];   // groups of inputs, groups of outputs, first texel of weights, of bias
-uniform vec2 steps[LAYERS];     // of int8: scale of the inputs; first texel of the outputs' scales
-uniform bool isInt8;
-uniform int gainAt;             // of int8: first texel of gains, then of offsets
-uniform vec3 limits;            // low and high of the first Clip, top of the second
-uniform int matrixAt;           // first texel of the matrix, or -1
-uniform float unitOf;
-uniform int outputs;
 
 vec4 values[GROUPS];
 vec4 next[GROUPS];
 
-vec4 weightAt(int k) {
-  return texelFetch(weights, ivec2(k & 1023, k >> 10), 0);
+vec4 weightAt(uint k) {
+  return texelFetch(weights, ivec2(k & 1023u, k >> 10), 0);
 }
 
-void runLayer(int k) {
-  ivec4 layer = layers[k];
-  bool last = k == layerCount - 1;
+void runLayer(RnaLayer layer) {
+  bool isInt8 = layer.int8_step > 0.0;
   if (isInt8) {
     // Products and their sums are whole numbers below 2^24 as long as layers are narrower than 512.
-    for (int i = 0; i < layer.x; i++) values[i] = clamp(roundEven(values[i] / steps[k].x), 0.0, 255.0);
+    for (uint i = 0u; i < layer.inputs; i++) values[i] = clamp(roundEven(values[i] / layer.int8_step), 0.0, 255.0);
   }
-  for (int o = 0; o < layer.y; o++) {
-    vec4 sum = isInt8 ? vec4(0.0) : weightAt(layer.w + o);
-    int at = layer.z + 4 * layer.x * o;
-    for (int i = 0; i < layer.x; i++, at += 4) {
+  uint at = layer.weights;
+  for (uint o = 0u; o < layer.outputs; o++) {
+    vec4 bias = weightAt(layer.bias + o), sum = isInt8 ? vec4(0.0) : bias;
+    for (uint i = 0u; i < layer.inputs; i++, at += 4u) {
       vec4 x = values[i];
-      sum += weightAt(at) * x.x + weightAt(at + 1) * x.y + weightAt(at + 2) * x.z + weightAt(at + 3) * x.w;
+      sum += weightAt(at) * x.x + weightAt(at + 1u) * x.y + weightAt(at + 2u) * x.z + weightAt(at + 3u) * x.w;
     }
-    if (isInt8) sum = (sum + weightAt(layer.w + o)) * weightAt(int(steps[k].y) + o) * steps[k].x;
-    next[o] = last || isInt8 ? sum : max(sum, 0.0);
+    if (isInt8) sum = (sum + bias) * weightAt(layer.units + o);
+    next[o] = layer.relu == 1u ? max(sum, 0.0) : sum;
   }
-  for (int o = 0; o < layer.y; o++) values[o] = next[o];
+  for (uint o = 0u; o < layer.outputs; o++) values[o] = next[o];
 }
 
-// Six numbers of `columns`, three and three.
-void decode(int width, out vec3 first, out vec3 second) {
-  int groups = layers[0].x;
-  for (int i = 0; i < groups; i++) {
-    vec4 value = vec4(0.0);
-    for (int c = 0; c < 4; c++) if (4 * i + c < width) value[c] = columns[4 * i + c];
-    value = clamp(value, limits.x, limits.y);
-    values[i] = isInt8 ? value * weightAt(gainAt + i) + weightAt(gainAt + groups + i) : value;
+// The colours, of `values` filled with the query.
+void decode(out vec3 first, out vec3 second) {
+  for (uint i = 0u; i < part.query_groups; i++) {
+    vec4 value = clamp(values[i], part.query_low, part.query_high);
+    values[i] = part.gain == RNA_NONE ? value : value * weightAt(part.gain + i) + weightAt(part.gain + part.query_groups + i);
   }
-  for (int k = 0; k < layerCount; k++) runLayer(k);
-  int last = layers[layerCount - 1].y;
-  float result[8];
-  for (int i = 0; i < 8; i++) result[i] = 0.0;
-  for (int i = 0; i < last; i++) values[i] = exp(clamp(values[i], 0.0, limits.z)) - 1.0;
-  if (matrixAt < 0) {
-    for (int i = 0; i < outputs; i++) result[i] = values[i / 4][i % 4] * unitOf;
-  } else {
-    for (int i = 0; i < last; i++) {
-      for (int c = 0; c < 4; c++) {
-        vec4 low = weightAt(matrixAt + 2 * (4 * i + c)), high = weightAt(matrixAt + 2 * (4 * i + c) + 1);
-        for (int o = 0; o < 4; o++) {
-          result[o] += values[i][c] * low[o];
-          result[4 + o] += values[i][c] * high[o];
-        }
-      }
-    }
-  }
-  first = max(vec3(result[0], result[1], result[2]), 0.0);
-  second = max(vec3(result[3], result[4], result[5]), 0.0);
+  for (uint k = 0u; k < part.layer_count; k++) runLayer(part.layers[k]);
+  uint last = part.layers[part.layer_count - 1u].outputs;
+  for (uint i = 0u; i < last; i++) values[i] = (exp(clamp(values[i], 0.0, part.top)) - 1.0) * part.unit;
+  if (part.matrix.inputs != 0u) runLayer(part.matrix);
+  first = max(values[0].xyz, 0.0);
+  second = max(vec3(values[0].w, values[1].xy), 0.0);
 }

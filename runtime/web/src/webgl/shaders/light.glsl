@@ -171,22 +171,20 @@ struct Start {
   float coverage;
 };
 
-const uint NO_STRAND = 0xffffffffu;
-
 Start startOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
   int place = int(row2.w);
   uvec4 primitive = wordsAt(primitives, place);
   if (isSegment(primitive)) return Start(row0.xyz, primitive.z, vec3(1.0), 1.0);
   Hit hit = Hit(0.0, place, row1.w, b2, vec3(0.0));
-  return Start(liftedOrigin(primitive, hit, wi), NO_STRAND, vec3(1.0), 1.0);
+  return Start(liftedOrigin(primitive, hit, wi), NONE, vec3(1.0), 1.0);
 }
 
 // The ground shows the shadow, and fades with the distance.
 Start startOnGround(vec3 d, vec3 wi) {
-  if (ground.y == 0.0 || d.y * (cameraAt.y - ground.x) >= 0.0) return Start(vec3(0.0), NO_STRAND, vec3(0.0), 0.0);
+  if (ground.y == 0.0 || d.y * (cameraAt.y - ground.x) >= 0.0) return Start(vec3(0.0), NONE, vec3(0.0), 0.0);
   vec3 x = cameraAt + d * ((ground.x - cameraAt.y) / d.y);
   float fade = 1.0 - smoothstep(0.5, 1.0, length(x.xz - ground.zw) / groundSize);
-  return Start(x + vec3(0.0, epsilon, 0.0), NO_STRAND, fade * max(0.0, wi.y) * groundColour, fade);
+  return Start(x + vec3(0.0, epsilon, 0.0), NONE, fade * max(0.0, wi.y) * groundColour, fade);
 }
 
 void main() {

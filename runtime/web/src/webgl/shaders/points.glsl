@@ -30,7 +30,7 @@ vec2 uvOf(Corners corners, vec3 b) {
 
 // The bilinear lookup of 4.4, in values from 0 to 255; the texture repeats.
 vec3 lookUp(uint image, vec2 uv) {
-  uvec4 record = wordsAt(surfaces, texturesAt + 3 * int(image));
+  uvec4 record = wordsAt(surfaces, texturesAt + TEXTURE_ROWS * int(image));
   ivec2 size = ivec2(record.y & 0xffffu, record.y >> 16u);
   vec2 place = uv * vec2(size) - 0.5, low = floor(place), f = place - low;
   // Repeat before integers: coordinates may be large.
@@ -50,11 +50,11 @@ float fresnel(float index, float c) {
 
 vec3 transmittance(uvec4 primitive, Hit hit, vec3 d) {
   uint flags = surfaceRow(primitive, 0).z;
-  if ((flags & 2u) == 0u) return vec3(0.0);
-  uvec4 rule = surfaceRow(primitive, 7);  // texture, cutoff, indices of refraction
+  if ((flags & LETS_THROUGH) == 0u) return vec3(0.0);
+  uvec4 rule = surfaceRow(primitive, THROUGH_ROW);  // texture, cutoff, indices of refraction
   Corners corners = cornersOf(primitive);
   vec3 b = weightsOf(hit), tau = lookUp(rule.x, uvOf(corners, b)) / 255.0, index = uintBitsToFloat(rule.yzw);
-  if ((flags & 8u) != 0u) tau = vec3(tau.x > index.x ? 1.0 : 0.0);
+  if ((flags & HAS_CUTOFF) != 0u) tau = vec3(tau.x > index.x ? 1.0 : 0.0);
   if (index.y > 0.0) {
     vec3 n = unit(mixed(corners.n, b)), ng = cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]);
     tau *= 1.0 - fresnel(dot(d, ng) < 0.0 ? index.y : index.z, abs(dot(n, d)));

@@ -31,7 +31,7 @@ bool isSegment(uvec4 primitive) {
 }
 
 uvec4 surfaceRow(uvec4 primitive, int k) {
-  return wordsAt(surfaces, 9 * int(primitive.w >> 1u) + k);
+  return wordsAt(surfaces, SURFACE_ROWS * int(primitive.w >> 1u) + k);
 }
 
 struct Hit {

@@ -1,16 +1,16 @@
 // Records of buffers by the names of their members: rna_gpu/records declares them, records.json has their places.
 import layouts from "../../../rna_gpu/wgsl/records.json";
 
-export const constants = layouts.constants;
+export const { constants, records } = layouts;
 
 /** Words of a record, (n,) Uint32Array; members that `values` leaves out are 0. */
 export function packed(name, values) {
-  const words = new Uint32Array(layouts.records[name].words);
+  const words = new Uint32Array(records[name].words);
   write(words, new Float32Array(words.buffer), 0, name, values);
   return words;
 }
 
-export const bytesOf = (name) => 4 * layouts.records[name].words;
+export const bytesOf = (name) => 4 * records[name].words;
 
 /** The numbers of a light of that kind. */
 export function lightNumbers(kind, values) {
@@ -21,9 +21,9 @@ export function lightNumbers(kind, values) {
 
 function write(words, floats, start, name, values) {
   for (const [key, value] of Object.entries(values)) {
-    const { at, type, record } = layouts.records[name].members[key], place = start + at;
+    const { at, type, record } = records[name].members[key], place = start + at;
     const list = typeof value === "number" ? [value] : value;
     if (!record) (type === "f32" ? floats : words).set(list, place);
-    else [list].flat().forEach((one, k) => write(words, floats, place + k * layouts.records[record].words, record, one));
+    else [list].flat().forEach((one, k) => write(words, floats, place + k * records[record].words, record, one));
   }
 }
