@@ -67,14 +67,14 @@ def found(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Radiance (n, 3) and density (n,) that rays from x find: 0 where they find no light."""
     if isinstance(of, InfiniteLight):
-        return of.escaped(d_world)
+        return of.eval_environment(d_world)
     shape = of.light if isinstance(of, Quad) else of
     x_world, hits = at(x, len(d_world)), _traced(of, x, d_world)
     hit = hits.geometry >= 0
     radiance, pdf = np.zeros((len(hit), 3), np.float32), np.zeros(len(hit), np.float32)
     ng_world = (hits.ng @ _placed(of)[1][:3, :3].T).astype(np.float32)
     lines = x_world[hit], d_world[hit]
-    radiance[hit], pdf[hit] = shape.met(*lines, hits.take(np.flatnonzero(hit)), ng_world[hit])
+    radiance[hit], pdf[hit] = shape.eval_hit(*lines, hits.take(np.flatnonzero(hit)), ng_world[hit])
     return radiance, pdf
 
 

@@ -161,7 +161,7 @@ def found(light, asset, part, matrix, x, d):
     rows = hits.take(hit)
     rows.geometry[:] = part
     radiance, pdf = np.zeros((len(d), 3), np.float32), np.zeros(len(d), np.float32)
-    radiance[hit], pdf[hit] = light.met(at(x, len(hit)), d[hit], rows, rows.ng)
+    radiance[hit], pdf[hit] = light.eval_hit(at(x, len(hit)), d[hit], rows, rows.ng)
     return radiance, pdf
 
 

@@ -73,7 +73,7 @@ def test_an_image_is_found_beside_the_scene_file(tmp_path):
     write_exr(tmp_path / "sky.exr", {name: np.ones((2, 4), np.float32) for name in "RGB"}, {})
     model = EnvironmentModel(type="environment", path=Path("sky.exr"))
     sky = make_light(_read_in(tmp_path, model))
-    assert sky.escaped(np.float32([[0, 1, 0]]))[0].tolist() == [[1, 1, 1]]
+    assert sky.eval_environment(np.float32([[0, 1, 0]]))[0].tolist() == [[1, 1, 1]]
     with pytest.raises(SceneError, match=r"nowhere.sky\.exr: cannot read the image"):
         make_light(_read_in(tmp_path / "nowhere", model))
 

@@ -85,7 +85,7 @@ class GpuRenderer:
         clamp = indirect_clamp(scene.clamp_indirect, every, world.radius)
         # Shadow catchers find light by samples of lights alone, which have to find all of it.
         catches = world.catches_shadows.any()
-        lights = every if catches else [light.beside_rays() for light in every]
+        lights = every if catches else [light.mis_compensated() for light in every]
         tables, device = scene_tables(world, lights), self._open()
         parts = _parts(self._scene_file, world, tables.parts, device)
         self._gpu = Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)

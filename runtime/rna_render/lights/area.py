@@ -38,13 +38,13 @@ class AreaLight(PlacedLight):
     def power(self, scene_radius: float) -> float:
         return float(np.pi * self.area * luminance(self._radiance))
 
-    def met(
+    def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        from rna_render.lights.table import met_batch
+        from rna_render.lights.table import eval_hit_batch
 
         x_world = vectors("x_world", x_world)
         radiance, pdf = np.empty_like(x_world), np.empty(len(x_world), np.float32)
         lines = x_world, vectors("d_world", d_world, len(x_world))
-        met_batch(self.row.kind, self.row.numbers, *lines, radiance, pdf)
+        eval_hit_batch(self.row.kind, self.row.numbers, *lines, radiance, pdf)
         return radiance, pdf

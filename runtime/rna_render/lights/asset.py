@@ -53,7 +53,7 @@ class AssetEmission(TriangleLight):
         mean = [mesh.mean_luminance() for mesh in self._meshes.values()]
         super().__init__(*_joined(list(self._meshes.values())), np.concatenate([[], *mean]))
 
-    def met(
+    def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         radiance, pdf = np.zeros_like(x_world), np.zeros(len(x_world), np.float32)
@@ -113,11 +113,11 @@ class AssetLight(ShapeLight):
     def sent(self, place: np.ndarray, d_world: np.ndarray) -> np.ndarray:
         return self.factor * self._emission.sent(place, d_world @ self._rotation)
 
-    def met(
+    def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         lines = self._in_object(x_world), d_world @ self._rotation
-        radiance, pdf = self._emission.met(*lines, hits, hits.ng)
+        radiance, pdf = self._emission.eval_hit(*lines, hits, hits.ng)
         return self.factor * radiance, pdf
 
     def _in_object(self, x_world: np.ndarray) -> np.ndarray:

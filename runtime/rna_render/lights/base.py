@@ -62,7 +62,7 @@ class Light(ABC):
         Only for choosing among lights.
         """
 
-    def beside_rays(self) -> Light:
+    def mis_compensated(self) -> Light:
         """This light as it is sampled where rays that scatter find it, too."""
         return self
 
@@ -94,15 +94,17 @@ class InfiniteLight(Light):
 
     visible_to_camera: bool
 
-    def escaped(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def eval_environment(self, d_world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Radiance that comes against the rays' unit directions, (n, 3) float32, and pdf of them.
 
         Returns (n, 3) float32, and (n,) float32: the density with which `sample` finds d.
         """
-        from rna_render.lights.table import escaped_batch
+        from rna_render.lights.table import eval_environment_batch
 
         radiance, pdf = np.empty((len(d_world), 3), np.float32), np.empty(len(d_world), np.float32)
-        escaped_batch(self.row.kind, self.row.numbers, self.row.words, d_world, radiance, pdf)
+        eval_environment_batch(
+            self.row.kind, self.row.numbers, self.row.words, d_world, radiance, pdf
+        )
         return radiance, pdf
 
 
@@ -110,7 +112,7 @@ class ShapeLight(Light):
     """Light from a surface that rays meet: one of its own (PlacedLight), or an object's."""
 
     @abstractmethod
-    def met(
+    def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Radiance against rays that meet the light's surface, and the density of their directions.

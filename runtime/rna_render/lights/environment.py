@@ -57,7 +57,7 @@ class EnvironmentImageLight(InfiniteLight):
     def power(self, scene_radius: float) -> float:
         return float(np.pi * scene_radius**2 * self._image.total * luminance(self._scale))
 
-    def beside_rays(self) -> Light:
+    def mis_compensated(self) -> Light:
         return EnvironmentImageLight(self._model, self._untouched.compensated())
 
 

@@ -135,7 +135,7 @@ class MeshLight(TriangleLight):
         self._emission = emission
         self._opaque_emission = opaque_emission or emission
 
-    def met(
+    def eval_hit(
         self, x_world: np.ndarray, d_world: np.ndarray, hits: ClosestHits, ng_world: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         pdf = self._density(x_world, d_world, hits.primitive)

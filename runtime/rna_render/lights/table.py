@@ -67,9 +67,9 @@ def sample_light(
 
 
 @compiled(fastmath=())
-def escaped_light(kind: int, numbers: np.ndarray, d: Vector) -> tuple[Vector, float]:
+def eval_environment_light(kind: int, numbers: np.ndarray, d: Vector) -> tuple[Vector, float]:
     """Radiance, and density of `sample_light`, of a ray along d that leaves the scene; of images
-    see `escaped_batch`."""
+    see `eval_environment_batch`."""
     if kind == UNIFORM:
         return look_up_uniform(numbers)
     if kind == SUN:
@@ -78,7 +78,7 @@ def escaped_light(kind: int, numbers: np.ndarray, d: Vector) -> tuple[Vector, fl
 
 
 @compiled(fastmath=())
-def met_light(kind: int, numbers: np.ndarray, x: Vector, d: Vector) -> tuple[Vector, float]:
+def eval_hit_light(kind: int, numbers: np.ndarray, x: Vector, d: Vector) -> tuple[Vector, float]:
     """Radiance and density of a ray from x along d to a light of one shape and one radiance."""
     pdf = 0.0
     if kind == RECTANGLE:
@@ -121,7 +121,7 @@ def sample_batch(
 
 
 @compiled(fastmath=())
-def escaped_batch(
+def eval_environment_batch(
     kind: int,
     numbers: np.ndarray,
     words: np.ndarray,
@@ -133,12 +133,12 @@ def escaped_batch(
         look_up_image_light(numbers, words, d_world, radiance, pdf)
         return
     for i in range(len(d_world)):
-        found, pdf[i] = escaped_light(kind, numbers, vector_at(d_world, i))
+        found, pdf[i] = eval_environment_light(kind, numbers, vector_at(d_world, i))
         radiance[i, 0], radiance[i, 1], radiance[i, 2] = found
 
 
 @compiled(fastmath=())
-def met_batch(
+def eval_hit_batch(
     kind: int,
     numbers: np.ndarray,
     x_world: np.ndarray,
@@ -148,5 +148,5 @@ def met_batch(
 ) -> None:
     for i in range(len(d_world)):
         at = vector_at(x_world, i), vector_at(d_world, i)
-        found, pdf[i] = met_light(kind, numbers, at[0], at[1])
+        found, pdf[i] = eval_hit_light(kind, numbers, at[0], at[1])
         radiance[i, 0], radiance[i, 1], radiance[i, 2] = found

@@ -32,7 +32,7 @@ from rna_render.paths.sampling import (
 from rna_render.paths.weighing import (
     add_rows,
     clamp_paths,
-    weigh_met,
+    weigh_hit,
     weigh_rays,
     weigh_samples,
     worth_tracing,
@@ -98,7 +98,7 @@ class Integrator:
         self._world = world
         self._camera = camera
         both = strategy == "both"
-        self._lights = [light.beside_rays() for light in lights] if both else lights
+        self._lights = [light.mis_compensated() for light in lights] if both else lights
         self._max_depth = max_depth
         self._branches = branches if world.scatters else 1
         self._clamp = None if clamp is None else np.float32(clamp / self._branches)
@@ -175,24 +175,24 @@ class Integrator:
         for k, light in self._infinite:
             if from_camera and not light.visible_to_camera:
                 continue
-            radiance, pdf = light.escaped(rays.direction.take(escaped, axis=0))
-            self._add_met(band, rays, depth, escaped, k, radiance, pdf)
+            radiance, pdf = light.eval_environment(rays.direction.take(escaped, axis=0))
+            self._add_hit(band, rays, depth, escaped, k, radiance, pdf)
             if from_camera:
                 band.beauty[rays.path[escaped], 3] = 1.0
         of_light = np.where(owner >= 0, self._world.light[owner], -1)
         for k in np.flatnonzero(np.bincount(of_light + 1)[1:]).tolist():
-            met = np.flatnonzero(of_light == k)
-            radiance, pdf = self._world.lights[k].met(*self._meeting(rays, met))
-            self._add_met(band, rays, depth, met, k, radiance, pdf)
+            hit = np.flatnonzero(of_light == k)
+            radiance, pdf = self._world.lights[k].eval_hit(*self._meeting(rays, hit))
+            self._add_hit(band, rays, depth, hit, k, radiance, pdf)
 
     def _meeting(
-        self, rays: _Rays, met: np.ndarray
+        self, rays: _Rays, hit: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, ClosestHits, np.ndarray]:
-        """The arguments of ShapeLight.met."""
-        hits, lines = rays.hits.take(met), (rays.origin[met], rays.direction[met])
+        """The arguments of ShapeLight.eval_hit."""
+        hits, lines = rays.hits.take(hit), (rays.origin[hit], rays.direction[hit])
         return (*lines, hits, self._world.to_world_directions(hits.instance, hits.ng))
 
-    def _add_met(
+    def _add_hit(
         self,
         band: Layers,
         rays: _Rays,
@@ -204,7 +204,7 @@ class Integrator:
     ) -> None:
         own_pdf = rays.pdf if self._strategy == "both" else None
         samples = float(rays.probability[light])
-        brought = weigh_met(radiance, pdf, samples, own_pdf, row, rays.beta)
+        brought = weigh_hit(radiance, pdf, samples, own_pdf, row, rays.beta)
         self._add(band, rays.path[row], np.full(len(row), light), brought, depth)
 
     def _add(
@@ -311,7 +311,7 @@ class Integrator:
         band.caught[at] = caught_light(self._sampling_alone, vertices, rays.direction[at], numbers)
         for k, light in self._infinite:
             if light.visible_to_camera:
-                radiance, _ = light.escaped(rays.direction[at])
+                radiance, _ = light.eval_environment(rays.direction[at])
                 radiance = radiance * rays.beta.take(at, axis=0)
                 band.behind_catcher[at, :3] += radiance
                 band.behind_catcher[at, 3] = 1.0

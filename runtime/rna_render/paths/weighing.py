@@ -160,7 +160,7 @@ def weigh_samples(
 
 
 @compiled(fastmath=())
-def weigh_met(
+def weigh_hit(
     radiance: np.ndarray,
     pdf: np.ndarray,
     probability: float,
