@@ -6,9 +6,8 @@ from collections import Counter
 
 import pytest
 
-from rna_export.fit.candidate import Candidate
 from rna_export.fit.goal import Goal
-from rna_export.fit.search import search
+from rna_export.fit.search import Candidate, search
 from rna_export.metrics import NoiselessPsnr
 from rna_export.trials.scores import ModelScores
 from rna_export.trials.trial import Trial

@@ -7,8 +7,16 @@ from itertools import pairwise
 
 import pytest
 
-from rna_export.make.plan import CAPTURE, FixedPlan, Length, OpenPlan, TimedPlan
-from rna_export.make.stop import LEAST_GAIN_DB, MARGIN_DB, verdict
+from rna_export.make.plan import (
+    CAPTURE,
+    LEAST_GAIN_DB,
+    MARGIN_DB,
+    FixedPlan,
+    Length,
+    OpenPlan,
+    TimedPlan,
+    verdict,
+)
 
 NONE = -math.inf
 

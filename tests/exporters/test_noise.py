@@ -10,7 +10,7 @@ import pytest
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_export.training.optimization.noise import darkening, with_fitting_loss
+from rna_export.training.optimization.losses import darkening, with_fitting_loss
 from rna_export.training.presets import PRESETS
 from tests.exporters.synthetic import make_dataset, tiny
 

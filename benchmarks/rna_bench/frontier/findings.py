@@ -22,15 +22,15 @@ def findings(points: Points) -> dict[str, Any]:
 
 def sentences(found: dict[str, Any]) -> list[str]:
     """The findings in words."""
-    said, cheaper, better = [], *found.values()
-    if cheaper:
+    said = []
+    if cheaper := found["as_accurate_as_paper_hq"]:
         said.append(
             f"At the accuracy of paper-hq ({cheaper['paper_psnr']:.1f} dB, "
             f"{cheaper['paper_ns']:,.0f} ns/query) the cheapest of ours is {cheaper['name']}: "
             f"{cheaper['psnr']:.1f} dB, {cheaper['ns']:,.0f} ns, "
             f"1/{cheaper['times_as_cheap']:.0f} of the cost."
         )
-    if better:
+    if better := found["as_cheap_as_paper_small"]:
         said.append(
             f"At the cost of paper-small ({better['paper_ns']:,.0f} ns/query, "
             f"{better['paper_psnr']:.1f} dB) the best of ours is {better['name']}: "

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rna_bench.frontier.paper_tables import paper_tables
-from rna_bench.frontier.pictures import brightest, cut, strip_path
+from rna_bench.frontier.render_strips import brightest, cut, strip_path
 from rna_bench.plot_style import figure
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.metrics import to_png

@@ -68,7 +68,7 @@ def trainer() -> Iterator[Task]:
     """Steps of `small` on random samples, as `rna-train` does them."""
     import torch
 
-    from rna_export.memory import keep_freed_memory
+    from rna_export.machine import keep_freed_memory
     from rna_export.training.optimization.fitting import Fitting
     from rna_export.training.optimization.samples import SampleTable
     from rna_export.training.optimization.step_threads import StepThreads

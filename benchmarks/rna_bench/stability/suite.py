@@ -26,7 +26,7 @@ from rna_bench.stability.cases import (
     zoom,
 )
 from rna_bench.stability.fixtures import Fixtures
-from rna_export.memory import keep_freed_memory
+from rna_export.machine import keep_freed_memory
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 from rna_work.executors import Executor, check_shared, this_machine

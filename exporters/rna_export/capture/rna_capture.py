@@ -16,8 +16,7 @@ from rna_export.blender.rna_sources.source_formats import SOURCE_FORMATS
 from rna_export.capture.blender_process import blender_env, source_help
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.orientation import AXES, joined_axes
-from rna_export.machine import default_workers
-from rna_export.memory import keep_freed_memory
+from rna_export.machine import default_workers, keep_freed_memory
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_sdk.errors import CaptureError
 from rna_sdk.file_kinds import not_a

@@ -11,7 +11,6 @@ import numpy as np
 
 from rna_export.compare.comparison_run import Pair
 from rna_export.compare.origin import Origin
-from rna_export.compare.sheet import comparison_sheet, pictures_of
 from rna_export.html_pages import write_html
 from rna_export.metrics import (
     FLIP_DEFINITION,
@@ -19,7 +18,7 @@ from rna_export.metrics import (
     WITHOUT_NOISE_DEFINITION,
     NoiselessPsnr,
 )
-from rna_export.pictures import write_picture
+from rna_export.pictures import comparison_sheet, pictures_of, write_picture
 from rna_export.psnr_words import psnr_in_words
 from rna_sdk.atomic_file import write_atomically
 

@@ -11,16 +11,12 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.validation_view import WholeView
 from rna_export.effort import Effort
 from rna_export.metrics import plain
+from rna_export.pictures import sheet_of
 from rna_export.psnr_words import psnr_in_words
 from rna_export.training.checkpoint import Trained
 from rna_export.training.validation import mean_psnr, reference_warnings, write_sheet
 from rna_sdk.package import Manifest
 from rna_sdk.runtime import Asset, load
-
-
-def sheet_of(package: Path) -> Path:
-    """Where the contact sheet of a package goes: beside it."""
-    return package.with_name(f"{package.stem}-sheet.png")
 
 
 def closing_lines(

@@ -9,18 +9,18 @@ import numpy as np
 
 from rna_export.brightness import brightness
 from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
-from rna_export.capture.dataset.validation_view import WholeView, all_queries
-from rna_export.export.small_images import flip_at_heights
+from rna_export.capture.dataset.validation_view import CapturedImage, WholeView, all_queries
 from rna_export.export.trained_tiers import TrainedTier
 from rna_export.machine import seconds_of
-from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, plain, psnr
+from rna_export.metrics import FLIP_DEFINITION, PSNR_DEFINITION, flip, plain, psnr
 from rna_export.training.validation import exposure, mean_psnr, score, shade
 from rna_sdk.cpu import processor
 from rna_sdk.errors import ExportError
-from rna_sdk.package import Cost, Tier, Validation
+from rna_sdk.package import Cost, FlipAtHeight, Tier, Validation
 from rna_sdk.runtime import Asset, FiberAsset, SurfaceAsset
 
 _COST_ROWS = 200_000
+_SMALLEST, _HALVINGS = 8, 4  # pixels of small images, of which fewer say little; their sizes
 
 
 def measured(
@@ -125,3 +125,32 @@ def _ns_per_query(part: SurfaceAsset | FiberAsset, queries: Arguments) -> float:
     rows = rows_of(queries, np.arange(_COST_ROWS) % len(queries[0]))
     seconds = [seconds_of(lambda: part.evaluate(*rows)) for _ in range(6)]
     return 1e9 * float(np.median(seconds[1:])) / _COST_ROWS
+
+
+def flip_at_heights(
+    radiance: list[np.ndarray], views: Sequence[CapturedImage]
+) -> tuple[FlipAtHeight, ...]:
+    """Mean FLIP of shaded rows, (n, 3) a view, at the images' height, half of it, and so on.
+
+    Pixels are averaged as radiance, as a renderer's samples of a pixel are; rows and columns that
+    a height does not divide are left out.
+    """
+    images = [(v.image(r), v.image(v.reference)) for r, v in zip(radiance, views, strict=True)]
+    result, e = [], exposure(views)
+    for factor in (2**k for k in range(_HALVINGS)):
+        height = views[0].resolution // factor
+        if height < _SMALLEST and factor > 1:
+            break
+        errors = [
+            flip(_reduced(ours, factor), _reduced(theirs, factor), e)[0] for ours, theirs in images
+        ]
+        result.append(FlipAtHeight(height=height, flip=float(np.mean(errors))))
+    return tuple(result)
+
+
+def _reduced(image: np.ndarray, factor: int) -> np.ndarray:
+    """Means of blocks of `factor` x `factor` pixels."""
+    height, width = (side // factor for side in image.shape[:2])
+    whole = image[: height * factor, : width * factor]
+    blocks = whole.reshape(height, factor, width, factor, 3)
+    return np.asarray(blocks.mean(axis=(1, 3)))

@@ -82,10 +82,11 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
-    from rna_export.export.closing import closing_lines, sheet_of
+    from rna_export.export.closing import closing_lines
     from rna_export.export.extras import add_extras
     from rna_export.export.package_build import build_package
     from rna_export.export.trained_tiers import checkpoint_paths
+    from rna_export.pictures import sheet_of
     from rna_export.training.checkpoint import load_checkpoint
 
     checkpoints = checkpoint_paths(args.checkpoints)

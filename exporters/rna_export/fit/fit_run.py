@@ -11,9 +11,8 @@ import torch
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import all_queries
-from rna_export.fit.candidate import Candidate
 from rna_export.fit.goal import Goal
-from rna_export.fit.search import search
+from rna_export.fit.search import Candidate, search
 from rna_export.training.checkpoint import Trained
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.training_run import padded_bounds

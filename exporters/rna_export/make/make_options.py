@@ -9,7 +9,6 @@ from typing import Any
 from rna_export.capture.blender_process.blender_worker import Source
 from rna_export.capture.capture_run import CaptureWorkers
 from rna_export.fit.goal import Goal
-from rna_export.make.training_picture import TrainingPicture
 from rna_render.scene import SceneFile
 
 
@@ -28,7 +27,7 @@ class MakeOptions:
     seed: int
     device: str
     workers: CaptureWorkers
-    picture: TrainingPicture | None = None
+    picture: Path | None = None  # of the model in training, rewritten
 
     @property
     def fixes_lights(self) -> bool:

@@ -17,11 +17,10 @@ from rna_export.export.precision import Precision
 from rna_export.fit.goal import Goal
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.phases import Phase, phase_folder, score, trained_in
-from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan
+from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan, Verdict, verdict
 from rna_export.make.progress import Clock, Progress
 from rna_export.make.rays import Rays, open_rays, rays_folder
 from rna_export.make.state import Last, Round, RunSettings, Score, State, load_state
-from rna_export.make.stop import Verdict, verdict
 from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import PRESETS
 from rna_export.training.validation import reference_warnings

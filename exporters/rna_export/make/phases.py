@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,21 +15,21 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.make.plan import Length
 from rna_export.make.progress import Stage
 from rna_export.make.state import Score
-from rna_export.make.training_picture import TrainingPicture
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.part_runs import part_folder, shared_minutes
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import mean_flip, mean_psnr, shade
+from rna_sdk.atomic_file import write_atomically
 
 
 @dataclass(frozen=True)
 class Phase:
     """A training of one preset, of all parts.
 
-    folder: for checkpoints, one folder in it for each of several parts. picture: shows the model
-    while it is trained; None for no picture.
+    folder: for checkpoints, one folder in it for each of several parts. picture: a file that shows
+    the model while it is trained; None for none.
     """
 
     dataset: Dataset
@@ -37,7 +38,7 @@ class Phase:
     folder: Path
     seed: int
     device: str
-    picture: TrainingPicture | None = None
+    picture: Path | None = None
 
     def run(self, shards: Sequence[Path], stage: Stage) -> None:
         """Train each part on the samples of these shards; parts that are finished are skipped."""
@@ -63,7 +64,7 @@ class Phase:
 
     def _show(self, training: Path) -> None:
         if self.picture is not None:
-            self.picture.show(training)
+            copy_first_view(training, self.picture)
 
     def _preset(self, kind: str) -> Preset:
         """The preset of this length."""
@@ -71,6 +72,17 @@ class Phase:
         return (
             preset if self.length.steps is None else preset.with_training(steps=self.length.steps)
         )
+
+
+def copy_first_view(training: Path, picture: Path) -> None:
+    """Copy the first validation picture of a training's folder, if there is one.
+
+    A picture is no reason to end a training: one that cannot be read or written is left out.
+    """
+    with suppress(OSError):
+        views = sorted((training / "validation").glob("view-*.png"))
+        if views:
+            write_atomically(picture, views[0].read_bytes())
 
 
 def phase_folder(work: Path, preset: str, number: int | None) -> Path:

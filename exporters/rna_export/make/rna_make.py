@@ -21,7 +21,7 @@ from rna_export.capture.rna_capture import (
 )
 from rna_export.export.credit import add_credit
 from rna_export.export.precision import add_precision, precisions_of
-from rna_export.training.options import add_device
+from rna_export.training.options import add_device, chosen_device
 from rna_export.training.presets import PRESETS
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
@@ -162,13 +162,12 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.blender_process.blender_worker import Source
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
-    from rna_export.export.closing import closing_lines, sheet_of
+    from rna_export.export.closing import closing_lines
+    from rna_export.machine import keep_freed_memory
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
     from rna_export.make.state import WRITTEN, RunSettings, is_work_folder
-    from rna_export.make.training_picture import TrainingPicture
-    from rna_export.memory import keep_freed_memory
-    from rna_export.training.device import chosen_device
+    from rna_export.pictures import sheet_of, training_picture_of
     from rna_render.scene import read_scene
 
     keep_freed_memory()
@@ -194,11 +193,9 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     source = Source.captured(args.model, arguments, CaptureSettings(**settings))
     for_scene = None if args.for_scene is None else read_scene(args.for_scene)
     device, python = chosen_device(args.device), find_python()
-    picture = TrainingPicture.beside(args.out)
+    picture = training_picture_of(args.out)
     print(f"{work} holds rays and trainings; Ctrl-C stops, and the same command resumes")
-    print(
-        f"{picture.path} shows the model while it is trained: ours, Cycles, the error", flush=True
-    )
+    print(f"{picture} shows the model while it is trained: ours, Cycles, the error", flush=True)
     with owned(work, "rna-make", is_work_folder) as folder:
         with folder.scratch() as scratch, open_executor(args.cluster) as executor:
             options = MakeOptions(

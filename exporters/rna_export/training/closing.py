@@ -18,13 +18,10 @@ def closing_lines(best: Path, part: DatasetPart) -> list[str]:
     effort, lines = Effort.of([trained], part.dataset), []
     if rows:
         row = max(rows, key=lambda row: row["psnr"])
-        score = f"PSNR {row['psnr']:.2f} dB ({psnr_in_words(row['psnr'])})"
-        lines.append(f"{trained.preset_name}: {score}; {effort}")
+        name = trained.preset_name
+        lines.append(f"{name}: PSNR {_told(row['psnr'])}; {effort}")
         if "emission_psnr" in row:
-            db = row["emission_psnr"]
-            lines.append(
-                f"{trained.preset_name}: PSNR of emission {db:.2f} dB ({psnr_in_words(db)})"
-            )
+            lines.append(f"{name}: PSNR of emission {_told(row['emission_psnr'])}")
     return [*lines, *reference_warnings(part.validation_views()), *effort.warnings]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from rna_sdk.errors import TrainingError
 from rna_work.cluster.cluster_option import add_cluster_option
 from rna_work.cluster.store import add_store_option
 
@@ -28,3 +29,14 @@ def add_trainings(parser: argparse.ArgumentParser) -> None:
     )
     add_cluster_option(parser)
     add_store_option(parser, "checkpoints")
+
+
+def chosen_device(device: str) -> str:
+    """`cpu` or `cuda` for these or `auto`. Raises `TrainingError` for a GPU that is not there."""
+    import torch
+
+    if device == "cuda" and not torch.cuda.is_available():
+        raise TrainingError("--device cuda: PyTorch finds no CUDA device")
+    if device == "auto":
+        return "cuda" if torch.cuda.is_available() else "cpu"
+    return device

@@ -9,7 +9,7 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from rna_export.training.options import add_device
+from rna_export.training.options import add_device, chosen_device
 from rna_export.training.presets import LOSSES, PRESETS, Preset
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
@@ -116,9 +116,8 @@ def _run(args: argparse.Namespace) -> None:
     begun = monotonic()  # the imports take seconds
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
-    from rna_export.memory import keep_freed_memory
+    from rna_export.machine import keep_freed_memory
     from rna_export.training.closing import closing_lines
-    from rna_export.training.device import chosen_device
     from rna_export.training.part_runs import part_folder, shared_minutes
     from rna_export.training.training_run import Run, is_of_training, train
 

@@ -20,7 +20,7 @@ from rna_export.training.model.emission import INPUTS
 from rna_export.training.optimization import emission_batches
 from rna_export.training.optimization.emission_batches import EmissionBatches
 from rna_export.training.optimization.fitting import Fitting
-from rna_export.training.optimization.noise import with_fitting_loss
+from rna_export.training.optimization.losses import with_fitting_loss
 from rna_export.training.optimization.pace import Pace, StepPace, TimePace, length
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.optimization.step_threads import StepThreads

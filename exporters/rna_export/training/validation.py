@@ -10,7 +10,6 @@ import numpy as np
 import torch
 
 from rna_export.capture.dataset.validation_view import CapturedImage, EmissionView, ValidationView
-from rna_export.compare.sheet import comparison_sheet, pictures_of
 from rna_export.metrics import (
     NoiselessPsnr,
     emission_exposure,
@@ -22,7 +21,7 @@ from rna_export.metrics import (
     relative_mse,
     to_png,
 )
-from rna_export.pictures import write_picture
+from rna_export.pictures import comparison_sheet, pictures_of, write_picture
 from rna_export.training.model.neural_asset import NeuralAsset
 
 _ROWS = 65536

@@ -59,7 +59,7 @@ class TrialWorker:
         self._table: SampleTable | None = None
 
     def __enter__(self) -> TrialWorker:
-        from rna_export.memory import keep_freed_memory
+        from rna_export.machine import keep_freed_memory
         from rna_export.training.optimization.training_threads import use_threads
 
         keep_freed_memory()

@@ -8,7 +8,7 @@ from matplotlib.figure import FigureBase
 from rna_bench.stability.case import Case, Row, Verdict, values
 from rna_bench.stability.fixtures import Fixtures
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_export.training.optimization.noise import with_fitting_loss
+from rna_export.training.optimization.losses import with_fitting_loss
 from rna_export.training.validation import score, shade
 
 BIAS, FROM_PATHS = 0.02, 4  # the mark

@@ -8,8 +8,8 @@ import numpy as np
 from PIL import Image
 
 from rna_export.capture.dataset.validation_view import ValidationView
-from rna_export.compare.sheet import flip_colours
 from rna_export.metrics import display
+from rna_export.pictures import flip_colours
 
 
 def strip_path(folder: Path, label: str, what: str) -> Path:
