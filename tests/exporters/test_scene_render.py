@@ -20,6 +20,8 @@ from rna_render.world.camera import Camera
 from rna_sdk.errors import SceneError
 from tests.exporters.conftest import OpenWorker
 from tests.exporters.cycles import unit
+from tests.render.assets import sphere
+from tests.render.packages import write_lambert_package
 
 WIDTH, HEIGHT, BLOCK = 48, 36, 6
 CAMERA = {"position": (1.5, 1.3, 2.5), "look_at": (-0.3, 0.6, 0.0)}
@@ -145,6 +147,19 @@ def test_what_blender_has_no_twin_of_is_refused(wrong: dict[str, Any], says: str
     scene = Scene(**{"camera": CAMERA, "ground": GROUND, **wrong})
     with pytest.raises(SceneError, match=says):
         cycles_scene(scene)
+
+
+def test_a_ground_without_a_size_is_that_of_rna_run(tmp_path: Path) -> None:
+    package = write_lambert_package(tmp_path / "ball.rna", sphere(1))
+    transform = {"translation": (9.0, 1.0, -30.0), "rotation_deg": (0.0, 30.0, 0.0)}
+    asset = {"path": str(package), "transform": transform}
+    scene = Scene(camera=CAMERA, ground={"material": RED}, assets=[asset])
+    world = load_world(SceneFile(tmp_path / "scene.yaml", scene, {}))
+    (described,) = cycles_scene(scene)["meshes"]
+    assert np.abs(described["positions"]).max() > 100.0
+    np.testing.assert_allclose(
+        described["positions"], world.placements[-1].thing.positions, rtol=1e-5
+    )
 
 
 def _scene(light: dict[str, Any], **things: Any) -> Scene:

@@ -11,6 +11,7 @@ The description is JSON in the renderer's own space, +Y up:
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,10 @@ import numpy as np
 from rna_render import MeshObject, ground, read_mesh_object
 from rna_render.scene import DiffuseModel, MaterialModel, Scene, world_from_object
 from rna_sdk.errors import SceneError
+from rna_sdk.package import Package
+
+_Placed = tuple[MeshObject, np.ndarray, tuple[float, ...]]
+"""A mesh, world from object and its colour."""
 
 
 def cycles_scene(
@@ -32,16 +37,19 @@ def cycles_scene(
     assets of several packages, a scaled one (Cycles does not scale the depth of subsurface
     scattering), objects and grounds that are not of one diffuse colour, spheres that shine.
     """
+    assets, objects = _assets(scene), _objects(scene)
+    meshes = [*objects, *_ground(scene, assets, objects)]
     return {
-        "assets": _assets(scene),
-        "meshes": [*_objects(scene), *_ground(scene)],
+        "assets": [matrix.tolist() for matrix in assets],
+        "meshes": [_described(*mesh) for mesh in meshes],
         "lights": [_light(model.model_dump(mode="json")) for model in scene.lights],
         "bounces": bounces,
         "emission": emission,
     }
 
 
-def _assets(scene: Scene) -> list[list[list[float]]]:
+def _assets(scene: Scene) -> list[np.ndarray]:
+    """World from object, (4, 4), of each."""
     packages = {asset.path for asset in scene.assets}
     if len(packages) > 1:
         raise SceneError(f"found {len(packages)} packages; the Cycles comparison supports one")
@@ -50,26 +58,44 @@ def _assets(scene: Scene) -> list[list[list[float]]]:
             raise SceneError(
                 f"found asset scale {transform.scale:g}; the Cycles comparison supports scale 1"
             )
-    return [world_from_object(asset.transform).tolist() for asset in scene.assets]
+    return [world_from_object(asset.transform) for asset in scene.assets]
 
 
-def _objects(scene: Scene) -> list[dict[str, Any]]:
+def _objects(scene: Scene) -> list[_Placed]:
     meshes = []
     for model in scene.objects:
         colour = _colour(model.material)
         mesh = read_mesh_object(model.path, model.material)
-        meshes.append(_mesh(mesh, world_from_object(model.transform), colour))
+        meshes.append((mesh, world_from_object(model.transform), colour))
     return meshes
 
 
-def _ground(scene: Scene) -> list[dict[str, Any]]:
+def _ground(
+    scene: Scene, assets: Sequence[np.ndarray], objects: Sequence[_Placed]
+) -> list[_Placed]:
+    """The ground, which without a size reaches as far as `rna-run` lays it."""
     if scene.ground is None:
         return []
-    colour = _colour(scene.ground.material)
-    return [_mesh(ground(scene.ground), np.eye(4), colour)]
+    reach = 0.0
+    if scene.ground.size is None:
+        boxes = [
+            (matrix, mesh.positions.min(axis=0), mesh.positions.max(axis=0))
+            for mesh, matrix, _ in objects
+        ]
+        if assets:
+            with Package.open(scene.assets[0].path) as package:
+                boxes += [(matrix, *package.box()) for matrix in assets]
+        reach = max((_reach(*box) for box in boxes), default=0.0)
+    return [(ground(scene.ground, reach), np.eye(4), _colour(scene.ground.material))]
 
 
-def _mesh(mesh: MeshObject, matrix: np.ndarray, colour: tuple[float, ...]) -> dict[str, Any]:
+def _reach(matrix: np.ndarray, low: np.ndarray, high: np.ndarray) -> float:
+    """The largest x or z of a box in the world."""
+    corners = np.array(np.meshgrid(*np.stack([low, high], axis=1))).reshape(3, -1)
+    return float(np.abs(matrix[:3, :3] @ corners + matrix[:3, 3:])[[0, 2]].max())
+
+
+def _described(mesh: MeshObject, matrix: np.ndarray, colour: tuple[float, ...]) -> dict[str, Any]:
     """World space, without its normals: Cycles shades it flat."""
     positions = mesh.positions @ matrix[:3, :3].T + matrix[:3, 3]
     return {
