@@ -39,7 +39,9 @@ class Lobes:
     def sample(self, choice: mi.Float, u: mi.Point2f) -> mi.Vector3f:
         """Unit directions from three numbers in [0, 1)."""
         uniform = 1 - 2 * u.x
-        on_surface = dr.select(choice < UNIFORM + COSINE, dr.sqrt(1 - u.x), _fisher(u.x, 20.0))
+        on_surface = dr.select(
+            choice < UNIFORM + COSINE, dr.sqrt(1 - u.x), _fisher(u.x, MIRROR_KAPPA)
+        )
         on_surface = dr.select(choice < UNIFORM, uniform, on_surface)
         surface_axis = dr.select(choice < UNIFORM + COSINE, self.axis, self.mirror)
         sine = self._cone_sine(u.x)

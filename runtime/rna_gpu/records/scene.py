@@ -23,6 +23,8 @@ FRAME = Record(
     Field("light_count", "<u4"),
     Field("sums", "<u4", (), "vec4f of a path in `sums`"),
     Field("flags", "<u4", (), "of those below"),
+    Field("branch", "<u4", (), "number of the ray that went on from the first point"),
+    Field("branches", "<u4", (), "of those rays; 1 before them"),
     Field("neural_part", "<u4"),
     Field("table_size", "<u4", (), "of albedo"),
     Field("things", "<u4", (), "this and the rest: places of the sections of `table`"),

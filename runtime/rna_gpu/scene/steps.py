@@ -16,14 +16,15 @@ from rna_gpu.scene.scene_tables import SceneTables
 from rna_render import Camera
 from rna_render.lights import AssetLight, InfiniteLight, Light
 from rna_render.materials import TABLE_SIZE
-from rna_render.paths.sampling import LIGHTS_AT_A_VERTEX
+from rna_render.paths.sampling import BRANCHES, LIGHTS_AT_A_VERTEX
 from rna_render.scene import Scene
 from rna_trace import CAMERA_RAY, INDIRECT_RAY, SHADOW_RAY
 
 
 @dataclass(frozen=True)
 class Step:
-    """A dispatch: a pipeline and a row of the frames; or the evaluation of a part."""
+    """A dispatch: a pipeline and a row of the frames; or the evaluation of a part; or "clear", of
+    the number of queries, "keep" and "restore", of paths at the points that the camera sees."""
 
     name: str
     frame: int = 0
@@ -58,7 +59,9 @@ class Steps:
             + records.RAYS_MEET_LIGHTS * self._meet
             + records.TRANSMITS * tables.transmits
         )
-        self.stages = self._planned(scene.max_depth, scatters)
+        self._split = {"branch": 0, "branches": 1}
+        depth, self._branches = (scene.max_depth, BRANCHES) if scatters else (1, 1)
+        self.stages = self._planned(depth, self._branches)
         self.frames: NDArray[Any] = np.zeros(len(self._rows), records.FRAME.dtype)
         for row, values in zip(self.frames, self._rows, strict=True):
             for name, value in values.items():
@@ -74,7 +77,7 @@ class Steps:
             "step_x": camera.step_x,
             "step_y": camera.step_y,
             "seed": scene.seed,
-            "clamp": clamp or 0.0,
+            "clamp": (clamp or 0.0) / self._branches,
             "light_count": len(self._lights),
             **tables.sections,
             "sums": sums,
@@ -83,12 +86,26 @@ class Steps:
         for name, value in common.items():
             self.frames[name] = value
 
-    def _planned(self, max_depth: int, scatters: bool) -> list[list[Step]]:
+    def _planned(self, max_depth: int, branches: int) -> list[list[Step]]:
         first = [self._step("camera"), self._step("closest", rays=CAMERA_RAY)]
         stages = [[*first, *self._collected(0)]]
+        stages += [self._direct(1, *chosen) for chosen in self._samples(1)]
+        if branches > 1:
+            stages.append([Step("keep")])
+        for branch in range(branches):
+            self._split = {"branch": branch, "branches": branches}
+            if branch:
+                stages.append([Step("restore")])
+            stages += self._continued(max_depth)
+        return stages
+
+    def _continued(self, max_depth: int) -> list[list[Step]]:
+        """What follows the samples of lights at the first points."""
+        stages = []
         for depth in range(1, max_depth + 1):
-            stages += [self._direct(depth, *chosen) for chosen in self._samples(depth)]
-            last = depth == max_depth or not scatters
+            if depth > 1:
+                stages += [self._direct(depth, *chosen) for chosen in self._samples(depth)]
+            last = depth == max_depth
             if last and not self._meet:
                 break
             stage = [self._step("scatter", depth=depth)]
@@ -96,8 +113,6 @@ class Steps:
             for_beta = self._flags | records.FOR_BETA
             stage += self._queries("transport", self._every, depth=depth, flags=for_beta)
             stages.append([*stage, *self._collected(depth)])
-            if last:
-                break
         return stages
 
     def _direct(self, depth: int, light: int, number: int, times: int) -> list[Step]:
@@ -123,7 +138,7 @@ class Steps:
         return steps
 
     def _step(self, name: str, **values: int) -> Step:
-        self._rows.append({"flags": self._flags, **values})
+        self._rows.append({"flags": self._flags, **self._split, **values})
         return Step(name, len(self._rows) - 1)
 
     def _samples(self, depth: int) -> list[tuple[int, int, int]]:

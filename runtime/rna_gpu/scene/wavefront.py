@@ -95,6 +95,12 @@ class Wavefront:
         if step.name == "clear":
             encoder.clear_buffer(self._rows.count)
             return
+        if step.name in ("keep", "restore"):
+            ways = self._paths, self._kept_paths
+            source, target = ways if step.name == "keep" else reversed(ways)
+            size = count * PATH.dtype.itemsize
+            encoder.copy_buffer_to_buffer(source, 0, target, 0, size)
+            return
         run = encoder.begin_compute_pass()
         if step.name in ("transport", "emitter"):
             evaluator = getattr(self._parts[step.part], step.name)
@@ -112,10 +118,13 @@ class Wavefront:
         device, count = self._device, self.band
         self._uniform = device.buffer(len(self._steps.frames) * STRIDE, "UNIFORM", what="steps")
         self._pixels = device.buffer(count * 4, "STORAGE", what="pixels")
+        self._paths, self._kept_paths = (
+            device.buffer(count * PATH.dtype.itemsize, "STORAGE", what="paths") for _ in range(2)
+        )
         self._path_sums = device.buffer(count * self._sums * 16, "STORAGE", what="sums")
         self._path_buffers = [
             self._uniform,
-            device.buffer(count * PATH.dtype.itemsize, "STORAGE", what="paths"),
+            self._paths,
             self._path_sums,
             device.buffer(2 * count * PENDING.dtype.itemsize, "STORAGE", what="queries"),
             device.upload(tables.table, "STORAGE", what="tables"),

@@ -22,6 +22,7 @@ from rna_render.image.film import Layers
 from rna_render.lights import InfiniteLight, Light
 from rna_render.paths.light_sampling import LightChoice, LightSampling, caught_light
 from rna_render.paths.sampling import (
+    BRANCHES,
     CHOICES,
     DIRECTION,
     PIXEL_DIMENSION,
@@ -45,9 +46,6 @@ from rna_trace.points import Role
 
 # Paths are ended at random from this many points on.
 FIRST_ROULETTE = 2
-
-# So many rays go on from the point that the camera sees, if they can meet another thing.
-BRANCHES = 3
 
 Strategy = Literal["both", "lights", "rays"]
 
@@ -76,9 +74,8 @@ class Integrator:
     """Renders bands of pixels; several threads may each render one at once.
 
     lights: those of the world first, in its order. max_depth: how many points of a path may
-    scatter. clamp: clamp on per-path indirect radiance; None disables it.
-    branches: rays that go on from the point that the camera sees; each then counts for that part
-    of a path, with its clamp.
+    scatter. clamp: clamp on per-path indirect radiance; None disables it. Each of the BRANCHES
+    that go on from the point that the camera sees counts for that part of a path, with its clamp.
     strategy: how light is found; anything but "both" is for tests, since each way alone misses some
     lights or is slow.
     """
@@ -93,14 +90,13 @@ class Integrator:
         max_depth: int,
         clamp: float | None = None,
         strategy: Strategy = "both",
-        branches: int = BRANCHES,
     ) -> None:
         self._world = world
         self._camera = camera
         both = strategy == "both"
         self._lights = [light.mis_compensated() for light in lights] if both else lights
         self._max_depth = max_depth
-        self._branches = branches if world.scatters else 1
+        self._branches = BRANCHES if world.scatters else 1
         self._clamp = None if clamp is None else np.float32(clamp / self._branches)
         self._strategy = strategy
         self._sampling = LightSampling(world, self._lights)

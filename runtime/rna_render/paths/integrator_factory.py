@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from rna_render.lights import Light, make_light
-from rna_render.paths.integrator import BRANCHES, Integrator
+from rna_render.paths.integrator import Integrator
 from rna_render.scene.light_models import AreaModel
 from rna_render.scene.scene_model import Scene
 from rna_render.world.camera import Camera
@@ -18,19 +18,15 @@ from rna_render.world.world import World
 AUTO = 10.0
 
 
-def make_integrator(
-    scene: Scene,
-    world: World,
-    branches: int = BRANCHES,
-) -> Integrator:
+def make_integrator(scene: Scene, world: World) -> Integrator:
     """Integrator of `scene`, with resolved paths, whose things are in `world`.
 
-    branches: as in Integrator. Raises SceneError for an environment's image that cannot be used.
+    Raises SceneError for an environment's image that cannot be used.
     """
     lights = all_lights(scene, world)
     camera = Camera(scene.camera, scene.resolution)
     clamp = indirect_clamp(scene.clamp_indirect, lights, world.radius)
-    return Integrator(world, camera, lights, scene.max_depth, clamp, branches=branches)
+    return Integrator(world, camera, lights, scene.max_depth, clamp)
 
 
 def all_lights(scene: Scene, world: World) -> list[Light]:

@@ -17,6 +17,9 @@ from rna_trace.hashing import Bits, hash_bits
 # So many lights at most have a sample each at one point.
 LIGHTS_AT_A_VERTEX = 4
 
+# So many rays go on from the point that the camera sees, if they can meet another thing.
+BRANCHES = 3
+
 # Dimensions of the sampler: the place in the pixel, then these at each point of a path, with one
 # for each light that has a sample there.
 PIXEL_DIMENSION = 0

@@ -31,7 +31,7 @@ fn chosen_light(pixel: u32) -> u32 {
 fn light_point(pixel: u32) -> vec2f {
     let which = select(frame.light, 0u, frame.light == NONE);
     let dimension = (frame.depth - 1u) * DIMENSIONS + LIGHT + which;
-    return square(pixel, dimension, frame.sample * frame.parts + frame.part);
+    return square(pixel, dimension, path_of_pixel() * frame.parts + frame.part);
 }
 
 // Asks what an asset emits at the point of it that was sampled, towards the path's point, with the

@@ -42,12 +42,17 @@ fn square(pixel: u32, dimension: u32, number: u32) -> vec2f {
     return vec2f(f32(first >> 8u), f32(second >> 8u)) * 0x1p-24f;
 }
 
+// Number of the path among all of its pixel that have come to this point.
+fn path_of_pixel() -> u32 {
+    return frame.sample * frame.branches + frame.branch;
+}
+
 fn at_point(pixel: u32, dimension: u32) -> vec2f {
-    return square(pixel, (frame.depth - 1u) * DIMENSIONS + dimension, frame.sample);
+    return square(pixel, (frame.depth - 1u) * DIMENSIONS + dimension, path_of_pixel());
 }
 
 // What a path's next ray passes at random through.
 fn chance_of(pixel: u32) -> u32 {
     let path = hash_bits(hash_bits(frame.seed + 1u) ^ hash_bits(pixel + 1u));
-    return hash_bits(hash_bits(path ^ frame.sample) + frame.depth);
+    return hash_bits(hash_bits(path ^ path_of_pixel()) + frame.depth);
 }

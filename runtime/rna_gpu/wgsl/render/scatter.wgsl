@@ -15,8 +15,10 @@ fn scatter(
         return;
     }
     var beta = path.beta;
-    if frame.depth >= 2u {
-        let survival = min(max(beta.x, max(beta.y, beta.z)), 1.0);
+    if frame.depth == 1u {
+        beta /= f32(frame.branches);
+    } else { // as often as if the path had not been split
+        let survival = min(max(beta.x, max(beta.y, beta.z)) * f32(frame.branches), 1.0);
         if at_point(path.pixel, ROULETTE).x >= survival {
             paths[k].state = DEAD;
             return;

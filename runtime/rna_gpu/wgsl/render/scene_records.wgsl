@@ -26,14 +26,16 @@ struct Frame { // 144 bytes
     light_count: u32, // 88
     sums: u32, // 92; vec4f of a path in `sums`
     flags: u32, // 96; of those below
-    neural_part: u32, // 100
-    table_size: u32, // 104; of albedo
-    things: u32, // 108; this and the rest: places of the sections of `table`
-    surfaces: u32, // 112
-    lights: u32, // 116
-    albedo: u32, // 120
-    domains: u32, // 124
-    textures: u32, // 128
+    branch: u32, // 100; number of the ray that went on from the first point
+    branches: u32, // 104; of those rays; 1 before them
+    neural_part: u32, // 108
+    table_size: u32, // 112; of albedo
+    things: u32, // 116; this and the rest: places of the sections of `table`
+    surfaces: u32, // 120
+    lights: u32, // 124
+    albedo: u32, // 128
+    domains: u32, // 132
+    textures: u32, // 136
 }
 
 struct Path { // 96 bytes

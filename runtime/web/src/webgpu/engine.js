@@ -225,7 +225,7 @@ export class WebGPUEngine {
   _writeFrame({ position, corner, stepX, stepY }, sample) {
     const { lightsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
-      camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, depth: 1, rays: CAMERA_RAYS,
+      camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: CAMERA_RAYS,
       flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt,
     }));
   }
