@@ -11,16 +11,13 @@ from rna_export.capture.rays.cones import EVERYWHERE, Cap, cap_towards, merged
 from rna_render.scene import (
     AssetModel,
     DirectionalModel,
-    DiskModel,
     EnvironmentModel,
     GroundModel,
     LightModel,
     MaterialModel,
     ObjectModel,
-    RectangleModel,
     Scene,
     SceneFile,
-    SphereModel,
     frame_scene,
     world_from_object,
 )
@@ -77,14 +74,7 @@ class _Instance:
             rotation = self._transform.matrix[:3, :3] / self._transform.scale
             axis = rotation.T @ np.array(light.direction)
             return Cap(axis / np.linalg.norm(axis), np.radians(light.angular_diameter_deg / 2.0))
-        return self.towards(np.array(light.position), _light_radius(light))
-
-
-def _light_radius(light: LightModel) -> float:
-    """Radius of a sphere about the light's position that contains it, world units."""
-    if isinstance(light, RectangleModel):
-        return float(np.hypot(*light.size)) / 2.0
-    return light.radius if isinstance(light, DiskModel | SphereModel) else 0.0
+        return self.towards(np.array(light.position), light.bounding_radius)
 
 
 def _instances(scene_file: SceneFile, name: str) -> list[AssetModel]:

@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from rna_render.lights.environment import EnvironmentImageLight
     from rna_render.lights.equirectangular import EquirectangularImage
     from rna_render.lights.kinds import LIGHT_ROWS, ROW_NUMBERS, row_places
-    from rna_render.lights.make import make_light
     from rna_render.lights.mesh import MeshLight
     from rna_render.lights.selection import LightSelection
+    from rna_render.lights.table import make_light
 
 __all__ = [
     "LIGHT_ROWS",

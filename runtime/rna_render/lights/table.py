@@ -1,4 +1,4 @@
-"""How each kind of light is sampled, met and looked up, for compiled code: by its row.
+"""How each kind of light is made, and for compiled code sampled, met and looked up: by its row.
 
 A sample is (wi, distance, radiance, pdf, place): three float64, in the world; a float64; red, green
 and blue; a float64, 0 where nothing arrives; and for triangles, whose radiance is asked of
@@ -7,16 +7,27 @@ and blue; a float64, 0 where nothing arrives; and for triangles, whose radiance 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
-from rna_render.lights.directional import look_up_sun, sample_directional, sample_sun
-from rna_render.lights.disk import disk_density, sample_disk
+from rna_render.lights.base import Light
+from rna_render.lights.directional import (
+    directional_light,
+    look_up_sun,
+    sample_directional,
+    sample_sun,
+)
+from rna_render.lights.disk import DiskLight, disk_density, sample_disk
 from rna_render.lights.environment import (
+    EnvironmentImageLight,
+    EnvironmentLight,
     look_up_image_light,
     look_up_uniform,
     sample_image_light,
     sample_uniform,
 )
+from rna_render.lights.files.environment_file import environment_image
 from rna_render.lights.kinds import (
     DIRECTIONAL,
     DISK,
@@ -29,11 +40,42 @@ from rna_render.lights.kinds import (
     UNIFORM,
 )
 from rna_render.lights.mesh import sample_triangles
-from rna_render.lights.point import sample_point_light
-from rna_render.lights.rectangle import rectangle_density, sample_rectangle
-from rna_render.lights.sphere import sample_sphere, sphere_density
+from rna_render.lights.point import PointLight, SpotLight, sample_point_light
+from rna_render.lights.rectangle import RectangleLight, rectangle_density, sample_rectangle
+from rna_render.lights.sphere import SphereLight, sample_sphere, sphere_density
+from rna_render.scene.light_models import (
+    DirectionalModel,
+    DiskModel,
+    EnvironmentModel,
+    LightModel,
+    PointModel,
+    RectangleModel,
+    SphereModel,
+    SpotModel,
+)
 from rna_sdk.compiled import compiled
 from rna_trace.vectors import Vector, vector_at
+
+_MADE_OF: dict[type, Callable[..., Light]] = {
+    DirectionalModel: directional_light,
+    PointModel: PointLight,
+    SpotModel: SpotLight,
+    RectangleModel: RectangleLight,
+    DiskModel: DiskLight,
+    SphereModel: SphereLight,
+}
+
+
+def make_light(model: LightModel) -> Light:
+    """The light that a scene file describes.
+
+    Raises SceneError for an environment whose image cannot be used.
+    """
+    if not isinstance(model, EnvironmentModel):
+        return _MADE_OF[type(model)](model)
+    if model.path is None:
+        return EnvironmentLight(model)
+    return EnvironmentImageLight(model, environment_image(model.path))
 
 
 @compiled(fastmath=())

@@ -10,11 +10,8 @@ if TYPE_CHECKING:
     from rna_render.scene.animation import frame_scene
     from rna_render.scene.light_models import (
         DirectionalModel,
-        DiskModel,
         EnvironmentModel,
         LightModel,
-        RectangleModel,
-        SphereModel,
     )
     from rna_render.scene.material_models import DiffuseModel, MaterialModel
     from rna_render.scene.scene_file import SceneFile, read_scene
@@ -33,16 +30,13 @@ __all__ = [
     "CameraModel",
     "DiffuseModel",
     "DirectionalModel",
-    "DiskModel",
     "EnvironmentModel",
     "GroundModel",
     "LightModel",
     "MaterialModel",
     "ObjectModel",
-    "RectangleModel",
     "Scene",
     "SceneFile",
-    "SphereModel",
     "default_scene",
     "frame_scene",
     "read_scene",

@@ -27,6 +27,11 @@ class _LightModel(Model):
         "`.B`. Several lights may share a group.",
     )
 
+    @property
+    def bounding_radius(self) -> float:
+        """Of a sphere about its position that contains it, metres."""
+        return 0.0
+
 
 class _DirectedModel(_LightModel):
     direction: Vector = Field(description="Direction towards the light; any non-zero length.")
@@ -106,6 +111,10 @@ class RectangleModel(AreaModel):
     up: Vector = Field(default=(0.0, 1.0, 0.0), description="Direction of its height.")
     size: tuple[Length, Length] = Field(description="Width and height, metres.")
 
+    @property
+    def bounding_radius(self) -> float:
+        return float(np.hypot(*self.size)) / 2.0
+
     @model_validator(mode="after")
     def _has_axes(self) -> RectangleModel:
         _check_aim(self.position, self.look_at)
@@ -124,6 +133,10 @@ class DiskModel(AreaModel):
     look_at: Vector = Field(description="A point straight before it.")
     radius: Length = Field(description="Metres.")
 
+    @property
+    def bounding_radius(self) -> float:
+        return self.radius
+
     @model_validator(mode="after")
     def _has_aim(self) -> DiskModel:
         _check_aim(self.position, self.look_at)
@@ -136,6 +149,10 @@ class SphereModel(AreaModel):
     type: Literal["sphere"] = Field(description="`sphere`")
     position: Vector = Field(description="Its middle.")
     radius: Length = Field(description="Metres.")
+
+    @property
+    def bounding_radius(self) -> float:
+        return self.radius
 
 
 class EnvironmentModel(_LightModel):
