@@ -34,8 +34,8 @@ class EvaluateCase:
     Attributes:
         package, queries: files.
         part: its number.
-        output: of the decoder, "transport" or "emission".
-        expected, tolerance: (n, 6) or (n, 3) float64.
+        output: name of the decoder's form.
+        expected, tolerance: (n, 6), or (n, 3) for emission; float64.
         step: the most that one step of one int8 activation changes an output; 0 for float32.
     """
 

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from rna_sdk.conformance.kit import LEVELS
 from rna_sdk.errors import ConformanceError
+from rna_sdk.package.decoder.decoder_form import TRANSPORT, DecoderForm
+from rna_sdk.package.decoder.query_arrays import column_count
 
 
 @dataclass(frozen=True)
@@ -72,21 +74,17 @@ def claimed_levels(program: Program) -> tuple[str, ...]:
 
 
 def evaluate(
-    program: Program, package: Path, tier: str, part: int, queries: Path
+    program: Program, form: DecoderForm, package: Path, tier: str, part: int, queries: Path
 ) -> NDArray[np.float64]:
-    """(n, 6) transport for a file of n queries."""
-    rows = queries.stat().st_size // 52
+    """(n, width) output of a part's decoder of this form for a file of n queries."""
+    rows = queries.stat().st_size // (4 * column_count(form.arrays))
     where = str(package), tier, str(part), str(queries)
-    return _results(program, rows, 6, "evaluate", *where)
+    return _results(program, rows, form.width(None), command_of(form), *where)
 
 
-def emission(
-    program: Program, package: Path, tier: str, part: int, queries: Path
-) -> NDArray[np.float64]:
-    """(n, 3) emission for a file of n queries."""
-    rows = queries.stat().st_size // 40
-    where = str(package), tier, str(part), str(queries)
-    return _results(program, rows, 3, "emission", *where)
+def command_of(form: DecoderForm) -> str:
+    """The word that asks a reader for a decoder's output."""
+    return "evaluate" if form is TRANSPORT else form.name
 
 
 def visibility(program: Program, package: Path, hits: Path) -> NDArray[np.float64]:

@@ -16,29 +16,12 @@ from rna_sdk.package.validator import validate
 
 
 def evaluate(
-    package: str, tier: str, part: int, queries: NDArray[np.float32]
+    form: str, package: str, tier: str, part: int, arrays: dict[str, NDArray[np.float32]]
 ) -> NDArray[np.float32]:
-    """(n, 6) by the runtime for (n, 13) queries."""
-    from rna_sdk.runtime import SurfaceAsset, load
+    """(n, width) by the runtime."""
+    from rna_sdk.runtime import load
 
-    position, axis, h, wo, wi = np.split(queries, (3, 6, 7, 10), axis=1)
-    own = load(package, tier).parts[part]
-    if isinstance(own, SurfaceAsset):
-        return np.hstack(own.evaluate(position, axis, wo, wi))
-    return np.hstack(own.evaluate(position, axis, h[:, 0], wo, wi))
-
-
-def emission(
-    package: str, tier: str, part: int, queries: NDArray[np.float32]
-) -> NDArray[np.float32]:
-    """(n, 3) by the runtime for (n, 10) queries."""
-    from rna_sdk.runtime import SurfaceAsset, load
-
-    position, axis, h, wo = np.split(queries, (3, 6, 7), axis=1)
-    own = load(package, tier).parts[part]
-    if isinstance(own, SurfaceAsset):
-        return own.emission(position, axis, wo)
-    return own.emission(position, axis, h[:, 0], wo)
+    return np.hstack(load(package, tier).parts[part].decode(form, arrays))
 
 
 def check(package: str) -> tuple[bool, list[str]]:
@@ -48,4 +31,4 @@ def check(package: str) -> tuple[bool, list[str]]:
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, emission=emission, validate=check))
+    sys.exit(run_reader(evaluate=evaluate, validate=check))

@@ -13,12 +13,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.atomic_file import write_atomically
+from rna_sdk.conformance.program import command_of
 from rna_sdk.errors import ConformanceError, RnaError
+from rna_sdk.package.decoder.decoder_form import FORMS, DecoderForm
+from rna_sdk.package.decoder.query_arrays import arrays_of, column_count
 
-Evaluate = Callable[[str, str, int, NDArray[np.float32]], NDArray[np.float32]]
-"""(package, tier, part, queries (n, 13)) -> (n, 6)."""
-Emission = Callable[[str, str, int, NDArray[np.float32]], NDArray[np.float32]]
-"""(package, tier, part, queries (n, 10)) -> (n, 3)."""
+Evaluate = Callable[[str, str, str, int, dict[str, NDArray[np.float32]]], NDArray[np.float32]]
+"""(name of a decoder form, package, tier, part, query arrays by name) -> its output (n, width).
+
+A part without such a decoder answers 0.
+"""
 Visibility = Callable[[str, bytes], NDArray[np.float32]]
 """(package, hit records) -> (n, 3) visibility, RGB."""
 Normals = Callable[[str, bytes], NDArray[np.float32]]
@@ -31,25 +35,20 @@ def run_reader(
     arguments: Sequence[str] | None = None,
     *,
     evaluate: Evaluate | None = None,
-    emission: Emission | None = None,
     visibility: Visibility | None = None,
     normals: Normals | None = None,
     validate: Validate | None = None,
 ) -> int:
-    """The exit status of the program; a level is had if its function is given.
-
-    evaluate, emission: the level `evaluate` has both.
-    """
+    """The exit status of the program; a level is had if its function is given."""
+    forms = {command_of(form): form for form in FORMS}
     level, *rest = list(sys.argv[1:] if arguments is None else arguments) or [""]
     try:
         if level == "levels" and not rest:
             levels = ("evaluate", "visibility", "normals", "validate")
             had = (evaluate, visibility, normals, validate)
             print("\n".join(name for name, function in zip(levels, had, strict=True) if function))
-        elif level == "evaluate" and evaluate and len(rest) == 5:
-            _answer(evaluate, 13, *rest)
-        elif level == "emission" and emission and len(rest) == 5:
-            _answer(emission, 10, *rest)
+        elif level in forms and evaluate and len(rest) == 5:
+            _answer(evaluate, forms[level], *rest)
         elif level == "visibility" and visibility and len(rest) == 3:
             package, hits, results = rest
             _write(results, visibility(package, Path(hits).read_bytes()))
@@ -70,15 +69,16 @@ def run_reader(
 
 def _answer(
     function: Evaluate,
-    columns: int,
+    form: DecoderForm,
     package: str,
     tier: str,
     part: str,
     queries: str,
     results: str,
 ) -> None:
+    columns = column_count(form.arrays)
     rows = np.fromfile(queries, "<f4").reshape(-1, columns).astype(np.float32)
-    _write(results, function(package, tier, int(part), rows))
+    _write(results, function(form.name, package, tier, int(part), arrays_of(rows, form.arrays)))
 
 
 def _write(path: str, values: NDArray[np.float32]) -> None:

@@ -18,6 +18,7 @@ from rna_sdk.conformance.kit import (
 )
 from rna_sdk.conformance.program import Program
 from rna_sdk.errors import ConformanceError
+from rna_sdk.package.decoder.decoder_form import TRANSPORT, form_named
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ class Score:
 
     Attributes:
         level, package, tier: which case; tier is "" where there is none, and has the part, and
-            "emission", behind it where there are any.
+            the decoder's form but for transport, behind it where there are any.
         rows, right: how many rows there are, and how many are within their tolerance.
         passed: the verdict.
         in_tolerances, absolute: the largest difference over all rows but those that a step of
@@ -80,8 +81,8 @@ def _nothing(case: Case) -> Score:
 
 
 def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
-    ask = reader.emission if case.output == "emission" else reader.evaluate
-    found = ask(program, case.package, case.tier, case.part, case.queries)
+    form = form_named(case.output)
+    found = reader.evaluate(program, form, case.package, case.tier, case.part, case.queries)
     difference = np.where(np.isfinite(found), np.abs(found - case.expected), np.inf)
     difference[found < 0] = np.inf
     units = _units(difference, case.tolerance)
@@ -105,7 +106,7 @@ def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
 
 
 def _tier(case: EvaluateCase) -> str:
-    return f"{case.tier} {case.part}" + " emission" * (case.output == "emission")
+    return f"{case.tier} {case.part}" + f" {case.output}" * (case.output != TRANSPORT.name)
 
 
 def _units(difference: NDArray[np.float64], tolerance: NDArray[np.float64]) -> NDArray[np.float64]:

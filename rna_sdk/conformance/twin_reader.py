@@ -12,57 +12,37 @@ from numpy.typing import NDArray
 
 from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Package, float_planes
+from rna_sdk.package.decoder.decoder_form import form_named
+from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, in_order
 from rna_sdk.reference.queries import fiber_queries_reference, queries_reference
 from rna_sdk.runtime.engine.decoder_sessions import Graph
 
 
 def evaluate(
-    package: str, tier: str, part: int, queries: NDArray[np.float32]
+    form: str, package: str, tier: str, part: int, arrays: dict[str, NDArray[np.float32]]
 ) -> NDArray[np.float32]:
-    """(n, 6) for (n, 13) queries."""
+    """(n, width): the decoder's output, 0 for rows that are no queries."""
     with Package.open(package) as opened:
-        record = opened.tier(tier).parts[part]
-        return _answer(opened, tier, part, record.inputs, opened.decoder(tier, part), queries)
-
-
-def emission(
-    package: str, tier: str, part: int, queries: NDArray[np.float32]
-) -> NDArray[np.float32]:
-    """(n, 3) for (n, 10) queries."""
-    with Package.open(package) as opened:
-        own, decoder = opened.tier(tier).parts[part].emission, opened.emission_decoder(tier, part)
-        if own is None or decoder is None:
-            return np.zeros((len(queries), 3), np.float32)
-        no_light = queries[:, 7:10]  # of length, like wo; no block of emission reads it
-        rows = np.hstack([queries, no_light])
-        return _answer(opened, tier, part, own.inputs, decoder, rows)
-
-
-def _answer(
-    opened: Package,
-    tier: str,
-    number: int,
-    inputs: tuple[str, ...],
-    decoder: memoryview,
-    queries: NDArray[np.float32],
-) -> NDArray[np.float32]:
-    """The decoder's output, 0 for rows that are no queries."""
-    position, axis, h, wo, wi = np.split(queries, (3, 6, 7, 10), axis=1)
-    valid = np.isfinite(queries).all(axis=1)
-    for directions in (axis, wo, wi):
-        valid &= directions.any(axis=1)
-    part, planes = opened.manifest.parts[number], float_planes(opened.planes(tier, number))
-    place = planes, part.bounds.corners(), inputs
-    at, t, o, i = position[valid], axis[valid], wo[valid], wi[valid]
-    if part.kind == "surface":
-        rows = queries_reference(*place, at, t, o, i)
-    else:
-        rows = fiber_queries_reference(*place, at, t, h[valid, 0], o, i)
-    output = Graph(bytes(decoder), optimized=False).run(rows)
-    result = np.zeros((len(queries), output.shape[1]), np.float32)
-    result[valid] = output
-    return result
+        own = opened.tier(tier).parts[part]
+        decoder = next((one for one in own.decoders if one.form.name == form), None)
+        result = np.zeros((len(arrays["wo"]), form_named(form).width(None)), np.float32)
+        if decoder is None:
+            return result
+        valid = np.ones(len(result), bool)
+        for array in (array for array in QUERY_ARRAYS if array.name in arrays):
+            rows = arrays[array.name].reshape(len(result), -1)
+            valid &= np.isfinite(rows).all(axis=1) & (rows.any(axis=1) | (not array.is_direction))
+        at, axis, h, wo, wi = (array[valid] for array in in_order(arrays))
+        planes, box = float_planes(opened.planes(tier, part)), opened.manifest.parts[part].bounds
+        place = planes, box.corners(), decoder.inputs
+        if opened.manifest.parts[part].kind == "surface":
+            queries = queries_reference(*place, at, axis, wo, wi)
+        else:
+            queries = fiber_queries_reference(*place, at, axis, h, wo, wi)
+        model = bytes(opened.decoder(tier, part, form))
+        result[valid] = Graph(model, optimized=False).run(queries)
+        return result
 
 
 if __name__ == "__main__":
-    sys.exit(run_reader(evaluate=evaluate, emission=emission))
+    sys.exit(run_reader(evaluate=evaluate))

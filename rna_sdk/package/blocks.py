@@ -12,8 +12,8 @@ from rna_sdk.package.block_table import BLOCK_TABLE
 INPUT_BLOCKS: dict[str, int | None] = {name: width for name, (width, _, _) in BLOCK_TABLE.items()}
 """Block name -> number of columns; None is the tier's number of feature channels."""
 
-BLOCKS_OF_EMISSION = frozenset(name for name, (_, _, light) in BLOCK_TABLE.items() if not light)
-"""Blocks that know no light, and so are for emission too."""
+UNLIT_BLOCKS = frozenset(name for name, (_, _, light) in BLOCK_TABLE.items() if not light)
+"""Blocks that know no light, and so are for forms of decoder without one, too."""
 
 
 def blocks_for(kind: str) -> list[str]:

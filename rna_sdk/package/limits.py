@@ -58,9 +58,3 @@ MAX_QUERY_WORK = 2**24
 
 IR_VERSIONS = range(7, 11)
 OPSET_VERSIONS = range(13, 22)
-
-TRANSPORT_WIDTH = 6
-"""Columns of `transport`: visible R, G, B, shadowed R, G, B."""
-
-EMISSION_WIDTH = 3
-"""Columns of `emission`: R, G, B."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.errors import PackageError, QueryError
 from rna_sdk.package.container.zip_container import Container
+from rna_sdk.package.decoder.decoder_form import TRANSPORT
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.geometry.geometry_files import Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
@@ -205,22 +206,18 @@ class Package:
         record = self._tier_part(tier, part)
         return planes_from_bytes(self._view(record.planes), record)
 
-    def decoder(self, tier: str, part: int = 0) -> memoryview:
-        """The ONNX model of a part's transport decoder, read-only bytes.
+    def decoder(self, tier: str, part: int = 0, form: str = TRANSPORT.name) -> memoryview:
+        """The ONNX model of a part's decoder, read-only bytes.
+
+        form: "transport", or that of another of the tier part's `decoders`, as "emission".
 
         Raises:
-            QueryError: the package has no such tier or part, or is closed.
+            QueryError: the package has no such tier, part or decoder, or is closed.
         """
-        return self._view(self._tier_part(tier, part).decoder)
-
-    def emission_decoder(self, tier: str, part: int = 0) -> memoryview | None:
-        """The ONNX model of a part's emission decoder, read-only bytes; None if it does not emit.
-
-        Raises:
-            QueryError: the package has no such tier or part, or is closed.
-        """
-        emission = self._tier_part(tier, part).emission
-        return self._view(emission.decoder) if emission else None
+        for own in self._tier_part(tier, part).decoders:
+            if own.form.name == form:
+                return self._view(own.entry)
+        raise QueryError(f"no decoder of {form} in part {part} of tier {tier!r}")
 
     def layout(self) -> dict[str, range]:
         """Byte range of each entry in the file, its header included; for `tier_ranges`.

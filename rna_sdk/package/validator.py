@@ -12,7 +12,6 @@ from rna_sdk.errors import PackageError
 from rna_sdk.package.container.strict_json import pointer
 from rna_sdk.package.container.zip_container import MANIFEST_NAME, Container
 from rna_sdk.package.decoder.decoder_checks import check_decoder
-from rna_sdk.package.decoder.decoder_form import emission_form, transport_form
 from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_from_bytes
 from rna_sdk.package.geometry.mesh import Mesh
 from rna_sdk.package.issues import Code, Issue, Severity
@@ -153,11 +152,11 @@ def _check_contents(
     for tier in manifest.tiers:
         for tier_part in tier.parts:
             _check_planes(result, container, tier_part, intact, checked)
-            for form in (transport_form(tier_part), emission_form(tier_part)):
-                if form is not None and form.entry in intact and form not in checked:
-                    checked.add(form)
+            for own in tier_part.decoders:
+                if own.entry in intact and own not in checked:
+                    checked.add(own)
                     with result.collect():
-                        result.issues += check_decoder(container.view(form.entry), form)
+                        result.issues += check_decoder(container.view(own.entry), own)
 
 
 def _check_proxies(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from rna_sdk.atomic_file import atomic_file
 from rna_sdk.errors import PackageError
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.container.zip_writer import write_container
+from rna_sdk.package.decoder.decoder_form import TRANSPORT
 from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.manifest.entry_order import ordered
@@ -38,12 +39,12 @@ class TierData:
     Attributes:
         planes: (3, R, R, C) float16 or float32, or Int8Planes, as in the manifest's tier part.
         decoder: serialized ONNX model of transport.
-        emission_decoder: serialized ONNX model of emission, if the manifest's tier part has one.
+        others: those of other forms, by name ("emission"), that the manifest's tier part has.
     """
 
     planes: Planes
     decoder: bytes
-    emission_decoder: bytes | None = None
+    others: Mapping[str, bytes] = field(default_factory=dict)
 
 
 def write_package(
@@ -170,12 +171,13 @@ class _Contents:
             dtype, expected = data.planes.dtype, part.plane_precision
             refuse(Code.PLANES_DTYPE, f"{where}/planePrecision", dtype, expected)
         self._add(where, part.planes, planes_to_bytes(data.planes))
-        self._add(where, part.decoder, bytes(data.decoder))
-        if (part.emission is None) != (data.emission_decoder is None):
-            found = "none" if data.emission_decoder is None else "one"
-            refuse(Code.PARTS_DIFFER, f"{where}/emission", f"{found} in the data", "as here")
-        if part.emission and data.emission_decoder is not None:
-            self._add(f"{where}/emission", part.emission.decoder, bytes(data.emission_decoder))
+        decoders = {TRANSPORT.name: data.decoder, **data.others}
+        declared = {own.form.name: own for own in part.decoders}
+        for name in [*(decoders.keys() - declared), *(declared.keys() - decoders)]:
+            found = "one" if name in decoders else "none"
+            refuse(Code.PARTS_DIFFER, f"{where}/{name}", f"{found} in the data", "as here")
+        for name, own in declared.items():
+            self._add("/".join((where, *own.form.path)), own.entry, bytes(decoders[name]))
 
     def _add(self, where: str, name: str, data: bytes) -> None:
         """Parts and tiers may share an entry, but then it must be the same."""

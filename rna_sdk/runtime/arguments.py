@@ -11,16 +11,16 @@ from rna_sdk.arrays import vectors
 from rna_sdk.errors import QueryError
 
 
-def results(value: object, count: int) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """`value`, checked to be a pair of writable arrays for `count` rows of results.
+def results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:
+    """`value`, checked to be a tuple of `number` writable arrays for `count` rows of results.
 
     Raises:
         QueryError: it is not.
     """
-    if not isinstance(value, tuple) or len(value) != 2:
-        raise QueryError(f"out: expected a pair of arrays, found {type(value).__name__}")
-    for name, array in zip(("out[0]", "out[1]"), value, strict=True):
-        vectors(name, array, count)
+    if not isinstance(value, tuple) or len(value) != number:
+        raise QueryError(f"out: expected a tuple of {number} arrays, found {type(value).__name__}")
+    for k, array in enumerate(value):
+        vectors(name := f"out[{k}]", array, count)
         if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):
             raise QueryError(f"{name}: expected a C-contiguous array that can be written")
     return value

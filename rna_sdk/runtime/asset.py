@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NoReturn, cast
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, ClassVar, NoReturn, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_sdk.arrays import vectors
+from rna_sdk.arrays import scalars, vectors
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Domain, NormalMap, Package, Tier, Transmittance
+from rna_sdk.package.decoder.decoder_form import TRANSPORT, form_named
+from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.runtime.arguments import results
-from rna_sdk.runtime.engine.batch import Batch, Rows
+from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.costs import kept_cost, median_seconds
 
 if TYPE_CHECKING:
@@ -125,6 +127,9 @@ class AssetPart(Asset):
         normal_maps: normal maps of a surface; see `mapped_normals`.
     """
 
+    _labels: ClassVar[Mapping[str, str]]
+    """Names of arrays in errors: those of the arguments of `evaluate`."""
+
     def __init__(self, package: Package, tier: Tier, threads: int, part: int, name: str) -> None:
         """package: open. tier: one of its tiers. threads: at least 1. part: index of the part."""
         # onnxruntime and numba load with the first asset, not with this module.
@@ -132,8 +137,7 @@ class AssetPart(Asset):
         from rna_sdk.runtime.engine.tiles import QueryFiller, TileEvaluator
 
         record, own = package.manifest.parts[part], tier.parts[part]
-        box, emission = record.bounds, package.emission_decoder(tier.name, part)
-        emits = emission is not None
+        box, emits = record.bounds, own.emission is not None
         own_file = tuple(other.name for other in package.manifest.tiers), package.file_bytes
         domain, bounds = package.manifest.domain, box.corners()
         super().__init__(name, tier, domain, threads, bounds, emits, *own_file)
@@ -142,12 +146,14 @@ class AssetPart(Asset):
         self.transmittance_records: tuple[Transmittance, ...] = tuple(package.transmittance(part))
         self.normal_maps: tuple[NormalMap, ...] = tuple(package.normal_maps(part))
         filler = QueryFiller(package.planes(tier.name, part), box, own, self.kind)
-        decoder = Decoder(package.decoder(tier.name, part), filler.largest_query)
-        self._evaluator = TileEvaluator(filler, decoder, threads)
-        self._emitter: TileEvaluator | None = None
-        if emission is not None and own.emission is not None:
-            filler = filler.laying_out(own.emission.inputs)
-            self._emitter = TileEvaluator(filler, Decoder(emission, filler.largest_query), threads)
+        self._evaluators = {
+            one.form.name: TileEvaluator(
+                filler.laying_out(one.inputs),
+                Decoder(package.decoder(tier.name, part, one.form.name), filler.largest_query),
+                threads,
+            )
+            for one in own.decoders
+        }
         entries = package.manifest.entries
         self._digests = entries[own.planes].sha256, entries[own.decoder].sha256
 
@@ -162,32 +168,44 @@ class AssetPart(Asset):
     def _measure_ns_per_query(self) -> float:
         rng = np.random.default_rng(0)
         low, high = self.bounds
-        positions = rng.uniform(low, high, (_MEASURED_ROWS, 3)).astype(np.float32)
-        axes, wo, wi = rng.normal(size=(3, _MEASURED_ROWS, 3)).astype(np.float32)
-        h = rng.uniform(-1, 1, _MEASURED_ROWS).astype(np.float32)
-        visible, shadowed = np.empty((2, _MEASURED_ROWS, 3), np.float32)
-        batch = Batch(positions, axes, h, wo, wi, (visible, shadowed))
-        return 1e9 * median_seconds(lambda: self._evaluator.run(batch)) / _MEASURED_ROWS
+        arrays = {"position": rng.uniform(low, high, (_MEASURED_ROWS, 3)).astype(np.float32)}
+        arrays["axis"], arrays["wo"], arrays["wi"] = rng.normal(size=(3, _MEASURED_ROWS, 3)).astype(
+            np.float32
+        )
+        arrays["h"] = rng.uniform(-1, 1, _MEASURED_ROWS).astype(np.float32)
+        batch = Batch.of(arrays, tuple(np.empty((2, _MEASURED_ROWS, 3), np.float32)))
+        evaluator = self._evaluators[TRANSPORT.name]
+        return 1e9 * median_seconds(lambda: evaluator.run(batch)) / _MEASURED_ROWS
 
-    def _evaluate(
-        self, positions: Rows, axes: Rows, h: Rows, wo: object, wi: object, out: object
-    ) -> tuple[Rows, Rows]:
-        """The first three as in `Batch`; the others checked here."""
-        count = len(positions)
-        wo = vectors("wo", wo, count)
-        wi = vectors("wi", wi, count)
+    def decode(
+        self, form: str, arrays: Mapping[str, object], out: object = None
+    ) -> tuple[Rows, ...]:
+        """The results of a decoder, each (n, 3) float32 and 0 where the part has no such decoder.
+
+        form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,).
+        arrays: by name, those that the form is asked with: position, axis (a normal or tangent), h
+        (of fibers alone), wo, and wi. out: arrays for the results, as for `evaluate`.
+
+        Raises:
+            QueryError: an array is missing, or is no float32 array of its shape; they differ in n;
+                `out` is not writable or not contiguous.
+        """
+        asked = form_named(form)
+        checked: dict[str, Rows] = {}
+        count = None
+        for array in QUERY_ARRAYS:
+            if array.name in asked.arrays and array.kind in ("", self.kind):
+                check = scalars if array.columns == 1 else vectors
+                label = self._labels.get(array.name, array.name)
+                checked[array.name] = check(label, arrays.get(array.name), count)
+                count = len(checked[array.name])
+        assert count is not None
+        number, evaluator = len(asked.results), self._evaluators.get(form)
         if out is None:
-            visible, shadowed = np.empty((2, count, 3), np.float32)
+            make = np.zeros if evaluator is None else np.empty
+            found = tuple(make((number, count, 3), np.float32))
         else:
-            visible, shadowed = results(out, count)
-        self._evaluator.run(Batch(positions, axes, h, wo, wi, (visible, shadowed)))
-        return visible, shadowed
-
-    def _emission(self, positions: Rows, axes: Rows, h: Rows, wo: object) -> Rows:
-        """The first three as in `Batch`; wo is checked here."""
-        count = len(positions)
-        wo = vectors("wo", wo, count)
-        radiance = np.zeros((count, 3), np.float32)
-        if self._emitter is not None:  # whose blocks read no wi
-            self._emitter.run(Batch(positions, axes, h, wo, wo, (radiance,)))
-        return radiance
+            found = results(out, number, count)
+        if evaluator is not None:
+            evaluator.run(Batch.of(checked, found))
+        return found

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Literal
+from collections.abc import Mapping
+from typing import ClassVar, Literal
 
-from rna_sdk.arrays import scalars, vectors
 from rna_sdk.package import Package, Tier
+from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
-from rna_sdk.runtime.engine.batch import Rows
 
 
 class FiberAsset(AssetPart):
@@ -19,6 +19,7 @@ class FiberAsset(AssetPart):
     """
 
     kind: Literal["fiber"]
+    _labels: ClassVar[Mapping[str, str]] = {"position": "positions", "axis": "tangents"}
 
     def __init__(
         self,
@@ -75,10 +76,9 @@ class FiberAsset(AssetPart):
             >>> visible.shape
             (100, 3)
         """
-        positions = vectors("positions", positions)
-        tangents = vectors("tangents", tangents, len(positions))
-        h = scalars("h", h, len(positions))
-        return self._evaluate(positions, tangents, h, wo, wi, out)
+        arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo, "wi": wi}
+        visible, shadowed = self.decode("transport", arrays, out)
+        return visible, shadowed
 
     def emission(self, positions: Rows, tangents: Rows, h: Rows, wo: Rows) -> Rows:
         """Radiance emitted by points of fibers towards wo, without incident light, W/(m^2 sr).
@@ -97,7 +97,6 @@ class FiberAsset(AssetPart):
             >>> bool(hair.emission(x, tip - x, h, wo).any())
             False
         """
-        positions = vectors("positions", positions)
-        tangents = vectors("tangents", tangents, len(positions))
-        h = scalars("h", h, len(positions))
-        return self._emission(positions, tangents, h, wo)
+        arrays = {"position": positions, "axis": tangents, "h": h, "wo": wo}
+        (radiance,) = self.decode("emission", arrays)
+        return radiance

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Literal
+from collections.abc import Mapping
+from typing import ClassVar, Literal
 
-import numpy as np
-
-from rna_sdk.arrays import vectors
 from rna_sdk.package import Package, Tier
+from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.runtime.asset import AssetPart
-from rna_sdk.runtime.engine.batch import Rows
 
 
 class SurfaceAsset(AssetPart):
@@ -21,6 +19,7 @@ class SurfaceAsset(AssetPart):
     """
 
     kind: Literal["surface"]
+    _labels: ClassVar[Mapping[str, str]] = {"position": "positions", "axis": "normals"}
 
     def __init__(
         self,
@@ -70,9 +69,9 @@ class SurfaceAsset(AssetPart):
             >>> visible.shape
             (100, 3)
         """
-        positions = vectors("positions", positions)
-        normals = vectors("normals", normals, len(positions))
-        return self._evaluate(positions, normals, _NO_OFFSETS, wo, wi, out)
+        arrays = {"position": positions, "axis": normals, "wo": wo, "wi": wi}
+        visible, shadowed = self.decode("transport", arrays, out)
+        return visible, shadowed
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
         """Radiance emitted by surface points towards wo, without incident light, W/(m^2 sr).
@@ -89,9 +88,5 @@ class SurfaceAsset(AssetPart):
             >>> bool(asset.emission(x, n, n).any())  # the toy does not glow
             False
         """
-        positions = vectors("positions", positions)
-        normals = vectors("normals", normals, len(positions))
-        return self._emission(positions, normals, _NO_OFFSETS, wo)
-
-
-_NO_OFFSETS = np.empty(0, np.float32)
+        (radiance,) = self.decode("emission", {"position": positions, "axis": normals, "wo": wo})
+        return radiance

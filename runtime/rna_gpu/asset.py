@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -34,22 +36,22 @@ class GpuPart:
         stored = package.planes(tier.name, part)
         planes = upload_planes(device, stored, name)
 
-        def evaluator(model: memoryview, inputs: tuple[str, ...], colours: int) -> Evaluator:
-            decoder = _packed(model, inputs, own.channels, f"{name}, tier {tier.name}")
+        self._evaluators: dict[str, Evaluator] = {}
+        for one in own.decoders:
+            model = package.decoder(tier.name, part, one.form.name)
+            decoder = _packed(model, one.inputs, own.channels, f"{name}, tier {tier.name}")
             uniform = part_uniform(decoder, own, record.bounds, stored)
             buffers = [
                 device.upload(uniform, "UNIFORM", what=f"{name}: record"),
                 upload_weights(device, decoder, name),
                 *planes,
             ]
-            self.multiply_adds = decoder.multiply_adds
-            return Evaluator(device, decoder, record.kind, colours, buffers)
-
-        emission = package.emission_decoder(tier.name, part)
-        self.emitter: Evaluator | None = None
-        if emission is not None and own.emission is not None:
-            self.emitter = evaluator(emission, own.emission.inputs, 1)
-        self.transport = evaluator(package.decoder(tier.name, part), own.inputs, 2)
+            colours = len(one.form.results)
+            evaluator = Evaluator(device, decoder, record.kind, colours, buffers)
+            self._evaluators[one.form.name] = evaluator
+            if one.form.name == "transport":
+                self.transport, self.multiply_adds = evaluator, decoder.multiply_adds
+        self.emitter = self._evaluators.get("emission")
 
     @property
     def emits(self) -> bool:
@@ -67,16 +69,21 @@ class GpuPart:
         """
         self.transport.dispatch(rows, most)
 
-    def _evaluate(
-        self, positions: Rows, axes: Rows, h: Rows | float, wo: Rows, wi: Rows
-    ) -> tuple[Rows, Rows]:
-        transport = self.transport.run(_rows(positions, axes, h, wo, wi))
+    def decode(self, form: str, arrays: Mapping[str, Rows]) -> Rows:
+        """Results of a decoder, (n, colours, 3): like `decode` of `rna_sdk.runtime`'s parts.
+
+        0 where the part has no such decoder.
+        """
+        evaluator = self._evaluators.get(form)
+        rows = _rows(arrays, self.kind)
+        return np.zeros((len(rows), 1, 3), np.float32) if evaluator is None else evaluator.run(rows)
+
+    def _evaluate(self, **arrays: Rows) -> tuple[Rows, Rows]:
+        transport = self.decode("transport", arrays)
         return np.ascontiguousarray(transport[:, 0]), np.ascontiguousarray(transport[:, 1])
 
-    def _emission(self, positions: Rows, axes: Rows, h: Rows | float, wo: Rows) -> Rows:
-        if self.emitter is None:
-            return np.zeros((len(positions), 3), np.float32)
-        return np.ascontiguousarray(self.emitter.run(_rows(positions, axes, h, wo, wo))[:, 0])
+    def _emission(self, **arrays: Rows) -> Rows:
+        return np.ascontiguousarray(self.decode("emission", arrays)[:, 0])
 
 
 class GpuSurface(GpuPart):
@@ -84,11 +91,11 @@ class GpuSurface(GpuPart):
 
     def evaluate(self, positions: Rows, normals: Rows, wo: Rows, wi: Rows) -> tuple[Rows, Rows]:
         """Like `rna_sdk.runtime.SurfaceAsset.evaluate`, within the tolerance of the spec (8.2)."""
-        return self._evaluate(positions, normals, 0, wo, wi)
+        return self._evaluate(position=positions, axis=normals, wo=wo, wi=wi)
 
     def emission(self, positions: Rows, normals: Rows, wo: Rows) -> Rows:
         """Like `rna_sdk.runtime.SurfaceAsset.emission`."""
-        return self._emission(positions, normals, 0, wo)
+        return self._emission(position=positions, axis=normals, wo=wo)
 
 
 class GpuFiber(GpuPart):
@@ -98,11 +105,11 @@ class GpuFiber(GpuPart):
         self, positions: Rows, tangents: Rows, h: Rows, wo: Rows, wi: Rows
     ) -> tuple[Rows, Rows]:
         """Like `rna_sdk.runtime.FiberAsset.evaluate`, within the tolerance of the spec (8.2)."""
-        return self._evaluate(positions, tangents, h, wo, wi)
+        return self._evaluate(position=positions, axis=tangents, h=h, wo=wo, wi=wi)
 
     def emission(self, positions: Rows, tangents: Rows, h: Rows, wo: Rows) -> Rows:
         """Like `rna_sdk.runtime.FiberAsset.emission`."""
-        return self._emission(positions, tangents, h, wo)
+        return self._emission(position=positions, axis=tangents, h=h, wo=wo)
 
 
 class GpuAsset:
@@ -125,17 +132,21 @@ def _packed(model: memoryview, inputs: tuple[str, ...], channels: int, name: str
     return pack_decoder(read_profile_decoder(model, name), inputs, channels, name)
 
 
-def _rows(positions: Rows, axes: Rows, h: Rows | float, wo: Rows, wi: Rows) -> Rows:
-    """(n, 16) float32. Raises QueryError: an argument is no float32 array of n rows."""
-    count = len(positions)
+def _rows(arrays: Mapping[str, Rows], kind: str) -> Rows:
+    """(n, 16) float32; wi is wo where no block reads it.
+
+    Raises QueryError: an argument is no float32 array of n rows.
+    """
+    count = len(arrays["position"])
     rows = np.zeros((count, 4, 4), np.float32)
-    names = "positions", "normals or tangents", "wo", "wi"
-    for k, (name, values) in enumerate(zip(names, (positions, axes, wo, wi), strict=True)):
+    named = {"position": "positions", "axis": "normals or tangents", "wo": "wo", "wi": "wi"}
+    for k, (array, name) in enumerate(named.items()):
+        values = arrays.get(array, arrays["wo"])
         _check(name, values, (count, 3))
         rows[:, k, :3] = values
-    if isinstance(h, np.ndarray):
-        _check("h", h, (count,))
-    rows[:, 0, 3] = h
+    if kind == "fiber":
+        _check("h", arrays["h"], (count,))
+        rows[:, 0, 3] = arrays["h"]
     return rows.reshape(count, 16)
 
 

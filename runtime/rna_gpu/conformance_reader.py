@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_gpu.asset import GpuFiber, GpuPart, GpuSurface
+from rna_gpu.asset import GpuPart
 from rna_gpu.device import Device, open_device
 from rna_gpu.loading import load
 from rna_gpu.scene.probe import Probe
@@ -20,24 +20,10 @@ from rna_sdk.conformance.reader_program import run_reader
 Rows = NDArray[np.float32]
 
 
-def evaluate(package: str, tier: str, part: int, queries: Rows) -> Rows:
-    """(n, 6) for (n, 13) queries."""
-    position, axis, h, wo, wi = np.split(queries, (3, 6, 7, 10), axis=1)
-    own = _part(package, tier, part)
-    if isinstance(own, GpuSurface):
-        return np.hstack(own.evaluate(position, axis, wo, wi))
-    assert isinstance(own, GpuFiber)
-    return np.hstack(own.evaluate(position, axis, h[:, 0], wo, wi))
-
-
-def emission(package: str, tier: str, part: int, queries: Rows) -> Rows:
-    """(n, 3) for (n, 10) queries."""
-    position, axis, h, wo = np.split(queries, (3, 6, 7), axis=1)
-    own = _part(package, tier, part)
-    if isinstance(own, GpuSurface):
-        return own.emission(position, axis, wo)
-    assert isinstance(own, GpuFiber)
-    return own.emission(position, axis, h[:, 0], wo)
+def evaluate(form: str, package: str, tier: str, part: int, arrays: dict[str, Rows]) -> Rows:
+    """(n, width)."""
+    found = _part(package, tier, part).decode(form, arrays)
+    return found.reshape(len(found), 3 * found.shape[1])
 
 
 def visibility(package: str, records: bytes) -> Rows:
@@ -65,6 +51,4 @@ def _part(package: str, tier: str, part: int) -> GpuPart:
 
 
 if __name__ == "__main__":
-    sys.exit(
-        run_reader(evaluate=evaluate, emission=emission, visibility=visibility, normals=normals)
-    )
+    sys.exit(run_reader(evaluate=evaluate, visibility=visibility, normals=normals))

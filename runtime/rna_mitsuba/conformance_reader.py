@@ -21,21 +21,18 @@ from rna_sdk.conformance.reader_program import run_reader
 from rna_sdk.package import Package
 
 
-def evaluate(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
-    """(n, 6) float32 for (n, 13) queries."""
-    position, axis, h, wo, wi = _arguments(queries)
+def evaluate(
+    form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
+) -> np.ndarray:
+    """(n, width) float32."""
+    at = {
+        name: mi.Float(rows.copy()) if rows.ndim == 1 else _vector(rows)
+        for name, rows in arrays.items()
+    }
     with Package.open(package) as opened:
         evaluator = PartEvaluator(opened, tier, part)
-    found = evaluator.transport(position, axis, h, wo, wi, mi.Bool(True))
-    return np.hstack([_rows(colour, len(queries)) for colour in found])
-
-
-def emission(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
-    """(n, 3) float32 for (n, 10) queries."""
-    position, axis, h, wo, _ = _arguments(np.hstack([queries, queries[:, 7:10]]))
-    with Package.open(package) as opened:
-        evaluator = PartEvaluator(opened, tier, part)
-    return _rows(evaluator.emission(position, axis, h, wo, mi.Bool(True)), len(queries))
+    found = evaluator.decode(form, at, mi.Bool(True))
+    return np.hstack([_rows(colour, len(arrays["wo"])) for colour in found])
 
 
 def visibility(package: str, records: bytes) -> np.ndarray:
@@ -83,18 +80,9 @@ def _vector(rows: np.ndarray) -> mi.Vector3f:
     return mi.Vector3f(np.ascontiguousarray(rows.T))
 
 
-def _arguments(queries: np.ndarray):  # type: ignore[no-untyped-def]
-    x, axis, h, wo, wi = np.split(np.ascontiguousarray(queries), (3, 6, 7, 10), axis=1)
-    vectors = (mi.Vector3f(np.ascontiguousarray(v.T)) for v in (axis, wo, wi))
-    axis, wo, wi = vectors
-    return mi.Point3f(np.ascontiguousarray(x.T)), axis, mi.Float(h[:, 0].copy()), wo, wi
-
-
 def _rows(colour: mi.Color3f, count: int) -> np.ndarray:
     return np.broadcast_to(np.array(colour).T, (count, 3)).astype(np.float32)
 
 
 if __name__ == "__main__":
-    sys.exit(
-        run_reader(evaluate=evaluate, emission=emission, visibility=visibility, normals=normals)
-    )
+    sys.exit(run_reader(evaluate=evaluate, visibility=visibility, normals=normals))

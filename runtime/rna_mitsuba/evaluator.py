@@ -25,72 +25,52 @@ class PartEvaluator:
         record, own = package.manifest.parts[part], package.tier(tier).parts[part]
         name = f"{record.name} in tier {tier}"
         self.is_fiber = record.kind == "fiber"
-        self._inputs = own.inputs
         self._triplane = Triplane(package.planes(tier, part), record.bounds)
-        self._transport = Network(read_profile_decoder(package.decoder(tier, part), name))
-        emission = package.emission_decoder(tier, part)
-        self.emits = emission is not None
-        if emission is not None and own.emission is not None:
-            self._emission_inputs = own.emission.inputs
-            self._emission = Network(read_profile_decoder(emission, f"emission of {name}"))
+        self._decoders = {}
+        for one in own.decoders:
+            called = f"{one.form.name} of {name}"
+            model = read_profile_decoder(package.decoder(tier, part, one.form.name), called)
+            self._decoders[one.form.name] = one.inputs, Network(model), len(one.form.results)
+        self.emits = "emission" in self._decoders
 
-    def transport(
-        self,
-        x: mi.Point3f,
-        axis: mi.Vector3f,
-        h: mi.Float,
-        wo: mi.Vector3f,
-        wi: mi.Vector3f,
-        active: mi.Bool,
-    ) -> tuple[mi.Color3f, mi.Color3f]:
-        """(visible, shadowed) for arguments in object space; 0 where they are no query.
+    def decode(
+        self, form: str, arrays: dict[str, mi.Float | mi.Vector3f], active: mi.Bool
+    ) -> tuple[mi.Color3f, ...]:
+        """The colours of a decoder for arguments in object space; 0 where they are no query.
 
-        axis: normal or tangent. h: for fibers alone, the offset across. Lanes that are not active
-        cost nothing where a whole vector of them is not, and get 0.
+        form: "transport" gives (visible, shadowed), "emission" the one radiance, 0 of a part that
+        does not emit. arrays: position, axis (normal or tangent), h (of fibers the offset across),
+        wo, and wi of transport. Lanes that are not active cost nothing where a whole vector of them
+        is not, and get 0.
         """
-        valid = active & _is_query(x, axis, h, wo, wi)
+        if form not in self._decoders:
+            return (mi.Color3f(0),)
+        inputs, network, colours = self._decoders[form]
+        valid = active & _is_query(**arrays)
 
-        def ask(x, axis, h, wo, wi, valid):  # type: ignore[no-untyped-def]
-            columns = self._columns(self._inputs, x, axis, h, wo, wi, valid)
-            found = self._transport(columns)
-            return mi.Color3f(*found[:3]), mi.Color3f(*found[3:])
+        def ask(arrays, valid):  # type: ignore[no-untyped-def]
+            found = network(self._columns(inputs, valid, **arrays))
+            return tuple(mi.Color3f(*found[3 * k : 3 * k + 3]) for k in range(colours))
 
         def nothing(*_):  # type: ignore[no-untyped-def]
-            return mi.Color3f(0), mi.Color3f(0)
+            return tuple(mi.Color3f(0) for _ in range(colours))
 
-        asked = (x, axis, h, wo, wi, valid)
-        visible, shadowed = dr.if_stmt(asked, valid, ask, nothing)
-        return visible, shadowed
+        result: tuple[mi.Color3f, ...] = dr.if_stmt((arrays, valid), valid, ask, nothing)
+        return result
 
-    def emission(
-        self, x: mi.Point3f, axis: mi.Vector3f, h: mi.Float, wo: mi.Vector3f, active: mi.Bool
-    ) -> mi.Color3f:
-        """Radiance towards wo with no light on the asset; for arguments see `transport`."""
-        if not self.emits:
-            return mi.Color3f(0)
-        valid = active & _is_query(x, axis, h, wo)
-
-        def ask(x, axis, h, wo, valid):  # type: ignore[no-untyped-def]
-            # No block of emission reads wi.
-            columns = self._columns(self._emission_inputs, x, axis, h, wo, wo, valid)
-            return mi.Color3f(*self._emission(columns))
-
-        asked = (x, axis, h, wo, valid)
-        radiance: mi.Color3f = dr.if_stmt(asked, valid, ask, lambda *_: mi.Color3f(0))
-        return radiance
-
-    def _columns(self, inputs, x, axis, h, wo, wi, active):  # type: ignore[no-untyped-def]
-        p = self._triplane.place(x)
+    def _columns(self, inputs, active, position, axis, h, wo, wi=None):  # type: ignore[no-untyped-def]
+        p = self._triplane.place(position)
         features = self._triplane.features(p, active)
-        axis, wo, wi = unit(axis), unit(wo), unit(wi)
+        axis, wo = unit(axis), unit(wo)
+        wi = wo if wi is None else unit(wi)  # that no block reads
         if self.is_fiber:
             return fiber_columns(inputs, features, p, axis, dr.clip(h, -1, 1), wo, wi)
         return surface_columns(inputs, features, p, axis, wo, wi)
 
 
-def _is_query(x: mi.Point3f, axis: mi.Vector3f, h: mi.Float, *directions: mi.Vector3f) -> mi.Bool:
+def _is_query(position: mi.Point3f, h: mi.Float, **directions: mi.Vector3f) -> mi.Bool:
     """Whether all is finite, and each direction has a length (spec/RNA.md, 8.1)."""
-    result = dr.isfinite(h) & dr.all(dr.isfinite(x))
-    for d in (axis, *directions):
+    result = dr.isfinite(h) & dr.all(dr.isfinite(position))
+    for d in directions.values():
         result &= dr.all(dr.isfinite(d)) & ~is_zero(d)
     return result

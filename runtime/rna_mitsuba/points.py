@@ -41,6 +41,10 @@ class Points:
         for (name, kind), value in zip(self.DRJIT_STRUCT.items(), values, strict=bool(values)):
             setattr(self, name, kind(value))
 
+    def query(self, wo: mi.Vector3f) -> dict[str, Any]:
+        """Arguments of decoders, but for what they take of the light."""
+        return {"position": self.x, "axis": self.axis, "h": self.h, "wo": wo}
+
     def origin(self, wi: mi.Vector3f, step: float) -> mi.Point3f:
         """Origins of rays along wi; step: 2^-18 of the largest coordinate of the asset."""
         cosine = dr.dot(self.ng, wi)

@@ -160,8 +160,8 @@ class World:
             v = scene.visibility(*line, hits.part, points.strand, mine)
             for part, evaluator in enumerate(shape.loaded.evaluators):
                 here = mine & (hits.part == part)
-                at = points.x, points.axis, points.h
-                visible, shadowed = evaluator.transport(*at, wo, wi, here)
+                at = points.query(wo) | {"wi": wi}
+                visible, shadowed = evaluator.decode("transport", at, here)
                 total = dr.select(here, v * visible + (1 - v) * shadowed, total)
         return total
 
@@ -174,7 +174,7 @@ class World:
             for part, evaluator in enumerate(shape.loaded.evaluators):
                 here = active & (hits.instance == k) & (hits.part == part)
                 if evaluator.emits:
-                    found = evaluator.emission(points.x, points.axis, points.h, wo, here)
+                    (found,) = evaluator.decode("emission", points.query(wo), here)
                     total = dr.select(here, found, total)
         return total
 

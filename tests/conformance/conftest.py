@@ -15,7 +15,7 @@ import pytest
 
 from rna_sdk.conformance.kit import Kit, load_kit
 from rna_sdk.conformance.program import Answer
-from rna_sdk.conformance.reader_program import run_reader
+from rna_sdk.conformance.reader_program import Evaluate, run_reader
 from tests.conftest import REPOSITORY
 
 KIT = REPOSITORY / "spec" / "conformance"
@@ -41,8 +41,7 @@ def minimal() -> ModuleType:
 class InProcess:
     """Functions as a reader program: the same protocol, without a process a call."""
 
-    evaluate: Callable[[str, str, int, np.ndarray], np.ndarray] | None = None
-    emission: Callable[[str, str, int, np.ndarray], np.ndarray] | None = None
+    evaluate: Evaluate | None = None
     visibility: Callable[[str, bytes], np.ndarray] | None = None
     normals: Callable[[str, bytes], np.ndarray] | None = None
     validate: Callable[[str], tuple[bool, list[str]]] | None = None

@@ -57,7 +57,7 @@ def evaluate(
         part, own = manifest, tier
         if "parts" in manifest:
             part, own = manifest["parts"][number], tier["parts"][number]
-        asked = own["emission"] if output == "emission" else own
+        asked = own.get(output, own)
         planes = minimal.read_planes(archive.read(own["planes"])).astype(F)
         nodes, constants = minimal.read_decoder(archive.read(asked["decoder"]))
     if not formulas.subnormal_texels:
@@ -73,9 +73,10 @@ def evaluate(
     made = blocks(wo, wi)
     inputs = np.hstack([made[name] for name in asked["inputs"]])
     assert inputs.dtype == F
-    result = np.zeros((len(queries), {"transport": 6, "emission": 3}[output]), F)
     values = {k: v.astype(F) for k, v in constants.items()}
-    result[rows] = _run(formulas, nodes, values, inputs)[output]
+    found = _run(formulas, nodes, values, inputs)[output]
+    result = np.zeros((len(queries), found.shape[1]), F)
+    result[rows] = found
     return result
 
 

@@ -19,7 +19,9 @@ from rna_sdk.conformance.kit import LEVELS, Kit
 from rna_sdk.conformance.program import Command, Program, claimed_levels
 from rna_sdk.conformance.rna_conform import run_levels
 from rna_sdk.conformance.scoring import Score
+from rna_sdk.errors import ConformanceError
 from rna_sdk.package import Curves, NormalMap, Package, Transmittance
+from rna_sdk.package.decoder.query_arrays import in_order
 from rna_trace import parts_scene
 from rna_trace.surface import OFFSET, SurfacePoints, leaving_origins
 from tests.conformance import float32_reader
@@ -46,7 +48,6 @@ def kind_of(score: Score) -> str:
 def test_the_runtime_passes_every_level(kit: Kit) -> None:
     program = InProcess(
         reader.evaluate,
-        reader.emission,
         conformance_reader.visibility,
         conformance_reader.normals,
         reader.check,
@@ -56,7 +57,7 @@ def test_the_runtime_passes_every_level(kit: Kit) -> None:
 
 
 def test_the_numpy_twin_passes(kit: Kit) -> None:
-    assert failures(InProcess(twin_reader.evaluate, twin_reader.emission), kit, "evaluate") == []
+    assert failures(InProcess(twin_reader.evaluate), kit, "evaluate") == []
 
 
 @pytest.mark.parametrize("module", ["rna_sdk.conformance.reader", "rna_render.conformance_reader"])
@@ -82,18 +83,14 @@ def test_the_c_host_passes_every_level(kit: Kit, tmp_path: Path) -> None:
 
 
 def of_float32(minimal: ModuleType, formulas: Formulas) -> InProcess:
-    def evaluate(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
+    def evaluate(
+        form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
+    ) -> np.ndarray:
+        rows = np.column_stack(in_order(arrays))
         with np.errstate(all="ignore"):
-            return float32_reader.evaluate(minimal, formulas, Path(package), tier, part, queries)
+            return float32_reader.evaluate(minimal, formulas, Path(package), tier, part, rows, form)
 
-    def emission(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
-        rows = np.hstack([queries, queries[:, 7:10]])
-        with np.errstate(all="ignore"):
-            return float32_reader.evaluate(
-                minimal, formulas, Path(package), tier, part, rows, "emission"
-            )
-
-    return InProcess(evaluate, emission)
+    return InProcess(evaluate)
 
 
 def test_float32_throughout_passes_with_the_safe_formulas(kit: Kit, minimal: ModuleType) -> None:
@@ -142,8 +139,8 @@ def test_few_rows_of_int8_may_differ_by_a_step(
 ) -> None:
     """2% of 388 are 7; of a float32 decoder, none may."""
 
-    def evaluate(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
-        asked = package, tier, part, "transport"
+    def evaluate(form: str, package: str, tier: str, part: int, _: object) -> np.ndarray:
+        asked = package, tier, part, form
         case = next(c for c in kit.evaluate if (str(c.package), c.tier, c.part, c.output) == asked)
         found = case.expected.copy()
         found[:rows] += steps * case.step + 5 * (case.step == 0)
@@ -281,10 +278,13 @@ def test_readers_that_get_transmittance_wrong_fail(change, kit: Kit) -> None:  #
 
 
 def test_a_reader_that_asks_the_first_part_alone_fails(kit: Kit) -> None:
-    def evaluate(package: str, tier: str, part: int, queries: np.ndarray) -> np.ndarray:
-        return reader.evaluate(package, tier, 0, queries)
+    def evaluate(
+        form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
+    ) -> np.ndarray:
+        asked = 0 if form == "transport" else part
+        return reader.evaluate(form, package, tier, asked, arrays)
 
-    failed = failures(InProcess(evaluate, reader.emission), kit, "evaluate")
+    failed = failures(InProcess(evaluate), kit, "evaluate")
     assert {(score.package, score.tier) for score in failed} == {
         *(("parts-head", "small 1"), ("parts-head", "hq 1")),
         *(("parts-lantern", "small 1"), ("parts-lantern", "small 2")),
@@ -292,9 +292,16 @@ def test_a_reader_that_asks_the_first_part_alone_fails(kit: Kit) -> None:
 
 
 def test_a_reader_without_emission_fails(kit: Kit) -> None:
-    failed = failures(InProcess(reader.evaluate), kit, "evaluate")
+    def evaluate(
+        form: str, package: str, tier: str, part: int, arrays: dict[str, np.ndarray]
+    ) -> np.ndarray:
+        if form != "transport":
+            raise ConformanceError(f"no {form} here")
+        return reader.evaluate(form, package, tier, part, arrays)
+
+    failed = failures(InProcess(evaluate), kit, "evaluate")
     assert {score.tier.split()[-1] for score in failed} == {"emission"} and len(failed) == 3
-    assert "unknown call of a reader" in failed[0].note
+    assert "no emission here" in failed[0].note
 
 
 def with_maps(change: Callable[[NormalMap], NormalMap | None]):  # type: ignore[no-untyped-def]

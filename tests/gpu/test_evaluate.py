@@ -34,7 +34,7 @@ def rows(count: int, bounds: np.ndarray) -> list[np.ndarray]:
 def test_the_conformance_kit(device: Device) -> None:
     kit: Kit = load_kit(KIT)
     own = conformance_reader
-    reader = InProcess(own.evaluate, own.emission, own.visibility, own.normals)
+    reader = InProcess(own.evaluate, own.visibility, own.normals)
     scores = list(run_levels(reader, kit, ("evaluate", "visibility", "normals")))
     assert len(scores) == len(kit.evaluate) + len(kit.visibility) + len(kit.normals)
     assert [score for score in scores if not score.passed] == []

@@ -77,7 +77,7 @@ def write_pane_before_wall(path: Path) -> Path:
         tier_parts.append(part)
         transport = constant_decoder(6, "transport", colours["visible"], colours["shadowed"])
         glow = constant_decoder(3, "emission", colours["emission"])
-        data.append(TierData(make_planes(), transport, glow))
+        data.append(TierData(make_planes(), transport, {"emission": glow}))
         corners = np.float32([[-1, -1, z], [1, -1, z], [1, 1, z], [-1, 1, z]])
         normals = np.float32([[0, 0, 1]] * 4)
         meshes.append(Mesh(corners, normals, None, np.uint32([[0, 1, 2], [0, 2, 3]])))

@@ -16,7 +16,7 @@ from tests.conformance.conftest import KIT, InProcess
 def test_it_passes(level: str) -> None:
     from rna_mitsuba import conformance_reader as reader
 
-    program = InProcess(reader.evaluate, reader.emission, reader.visibility, reader.normals)
+    program = InProcess(reader.evaluate, reader.visibility, reader.normals)
     scores = list(run_levels(program, load_kit(KIT), [level]))
     assert scores and [score for score in scores if not score.passed] == []
 

@@ -260,15 +260,16 @@ def make_tier_data(tier: Tier, width: int = 8, layers: int = 1, seed: int = 1) -
 
 def make_part_data(part: TierPart, width: int = 8, layers: int = 1, seed: int = 1) -> TierData:
     """Random planes and random decoders that fit the tier part."""
-    emission = None
-    if part.emission:
-        columns, precision = part.emission_query_width, part.emission.decoder_precision
-        emission = make_decoder(precision, columns, width, layers, seed, output="emission")
-    return TierData(
-        planes=make_planes(part.resolution, part.channels, part.plane_precision, seed),
-        decoder=make_decoder(part.decoder_precision, part.query_width, width, layers, seed),
-        emission_decoder=emission,
-    )
+    made = {
+        own.form.name: make_decoder(
+            *(own.precision, own.columns, width, layers, seed),
+            outputs=own.width,
+            output=own.form.name,
+        )
+        for own in part.decoders
+    }
+    planes = make_planes(part.resolution, part.channels, part.plane_precision, seed)
+    return TierData(planes, made.pop("transport"), made)
 
 
 def make_decoder(precision: str, *sizes: int, **overrides: Any) -> bytes:

@@ -13,8 +13,7 @@ import numpy as np
 import pytest
 
 from rna_sdk.errors import QueryError
-from rna_sdk.package import Mesh, Package, PackageError, validate, write_package
-from rna_sdk.package.manifest import tier_ranges
+from rna_sdk.package import Mesh, Package, PackageError, tier_ranges, validate, write_package
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from tests.package.builders import (
     make_curves,
@@ -51,8 +50,8 @@ def test_every_part_comes_back(lantern: Path) -> None:
             for k, made in enumerate(parts):
                 np.testing.assert_array_equal(package.planes(tier, k), made.planes)
                 assert bytes(package.decoder(tier, k)) == made.decoder
-                found = package.emission_decoder(tier, k)
-                assert (found and bytes(found)) == made.emission_decoder
+                for form, other in made.others.items():
+                    assert bytes(package.decoder(tier, k, form)) == other
         holes, pane = package.transmittance()
         assert package.transmittance(1) == []
     assert (holes.first, holes.count, holes.cutoff, holes.ior) == (0, 2, 0.5, None)
@@ -71,6 +70,8 @@ def test_a_part_that_is_not_there(lantern: Path) -> None:
                     ask(part)
             with pytest.raises(QueryError, match=f"no part {part}"):
                 package.planes("small", part)
+        with pytest.raises(QueryError, match="no decoder of emission in part 1 of tier 'small'"):
+            package.decoder("small", 1, "emission")
         with pytest.raises(QueryError, match="a fiber part has no mesh"):
             package.mesh(1)
 
@@ -232,7 +233,7 @@ def test_what_does_not_fit_the_manifest_is_not_written(tmp_path: Path) -> None:
     manifest, path = make_lantern_manifest(), tmp_path / "x.rna"
     geometries, textures = [make_mesh(), make_curves()], make_textures()
     good = make_lantern_data(manifest)
-    dark = [replace(good["hq"][0], emission_decoder=None), good["hq"][1]]
+    dark = [replace(good["hq"][0], others={}), good["hq"][1]]
     for code, arguments in (
         ("PARTS_DIFFER at /parts", (geometries[:1], good, textures)),
         ("PARTS_DIFFER at /tiers/1", (geometries, {**good, "hq": good["hq"][:1]}, textures)),

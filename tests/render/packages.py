@@ -97,7 +97,7 @@ def write_lamp_package(path: Path, glow: tuple[float, float, float], tint: np.nd
         make_part(name="fringe", kind="fiber", geometry="geometry/fringe.safetensors"),
     )
     data = [
-        TierData(make_planes(), dark, glowing),
+        TierData(make_planes(), dark, {"emission": glowing}),
         TierData(make_planes(), _linear_decoder(lambert, [0, 0, 0, *SHADOWED])),
         TierData(make_planes(), _linear_decoder(weights, OFFSET_BIAS)),
     ]

@@ -26,11 +26,11 @@ def filled(
     )
     n = len(points.positions)
     if isinstance(points, FiberPoints):
-        kind, axes, h = "fiber", points.tangents, points.h
+        kind, own = "fiber", {"axis": points.tangents, "h": points.h}
     else:
-        kind, axes, h = "surface", points.normals, np.empty(0, np.float32)
-    outputs = np.empty((2, n, 3), np.float32)
-    batch = Batch(points.positions, axes, h, points.wo, points.wi, tuple(outputs))
+        kind, own = "surface", {"axis": points.normals}
+    arrays = {"position": points.positions, "wo": points.wo, "wi": points.wi, **own}
+    batch = Batch.of(arrays, tuple(np.empty((2, n, 3), np.float32)))
     queries = np.full((n, query_width(inputs, channels)), np.nan, np.float32)
     valid = np.zeros(n, np.bool_)
     filler = QueryFiller(planes, BOUNDS, part, kind)

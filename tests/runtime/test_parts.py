@@ -78,7 +78,7 @@ def test_emission_is_that_of_the_package_evaluated_by_hand(path: Path) -> None:
         wi = np.ones_like(points.wo)  # read by no block
         planes = package.planes("small")
         queries = queries_reference(planes, corners, record.emission.inputs, *at, wi)
-        decoder = bytes(package.emission_decoder("small") or b"")
+        decoder = bytes(package.decoder("small", form="emission"))
         session = ort.InferenceSession(decoder, providers=["CPUExecutionProvider"])
     (expected,) = session.run(["emission"], {"queries": queries})
     found = body.emission(*at)

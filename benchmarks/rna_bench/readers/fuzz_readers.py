@@ -164,8 +164,8 @@ def read_everything(package: Package) -> None:
         for tier in package.manifest.tiers:
             part = tier.parts[k]
             _check_planes(package.planes(tier.name, k), part.resolution, part.channels)
-            package.decoder(tier.name, k)
-            package.emission_decoder(tier.name, k)
+            for own in part.decoders:
+                package.decoder(tier.name, k, own.form.name)
     package.poster()
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Package
+from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
 from rna_sdk.runtime.engine.tiles import QueryFiller
@@ -43,9 +44,8 @@ def _passed(
     rows = decoder.tile_rows
     n = max(len(batch[0]) // 4 // rows, 1) * rows
     outputs = np.zeros((2, len(batch[0]), 3), np.float32)
-    positions, axes, *offsets, wo, wi = batch
-    h = offsets[0] if offsets else np.empty(0, np.float32)
-    everything = Batch(positions, axes, h, wo, wi, tuple(outputs))
+    names = [array.name for array in QUERY_ARRAYS if len(batch) == 5 or not array.kind]
+    everything = Batch.of(dict(zip(names, batch, strict=True)), tuple(outputs))
     queries = np.zeros((rows, decoder.columns), np.float32)
     valid = np.empty(rows, np.bool_)
     for _ in range(2):  # the first one warms caches

@@ -27,6 +27,7 @@ class EmissionModel:
 
     def __init__(self, model: NeuralAsset):
         emission, self.triplane = model.emitting
+        self.inputs = emission.inputs
         self._emission, self.decoder = emission, emission.decoder
         self.ceiling, self.unit = emission.ceiling, emission.unit
 
@@ -42,8 +43,13 @@ class EmissionModel:
 Exported = NeuralAsset | EmissionModel
 
 
+def other_models(model: NeuralAsset) -> list[EmissionModel]:
+    """What the model answers with decoders of other forms than transport."""
+    return [] if model.emission is None else [EmissionModel(model)]
+
+
 def export_decoder(model: Exported, int8: Int8Decoder | None = None) -> bytes:
-    """`queries` (N, K) to the output (N, 6), or (N, 3), with the spec's operators alone.
+    """`queries` (N, K) to the output of the model's form, with the spec's operators alone.
 
     int8: the model's layers in integers, to be written in place of its own.
     """

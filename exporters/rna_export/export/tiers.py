@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 import numpy as np
 import torch
@@ -11,10 +12,10 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import queries_of
 from rna_export.export.decoder import (
-    EmissionModel,
     compare_decoder,
     compare_int8_decoder,
     export_decoder,
+    other_models,
 )
 from rna_export.export.int8_decoder import int8_decoder
 from rna_export.export.int8_tuning import Calibration, tuned
@@ -23,8 +24,8 @@ from rna_export.export.trained_tiers import TrainedTier
 from rna_export.training.checkpoint import Trained
 from rna_export.training.model.triplane import Triplane
 from rna_sdk.package import Agreement, Tier, TierData, TierPart
+from rna_sdk.package.decoder.decoder_form import form_named
 from rna_sdk.package.manifest.manifest_fields import DecoderPrecision
-from rna_sdk.package.manifest.manifest_tiers import TierEmission
 
 _CALIBRATION_ROWS = 50_000
 _CALIBRATION_SHARDS = 12
@@ -64,6 +65,7 @@ class _PartExport:
             f"by at most {agreement.max_absolute:.1e} absolute, {agreement.max_relative:.1e} "
             "relative"
         )
+        records, others = self._others(stem)
         record = TierPart(
             planes=precision.planes_entry(stem),
             decoder=precision.decoder_entry(stem),
@@ -73,30 +75,25 @@ class _PartExport:
             plane_precision=precision.planes,
             decoder_precision=precision.decoder,
             agreement=agreement,
-            emission=self._emission(stem),
+            **records,
         )
         triplane = one.model.triplane
         assert isinstance(triplane, Triplane)
         planes = stored_planes(triplane.planes.detach().numpy(), precision.planes)
-        return record, TierData(planes, decoder, self._emission_decoder())
+        return record, TierData(planes, decoder, others)
 
-    def _emission(self, stem: str) -> TierEmission | None:
-        """Record of the part's emission, if it has any: float32 in all precisions."""
-        decoder = self._emission_decoder()
-        if decoder is None:
-            return None
-        agreement = compare_decoder(decoder, EmissionModel(self._one.model))
-        return TierEmission(
-            decoder=f"decoders/{stem}-emission.onnx",
-            inputs=self._one.preset.model.emission_inputs,
-            decoder_precision="float32",
-            agreement=agreement,
-        )
-
-    def _emission_decoder(self) -> bytes | None:
-        if self._one.model.emission is None:
-            return None
-        return export_decoder(EmissionModel(self._one.model))
+    def _others(self, stem: str) -> tuple[dict[str, Any], dict[str, bytes]]:
+        """Members of the record, and decoders, of other forms: float32 in all precisions."""
+        records, decoders = {}, {}
+        for model in other_models(self._one.model):
+            decoder = decoders[model.output] = export_decoder(model)
+            records[form_named(model.output).member] = {
+                "decoder": f"decoders/{stem}-{model.output}.onnx",
+                "inputs": model.inputs,
+                "decoder_precision": "float32",
+                "agreement": compare_decoder(decoder, model),
+            }
+        return records, decoders
 
     def _decoder(self, precision: DecoderPrecision) -> tuple[bytes, Agreement]:
         """The exported decoder, and how far it is from the trained one."""

@@ -58,12 +58,12 @@ def _part(package: Package, index: int) -> Info:
         if isinstance(geometry, Curves)
         else {"triangles": len(geometry.triangles), "vertices": len(geometry.positions)}
     )
-    emits = package.manifest.tiers[0].parts[index].emission is not None
+    _, *others = package.manifest.tiers[0].parts[index].decoders
     return {
         "name": record.name,
         "kind": record.kind,
         **counts,
-        "has": [*features_of(record), *(["emission"] if emits else [])],
+        "has": [*features_of(record), *(own.form.name for own in others)],
         "proxies": list(package.proxy_heights(index)),
     }
 

@@ -103,7 +103,7 @@ def _parts(manifest: Manifest) -> list[_Part]:
             part.kind,
             ("transmittance",) * bool(part.transmittance)
             + ("normal maps",) * bool(part.normal_maps)
-            + ("emission",) * bool(manifest.tiers[0].parts[k].emission),
+            + tuple(own.form.name for own in manifest.tiers[0].parts[k].decoders[1:]),
         )
         for k, part in enumerate(manifest.parts)
     ]

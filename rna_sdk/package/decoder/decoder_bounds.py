@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rna_sdk.package.decoder.decoder_form import INPUT_NAME, DecoderForm
+from rna_sdk.package.decoder.decoder_form import INPUT_NAME, PartDecoder
 from rna_sdk.package.decoder.onnx_model import Model, Node, Tensor
 from rna_sdk.package.issues import Code, refuse
 from rna_sdk.package.limits import (
@@ -56,22 +56,22 @@ class Shape:
 _NOTHING = Shape(1, rank=0)
 
 
-def check_bounds(model: Model, form: DecoderForm) -> None:
+def check_bounds(model: Model, own: PartDecoder) -> None:
     """Every value is made once and before its use, and none of the limits can be passed.
 
     Raises:
         PackageError: DECODER_GRAPH, DECODER_ROWS, DECODER_TENSOR, DECODER_COST.
     """
     tally = _Tally()
-    shapes = {"": _NOTHING, INPUT_NAME: Shape(form.columns, per_query=True)}
+    shapes = {"": _NOTHING, INPUT_NAME: Shape(own.columns, per_query=True)}
     for tensor in model.initializers:
-        where = f"{form.entry}#{tensor.name}"
+        where = f"{own.entry}#{tensor.name}"
         if tensor.name in shapes:
             refuse(Code.DECODER_GRAPH, where, "a name made twice", "each value made once")
         shapes[tensor.name] = Shape.of(tensor)
         tally.add_constant(shapes[tensor.name], where)
     for i, node in enumerate(model.nodes):
-        where = f"{form.entry}#/graph/node/{i}"
+        where = f"{own.entry}#/graph/node/{i}"
         missing = [name for name in node.inputs if name not in shapes]
         twice = [name for name in node.outputs if name and name in shapes]
         if missing or twice:
@@ -84,8 +84,8 @@ def check_bounds(model: Model, form: DecoderForm) -> None:
             refuse(Code.DECODER_TENSOR, where, f"width {width}", f"at most {MAX_DECODER_WIDTH}")
         tally.add_node(node, operands, result, where)
         shapes.update((name, result) for name in node.outputs if name)
-    if form.output not in shapes:
-        refuse(Code.DECODER_GRAPH, f"{form.entry}#/graph/output", "nothing makes it", form.output)
+    if own.form.name not in shapes:
+        refuse(Code.DECODER_GRAPH, f"{own.entry}#/graph/output", "nothing makes it", own.form.name)
 
 
 def _check_rows(node: Node, operands: list[Shape], where: str) -> None:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rna_sdk.errors import PackageError
 from rna_sdk.package.decoder.decoder_bounds import check_bounds
-from rna_sdk.package.decoder.decoder_form import INPUT_NAME, DecoderForm
+from rna_sdk.package.decoder.decoder_form import INPUT_NAME, PartDecoder
 from rna_sdk.package.decoder.onnx_fields import DataType
 from rna_sdk.package.decoder.onnx_model import FLOAT, Model, Value, read_model
 from rna_sdk.package.decoder.profile_decoder import read_profile, saturating_weights
@@ -47,7 +47,7 @@ _INT8_SHARE = 0.75
 """Fraction of an int8 decoder's rows that must be identical in another order, and alone."""
 
 
-def check_decoder(data: memoryview, form: DecoderForm) -> list[Issue]:
+def check_decoder(data: memoryview, own: PartDecoder) -> list[Issue]:
     """Check the entry `data` against the spec; returns warnings.
 
     The inference engine sees the bytes only after the structure has passed.
@@ -57,18 +57,18 @@ def check_decoder(data: memoryview, form: DecoderForm) -> list[Issue]:
     """
     if len(data) > MAX_DECODER_BYTES:
         expected = f"at most {MAX_DECODER_BYTES}"
-        refuse(Code.DECODER_TOO_LARGE, form.entry, f"{len(data)} bytes", expected)
+        refuse(Code.DECODER_TOO_LARGE, own.entry, f"{len(data)} bytes", expected)
     try:
         model = read_model(data)
     except WireError as error:
-        refuse(Code.DECODER_NOT_ONNX, form.entry, error, "an ONNX ModelProto")
-    _check_versions(model, form.entry)
-    _check_interface(model, form)
-    _check_nodes(model, form)
-    _check_tensors(model, form.entry)
-    check_bounds(model, form)
-    _check_results(bytes(data), form)
-    return _warnings(model, form.entry)
+        refuse(Code.DECODER_NOT_ONNX, own.entry, error, "an ONNX ModelProto")
+    _check_versions(model, own.entry)
+    _check_interface(model, own)
+    _check_nodes(model, own)
+    _check_tensors(model, own.entry)
+    check_bounds(model, own)
+    _check_results(bytes(data), own)
+    return _warnings(model, own.entry)
 
 
 def _warnings(model: Model, name: str) -> list[Issue]:
@@ -99,27 +99,27 @@ def _span(versions: range) -> str:
     return f"{versions.start} to {versions.stop - 1}"
 
 
-def _check_interface(model: Model, form: DecoderForm) -> None:
+def _check_interface(model: Model, own: PartDecoder) -> None:
     sides = (
-        (Code.DECODER_INPUT, "input", model.inputs, INPUT_NAME, form.columns),
-        (Code.DECODER_OUTPUT, "output", model.outputs, form.output, form.width),
+        (Code.DECODER_INPUT, "input", model.inputs, INPUT_NAME, own.columns),
+        (Code.DECODER_OUTPUT, "output", model.outputs, own.form.name, own.width),
     )
     for code, side, values, name, width in sides:
         if list(values) != [Value(name, FLOAT, (None, width))]:
-            where = f"{form.entry}#/graph/{side}"
+            where = f"{own.entry}#/graph/{side}"
             found = [f"{v.name} type {v.dtype} {list(v.dims)}" for v in values]
             refuse(code, where, found, f"{name} float32 [N, {width}], N symbolic")
 
 
-def _check_nodes(model: Model, form: DecoderForm) -> None:
+def _check_nodes(model: Model, own: PartDecoder) -> None:
     if model.nested:
         found = "functions, training info or sparse tensors"
-        refuse(Code.DECODER_NESTED, f"{form.entry}#", found, "none")
+        refuse(Code.DECODER_NESTED, f"{own.entry}#", found, "none")
     if len(model.nodes) > MAX_DECODER_NODES:
-        where = f"{form.entry}#/graph/node"
+        where = f"{own.entry}#/graph/node"
         refuse(Code.DECODER_GRAPH, where, len(model.nodes), f"at most {MAX_DECODER_NODES} nodes")
     for i, node in enumerate(model.nodes):
-        where = f"{form.entry}#/graph/node/{i}"
+        where = f"{own.entry}#/graph/node/{i}"
         if node.domain not in DEFAULT_DOMAINS:
             refuse(Code.DECODER_DOMAIN, where, node.domain, "the default domain")
         if node.nested:
@@ -128,8 +128,8 @@ def _check_nodes(model: Model, form: DecoderForm) -> None:
             refuse(Code.DECODER_OPERATOR, where, node.operator, "one of the list in the spec")
     quantized = any(node.operator in QUANTIZERS for node in model.nodes)
     actual = "int8" if quantized else "float32"
-    if actual != form.precision:
-        refuse(Code.DECODER_PRECISION, form.entry, actual, form.precision)
+    if actual != own.precision:
+        refuse(Code.DECODER_PRECISION, own.entry, actual, own.precision)
 
 
 def _check_tensors(model: Model, name: str) -> None:
@@ -145,7 +145,7 @@ def _check_tensors(model: Model, name: str) -> None:
             refuse(Code.DECODER_TENSOR, where, found, expected)
 
 
-def _check_results(data: bytes, form: DecoderForm) -> None:
+def _check_results(data: bytes, own: PartDecoder) -> None:
     """Load the decoder and ask it a few queries: together, in another order, and alone."""
     # Imported here: everything but this last check works, and starts fast, without it.
     import onnxruntime as ort
@@ -154,18 +154,18 @@ def _check_results(data: bytes, form: DecoderForm) -> None:
     options.intra_op_num_threads = options.inter_op_num_threads = 1
     options.graph_optimization_level = ort.GraphOptimizationLevel.ORT_DISABLE_ALL
     options.log_severity_level = 4
-    queries = _probes(form.columns)
+    queries = _probes(own.columns)
     order = np.random.default_rng(1).permutation(len(queries))
     ordinary = np.arange(len(_PROBES), len(queries))  # what rounding does to the others is larger
     try:
         session = ort.InferenceSession(data, options, providers=["CPUExecutionProvider"])
 
         def run(rows: Rows) -> Rows:
-            result: Rows = session.run([form.output], {INPUT_NAME: rows})[0]
-            if result.dtype != np.float32 or result.shape != (len(rows), form.width):
+            result: Rows = session.run([own.form.name], {INPUT_NAME: rows})[0]
+            if result.dtype != np.float32 or result.shape != (len(rows), own.width):
                 found = f"{result.dtype} {list(result.shape)}"
-                expected = f"float32 {[len(rows), form.width]}"
-                refuse(Code.DECODER_RESULT, form.entry, found, expected)
+                expected = f"float32 {[len(rows), own.width]}"
+                refuse(Code.DECODER_RESULT, own.entry, found, expected)
             return result
 
         run(queries[:0])
@@ -174,24 +174,24 @@ def _check_results(data: bytes, form: DecoderForm) -> None:
     except PackageError:
         raise
     except Exception as error:  # the engine's exceptions share no narrower base
-        refuse(Code.DECODER_LOAD, form.entry, error, "a model that loads and runs")
+        refuse(Code.DECODER_LOAD, own.entry, error, "a model that loads and runs")
     good = (np.isfinite(transport) & (transport >= 0)).all(axis=1)
     if not good.all():
         row = int(np.argmin(good))
         found = f"{transport[row].tolist()} for inputs that begin with {queries[row, 0]:g}"
-        refuse(Code.DECODER_RESULT, form.entry, found, "finite and >= 0 for any finite input")
+        refuse(Code.DECODER_RESULT, own.entry, found, "finite and >= 0 for any finite input")
     in_order = permuted[np.argsort(order)]
-    _check_rows_apart(transport[ordinary], (in_order[ordinary], alone), form)
+    _check_rows_apart(transport[ordinary], (in_order[ordinary], alone), own)
 
 
-def _check_rows_apart(expected: Rows, others: Iterable[Rows], form: DecoderForm) -> None:
+def _check_rows_apart(expected: Rows, others: Iterable[Rows], own: PartDecoder) -> None:
     """Whether equal rows came out of calls with other rows, in other places."""
     # Sums of int8 halfway between two steps may round another way in a batch of another size.
-    enough = 1.0 if form.precision == "float32" else _INT8_SHARE
+    enough = 1.0 if own.precision == "float32" else _INT8_SHARE
     for result in others:
         if np.isclose(result, expected, rtol=1e-3, atol=1e-5).all(axis=1).mean() < enough:
             found = "rows that depend on others, or on their place"
-            refuse(Code.DECODER_RESULT, form.entry, found, "rows that depend on themselves alone")
+            refuse(Code.DECODER_RESULT, own.entry, found, "rows that depend on themselves alone")
 
 
 def _probes(columns: int) -> Rows:

@@ -1,45 +1,87 @@
-"""What a decoder must be: that of transport, or that of emission."""
+"""Decoder forms: the kinds of decoder that a part can have in a tier.
+
+A form says what a decoder gives, of which query arrays, and so of which input blocks; validator,
+writer, runtime, exporter and conformance kit go by it. A new form is a value in FORMS and, in
+`manifest_tiers.py`, the member of a tier part that declares it.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
-from rna_sdk.package.limits import EMISSION_WIDTH, TRANSPORT_WIDTH
+from rna_sdk.package.blocks import UNLIT_BLOCKS, blocks_for
 from rna_sdk.package.manifest.manifest_fields import DecoderPrecision
-from rna_sdk.package.manifest.manifest_tiers import TierPart
 
 INPUT_NAME = "queries"
-TRANSPORT, EMISSION = "transport", "emission"
 
 
 @dataclass(frozen=True)
 class DecoderForm:
-    """A decoder's form by the manifest.
+    """A kind of decoder.
+
+    Attributes:
+        name: of the form and of the decoder's one output.
+        results: what the output's columns are, each of `columns`, side by side.
+        arrays: names of the QUERY_ARRAYS that it is asked with.
+        member: of a tier part, with the decoder's record; "" for the tier part itself.
+        columns: of each result; 3 for RGB.
+        count: name of a member of the record: so many times there are all results; "" for once.
+    """
+
+    name: str
+    results: tuple[str, ...]
+    arrays: tuple[str, ...]
+    member: str = ""
+    columns: int = 3
+    count: str = ""
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """From a tier part to the decoder's record in the manifest."""
+        return (self.member,) if self.member else ()
+
+    def record(self, part: Any) -> Any:
+        """The record of such a decoder in a tier part; None if the part has none."""
+        return getattr(part, self.member) if self.member else part
+
+    def width(self, record: Any) -> int:
+        """Columns of the output."""
+        return self.columns * len(self.results) * (getattr(record, self.count) if self.count else 1)
+
+    def blocks(self, kind: str) -> list[str]:
+        """The input blocks that it can have in a part of this kind."""
+        lit = "wi" in self.arrays
+        return [name for name in blocks_for(kind) if lit or name in UNLIT_BLOCKS]
+
+
+TRANSPORT = DecoderForm("transport", ("visible", "shadowed"), ("position", "axis", "h", "wo", "wi"))
+EMISSION = DecoderForm("emission", ("radiance",), ("position", "axis", "h", "wo"), "emission")
+
+FORMS = (TRANSPORT, EMISSION)
+"""Every part has the first; the others are optional."""
+
+
+def form_named(name: str) -> DecoderForm:
+    """The form of this name, which must be one of FORMS."""
+    return next(form for form in FORMS if form.name == name)
+
+
+@dataclass(frozen=True)
+class PartDecoder:
+    """A decoder of a part in a tier, by the manifest.
 
     Attributes:
         entry: its name.
         columns: K, of the input `queries`.
-        output: name of the one output, of `width` columns.
+        width: of the output.
         precision: of its arithmetic.
+        inputs: its input blocks.
     """
 
+    form: DecoderForm
     entry: str
     columns: int
-    output: str
     width: int
     precision: DecoderPrecision
-
-
-def transport_form(part: TierPart) -> DecoderForm:
-    """The form of the transport decoder, with outputs visible and shadowed RGB."""
-    columns, precision = part.query_width, part.decoder_precision
-    return DecoderForm(part.decoder, columns, TRANSPORT, TRANSPORT_WIDTH, precision)
-
-
-def emission_form(part: TierPart) -> DecoderForm | None:
-    """The form of the emission decoder, with output RGB; None if the part does not emit."""
-    own = part.emission
-    if own is None:
-        return None
-    columns, precision = part.emission_query_width, own.decoder_precision
-    return DecoderForm(own.decoder, columns, EMISSION, EMISSION_WIDTH, precision)
+    inputs: tuple[str, ...] = field(compare=False)

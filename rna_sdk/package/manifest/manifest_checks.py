@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from rna_sdk.package.blocks import BLOCKS_OF_EMISSION, blocks_for
 from rna_sdk.package.container.strict_json import pointer
+from rna_sdk.package.decoder.decoder_form import FORMS
 from rna_sdk.package.issues import Code, Issue
 from rna_sdk.package.manifest.extension_checks import KNOWN_EXTENSIONS, extension_issues
 from rna_sdk.package.manifest.manifest_fields import FIRST_WITH_PARTS, version_number
@@ -47,10 +47,8 @@ def references(manifest: Manifest, places: Places) -> Iterator[tuple[str, str]]:
     for i, tier in enumerate(manifest.tiers):
         for k, tier_part in enumerate(tier.parts):
             yield places.tier_part(i, k, "planes"), tier_part.planes
-            yield places.tier_part(i, k, "decoder"), tier_part.decoder
-            if tier_part.emission:
-                where = places.tier_part(i, k, "emission", "decoder")
-                yield where, tier_part.emission.decoder
+            for own in tier_part.decoders:
+                yield places.tier_part(i, k, *own.form.path, "decoder"), own.entry
 
 
 def _version_issues(manifest: Manifest, places: Places) -> list[Issue]:
@@ -61,7 +59,7 @@ def _version_issues(manifest: Manifest, places: Places) -> list[Issue]:
 
 
 def _differing_parts(manifest: Manifest, places: Places) -> Iterator[Issue]:
-    """Every tier is of all parts, and the same parts emit in all tiers."""
+    """Every tier is of all parts, and each part has decoders of the same forms in all tiers."""
     first = manifest.tiers[0].parts
     for i, tier in enumerate(manifest.tiers):
         if len(tier.parts) != len(manifest.parts):
@@ -69,10 +67,11 @@ def _differing_parts(manifest: Manifest, places: Places) -> Iterator[Issue]:
             yield Issue.of(Code.PARTS_DIFFER, where, f"{len(tier.parts)} parts", expected)
             return
         for k, (part, other) in enumerate(zip(tier.parts, first, strict=True)):
-            if bool(part.emission) != bool(other.emission):
-                found = "emission" if part.emission else "no emission"
-                expected = f"as in {places.tier_part(0, k)}"
-                yield Issue.of(Code.PARTS_DIFFER, places.tier_part(i, k), found, expected)
+            for form in FORMS:
+                if (has := form.record(part) is not None) != (form.record(other) is not None):
+                    found = form.name if has else f"no {form.name}"
+                    expected = f"as in {places.tier_part(0, k)}"
+                    yield Issue.of(Code.PARTS_DIFFER, places.tier_part(i, k), found, expected)
 
 
 def _extension_issues(manifest: Manifest) -> list[Issue]:
@@ -89,18 +88,15 @@ def _extension_issues(manifest: Manifest) -> list[Issue]:
 
 
 def _input_issues(manifest: Manifest, places: Places) -> list[Issue]:
-    """Every block is one that the kind of part can fill, for emission without a `wi`."""
+    """Every block is one that the kind of part can fill, of the arrays of the decoder's form."""
     issues: list[Issue] = []
     for i, tier in enumerate(manifest.tiers):
         for k, part in enumerate(tier.parts):
             kind = manifest.parts[k].kind
-            known = blocks_for(kind)
-            where = places.tier_part(i, k, "inputs")
-            issues += _unknown_blocks(part.inputs, known, kind, where)
-            if part.emission:
-                known = [name for name in known if name in BLOCKS_OF_EMISSION]
-                where = places.tier_part(i, k, "emission", "inputs")
-                issues += _unknown_blocks(part.emission.inputs, known, f"emission of {kind}", where)
+            for own in part.decoders:
+                what = f"{own.form.name} of {kind}" if own.form.member else kind
+                where = places.tier_part(i, k, *own.form.path, "inputs")
+                issues += _unknown_blocks(own.inputs, own.form.blocks(kind), what, where)
     return issues
 
 

@@ -87,7 +87,7 @@ def has_short_form(manifest: Manifest) -> bool:
     """Whether the manifest has one part, and no member that is new since 1.0."""
     if len(manifest.parts) != 1 or manifest.parts[0].transmittance or manifest.parts[0].normal_maps:
         return False
-    return not any(part.emission for tier in manifest.tiers for part in tier.parts)
+    return all(len(part.decoders) == 1 for tier in manifest.tiers for part in tier.parts)
 
 
 def _members(record: Any, of: Any) -> dict[str, Any]:

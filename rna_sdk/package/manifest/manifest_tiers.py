@@ -10,6 +10,7 @@ from pydantic import Field, field_validator
 from pydantic_core import PydanticCustomError
 
 from rna_sdk.package.blocks import query_width
+from rna_sdk.package.decoder.decoder_form import FORMS, DecoderForm, PartDecoder
 from rna_sdk.package.limits import MAX_CHANNELS, MAX_PARTS, MAX_RESOLUTION
 from rna_sdk.package.manifest.manifest_fields import (
     Count,
@@ -71,13 +72,17 @@ class Agreement(Record):
     max_relative: Measure
 
 
-class TierEmission(SparseRecord):
-    """Emission of a part: a separate decoder on features of the same planes."""
+class TierDecoder(SparseRecord):
+    """A separate decoder on features of the planes of transport; base of those of each form."""
 
     decoder: EntryPath = Field(description="Entry with the ONNX decoder of emission.")
     inputs: Inputs
     decoder_precision: DecoderPrecision = Field(description="Arithmetic of the decoder.")
     agreement: Agreement | None = None
+
+
+class TierEmission(TierDecoder):
+    """Emission of a part: a separate decoder on features of the same planes."""
 
 
 class TierPartFields(Record):
@@ -101,14 +106,19 @@ class TierPart(TierPartFields, SparseRecord):
     emission: Annotated[TierEmission | None, NotNull()] = None
 
     @property
-    def query_width(self) -> int:
-        """K, the number of columns of `queries`."""
-        return query_width(self.inputs, self.channels)
+    def decoders(self) -> tuple[PartDecoder, ...]:
+        """Its decoders, in the order of FORMS: that of transport first."""
+        records = ((form, form.record(self)) for form in FORMS)
+        return tuple(self._decoder(form, own) for form, own in records if own is not None)
+
+    def _decoder(self, form: DecoderForm, own: TierPart | TierDecoder) -> PartDecoder:
+        columns, width = query_width(own.inputs, self.channels), form.width(own)
+        return PartDecoder(form, own.decoder, columns, width, own.decoder_precision, own.inputs)
 
     @property
-    def emission_query_width(self) -> int:
-        """K of the decoder of emission; 0 where there is none."""
-        return query_width(self.emission.inputs, self.channels) if self.emission else 0
+    def query_width(self) -> int:
+        """K, the number of columns of `queries`, of transport."""
+        return query_width(self.inputs, self.channels)
 
 
 class Tier(Record):

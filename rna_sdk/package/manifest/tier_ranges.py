@@ -45,6 +45,5 @@ def shared_names(parts: tuple[Part, ...]) -> Iterator[str]:
 def tier_names(tier: Tier) -> Iterator[str]:
     """Entries of the tier, some perhaps twice: planes and decoders of its parts."""
     for part in tier.parts:
-        yield from (part.planes, part.decoder)
-        if part.emission:
-            yield part.emission.decoder
+        yield part.planes
+        yield from (own.entry for own in part.decoders)

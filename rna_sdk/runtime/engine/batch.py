@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-Rows = NDArray[np.float32]
+from rna_sdk.package.decoder.query_arrays import Rows, in_order
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Arguments and results; each (n, 3) float32 except h.
+    """Arguments and results.
 
     Attributes:
-        axes: normals of a surface, tangents of fibers.
-        h: (n,) float32, offsets across fibers; (0,) for a surface, which has none.
-        results: written by the evaluation: visible and shadowed, or emission.
+        arrays: one for each of QUERY_ARRAYS, (n, 3) or (n,) float32.
+        results: written by the evaluation: visible and shadowed, or emission; each (n, 3) float32.
     """
 
-    positions: Rows
-    axes: Rows
-    h: Rows
-    wo: Rows
-    wi: Rows
+    arrays: tuple[Rows, ...]
     results: tuple[Rows, ...]
+
+    @classmethod
+    def of(cls, arrays: Mapping[str, Rows], results: tuple[Rows, ...]) -> Batch:
+        """arrays: by name, those that the decoder's blocks are made of."""
+        return cls(in_order(arrays), results)
+
+    def __len__(self) -> int:
+        return len(self.arrays[0])

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
+from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
-from rna_sdk.runtime.engine.batch import Batch, Rows
+from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
 from rna_sdk.runtime.kernels.block_columns import block_columns
 from rna_sdk.runtime.kernels.lanes import LANES
@@ -57,7 +58,7 @@ class QueryFiller:
 
     def fill(self, batch: Batch, rows: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:
         """Write K columns of `queries`, and `valid` (m,), for the m rows of the batch."""
-        sources = [a[rows] for a in (batch.positions, batch.axes, batch.h, batch.wo, batch.wi)]
+        sources = [array[rows] for array in batch.arrays]
         if len(queries) >= LANES:
             self._call(sources, queries, valid)
             return
@@ -112,7 +113,7 @@ class TileEvaluator:
 
     def run(self, batch: Batch) -> None:
         """Write `batch.results`."""
-        count = len(batch.positions)
+        count = len(batch)
         rows = self._tile_rows(count)
         starts = iter(range(0, count, rows))  # shared: each tile goes to the next free thread
         helpers = min(self._threads, -(-count // rows)) - 1
@@ -137,7 +138,7 @@ class TileEvaluator:
         queries = np.zeros((rows, self._decoder.columns), np.float32)
         valid = np.empty(rows, np.bool_)
         for start in starts:
-            tile = slice(start, min(start + rows, len(batch.positions)))
+            tile = slice(start, min(start + rows, len(batch)))
             self._run_tile(batch, tile, queries, valid)
 
     def _run_tile(self, batch: Batch, tile: slice, queries: Rows, valid: NDArray[np.bool_]) -> None:

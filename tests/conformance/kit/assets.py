@@ -15,20 +15,22 @@ from rna_sdk.package import (
     Provenance,
     Tier,
     TierData,
-    TierEmission,
     TierPart,
     TransmittanceRecord,
     write_package,
 )
+from rna_sdk.package.decoder.decoder_form import form_named
+from rna_sdk.package.decoder.query_arrays import arrays_of
 from tests.conformance.kit import decoders
 from tests.conformance.kit.blocks import Points, decoder_inputs, moved_blocks
 from tests.conformance.kit.decoders import Decoder, Int8Decoder, short
 from tests.conformance.kit.oddities import make_odd
-from tests.conformance.kit.plans import EmissionPlan, PartPlan, Plan, TierPlan
+from tests.conformance.kit.plans import DecoderPlan, PartPlan, Plan, TierPlan
 from tests.conformance.kit.queries import (
-    EMISSION_COLUMNS,
+    ALL,
     ORDINARY,
     Maker,
+    columns_of,
     make_queries,
     valid_rows,
 )
@@ -45,13 +47,13 @@ class Asked:
 
     tier: str
     part: int
-    output: str  # of decoders.OUTPUTS
+    output: str  # name of the decoder's form
 
 
 @dataclass(frozen=True)
 class Answers:
-    """To one question: queries (n, 13 or 10) float32; blocks (n, K), expected and tolerance
-    (n, 6 or 3) float64.
+    """To one question: queries (n, columns) float32; blocks (n, K), expected and tolerance
+    (n, width) float64.
 
     classes: name, first row, rows. scale: root mean square of the expected of ordinary rows.
     step: the most that a step of one int8 activation changes an output; 0 for float32.
@@ -125,16 +127,18 @@ class _Made:
         self.answers[Asked(tier.name, number, "transport")] = _answers(
             int(rng.integers(2**32)), part, tier, tier.inputs, self._values, decoder
         )
-        glow = None
-        if tier.emission:
-            asked = _as_tier(tier, tier.emission)
-            glow = _decoder(rng, part, asked, self._values, "emission")
-            record = record.model_copy(update={"emission": _emission(tier, self._end)})
-            self.answers[Asked(tier.name, number, "emission")] = _answers(
-                int(rng.integers(2**32)), part, tier, asked.inputs, self._values, glow
+        files = {}
+        for output, plan in tier.others.items():
+            asked = _as_tier(tier, plan)
+            other = _decoder(rng, part, asked, self._values, output)
+            files[output] = other.file()
+            own = {form_named(output).member: _other(tier.name + self._end, output, plan)}
+            record = TierPart.model_validate({**dict(record), **own})
+            self.answers[Asked(tier.name, number, output)] = _answers(
+                int(rng.integers(2**32)), part, tier, asked.inputs, self._values, other
             )
         self.records.append(record)
-        self.data.append(TierData(self._planes, decoder.file(), glow and glow.file()))
+        self.data.append(TierData(self._planes, decoder.file(), files))
 
 
 def _part(part: PartPlan, alone: bool) -> Part:
@@ -161,9 +165,9 @@ def _part(part: PartPlan, alone: bool) -> Part:
     )
 
 
-def _as_tier(tier: TierPlan, emission: EmissionPlan) -> TierPlan:
-    """For the decoder of emission."""
-    made = {name: getattr(emission, name) for name in ("inputs", "int8", "widths", "mixing")}
+def _as_tier(tier: TierPlan, other: DecoderPlan) -> TierPlan:
+    """For the other decoder."""
+    made = {name: getattr(other, name) for name in ("inputs", "int8", "widths", "mixing")}
     return replace(tier, **made)
 
 
@@ -180,13 +184,12 @@ def _record(tier: TierPlan, end: str, planes: str | None) -> TierPart:
     )
 
 
-def _emission(tier: TierPlan, end: str) -> TierEmission:
-    assert tier.emission
-    return TierEmission(
-        decoder=f"decoders/{tier.name}{end}-emission.onnx",
-        inputs=tier.emission.inputs,
-        decoder_precision="int8" if tier.emission.int8 else "float32",
-    )
+def _other(name: str, output: str, plan: DecoderPlan) -> dict[str, object]:
+    return {
+        "decoder": f"decoders/{name}-{output}.onnx",
+        "inputs": plan.inputs,
+        "decoder_precision": "int8" if plan.int8 else "float32",
+    }
 
 
 def _planes(rng: np.random.Generator, tier: TierPlan) -> tuple[np.ndarray | Int8Planes, np.ndarray]:
@@ -215,7 +218,7 @@ def _decoder(
     output: str = "transport",
 ) -> Decoder | Int8Decoder:
     rows = Maker(rng, part.is_fiber, part.bounds).ordinary(_CALIBRATION_ROWS)
-    blocks = decoder_inputs(Points.of(rows, part.bounds), tier.inputs, planes)
+    blocks = decoder_inputs(Points.of(arrays_of(rows, ALL), part.bounds), tier.inputs, planes)
     blocks = np.clip(blocks, -20, 20)  # but for loud texels, which would drown the others
     first = None
     if tier.int8 == "saturating":
@@ -238,10 +241,10 @@ def _answers(
     queries, classes = make_queries(seed, part.is_fiber, part.bounds)
     if tier.resolution == 1 and not part.is_fiber:
         queries, classes = _with_cancelled_normals(queries, classes)
-    if decoder.output == "emission":
-        queries = queries[:, :EMISSION_COLUMNS]
-    valid = valid_rows(queries)
-    points = Points.of(queries[valid], part.bounds)
+    names = form_named(decoder.output).arrays
+    queries = queries[:, columns_of(names)]
+    valid = valid_rows(arrays_of(queries, names))
+    points = Points.of(arrays_of(queries[valid], names), part.bounds)
     inputs = decoder_inputs(points, inputs_of, planes)
     answer, rng = decoder(inputs), np.random.default_rng(seed)
     change = np.zeros_like(answer)

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_sdk.package.decoder.query_arrays import in_order
+
 ETA = 1.55
 
 
@@ -24,13 +26,11 @@ class Points:
     wi: np.ndarray
 
     @classmethod
-    def of(cls, queries: np.ndarray, bounds: np.ndarray) -> Points:
-        """queries: (n, 13) float32 rows that are valid; or (n, 10) of emission, whose blocks read
-        no wi, and get wo for it. bounds: (2, 3) float64."""
-        rows = queries.astype(np.float64)
-        p = np.clip((rows[:, 0:3] - bounds[0]) / (bounds[1] - bounds[0]), 0, 1)
-        h = np.clip(rows[:, 6], -1, 1)
-        return cls(p, unit(rows[:, 3:6]), h, unit(rows[:, 7:10]), unit(rows[:, -3:]))
+    def of(cls, arrays: dict[str, np.ndarray], bounds: np.ndarray) -> Points:
+        """arrays: of queries, rows that are valid. bounds: (2, 3) float64."""
+        position, axis, h, wo, wi = (rows.astype(np.float64) for rows in in_order(arrays))
+        p = np.clip((position - bounds[0]) / (bounds[1] - bounds[0]), 0, 1)
+        return cls(p, unit(axis), np.clip(h, -1, 1), unit(wo), unit(wi))
 
     def rounded(self, rng: np.random.Generator) -> Points:
         """As a reader has them who rounds to float32: components moved by one unit, either way."""

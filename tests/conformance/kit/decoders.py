@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rna_sdk.package.decoder.decoder_form import FORMS
 from rna_sdk.runtime.engine import onnx_bytes as pb
 
 LARGEST_INPUT = 65504.0
-OUTPUTS = {"transport": 6, "emission": 3}
+OUTPUTS = {form.name: form.width(None) for form in FORMS}
 TOP = 5.0  # the largest log of a colour
 UNIT = 0.05  # what a log near 0 counts in
 
@@ -44,7 +45,7 @@ class KitInt8Layer:
 class Decoder:
     """Float64 reading and file of the same numbers.
 
-    ends: what the last layer's outputs become colours by: a factor, or a matrix (outputs, 6 or 3).
+    ends: what the last layer's outputs become colours by: a factor, or a matrix (outputs, width).
     output: of OUTPUTS.
     """
 
@@ -53,7 +54,7 @@ class Decoder:
     output: str = "transport"
 
     def __call__(self, blocks: np.ndarray) -> np.ndarray:
-        """(n, 6 or 3) float64 for blocks (n, K) float64."""
+        """(n, width) float64 for blocks (n, K) float64."""
         x = np.clip(blocks, -LARGEST_INPUT, LARGEST_INPUT)
         for k, layer in enumerate(self.layers):
             x = np.maximum(x, 0) if k else x

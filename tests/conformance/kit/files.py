@@ -58,7 +58,8 @@ def kit_files() -> Files:
 def _evaluate_case(
     files: Files, plan: Plan, package: str, asked: Asked, answers: Answers
 ) -> dict[str, Any]:
-    name = f"{plan.name}.{asked.tier}.{asked.part}" + ".emission" * (asked.output == "emission")
+    form = "" if asked.output == "transport" else f".{asked.output}"
+    name = f"{plan.name}.{asked.tier}.{asked.part}{form}"
     paths = {
         "queries": f"queries/{name}.f32",
         "blocks": f"blocks/{name}.f32",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -24,8 +25,8 @@ GLOW_OF_FIBERS = ("wo", "h", "features", "tangent", "position")
 
 
 @dataclass(frozen=True)
-class EmissionPlan:
-    """A decoder of emission; `int8` and `mixing` as those of TierPlan."""
+class DecoderPlan:
+    """A decoder of another form than transport; `int8` and `mixing` as those of TierPlan."""
 
     inputs: tuple[str, ...]
     int8: str = ""
@@ -48,7 +49,7 @@ class TierPlan:
     loud: bool = False  # texels beyond the Clip of the decoder's inputs
     faint: bool = False  # a channel of texels that float16 holds as subnormal numbers
     shares_planes: bool = False  # with the tier before
-    emission: EmissionPlan | None = None
+    others: Mapping[str, DecoderPlan] = field(default_factory=dict)  # by form
 
 
 @dataclass(frozen=True)
@@ -182,7 +183,7 @@ PLANS = (
     one_part(
         *("surface-glow", "one part that emits, float32"),
         *(shapes.steps(), *ONE),
-        (TierPlan("small", SURFACE, 6, 4, widths=(12,), emission=EmissionPlan(GLOW)),),
+        (TierPlan("small", SURFACE, 6, 4, widths=(12,), others={"emission": DecoderPlan(GLOW)}),),
     ),
     Plan(
         *("parts-head", "a mesh and strands that shadow each other, two tiers"),
@@ -208,7 +209,7 @@ PLANS = (
                 (
                     TierPlan(
                         *("small", FIBER, 6, 4),
-                        emission=EmissionPlan(GLOW_OF_FIBERS, widths=(13, 10), mixing=5),
+                        others={"emission": DecoderPlan(GLOW_OF_FIBERS, widths=(13, 10), mixing=5)},
                     ),
                 ),
             ),
@@ -217,7 +218,7 @@ PLANS = (
                 (
                     TierPlan(
                         *("small", SURFACE, 6, 4, "int8"),
-                        emission=EmissionPlan(GLOW, int8="plain", mixing=3),
+                        others={"emission": DecoderPlan(GLOW, int8="plain", mixing=3)},
                     ),
                 ),
                 shapes.pane_records(),

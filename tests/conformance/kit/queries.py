@@ -6,17 +6,31 @@ stay clear of the thresholds of 6.3, where rounding decides between two answers.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
+from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, arrays_of, column_count
 from tests.conformance.kit.blocks import unit
 
-POSITION, AXIS, H = slice(0, 3), slice(3, 6), 6
-WO, WI = slice(7, 10), slice(10, 13)
+ALL = [array.name for array in QUERY_ARRAYS]
+COLUMNS = column_count(ALL)
+
+
+def columns_of(names: Iterable[str]) -> np.ndarray:
+    """Places of these arrays' columns in a row of all."""
+    return np.column_stack(list(arrays_of(np.arange(COLUMNS)[None], names).values()))[0]
+
+
+def _span(name: str) -> slice:
+    columns = columns_of([name])
+    return slice(int(columns[0]), int(columns[-1]) + 1)
+
+
+POSITION, AXIS, WO, WI = map(_span, ("position", "axis", "wo", "wi"))
+H = _span("h").start
 ORDINARY = "ordinary"
-EMISSION_COLUMNS = WI.start
 
 
 @dataclass(frozen=True)
@@ -29,7 +43,7 @@ class Maker:
 
     def ordinary(self, n: int) -> np.ndarray:
         """Positions in the box; wo and mostly wi on the normal's side, on fibers anywhere."""
-        rows = np.zeros((n, 13))
+        rows = np.zeros((n, COLUMNS))
         low, high = self.bounds
         rows[:, POSITION] = low + (high - low) * self.rng.random((n, 3))
         for columns in (AXIS, WO, WI):
@@ -162,7 +176,7 @@ def not_finite(value: float) -> Callable[[Maker], np.ndarray]:
     """Rows with this value in one component: in each of those that count, one row."""
 
     def made(make: Maker) -> np.ndarray:
-        columns = [c for c in range(13) if make.is_fiber or c != H]
+        columns = [c for c in range(COLUMNS) if make.is_fiber or c != H]
         rows = make.ordinary(len(columns))
         for row, column in enumerate(columns):
             rows[row, column] = value
@@ -211,8 +225,8 @@ def make_queries(
     return np.concatenate(rows), ranges
 
 
-def valid_rows(queries: np.ndarray) -> np.ndarray:
-    """(n,) bool: False for those that get 0 (section 8); of emission rows have no wi."""
-    columns = (AXIS, WO) if queries.shape[1] == EMISSION_COLUMNS else (AXIS, WO, WI)
-    directions = np.stack([queries[:, own] for own in columns])
-    return np.isfinite(queries).all(axis=1) & directions.any(axis=2).all(axis=0)
+def valid_rows(arrays: dict[str, np.ndarray]) -> np.ndarray:
+    """(n,) bool: False for those that get 0 (section 8)."""
+    directions = [arrays[a.name] for a in QUERY_ARRAYS if a.is_direction and a.name in arrays]
+    finite = [np.isfinite(rows).reshape(len(rows), -1).all(axis=1) for rows in arrays.values()]
+    return np.all([*finite, *(rows.any(axis=1) for rows in directions)], axis=0)

@@ -1,0 +1,66 @@
+"""The query record: the arrays that a decoder can be asked with, a row for each query.
+
+Whatever lists them reads this: batches and their kernel, decoder forms, the files of the
+conformance kit and the readers that answer it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Rows = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class QueryArray:
+    """An array of queries, float32: (n, 3), or (n,) for one number.
+
+    Attributes:
+        is_direction: of any length but zero.
+        kind: the kind of part that it is for alone; "" for both.
+    """
+
+    name: str
+    columns: int
+    is_direction: bool = False
+    kind: str = ""
+
+
+QUERY_ARRAYS = (
+    QueryArray("position", 3),
+    QueryArray("axis", 3, is_direction=True),  # normal or tangent
+    QueryArray("h", 1, kind="fiber"),
+    QueryArray("wo", 3, is_direction=True),
+    QueryArray("wi", 3, is_direction=True),
+)
+"""In the order of a file's columns and of the kernel's arguments."""
+
+_NONE = np.empty(0, np.float32)
+
+
+def in_order(arrays: Mapping[str, Rows]) -> tuple[Rows, ...]:
+    """One array for each of QUERY_ARRAYS; wo, which is checked anyway, for missing directions.
+
+    Other missing arrays are empty, (0,).
+    """
+    instead = {array.name: arrays["wo"] if array.is_direction else _NONE for array in QUERY_ARRAYS}
+    return tuple(arrays.get(name, other) for name, other in instead.items())
+
+
+def column_count(names: Iterable[str]) -> int:
+    """Columns of a file of queries with these arrays."""
+    return sum(array.columns for array in QUERY_ARRAYS if array.name in set(names))
+
+
+def arrays_of(queries: Rows, names: Iterable[str]) -> dict[str, Rows]:
+    """The arrays of these names in (n, columns) rows of a file of queries."""
+    found, column, names = {}, 0, set(names)
+    for array in (array for array in QUERY_ARRAYS if array.name in names):
+        own = queries[:, column : column + array.columns]
+        column += array.columns
+        found[array.name] = np.ascontiguousarray(own[:, 0] if array.columns == 1 else own)
+    return found
