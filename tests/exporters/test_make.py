@@ -118,7 +118,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         options = MakeOptions(
             source, settings, None, work, presets, goal, minutes, None, 0, "cpu", workers
         )
-        return Make(options, run_settings, run_module.monotonic(), lambda _: None).run(), cycles
+        return Make(options, run_settings, run_module.monotonic(), print).run(), cycles
 
     return run
 
@@ -156,9 +156,12 @@ def test_the_last_phase_is_longer_than_the_rounds(make: Any) -> None:
 
 
 @pytest.mark.parametrize(("goal", "rounds"), [(None, 1), (Goal("min_psnr", 90.0), 2)])
-def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int) -> None:
+def test_minutes_end_it(make: Any, goal: Goal | None, rounds: int, capsys: Any) -> None:
     made, _ = make(minutes=0.1, goal=goal)
     assert made.why == "time is up" and made.rounds == rounds
+    told = capsys.readouterr().out
+    assert " triangles\nplan: " in told
+    assert f"(64 lights x {RAYS:,} view rays fit into the time); then the last training" in told
     assert made.checkpoints[0].name in ("round-01", "last")
 
 

@@ -295,7 +295,7 @@ def _plan(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float
     paths = sum(task.paths_to_trace(dataset) for task in all_tasks(dataset))
     samples = settings.lights * settings.rays
     return (
-        f"{_parts_lines(dataset.manifest.name, geometries)}"
+        f"{parts_lines(dataset.manifest.name, geometries)}"
         f"{_domain_line(dataset.manifest)}"
         f"training: {settings.lights:,} lights x {settings.rays:,} view rays = "
         f"{samples / 1e6:.2f} M samples of {settings.samples} paths\n"
@@ -306,7 +306,8 @@ def _plan(dataset: Dataset, geometries: Mapping[str, Mesh | Curves], rate: float
     )
 
 
-def _parts_lines(name: str, geometries: Mapping[str, Mesh | Curves]) -> str:
+def parts_lines(name: str, geometries: Mapping[str, Mesh | Curves]) -> str:
+    """What an asset is made of: a line, or one a part, each with its end."""
     sizes = {part: _size(geometry) for part, geometry in geometries.items()}
     if len(sizes) == 1:
         return f"{name}: {next(iter(sizes.values()))}\n"

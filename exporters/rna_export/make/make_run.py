@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic
 
-from rna_export.capture.capture_run import say_dropped
+from rna_export.capture.capture_run import parts_lines, say_dropped
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
@@ -68,7 +68,8 @@ class Make:
         self._rays = Rays(options, dataset)
         self._goal = options.goal or Goal("min_psnr", math.inf)
         self._plan = self._chosen_plan(dataset)
-        say(self._told_plan())
+        geometries = {part.name: part.geometry() for part in dataset.parts}
+        say(f"{parts_lines(dataset.manifest.name, geometries)}{self._told_plan(dataset)}")
 
     def run(self) -> Made:
         """Capture and train to the end."""
@@ -206,9 +207,13 @@ class Make:
         self._state.seconds = self._spent()
         self._state.save(self._options.work)
 
-    def _told_plan(self) -> str:
+    def _told_plan(self, dataset: Dataset) -> str:
         """What is going to happen, in a line."""
         rounds, presets = self._plan.rounds, " and ".join(self._options.presets)
+        settings = dataset.manifest.settings
+        rays = f"{self._state.lights:,} lights x {settings.rays:,} view rays"
+        if not self._options.fixes_lights:
+            rays += " are usual" if self._options.minutes is None else " fit into the time"
         if rounds is None:
             goal = (
                 "" if self._options.goal is None else f"the goal is met ({self._options.goal}) or "
@@ -219,7 +224,7 @@ class Make:
             told = "rendering in Cycles"
         else:
             told = f"{rounds} rounds of rendering in Cycles and training"
-        return f"plan: {told}; then the last training of {presets}, and the package"
+        return f"plan: {told} ({rays}); then the last training of {presets}, and the package"
 
     def _finished_weight(self) -> float:
         """Weight of the rounds that earlier runs finished, which have no stage any more."""
