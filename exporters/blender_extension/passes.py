@@ -34,7 +34,7 @@ class Channels:
     """An image of rna-run, and how it becomes Blender's passes.
 
     arrays: of the NPZ. camera: the object. exposure: factor on radiance. pass_indices: of the
-    things, in the order of `assetId` from 1.
+    objects, in the order of `assetId` from 1.
     """
 
     def __init__(self, arrays, camera, exposure, pass_indices):

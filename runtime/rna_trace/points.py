@@ -64,7 +64,7 @@ class Role(Enum):
 
 
 class Body(Protocol):
-    """A thing with its geometry in Embree, in its object space.
+    """An object with its geometry in Embree, in its object space.
 
     passes_through: whether rays that start on it pass through it, since its transport holds what
     happens inside it. one_sided: whether transport is 0 where wi and wo are on different sides of

@@ -158,13 +158,13 @@ def test_a_ground_without_a_size_is_that_of_rna_run(tmp_path: Path) -> None:
     (described,) = cycles_scene(scene)["meshes"]
     assert np.abs(described["positions"]).max() > 100.0
     np.testing.assert_allclose(
-        described["positions"], world.placements[-1].thing.positions, rtol=1e-5
+        described["positions"], world.placements[-1].object.positions, rtol=1e-5
     )
 
 
-def _scene(light: dict[str, Any], **things: Any) -> Scene:
+def _scene(light: dict[str, Any], **scene_objects: Any) -> Scene:
     size = {"resolution": (WIDTH, HEIGHT), "samples": 64, "clamp_indirect": None}
-    return Scene(camera=CAMERA, ground=GROUND, lights=[light], **size, **things)
+    return Scene(camera=CAMERA, ground=GROUND, lights=[light], **size, **scene_objects)
 
 
 def _both(

@@ -76,17 +76,17 @@ def assert_same_law(found: Channels, expected: Channels, side: int = 8) -> None:
 
 
 def of_objects(
-    things: Sequence[tuple[MeshObject, dict[str, Any]]],
+    scene_objects: Sequence[tuple[MeshObject, dict[str, Any]]],
     lights: Sequence[dict[str, Any]],
     **more: Any,
 ) -> tuple[SceneFile, World]:
     """A scene of objects that are made in place."""
-    objects = [{"path": "-", "transform": transform} for _, transform in things]
+    objects = [{"path": "-", "transform": transform} for _, transform in scene_objects]
     scene = Scene.model_validate({"objects": objects, "lights": lights} | more)
     matrices = [world_from_object(model.transform) for model in scene.objects]
     placements = [
         Placement(mesh, matrix, mesh_light(mesh, matrix))
-        for (mesh, _), matrix in zip(things, matrices, strict=True)
+        for (mesh, _), matrix in zip(scene_objects, matrices, strict=True)
     ]
     made = [make_light(model) for model in scene.lights]
     shapes = [light for light in made if isinstance(light, PlacedLight)]

@@ -120,7 +120,7 @@ def test_queries_outside_the_domain_are_counted(
         scene_file, world = scene(WATCHED)
         render_it(scene_file, world)
         with pytest.warns(DomainWarning) as caught:
-            warn_of_extrapolation(world.things)
+            warn_of_extrapolation(world.objects)
         told.append([float(x) for x in re.findall(r"[\d.]+(?=%)", str(caught[0].message))])
     assert len(told[0]) == 3 and min(told[0]) > 3
     np.testing.assert_allclose(told[0], told[1], atol=0.3)

@@ -40,15 +40,15 @@ def in_a_row(
 ) -> tuple[SceneFile, World]:
     """Meshes side by side; behind: with a wall behind them."""
     middle = (len(meshes) - 1) / 2
-    things = [
+    objects = [
         (mesh, {"translation": (1.15 * (k - middle), 0, 0), "rotation_deg": (10, 15 * (k - 1), 0)})
         for k, mesh in enumerate(meshes)
     ]
     if behind:
         wall = made(Material(base_color=(0.9, 0.3, 0.1)), Material(base_color=(0.1, 0.4, 0.8)))
-        things.append((wall, {"translation": (0, 0, -1.2), "scale": 5}))
+        objects.append((wall, {"translation": (0, 0, -1.2), "scale": 5}))
     usual = {"camera": CAMERA, "resolution": (48, 24), "samples": 2, "max_depth": 3}
-    return of_objects(things, lights, **usual | more)
+    return of_objects(objects, lights, **usual | more)
 
 
 def test_coats_and_relief(device: Device) -> None:
@@ -135,13 +135,13 @@ def test_what_lets_light_through(kind: str, device: Device) -> None:
 def on_a_floor(pane: MeshObject, lights: tuple = (SUN,), **more: object) -> tuple:
     """A pane above a floor; the camera, below it, sees the floor alone."""
     flat = {"rotation_deg": (-90, 0, 0)}
-    things = [
+    objects = [
         (pane, flat | {"translation": (0, 0.9, 0), "scale": 1.5}),
         (made_of(square(3.0)), {}),
     ]
     camera = {"position": (0.0, 0.7, 1.3), "look_at": (0, 0, 0), "vertical_fov_deg": 45}
     usual = {"camera": camera, "resolution": (32, 24), "samples": 2, "max_depth": 1}
-    return of_objects(things, lights, **usual | more)
+    return of_objects(objects, lights, **usual | more)
 
 
 @pytest.mark.parametrize("kind", ["coverage", "glass"])

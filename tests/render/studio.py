@@ -18,7 +18,7 @@ from rna_render.paths.render import render
 from rna_render.scene.scene_model import Scene
 from rna_render.scene.transforms import world_from_object
 from rna_render.world.camera import Camera
-from rna_render.world.placements import Placement, Thing, emission_of, mesh_light
+from rna_render.world.placements import Placement, SceneObject, emission_of, mesh_light
 from rna_render.world.world import World
 from rna_sdk.package import Mesh
 from tests.render.stage import rgb
@@ -35,7 +35,7 @@ class Estimate:
 
 
 def shoot(
-    things: Sequence[tuple[Thing, dict[str, Any]]],
+    scene_objects: Sequence[tuple[SceneObject, dict[str, Any]]],
     lights: Sequence[dict[str, Any]] = (),
     strategy: Literal["both", "lights", "rays"] = "both",
     **changes: Any,
@@ -44,13 +44,17 @@ def shoot(
 
     changes: keys of the scene file. strategy: of the integrator.
     """
-    defaults = {"resolution": (48, 48), "samples": 16, "objects": [{"path": "-"}] * len(things)}
-    objects = [{"path": "-", "transform": transform} for _, transform in things]
+    defaults = {
+        "resolution": (48, 48),
+        "samples": 16,
+        "objects": [{"path": "-"}] * len(scene_objects),
+    }
+    objects = [{"path": "-", "transform": transform} for _, transform in scene_objects]
     changes = defaults | {"objects": objects, "lights": lights} | changes
     scene = Scene.model_validate(changes)
     placements = [
-        _placed(thing, world_from_object(model.transform))
-        for (thing, _), model in zip(things, scene.objects, strict=True)
+        _placed(scene_object, world_from_object(model.transform))
+        for (scene_object, _), model in zip(scene_objects, scene.objects, strict=True)
     ]
     made = [make_light(model) for model in scene.lights]
     shapes = [light for light in made if isinstance(light, PlacedLight)]
@@ -76,11 +80,11 @@ def one_thread() -> Iterator[None]:
         numba.set_num_threads(threads)
 
 
-def _placed(thing: Thing, matrix: np.ndarray) -> Placement:
-    if isinstance(thing, MeshObject):
-        return Placement(thing, matrix, mesh_light(thing, matrix))
-    emission = emission_of(thing)
-    return Placement(thing, matrix, AssetLight(emission, matrix) if emission else None)
+def _placed(scene_object: SceneObject, matrix: np.ndarray) -> Placement:
+    if isinstance(scene_object, MeshObject):
+        return Placement(scene_object, matrix, mesh_light(scene_object, matrix))
+    emission = emission_of(scene_object)
+    return Placement(scene_object, matrix, AssetLight(emission, matrix) if emission else None)
 
 
 def seen(channels: Channels) -> Estimate:

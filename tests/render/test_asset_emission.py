@@ -42,10 +42,10 @@ def test_emission_is_seen_and_scaled_by_the_instance():
 @pytest.mark.parametrize("h", [0.5, 1.0])
 def test_a_glowing_plate_lights_the_ground_as_the_analytic_rectangle(h, way):
     floor = made_of(square(50.0))
-    things = [(floor, {}), (plate(one_sided=True), upside_down(h))]
+    objects = [(floor, {}), (plate(one_sided=True), upside_down(h))]
     samples = 64 if way == "rays" else 16
     settings = {"camera": at_point((0, 0, 0), (0.3, 0.2, 2.0)), "max_depth": 1}
-    found = seen(shoot(things, (), way, samples=samples, **settings))
+    found = seen(shoot(objects, (), way, samples=samples, **settings))
     assert_is(found, GLOW * parallel_rectangle(1, 1, h), relative=0.01)
 
 
@@ -75,8 +75,8 @@ def test_a_glowing_furnace(way):
     ball = LambertAsset(body, albedo=WHITE)
     own = GlowingSurface(body, albedo=WHITE, glow=tuple(GLOW))
     settings = {"camera": at_point((0, 0.45, 0), (0.3, 0.8, 1.8)), "samples": 48, "max_depth": 2}
-    for thing, extra in ((ball, 0), (own, GLOW)):
-        found = seen(shoot([(thing, {}), (shell, {})], (), way, **settings))
+    for scene_object, extra in ((ball, 0), (own, GLOW)):
+        found = seen(shoot([(scene_object, {}), (shell, {})], (), way, **settings))
         assert_is(found, 1 + extra, relative=0.01)
 
 
@@ -185,8 +185,8 @@ def test_what_lets_light_through_sends_out_less():
     settings = {"camera": at_point((0, 0, 0), (0.3, 0.2, 2.0)), "max_depth": 1}
     for way in WAYS:
         samples = 192 if way == "rays" else 48
-        things = [(floor, {}), (thin, upside_down(1.0))]
-        lit = seen(shoot(things, (), way, samples=samples, **settings))
+        objects = [(floor, {}), (thin, upside_down(1.0))]
+        lit = seen(shoot(objects, (), way, samples=samples, **settings))
         assert_is(lit, 0.4 * GLOW * parallel_rectangle(1, 1, 1.0), relative=0.02)
 
 
@@ -200,11 +200,11 @@ def test_parts_are_each_evaluated_with_their_own():
     hair = FiberProbe(straight(((-1, 0, -0.4), (-1, 0, 0.4))))
     sun = {"type": "directional", "direction": (0, 1, 0), "irradiance": (np.pi,) * 3}
     asset = Composite((red, hair, blue))
-    things = [(asset, {}), (asset, {"translation": (0, 0, 2)})]
+    objects = [(asset, {}), (asset, {"translation": (0, 0, 2)})]
     for z in (0, 2):
         for x, expected in ((0, (1, 0, 0)), (1, (0, 1, 1)), (-1, (np.pi, np.pi / 2, 0.25))):
             camera = at_point((x, 0.1 * (x < 0), z), (x, 3.0, z + 1e-3))
-            found = seen(shoot(things, [sun], camera=camera, samples=16))
+            found = seen(shoot(objects, [sun], camera=camera, samples=16))
             # The plates light the strand by 0.006, 0.011 and 0.0005.
             np.testing.assert_allclose(found.mean, expected, atol=0.015)
 
@@ -214,7 +214,7 @@ def test_brightness_of_what_it_lights_does_not_depend_on_the_way():
     ball = GlowingSurface(sphere(3, radius=0.5), albedo=(0.5,) * 3, glow=(4, 3, 2), slope=2.0)
     twigs = GlowingStrands(straight(((0, 0, 0), (1, 1, 0)), radius=0.05), glow=(2, 2, 5))
     lamp = Composite((ball, twigs))
-    things = [
+    objects = [
         (made_of(square(4.0)), {"translation": (0, -0.6, 0)}),
         (lamp, {}),
         (LambertAsset(sphere(3, radius=0.4), albedo=(0.7, 0.7, 0.7)), {"translation": (1.2, 0, 0)}),
@@ -223,6 +223,6 @@ def test_brightness_of_what_it_lights_does_not_depend_on_the_way():
     camera = {"position": (0.5, 1.2, 4.0), "look_at": (0.4, 0, 0), "vertical_fov_deg": 40}
     means = {}
     for way in ("both", "rays"):
-        channels = shoot(things, [sky], way, camera=camera, samples=192, max_depth=4)
+        channels = shoot(objects, [sky], way, camera=camera, samples=192, max_depth=4)
         means[way] = rgb(channels).reshape(-1, 3).mean(axis=0)
     np.testing.assert_allclose(means["both"], means["rays"], rtol=0.01)

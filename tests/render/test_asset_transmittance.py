@@ -30,9 +30,9 @@ def window(size: float, height: float, colour=TAU, **changes) -> LambertAsset:
 
 def test_a_pane_is_seen_and_seen_through():
     """The sun passes the pane, is scattered by the ground, and passes it once more."""
-    things = [(made_of(square(5.0)), {}), (window(3.0, 1.0), {})]
+    objects = [(made_of(square(5.0)), {}), (window(3.0, 1.0), {})]
     camera = at_point((0.1, 1, 0.1), (0.2, 3.0, 0.3))
-    found = seen(shoot(things, [SUN], camera=camera, samples=1024, max_depth=1))
+    found = seen(shoot(objects, [SUN], camera=camera, samples=1024, max_depth=1))
     assert_is(found, (1 - TAU) * ALBEDO + TAU * TAU, relative=0.02)
 
 
@@ -78,10 +78,10 @@ def test_transmitting_bodies_vanish_in_a_white_furnace():
     records = (Record(0, 200, _texels((0.9, 0.5, 0.1))), Record(200, 100, _texels((0.5,))))
     body = flat(sphere(2))
     ball = LambertAsset(body, albedo=WHITE, transmittance_records=records)
-    things = [(ball, {"translation": (-0.5, 0, 0)}), (ball, {"translation": (1.6, 0.2, 0)})]
+    objects = [(ball, {"translation": (-0.5, 0, 0)}), (ball, {"translation": (1.6, 0.2, 0)})]
     camera = {**WIDE, "vertical_fov_deg": 20}
     for way in WAYS:
-        channels = shoot(things, [SKY], way, camera=camera, samples=48, max_depth=32)
+        channels = shoot(objects, [SKY], way, camera=camera, samples=48, max_depth=32)
         image = rgb(channels)[channels["assetId"] > 0]
         error = image.std(axis=0) / np.sqrt(len(image))
         assert (error < 0.01).all()
@@ -134,9 +134,9 @@ def test_halves_of_a_cut_out_are_where_its_texels_are():
 
 def test_a_shadow_catcher_shows_the_shadow_of_a_pane():
     floor = made_of(square(3.0), catches_shadows=True)
-    things = [(floor, {}), (window(0.5, 0.5), {})]
+    objects = [(floor, {}), (window(0.5, 0.5), {})]
     camera = at_point((0, 0, 0), (0.0, 0.4, 3.0))
-    channels = shoot(things, [SUN], camera=camera, samples=1)
+    channels = shoot(objects, [SUN], camera=camera, samples=1)
     np.testing.assert_allclose(channels["A"], 1 - TAU.mean(), rtol=1e-5)
 
 

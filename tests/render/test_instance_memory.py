@@ -39,19 +39,19 @@ class EmbreeBytes:
         function(self._device.handle, callback, None)
 
 
-def placed(things) -> World:
+def placed(objects) -> World:
     """The things in a row."""
     result = []
-    for k, thing in enumerate(things):
+    for k, scene_object in enumerate(objects):
         matrix = np.eye(4)
         matrix[0, 3] = 3.0 * k
-        result.append(Placement(thing, matrix))
+        result.append(Placement(scene_object, matrix))
     return World(result)
 
 
-def bytes_of(things) -> tuple[int, World]:
+def bytes_of(objects) -> tuple[int, World]:
     with EmbreeBytes() as counted:
-        world = placed(things)
+        world = placed(objects)
     return counted.now, world
 
 

@@ -82,10 +82,10 @@ def test_parts_of_a_watched_asset_are_counted_together(tmp_path, scene_file):
     up = (Cone(axis=(0.0, 1.0, 0.0), half_angle=0.5),)
     make_lantern(tmp_path / "lantern.rna", domain=Domain(wo=up, wi="sphere"))
     world = load_world(scene_file)
-    assert all(isinstance(thing, WatchedAsset) for thing in world.things)
+    assert all(isinstance(scene_object, WatchedAsset) for scene_object in world.objects)
     render(scene_file.scene, make_integrator(scene_file.scene, world))
     with pytest.warns(DomainWarning, match="views"), warnings.catch_warnings():
-        warn_of_extrapolation(world.things[:1])
+        warn_of_extrapolation(world.objects[:1])
 
 
 def test_lookups_are_those_of_the_sdk(tmp_path):

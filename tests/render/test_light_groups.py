@@ -22,7 +22,7 @@ LAMP = {"type": "sphere", "position": (-2, 1, 0), "radius": 0.3, "radiance": (4,
 SETTINGS = {"camera": VIEW, "resolution": (24, 16), "samples": 8}
 
 
-def things():
+def objects():
     return [
         (made_of(square(4.0), base_color=(0.6, 0.7, 0.8)), {}),
         (LambertAsset(sphere(3)), {"translation": (0, 1, 0)}),
@@ -42,15 +42,15 @@ def in_groups(*names):
 
 def test_groups_add_up_to_the_image():
     """Five lights: one of them is chosen for each point, and rays meet three of them."""
-    channels = shoot(things(), in_groups("a", "b", "a", "c", "b"), **SETTINGS)
+    channels = shoot(objects(), in_groups("a", "b", "a", "c", "b"), **SETTINGS)
     total = sum(group(channels, name) for name in "abc")
     np.testing.assert_allclose(total, rgb(channels), rtol=1e-4, atol=1e-6)
     assert all(group(channels, name).max() > 0 for name in "abc")
 
 
 def test_groups_change_no_image():
-    plain = shoot(things(), in_groups("", "", "", "", ""), **SETTINGS)
-    grouped = shoot(things(), in_groups("x", "", "y", "x", ""), **SETTINGS)
+    plain = shoot(objects(), in_groups("", "", "", "", ""), **SETTINGS)
+    grouped = shoot(objects(), in_groups("x", "", "y", "x", ""), **SETTINGS)
     np.testing.assert_array_equal(rgb(grouped), rgb(plain))
     assert not any(name.startswith("light.") for name in plain)
 
@@ -60,9 +60,9 @@ def test_a_group_is_what_its_lights_alone_bring():
     alone = {"s": [DISK], "t": [POINT, LAMP]}
     lights = [DISK | {"group": "s"}, POINT | {"group": "t"}, LAMP | {"group": "t"}, SUN, SKY]
     seeds, finer = range(8), SETTINGS | {"max_depth": 2}
-    images = [shoot(things(), lights, seed=k, **finer) for k in seeds]
+    images = [shoot(objects(), lights, seed=k, **finer) for k in seeds]
     for name, its_lights in alone.items():
-        apart = [rgb(shoot(things(), its_lights, seed=100 + k, **finer)) for k in seeds]
+        apart = [rgb(shoot(objects(), its_lights, seed=100 + k, **finer)) for k in seeds]
         means = [np.mean(x, axis=(1, 2)) for x in ([group(i, name) for i in images], apart)]
         error = np.hypot(*(x.std(axis=0, ddof=1) / len(seeds) ** 0.5 for x in means))
         off = np.abs(means[0].mean(axis=0) - means[1].mean(axis=0))
@@ -116,7 +116,7 @@ def test_the_back_of_a_disk_is_dark():
 
 def test_an_object_that_shines_is_in_no_group_but_in_the_image():
     lamp = made_of(flat(square(0.5)), base_color=(0.2, 0.2, 0.2), emission=(1, 2, 3))
-    placed = [*things(), (lamp, {"translation": (0, 2.5, 0)})]
+    placed = [*objects(), (lamp, {"translation": (0, 2.5, 0)})]
     channels = shoot(placed, [SUN | {"group": "sun"}], **SETTINGS)
     rest = rgb(channels) - group(channels, "sun")
     assert rest.min() > -1e-5 and rest.max() > 0.5

@@ -83,5 +83,5 @@ def test_the_ground_follows_what_stands_on_it(tmp_path: Path, reach: float, side
     (tmp_path / "it.obj").write_text(TRIANGLE.format(s=reach))
     text = "objects: [{path: it.obj, transform: {translation: [0, 5, 0]}}]\nground: {"
     for given, expected in (("}\n", side), ("size: 7}\n", 7.0)):
-        plane = load_world(scene(tmp_path, text + given)).things[1]
+        plane = load_world(scene(tmp_path, text + given)).objects[1]
         assert np.ptp(plane.positions[:, 0]) == pytest.approx(expected)

@@ -30,14 +30,14 @@ def shade(offset: float = 0.0, height: float = 1.0):
     return made_of(square(2.0), base_color=BLACK), {"translation": (2 + offset, height, 0)}
 
 
-def shown(things, lights, **changes) -> Channels:
+def shown(objects, lights, **changes) -> Channels:
     camera = at_point((0, 0, 0), (0.3, 0.5, 2.0))
     settings = {"camera": camera, "resolution": (32, 32), "samples": 32}
-    return shoot([(catcher(), {}), *things], lights, **(settings | changes))
+    return shoot([(catcher(), {}), *objects], lights, **(settings | changes))
 
 
-def alpha(things, lights, **changes) -> float:
-    channels = shown(things, lights, **changes)
+def alpha(objects, lights, **changes) -> float:
+    channels = shown(objects, lights, **changes)
     assert (rgb(channels) == 0).all()
     return float(channels["A"].mean())
 

@@ -51,7 +51,7 @@ def scene(package: Path, quality: str = "", text: str = SCENE) -> SceneFile:
 
 
 def names(file: SceneFile) -> list[str]:
-    return [asset.tier.name for asset in load_world(file).things]
+    return [asset.tier.name for asset in load_world(file).objects]
 
 
 def tier_names(choices: Tiers) -> tuple[str | None, ...]:
@@ -69,15 +69,15 @@ def test_without_quality_it_is_the_first_tier(package: Path) -> None:
 
 
 def test_instances_of_a_tier_share_it(package: Path) -> None:
-    things = load_world(scene(package, "quality: {max_error: 0.025}")).things
-    assert things[1] is things[2] and things[0] is things[3]
+    objects = load_world(scene(package, "quality: {max_error: 0.025}")).objects
+    assert objects[1] is objects[2] and objects[0] is objects[3]
 
 
 def test_an_error_that_no_tier_meets_is_a_warning_with_the_best(package: Path) -> None:
     file = scene(package, "quality: {max_error: 0.001}")
     with pytest.warns(QualityWarning) as caught:
         world = load_world(file)
-    assert [asset.tier.name for asset in world.things] == ["hq"] * 4
+    assert [asset.tier.name for asset in world.objects] == ["hq"] * 4
     (message,) = (str(warning.message) for warning in caught)
     assert message.startswith("ball.rna: no tier has an error of at most 0.001 at 48 pixels; ")
     assert "hq with 0.0148" in message
@@ -137,7 +137,7 @@ def test_small_assets_get_the_proxy_of_their_size(package: Path, tmp_path: Path)
     Unpacked.read(package).with_proxies([[(mesh, h) for h, mesh in of_size.items()]]).write(path)
 
     def triangles(quality: str) -> list[int]:
-        return [len(asset.mesh.triangles) for asset in load_world(scene(path, quality)).things]
+        return [len(asset.mesh.triangles) for asset in load_world(scene(path, quality)).objects]
 
     assert triangles("quality: {max_error: 0.025}") == [60, 20, 20, 20]
     assert triangles("") == [len(whole.triangles)] * 4

@@ -36,12 +36,12 @@ def shown_by_the_lower_plate(h):
 def test_two_instances_of_one_asset_throw_light_on_one_another(h):
     """The sun shines up to the lower side of a plate, which lights a tiny one of its kind."""
     plate = LambertAsset(square(1.0))
-    things = [(plate, {"scale": 0.002}), (plate, upside_down(h))]
+    objects = [(plate, {"scale": 0.002}), (plate, upside_down(h))]
     camera = at_point((0, 0, 0), (0.3, 0.2, 2.0))
     settings = {"camera": camera, "samples": 48}
-    found = seen(shoot(things, [BELOW], max_depth=2, **settings))
+    found = seen(shoot(objects, [BELOW], max_depth=2, **settings))
     assert_is(found, shown_by_the_lower_plate(h), relative=0.01)
-    direct = seen(shoot(things, [BELOW], max_depth=1, **settings))
+    direct = seen(shoot(objects, [BELOW], max_depth=1, **settings))
     assert (direct.mean == 0).all()
 
 
@@ -60,9 +60,9 @@ def test_indirect_rays_pass_through_their_own_instance():
 def test_rays_are_stopped_by_other_instances_of_the_same_package():
     """Two roofed floors, side by side and turned: the first is lit by the second one's roof."""
     asset = roofed()
-    things = [(asset, {}), (asset, {"translation": (0, 0.5, 0)})]
+    objects = [(asset, {}), (asset, {"translation": (0, 0.5, 0)})]
     camera = at_point((0, 0, 0), (0.3, 0.2, 2.0))
-    found = seen(shoot(things, [BELOW], camera=camera, samples=48, max_depth=2))
+    found = seen(shoot(objects, [BELOW], camera=camera, samples=48, max_depth=2))
     # The lower asset's own roof is at 1, and stops no rays from its floor; that of the other one,
     # at 1.5, gets no sun, for the lower roof is in its way. So there is no light at all.
     assert (found.mean == 0).all()
@@ -94,10 +94,10 @@ def test_two_interpenetrating_assets_vanish_in_a_white_furnace(way):
     the other is reached by no path.
     """
     ball = LambertAsset(flat(sphere(2)), albedo=WHITE)
-    things = [(ball, {"translation": (-0.5, 0, 0)}), (ball, {"translation": (0.5, 0.2, 0)})]
+    objects = [(ball, {"translation": (-0.5, 0, 0)}), (ball, {"translation": (0.5, 0.2, 0)})]
     camera = {**WIDE, "vertical_fov_deg": 20}
     samples = 96 if way == "rays" else 24
-    channels = shoot(things, [SKY], way, camera=camera, samples=samples, max_depth=64, seed=1)
+    channels = shoot(objects, [SKY], way, camera=camera, samples=samples, max_depth=64, seed=1)
     ids = channels["assetId"]
     assert {1, 2} <= set(np.unique(ids))
     assert np.isfinite(rgb(channels)).all()
@@ -114,8 +114,8 @@ def test_interpenetrating_assets_cast_shadows_on_what_is_inside_the_other():
     ball = LambertAsset(sphere(3))
     lid = LambertAsset(square(2.0))
     sun = {"type": "directional", "direction": (0, 1, 0), "irradiance": WHITE}
-    things = [(ball, {}), (lid, {})]
+    objects = [(ball, {}), (lid, {})]
     inside = {"camera": at_point((0.2, 0, 0.1), (0.3, 0.4, 0.1)), "max_depth": 1, "samples": 1}
-    assert (seen(shoot(things, [sun], **inside)).mean == 0).all()
+    assert (seen(shoot(objects, [sun], **inside)).mean == 0).all()
     outside = {"camera": at_point((1.5, 0, 0), (1.6, 2.0, 0)), "max_depth": 1, "samples": 1}
-    assert_is(seen(shoot(things, [sun], **outside)), ALBEDO / np.pi)
+    assert_is(seen(shoot(objects, [sun], **outside)), ALBEDO / np.pi)

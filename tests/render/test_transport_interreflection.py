@@ -139,7 +139,7 @@ def test_colour_bleeds_from_a_red_wall_to_a_white_asset_and_back(floor_is_neural
     neural, plain = LambertAsset(half, albedo=white), made_of(half, base_color=white)
     floor = neural if floor_is_neural else plain
     wall = made_of(half, base_color=red)
-    things = [
+    objects = [
         (floor, {"translation": (0.5, 0, 0)}),
         (wall, {"translation": (0, 0.5, 0), "rotation_deg": (0, 0, -90)}),
     ]
@@ -152,7 +152,7 @@ def test_colour_bleeds_from_a_red_wall_to_a_white_asset_and_back(floor_is_neural
         (on_wall, np.array(red) / np.pi * wall_e),
     ):
         camera = at_point(point, (2, 2, 1))
-        found = seen(shoot(things, [sun], camera=camera, max_depth=16, samples=24))
+        found = seen(shoot(objects, [sun], camera=camera, max_depth=16, samples=24))
         assert_is(found, expected, relative=0.01)
     # On the floor red is more than blue, by light that came from the wall.
     assert floor_e[0] > 10 * floor_e[2] > 0
@@ -161,7 +161,7 @@ def test_colour_bleeds_from_a_red_wall_to_a_white_asset_and_back(floor_is_neural
 def test_ways_of_finding_light_agree_in_a_furnished_room():
     """A ball, a floor and an asset under a disk, a sky and a lamp that is a mesh."""
     lamp = made_of(flat(square(0.4)), base_color=(0.1, 0.1, 0.1), emission=(3, 2, 1))
-    things = [
+    objects = [
         (made_of(square(3.0), base_color=(0.6, 0.7, 0.8)), {"translation": (0, -1, 0)}),
         (made_of(sphere(3), base_color=(0.9, 0.8, 0.5), metallic=1.0, roughness=0.5), {}),
         (LambertAsset(sphere(3), albedo=(0.8, 0.5, 0.2)), {"translation": (1.6, 0, 0)}),
@@ -177,7 +177,7 @@ def test_ways_of_finding_light_agree_in_a_furnished_room():
     lights = [disk, SKY | {"radiance": (0.3, 0.4, 0.5)}]
     camera = {**WIDE, "position": (0, 1, 6)}
     settings = {"camera": camera, "max_depth": 5, "resolution": (36, 24), "samples": 32}
-    images = {way: shoot(things, lights, way, seed=len(way), **settings) for way in WAYS}
+    images = {way: shoot(objects, lights, way, seed=len(way), **settings) for way in WAYS}
     mean = {way: rgb(channels).astype(np.float64) for way, channels in images.items()}
     variance = {
         way: np.stack([channels[f"variance.{c}"] for c in "RGB"], axis=-1)

@@ -20,9 +20,9 @@ def floor():
     return made_of(square(50.0))
 
 
-def plane_shows(light, ways=WAYS, x=(0.0, 0.0, 0.0), things=(), **changes):
+def plane_shows(light, ways=WAYS, x=(0.0, 0.0, 0.0), objects=(), **changes):
     """The radiance of the floor at x, by each way."""
-    scene = [(floor(), {}), *things]
+    scene = [(floor(), {}), *objects]
     lights = [] if light is None else [light]
     settings = {"camera": at_point(x), "max_depth": 1, "samples": 16} | changes
     for way in ways:
@@ -126,7 +126,7 @@ def test_an_emissive_mesh_shines_to_both_sides(upside):
     placed = (lamp, {"translation": (0, 1, 0), "rotation_deg": (upside, 0, 0)})
     camera = at_point((0, 0, 0), (0.3, 0.5, 2.0))
     expected = np.pi * parallel_rectangle(1, 1, 1)
-    assert_brings(None, expected, things=[placed], camera=camera, samples=32)
+    assert_brings(None, expected, objects=[placed], camera=camera, samples=32)
 
 
 def test_an_environment_of_one_colour():

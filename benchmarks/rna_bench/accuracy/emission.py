@@ -60,9 +60,9 @@ def run(args: argparse.Namespace) -> None:
 
 
 def _scenes(stage: Stage, sky: float, folder: Path) -> dict[str, Scene]:
-    things = {"ground": stage.ground, "objects": [stage.wall(folder)]}
+    settings = {"ground": stage.ground, "objects": [stage.wall(folder)]}
     dim = {"type": "environment", "radiance": (sky, sky, sky)}
-    return {"dark room": stage.scene(**things), "dim sky": stage.scene(dim, **things)}
+    return {"dark room": stage.scene(**settings), "dim sky": stage.scene(dim, **settings)}
 
 
 def _measured(

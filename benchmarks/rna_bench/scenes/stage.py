@@ -23,7 +23,7 @@ _WALL_AZIMUTH = 90.0  # where the wall faces to: past the asset, near enough to 
 
 @dataclass(frozen=True)
 class Stage:
-    """An asset in the middle of things whose sizes follow from its own.
+    """An asset in the middle of objects whose sizes follow from its own.
 
     package: the .rna file. tier: of it. positions: (n, 3), points of the asset. turn_deg: where
     its front is, as for rna-compare. resolution: width, height. margin: half the picture's height
@@ -98,13 +98,13 @@ class Stage:
         transform = {"translation": tuple(moved.tolist()), "rotation_deg": (0.0, turn_deg, 0.0)}
         return {"path": self.package, "tier": self.tier, "transform": transform}
 
-    def scene(self, *lights: dict[str, Any], **things: Any) -> Scene:
-        """The asset, or the given `assets`, with the given lights and things."""
-        assets = things.pop("assets", [{"path": self.package, "tier": self.tier}])
+    def scene(self, *lights: dict[str, Any], **settings: Any) -> Scene:
+        """The asset, or the given `assets`, with the given lights and settings."""
+        assets = settings.pop("assets", [{"path": self.package, "tier": self.tier}])
         fair: dict[str, Any] = {"resolution": self.resolution, "clamp_indirect": None}
         if self.max_error is not None:
             fair["quality"] = {"max_error": self.max_error}
-        return Scene(assets=assets, camera=self.camera, lights=lights, **fair, **things)
+        return Scene(assets=assets, camera=self.camera, lights=lights, **fair, **settings)
 
     @property
     def ground(self) -> dict[str, Any]:

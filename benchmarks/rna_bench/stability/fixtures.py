@@ -49,7 +49,7 @@ class Subject:
     def given(self) -> set[str]:
         """Names as in `Case.needs`."""
         named = {"dataset": self.dataset, "source": self.source}
-        found = {name for name, thing in named.items() if thing is not None}
+        found = {name for name, value in named.items() if value is not None}
         return found | ({"package"} if self.package or self.dataset else set())
 
 

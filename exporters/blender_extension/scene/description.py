@@ -48,7 +48,7 @@ class Description:
         )
 
 
-class _Things:
+class _SceneObjects:
     """The lists of the scene file, as objects are added."""
 
     def __init__(self, depsgraph, folder, notes):
@@ -112,12 +112,12 @@ class _Things:
         name = self._meshes.write(item, None if even else matrix)
         if name is None:
             return
-        thing = {"path": name}
+        scene_object = {"path": name}
         if even:
-            thing["transform"] = transform(matrix)
+            scene_object["transform"] = transform(matrix)
         if item.is_shadow_catcher:
-            thing["material"] = {"type": "shadow_catcher"}
-        self.objects.append(thing)
+            scene_object["material"] = {"type": "shadow_catcher"}
+        self.objects.append(scene_object)
         self.placed["objects"].append((item.name, item.pass_index))
 
 
@@ -128,23 +128,23 @@ def write_scene(depsgraph, folder, resolution):
     a scene that cannot be rendered at all.
     """
     notes, scene = Notes(), depsgraph.scene
-    things = _Things(depsgraph, folder, notes)
+    scene_objects = _SceneObjects(depsgraph, folder, notes)
     for instance in depsgraph.object_instances:
         if _is_shown(instance):
-            things.add(instance)
-    if not things.assets and not things.objects:
+            scene_objects.add(instance)
+    if not scene_objects.assets and not scene_objects.objects:
         raise SdkError("nothing to render: the scene has no assets and no meshes")
     described = {
-        "assets": things.assets,
-        "objects": things.objects,
+        "assets": scene_objects.assets,
+        "objects": scene_objects.objects,
         "camera": describe_camera(depsgraph, resolution, notes),
-        "lights": [*things.lights, *describe_world(scene, folder, notes)],
+        "lights": [*scene_objects.lights, *describe_world(scene, folder, notes)],
         **_settings(scene, resolution, notes),
     }
     path = folder / "scene.yaml"
     path.write_text(to_yaml({key: value for key, value in described.items() if value != []}))
-    names = {kind: [name for name, _ in placed] for kind, placed in things.placed.items()}
-    indices = [index for placed in things.placed.values() for _, index in placed]
+    names = {kind: [name for name, _ in placed] for kind, placed in scene_objects.placed.items()}
+    indices = [index for placed in scene_objects.placed.values() for _, index in placed]
     return Description(path, names, indices, notes.lines())
 
 

@@ -32,8 +32,9 @@ MARGIN = np.radians(3.0)
 def scene_domain(scene_file: SceneFile, name: str, asset: AssetScene) -> Domain:
     """Views and lights of the asset's instances in the scene, in all frames of its animation.
 
-    name: the package's, without `.rna`. Where other things scatter light, it goes to and comes from
-    everywhere, unless `max_depth` is 1. Raises `CaptureError` if no instance is in the scene.
+    name: the package's, without `.rna`. Where other objects scatter light, it goes to and
+    comes from everywhere, unless `max_depth` is 1. Raises `CaptureError` if no instance is in the
+    scene.
     """
     scene = scene_file.scene
     instances = _instances(scene_file, name)
@@ -105,6 +106,6 @@ def _has_emitters(scene: Scene) -> bool:
 
 def _materials(scene: Scene) -> Iterator[MaterialModel | None]:
     """Materials of the ground and the objects; None for an object's own."""
-    things: list[GroundModel | ObjectModel] = [*scene.objects]
-    things += [scene.ground] if scene.ground is not None else []
-    return (thing.material for thing in things)
+    scene_objects: list[GroundModel | ObjectModel] = [*scene.objects]
+    scene_objects += [scene.ground] if scene.ground is not None else []
+    return (scene_object.material for scene_object in scene_objects)

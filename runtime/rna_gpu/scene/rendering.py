@@ -89,15 +89,17 @@ class GpuRenderer:
         tables, device = scene_tables(world, lights), self._open()
         parts = _parts(self._scene_file, world, tables.parts, device)
         self._gpu = Wavefront(device, scene, tables, parts, lights, world.scatters, clamp)
-        things = [world.things[place] for place, _ in tables.parts]
+        scene_objects = [world.objects[place] for place, _ in tables.parts]
         self._watched = {
-            k: thing for k, thing in enumerate(things) if isinstance(thing, WatchedAsset)
+            k: scene_object
+            for k, scene_object in enumerate(scene_objects)
+            if isinstance(scene_object, WatchedAsset)
         }
 
     def _count_outside(self) -> None:
         counts = self._gpu.outside_domains()
-        for k, thing in self._watched.items():
-            thing.add(*counts[k].tolist())
+        for k, scene_object in self._watched.items():
+            scene_object.add(*counts[k].tolist())
 
 
 class _OpenDevice:

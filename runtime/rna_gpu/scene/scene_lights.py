@@ -34,7 +34,7 @@ def light_rows(
     """(8 k, 4) float32: rows of LIGHT; one at least.
 
     lights: those of the world first. stored: of the world's instances the numbers in the geometry.
-    bodies: of things, by their id.
+    bodies: of objects, by their id.
     """
     rows = np.zeros(max(len(lights), 1), LIGHT.dtype)
     names = sorted({light.group for light in lights} - {""})
@@ -51,7 +51,7 @@ def light_rows(
             instance = instance_of[k]
             row["instance"] = stored[instance]
             row["numbers"][0, :3] = light.factor
-            row["places"] = shining.places(light, world.placements[instance].thing)
+            row["places"] = shining.places(light, world.placements[instance].object)
         elif isinstance(light, EnvironmentImageLight):
             row["places"] = [images.add(a.astype(np.float32)) for a in light.image.tables]
     return rows.view(np.float32).reshape(-1, 4)
@@ -64,23 +64,23 @@ def _flags(light: Light) -> int:
 
 
 class _Triangles:
-    """Positions of emissive things' triangles in the images; instances share them."""
+    """Positions of emissive objects' triangles in the images; instances share them."""
 
     def __init__(self, images: Images, geometry: Geometry, bodies: dict[int, int]) -> None:
         self._images, self._geometry, self._bodies = images, geometry, bodies
         self._kept: dict[int, NDArray[np.uint32]] = {}
 
-    def places(self, light: AssetLight | MeshLight, thing: Any) -> NDArray[np.uint32]:
+    def places(self, light: AssetLight | MeshLight, scene_object: Any) -> NDArray[np.uint32]:
         """(4,): LIGHT_PLACES of triangles."""
         if not len(light.cumulative):
             return np.zeros(4, np.uint32)
-        if id(thing) not in self._kept:
-            self._kept[id(thing)] = self._added(light.cumulative, thing)
-        return self._kept[id(thing)]
+        if id(scene_object) not in self._kept:
+            self._kept[id(scene_object)] = self._added(light.cumulative, scene_object)
+        return self._kept[id(scene_object)]
 
-    def _added(self, sums: NDArray[np.float64], thing: Any) -> NDArray[np.uint32]:
-        places = self._geometry.places[self._bodies[id(thing)]]
-        local, areas = _shining_triangles(thing)
+    def _added(self, sums: NDArray[np.float64], scene_object: Any) -> NDArray[np.uint32]:
+        places = self._geometry.places[self._bodies[id(scene_object)]]
+        local, areas = _shining_triangles(scene_object)
         cumulative = sums.astype(np.float32)
         # Of the rounded sums, so that each triangle's density is that with which it is chosen.
         share = np.diff(cumulative).astype(np.float64)
@@ -93,12 +93,12 @@ class _Triangles:
         return np.array([*own[:2], (own[2] - first) % 2**32, len(local)], np.uint32)
 
 
-def _shining_triangles(thing: Any) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+def _shining_triangles(scene_object: Any) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Emitting triangles of an object or asset: primitive indices, and areas in object space."""
-    if isinstance(thing, MeshObject):
-        return np.arange(len(thing.triangles)), _areas(thing)
+    if isinstance(scene_object, MeshObject):
+        return np.arange(len(scene_object.triangles)), _areas(scene_object)
     numbers, areas, start = [], [], 0
-    for part in thing.parts:
+    for part in scene_object.parts:
         if part.kind == "fiber":
             start += len(part.curves.segments())
             continue

@@ -40,7 +40,7 @@ class Surfaces:
 
     Attributes:
         rows: of the surfaces. bodies: of each the number of its body.
-        parts: of the surfaces of assets: (asset's place in World.things, number of the part), in
+        parts: of the surfaces of assets: (asset's place in World.objects, number of the part), in
             the order of their numbers in the shaders.
         has_coat: whether any is more than Lambert's, so that the table of albedos is needed.
         transmits: whether any lets light through.
@@ -53,15 +53,17 @@ class Surfaces:
     has_coat: bool = False
     transmits: bool = False
 
-    def add(self, thing: Any, place: int, body: int) -> list[Shape]:
+    def add(self, scene_object: Any, place: int, body: int) -> list[Shape]:
         """The shapes of an asset or an object, and its surfaces.
 
-        place: of an asset in World.things. body: the thing's number in the geometry.
+        place: of an asset in World.objects. body: the object's number in the geometry.
         """
         first = len(self.rows)
-        shapes = [self._object(thing)] if isinstance(thing, MeshObject) else []
-        if not isinstance(thing, MeshObject):
-            shapes = [self._part(place, number, part) for number, part in enumerate(thing.parts)]
+        shapes = [self._object(scene_object)] if isinstance(scene_object, MeshObject) else []
+        if not isinstance(scene_object, MeshObject):
+            shapes = [
+                self._part(place, number, part) for number, part in enumerate(scene_object.parts)
+            ]
         self.bodies += [body] * (len(self.rows) - first)
         return shapes
 

@@ -57,13 +57,13 @@ def scene_tables(world: World, lights: Sequence[Light]) -> SceneTables:
     numbers: dict[int, int] = {}
     placed, kept = [], []
     for k, placement in enumerate(world.placements):
-        if isinstance(placement.thing, PlacedLight):
+        if isinstance(placement.object, PlacedLight):
             continue
-        if id(placement.thing) not in numbers:
-            numbers[id(placement.thing)] = len(bodies)
+        if id(placement.object) not in numbers:
+            numbers[id(placement.object)] = len(bodies)
             place = int(world.number[k]) - 1
-            bodies.append(surfaces.add(placement.thing, place, len(bodies)))
-        body = numbers[id(placement.thing)]
+            bodies.append(surfaces.add(placement.object, place, len(bodies)))
+        body = numbers[id(placement.object)]
         placed.append(Placed(body, placement.world_from_object, world.met_by[k]))
         kept.append(k)
     geometry = _BUILT.get(world) or build_geometry(bodies, placed)
@@ -86,7 +86,7 @@ def _joined(
 ) -> SceneTables:
     images = surfaces.images
     rows = {
-        "things": _things(world, list(stored), geometry, placed),
+        "things": _scene_objects(world, list(stored), geometry, placed),
         "surfaces": surfaces.with_points(geometry.first_points),
         "lights": light_rows(lights, world, images, geometry, stored, bodies),
         "albedo": _albedo() if surfaces.has_coat else np.zeros((1, 4), np.float32),
@@ -101,18 +101,18 @@ def _joined(
 
 
 def asset_at(world: World, place: int) -> Asset:
-    """One of `world.things` that is an asset, all of which are the runtime's."""
-    return cast(Asset, world.things[place])
+    """One of `world.objects` that is an asset, all of which are the runtime's."""
+    return cast(Asset, world.objects[place])
 
 
-def _things(
+def _scene_objects(
     world: World, kept: Sequence[int], geometry: Geometry, placed: Sequence[Placed]
 ) -> NDArray[np.float32]:
     """(k, 4): a row of THING an instance."""
     rows = np.zeros(len(kept), THING.dtype)
     for row, k, stored in zip(rows, kept, geometry.order, strict=True):
-        thing = world.placements[k].thing
-        is_object = isinstance(thing, MeshObject)
+        scene_object = world.placements[k].object
+        is_object = isinstance(scene_object, MeshObject)
         matrix = world.placements[k].world_from_object
         size = world.scale[k] * np.sqrt(3.0) * geometry.extents[placed[stored].body]
         reach = np.abs(matrix[:3, 3]).max() + size

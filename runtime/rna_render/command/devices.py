@@ -24,7 +24,7 @@ class OpenRenderer(Protocol):
     """Opens a device for a scene."""
 
     def __call__(self, scene_file: SceneFile, world: World) -> BandRenderer:
-        """Renderer of `scene_file.scene`, whose things are in `world`.
+        """Renderer of `scene_file.scene`, whose objects are in `world`.
 
         Raises RnaError for what the device does not know or have room for.
         """

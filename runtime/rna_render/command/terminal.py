@@ -106,7 +106,7 @@ def render_with_bar(
     with bar:
         renderer = open_renderer(device, scene_file, world)
         film = render(scene, renderer, stop, advance, on_sample)
-    warn_of_extrapolation([*world.things, *world.indirect])
+    warn_of_extrapolation([*world.objects, *world.indirect])
     if film.samples < scene.samples and not stop():
         print(f"{what}: time for {film.samples} of {scene.samples} samples", file=sys.stderr)
     return film
@@ -145,8 +145,8 @@ def cost_lines(scene_file: SceneFile, world: World) -> Iterator[str]:
 
 
 def loaded_assets(scene_file: SceneFile, world: World) -> list[Asset]:
-    """The scene's assets, in its order: the first of the world's things."""
-    return cast(list[Asset], world.things[: len(scene_file.scene.assets)])
+    """The scene's assets, in its order: the first of the world's objects."""
+    return cast(list[Asset], world.objects[: len(scene_file.scene.assets)])
 
 
 def _others(path: Path, chosen: str) -> dict[str, float]:

@@ -12,11 +12,11 @@ import numpy as np
 class Layers:
     """One sample, or the sum of many, of every pixel in row-major order.
 
-    beauty: (n, 4) float, RGB radiance with the background in it, and coverage by things and
+    beauty: (n, 4) float, RGB radiance with the background in it, and coverage by objects and
         visible background.
     groups: (n, g, 3) float, the part of beauty that comes from each group of lights.
-    hit: (n,) float, coverage by things.
-    normal_world: (n, 3) float, where a thing is hit the shading normal of the surface or the
+    hit: (n,) float, coverage by objects.
+    normal_world: (n, 3) float, where an object is hit the shading normal of the surface or the
         outward normal of the fiber, else 0.
     position_world: (n, 3) float, likewise.
     light_samples: (n, 2) float, how many samples of lights were taken at the first hit, and how
@@ -26,7 +26,7 @@ class Layers:
     behind_catcher: (n, 4) float, as beauty, the visible background where a catcher is hit.
     groups_behind: (n, g, 3) float, as groups, the same.
     catcher: (n,) float, coverage by shadow catchers.
-    asset: (n,) uint32, number of the thing, from 1; 0 for none.
+    asset: (n,) uint32, number of the object, from 1; 0 for none.
     """
 
     beauty: np.ndarray
@@ -130,7 +130,7 @@ class Film:
         R, G, B, A are means over all samples, so RGB is premultiplied; variance.R/G/B are the
         variances of these means, taken as if samples were independent; light.<group>.R/G/B the
         parts of groups of lights. The other channels are means over the samples that hit a
-        thing: normal.X/Y/Z (unit, or zero), position.X/Y/Z and visibility; assetId is that of
+        object: normal.X/Y/Z (unit, or zero), position.X/Y/Z and visibility; assetId is that of
         the first sample that did.
         """
         total, count = self._sum, max(self.samples, 1)

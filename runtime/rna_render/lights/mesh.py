@@ -32,7 +32,7 @@ class TriangleLight(ShapeLight):
     """Light from both sides of triangles.
 
     It chooses a triangle in proportion to its area times its mean luminance, and then a point of
-    it uniformly. The triangles stay those of the thing they belong to, which says whether a camera
+    it uniformly. The triangles stay those of the object they belong to, which says whether a camera
     sees them.
 
     positions: (v, 3) float32, world space, or that of the points and directions which

@@ -1,4 +1,4 @@
-"""The plane that things stand on."""
+"""The plane that objects stand on."""
 
 from __future__ import annotations
 

@@ -206,7 +206,7 @@ class Integrator:
     def _add(
         self, band: Layers, path: np.ndarray, light: np.ndarray, radiance: np.ndarray, depth: int
     ) -> None:
-        """Add radiance from lights to paths; not above the clamp if it left more than one thing."""
+        """Add radiance of lights to paths; not above the clamp if it left more than one object."""
         if self._clamp is not None and depth >= 2:
             clamp_paths(radiance, self._clamp)
         add_rows(band.beauty, path, radiance)

@@ -19,7 +19,7 @@ AUTO = 10.0
 
 
 def make_integrator(scene: Scene, world: World) -> Integrator:
-    """Integrator of `scene`, with resolved paths, whose things are in `world`.
+    """Integrator of `scene`, with resolved paths, whose objects are in `world`.
 
     Raises SceneError for an environment's image that cannot be used.
     """
@@ -38,7 +38,7 @@ def all_lights(scene: Scene, world: World) -> list[Light]:
 def indirect_clamp(
     asked: float | Literal["auto"] | None, lights: Sequence[Light], scene_radius: float
 ) -> float | None:
-    """The most radiance that a path may bring by way of more than one thing; None for any.
+    """The most radiance that a path may bring by way of more than one object; None for any.
 
     Light that reaches a dull surface by way of an asset's highlight is found by chance alone:
     rarely, and then much of it at once, as specks.

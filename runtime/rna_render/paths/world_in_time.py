@@ -27,7 +27,7 @@ def load_world(
     views: Sequence[Scene] = (),
     open_renderer: Callable[[SceneFile, World], BandRenderer] | None = None,
 ) -> World:
-    """The scene's things, loaded and placed: assets, objects, the ground, lights with a shape.
+    """The scene's objects, loaded and placed: assets, objects, the ground, lights with a shape.
 
     Each package is loaded once a tier and proxy, and each object file once a material. Tiers and
     proxies are those that `quality` asks for.

@@ -68,7 +68,7 @@ def _turned(light: LightModel, degrees: float, pivot: np.ndarray) -> LightModel:
 def lit(scene: Scene, lighting: Lighting, degrees: float) -> Scene:
     """The scene under `lighting`, turned by `degrees` about what its camera looks at.
 
-    Lights with a shape are things of the scene: they stay, where they are.
+    Lights with a shape are objects of the scene: they stay, where they are.
     """
     chosen = scene.lights if lighting.lights is None else lighting.lights
     without_shape = [light for light in chosen if not isinstance(light, AreaModel)]

@@ -1,6 +1,6 @@
 """What stands in the scene, as bodies: what rays hit, and what the hits send to the viewer.
 
-One class a kind of thing holds its geometry in Embree, and one holds points on it. The rest of
+One class a kind of object holds its geometry in Embree, and one holds points on it. The rest of
 the renderer does not ask which kind it has.
 """
 
@@ -13,7 +13,7 @@ import numpy as np
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.world.neural_sampling import LobeMixture
-from rna_render.world.placements import Thing
+from rna_render.world.placements import SceneObject
 from rna_sdk.runtime import offset_across
 from rna_trace import surface
 from rna_trace.asset_parts import (
@@ -205,10 +205,10 @@ class LightBody:
         raise NotImplementedError("a light scatters nothing")
 
 
-def make_body(thing: Thing, indirect: Asset | None = None) -> Body:
+def make_body(scene_object: SceneObject, indirect: Asset | None = None) -> Body:
     """The body of an asset, of an object or of a light. indirect: see AssetBody."""
-    if isinstance(thing, PlacedLight):
-        return LightBody(thing)
-    if isinstance(thing, MeshObject):
-        return ObjectBody(thing)
-    return AssetBody(thing, indirect)
+    if isinstance(scene_object, PlacedLight):
+        return LightBody(scene_object)
+    if isinstance(scene_object, MeshObject):
+        return ObjectBody(scene_object)
+    return AssetBody(scene_object, indirect)

@@ -88,9 +88,11 @@ def watched(asset: Asset, name: str) -> Asset:
     return cast(Asset, WatchedAsset(asset, name))  # it has whatever an asset has
 
 
-def warn_of_extrapolation(things: Iterable[object]) -> None:
+def warn_of_extrapolation(scene_objects: Iterable[object]) -> None:
     """Warn with DomainWarning of each of a world's assets that left its domain."""
-    for thing in dict.fromkeys(thing for thing in things if isinstance(thing, WatchedAsset)):
-        complaint = thing.complaint()
+    for scene_object in dict.fromkeys(
+        scene_object for scene_object in scene_objects if isinstance(scene_object, WatchedAsset)
+    ):
+        complaint = scene_object.complaint()
         if complaint is not None:
             warnings.warn(complaint, DomainWarning, stacklevel=2)

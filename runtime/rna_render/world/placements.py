@@ -1,4 +1,4 @@
-"""Things, where they stand, and what they shine with."""
+"""Objects, where they stand, and what they shine with."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from rna_render.lights import AssetEmission, AssetLight, MeshLight, PlacedLight,
 from rna_render.materials import MeshObject
 from rna_trace.asset_parts import Asset
 
-Thing = Asset | MeshObject | PlacedLight
+SceneObject = Asset | MeshObject | PlacedLight
 
 
 @dataclass(frozen=True)
 class Placement:
-    """A thing, and where it stands.
+    """An object, and where it stands.
 
     light: what it shines with, if it does. boundless: whether it says nothing about the size of
     the scene, as a ground. indirect: the same asset with another tier, which answers what the
-    camera does not see directly; None for `thing` itself.
+    camera does not see directly; None for `object` itself.
     """
 
-    thing: Thing
+    object: SceneObject
     world_from_object: np.ndarray  # (4, 4), a similarity
     light: ShapeLight | None = None
     boundless: bool = False
@@ -31,17 +31,17 @@ class Placement:
 
     def box(self) -> tuple[np.ndarray, np.ndarray]:
         """Lower and upper corner of the asset's or the object's box in the world, each (3,)."""
-        corners = np.array(np.meshgrid(*np.stack(_box(self.thing), axis=1))).reshape(3, -1)
+        corners = np.array(np.meshgrid(*np.stack(_box(self.object), axis=1))).reshape(3, -1)
         placed = self.world_from_object[:3, :3] @ corners + self.world_from_object[:3, 3:]
         return placed.min(axis=1), placed.max(axis=1)
 
 
-def _box(thing: Thing) -> tuple[np.ndarray, np.ndarray]:
-    if isinstance(thing, MeshObject):
-        return thing.positions.min(axis=0), thing.positions.max(axis=0)
+def _box(scene_object: SceneObject) -> tuple[np.ndarray, np.ndarray]:
+    if isinstance(scene_object, MeshObject):
+        return scene_object.positions.min(axis=0), scene_object.positions.max(axis=0)
     boxes = [
         (part.curves if part.kind == "fiber" else part.mesh).box()
-        for part in cast(Asset, thing).parts
+        for part in cast(Asset, scene_object).parts
     ]
     low, high = zip(*boxes, strict=True)
     return np.min(low, axis=0), np.max(high, axis=0)
@@ -71,12 +71,12 @@ def emission_of(asset: Asset) -> AssetEmission | None:
     return AssetEmission(asset) if any(part.emits for part in asset.parts) else None
 
 
-def mesh_light(thing: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
+def mesh_light(scene_object: MeshObject, world_from_object: np.ndarray) -> MeshLight | None:
     """Emission of an object; None if it has none."""
-    if not thing.is_emissive:
+    if not scene_object.is_emissive:
         return None
     linear, translation = world_from_object[:3, :3], world_from_object[:3, 3]
-    positions = (thing.positions @ linear.T + translation).astype(np.float32)
-    emission = thing.emitted_luminance, thing.emission
-    opaque = None if thing.transmittance is None else thing.opaque_emission
-    return MeshLight(positions, thing.triangles, *emission, opaque_emission=opaque)
+    positions = (scene_object.positions @ linear.T + translation).astype(np.float32)
+    emission = scene_object.emitted_luminance, scene_object.emission
+    opaque = None if scene_object.transmittance is None else scene_object.opaque_emission
+    return MeshLight(positions, scene_object.triangles, *emission, opaque_emission=opaque)

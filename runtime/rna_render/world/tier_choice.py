@@ -41,7 +41,7 @@ Tiers = tuple[Choice, ...]
 # Mean FLIP; the first limit beyond "as accurate as can be".
 _FIRST_STEP = 0.01
 
-# The most of an image that is assumed to come from assets by way of other things: the tier for that
+# The most of an image that is assumed to come from assets by way of other objects: the tier for it
 # may have an error so many times as large. See docs/decisions/renderer.md.
 INDIRECT_SHARE = 0.25
 

@@ -12,7 +12,7 @@ from numba import prange
 from rna_render.lights.base import PlacedLight
 from rna_render.materials import MeshObject
 from rna_render.world.bodies import make_body
-from rna_render.world.placements import Placement, Thing
+from rna_render.world.placements import Placement, SceneObject
 from rna_sdk.compiled import compiled
 from rna_sdk.runtime import Transform
 from rna_trace.embree.instances import ALL_RAYS, CAMERA_RAY, NO_INSTANCE, Instance, InstanceScene
@@ -58,11 +58,11 @@ class Vertices:
 class World:
     """Instances of bodies, in an order of their own: all instances of a body are neighbours.
 
-    placements: the scene's things, in the order of its file; the same object twice is one body
+    placements: the scene's objects, in the order of its file; the same object twice is one body
     with two instances. Raises QueryError for a transform that is not a similarity.
 
     Attributes:
-        things: those of `placements`.
+        objects: those of `placements`.
         indirect: those of `placements`, without None.
         placements: those given, in the order of the instances.
         scene: all instances, in Embree.
@@ -77,21 +77,21 @@ class World:
         one_sided: (k,) bool, for each instance whether it sends to the viewer nothing of light that
             comes from the other side of its surface than the viewer is on.
         radius: of a sphere about the scene, without what is boundless; world units.
-        scatters: whether light can go from one thing to another, or to another part of the same.
+        scatters: whether light can go from one object to another, or to another part of the same.
     """
 
     def __init__(self, placements: Sequence[Placement]) -> None:
         groups: dict[tuple[int, int], list[int]] = {}
         for index, placement in enumerate(placements):
-            key = id(placement.thing), id(placement.indirect)
+            key = id(placement.object), id(placement.indirect)
             groups.setdefault(key, []).append(index)
         order = [index for group in groups.values() for index in group]
         ordered = [placements[index] for index in order]
-        self.things = [placement.thing for placement in placements]
+        self.objects = [placement.object for placement in placements]
         self.indirect = [p.indirect for p in placements if p.indirect is not None]
         self.placements = ordered
         firsts = [placements[group[0]] for group in groups.values()]
-        self._bodies = [make_body(first.thing, first.indirect) for first in firsts]
+        self._bodies = [make_body(first.object, first.indirect) for first in firsts]
         self._order = _HitOrder(self._bodies, [len(group) for group in groups.values()])
         self.number = np.asarray(order, np.int32) + 1
         transforms = [Transform(placement.world_from_object) for placement in ordered]
@@ -102,7 +102,7 @@ class World:
         self._turned = not (self._rotations == np.eye(3)).all()
         self._placed = not (self._matrices == np.eye(4)).all()
         bodies = [self._bodies[b] for b in self._order.body]
-        self.met_by = [_met_by(placement.thing) for placement in ordered]
+        self.met_by = [_met_by(placement.object) for placement in ordered]
         scenes = [body.scene for body in bodies]
         placed = zip(scenes, self._matrices, self.met_by, strict=True)
         self.scene = InstanceScene([Instance(*instance) for instance in placed])
@@ -224,11 +224,11 @@ class _HitOrder:
         return ray[order], found
 
 
-def _met_by(thing: Thing) -> int:
-    """The sorts of rays that meet a thing."""
-    if isinstance(thing, PlacedLight) and not thing.visible_to_camera:
+def _met_by(scene_object: SceneObject) -> int:
+    """The sorts of rays that meet an object."""
+    if isinstance(scene_object, PlacedLight) and not scene_object.visible_to_camera:
         return ALL_RAYS & ~CAMERA_RAY
-    if isinstance(thing, MeshObject) and thing.catches_shadows:
+    if isinstance(scene_object, MeshObject) and scene_object.catches_shadows:
         return CAMERA_RAY
     return ALL_RAYS
 

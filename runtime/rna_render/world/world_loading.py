@@ -22,14 +22,14 @@ from rna_trace.asset_parts import Asset
 
 
 def placed_world(scene_file: SceneFile, tiers: Tiers) -> World:
-    """The scene's things: assets with these tiers, objects, the ground, lights with a shape.
+    """The scene's objects: assets with these tiers, objects, the ground, lights with a shape.
 
     Each package is loaded once a tier and proxy, and each object file once a material. Raises
     SceneError where the file names something that cannot be used, PackageError for a broken
     package.
     """
-    things = [*_placed_assets(scene_file, tiers), *_placed_objects(scene_file)]
-    return World([*things, *_placed_ground(scene_file, things), *_placed_lights(scene_file)])
+    standing = [*_placed_assets(scene_file, tiers), *_placed_objects(scene_file)]
+    return World([*standing, *_placed_ground(scene_file, standing), *_placed_lights(scene_file)])
 
 
 def _placed_assets(scene_file: SceneFile, tiers: Tiers) -> list[Placement]:
@@ -86,17 +86,17 @@ def _placed_objects(scene_file: SceneFile) -> list[Placement]:
     return placements
 
 
-def _placed_ground(scene_file: SceneFile, things: Sequence[Placement]) -> list[Placement]:
+def _placed_ground(scene_file: SceneFile, standing: Sequence[Placement]) -> list[Placement]:
     model = scene_file.resolved.ground
     if model is None:
         return []
-    reach = 0.0 if model.size is not None else max(map(_reach, things), default=0.0)
+    reach = 0.0 if model.size is not None else max(map(_reach, standing), default=0.0)
     mesh = ground(model, reach)
     return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
 
 
 def _reach(placement: Placement) -> float:
-    """The largest x or z of a box about a thing, world units."""
+    """The largest x or z of a box about an object, world units."""
     low, high = placement.box()
     return float(np.abs([low, high])[:, [0, 2]].max())
 
@@ -117,7 +117,7 @@ class DarkWarning(UserWarning):
 
 def warn_of_darkness(scene_file: SceneFile, world: World) -> None:
     """Warns with DarkWarning where no light, object, ground or asset of the scene shines."""
-    shining = any(p.light is not None and p.light is not p.thing for p in world.placements)
+    shining = any(p.light is not None and p.light is not p.object for p in world.placements)
     if not shining and not any(map(_shines, scene_file.scene.lights)):
         message = "the scene has no light, so its image is black: give it lights (docs/scene.md)"
         warnings.warn(f"{scene_file.path}: {message}", DarkWarning, stacklevel=2)
