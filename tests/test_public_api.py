@@ -137,3 +137,17 @@ def test_faces_are_small(face: str) -> None:
 )
 def test_other_imports_are_noticed(line: str) -> None:
     assert len(strangers(line, set())) == 1
+
+
+@pytest.mark.parametrize(
+    ("line", "count"),
+    [
+        ("from rna_render import World", 0),
+        ("from rna_render.world.world import World", 1),
+        ("from rna_render import integrator", 1),
+        ("import rna_trace.embree.kernels", 1),
+    ],
+)
+def test_insides_of_renderers_are_noticed(line: str, count: int) -> None:
+    public = {"rna_render", "rna_trace"}
+    assert len(private_names(line, public, public, set())) == count
