@@ -3,6 +3,21 @@ import layouts from "../../../rna_gpu/wgsl/records.json";
 
 export const { constants, records } = layouts;
 
+/** Takes the structs of a WGSL text, of numbers and vectors, to the records. */
+export function declare(wgsl) {
+  for (const [, name, body] of wgsl.matchAll(/struct (\w+) \{([^}]*)\}/g)) {
+    const members = {};
+    let end = 0;  // words
+    for (const [, member, type] of body.matchAll(/^\s*(\w+): ([\w<>]+)/gm)) {
+      const count = Number(/vec(\d)/.exec(type)?.[1] ?? 1), align = count === 3 ? 4 : count;
+      const at = Math.ceil(end / align) * align;
+      members[member] = { at, type: type.includes("u32") ? "u32" : "f32", count };
+      end = at + count;
+    }
+    records[name] = { words: 4 * Math.ceil(end / 4), members };
+  }
+}
+
 /** Words of a record, (n,) Uint32Array; members that `values` leaves out are 0. */
 export function packed(name, values) {
   const words = new Uint32Array(records[name].words);

@@ -1,5 +1,5 @@
 // Queries that do not come from a picture: those of the conformance kit, and of the benchmark.
-import { PIXEL_WORDS, VISIBILITY } from "./engine.js";
+import { packed, records } from "../decoder/records.js";
 import { dispatch, read } from "./gpu_device.js";
 
 const CAMERA = { position: [0, 0, 0], corner: [0, 0, 0], stepX: [0, 0, 0], stepY: [0, 0, 0] };
@@ -23,33 +23,28 @@ export async function evaluate(engine, part, output, rows, wantsAnswers = true) 
   return result;
 }
 
-/** Runs a kernel of rays over hits { place, b1, b2, x, wi, part }; three numbers of each pixel, from `at` on. */
-async function answersAt(engine, hits, kernel, at) {
-  const { device, band } = engine, floats = new Float32Array(PIXEL_WORDS * hits.length), words = new Uint32Array(floats.buffer);
+/** Runs a kernel of rays over hits { place, b1, b2, x, wi, part }; a vector of each pixel. */
+async function answersOf(engine, hits, kernel, member) {
+  const { device, band } = engine, { words, members } = records.Pixel, rows = new Uint32Array(words * hits.length);
   hits.forEach(({ place, b1, b2, x, wi, part }, k) => {
-    const own = PIXEL_WORDS * k;
-    floats.set(x, own);
-    words[own + 7] = part + 1;
-    words[own + 11] = place;
-    floats.set(wi, own + 12);
-    floats[own + 19] = b1;
-    floats[own + 23] = b2;
+    const bits = (v, last) => [...new Uint32Array(Float32Array.from(v).buffer), last];
+    rows.set(packed("Pixel", { position: bits(x, 0), axis: [0, 0, 0, part + 1], wo: [0, 0, 0, place], wi: bits(wi, 0), b1, b2 }), words * k);
   });
   engine.resize(hits.length, 1);
   engine.span = { first: 0, pixels: hits.length, jitter: 0 };
-  device.queue.writeBuffer(band, 0, floats);
+  device.queue.writeBuffer(band, 0, rows);
   engine._writeFrame(CAMERA, 0);
   engine._writeView({ kind: "given", colour: [1, 1, 1] });
   engine._run((pass) => dispatch(pass, kernel, engine.groups.rays, hits.length));
-  const answers = new Float32Array(await read(device, band, floats.byteLength));
-  return Float32Array.from({ length: 3 * hits.length }, (_, k) => answers[PIXEL_WORDS * Math.floor(k / 3) + at + (k % 3)]);
+  const answers = new Float32Array(await read(device, band, rows.byteLength));
+  return Float32Array.from({ length: 3 * hits.length }, (_, k) => answers[words * Math.floor(k / 3) + members[member].at + (k % 3)]);
 }
 
 /** (n, 3) visibilities. */
-export const visibility = (engine, hits) => answersAt(engine, hits, engine.kernels.light, VISIBILITY);
+export const visibility = (engine, hits) => answersOf(engine, hits, engine.kernels.light, "visibility");
 
 /** (n, 3) mapped normals. */
 export async function mappedNormals(engine, hits) {
   const kernel = await engine.pipelines.get(engine.raySources.hit, "find_normals", engine.rayLayout);
-  return answersAt(engine, hits, kernel, 4);
+  return answersOf(engine, hits, kernel, "axis");
 }

@@ -7,7 +7,6 @@ import { PartEvaluator, Pipelines } from "./part_evaluator.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
-export const PIXEL_WORDS = 28, VISIBILITY = 24;  // of shaders/band.wgsl
 const KINDS = { sun: 0, environment: 1, given: 2, aroundPoint: 3 };
 const CAMERA_RAYS = 1;
 
@@ -55,11 +54,11 @@ export class WebGPUEngine {
   _makeBand() {
     const { device } = this, { UNIFORM } = GPUBufferUsage;
     this.frameRecord = buffer(device, packed("Frame", {}), UNIFORM);
-    this.viewRecord = buffer(device, 80, UNIFORM);
-    this.showRecord = buffer(device, 48, UNIFORM);
-    this.band = buffer(device, 4 * PIXEL_WORDS * BAND_PIXELS);
+    this.viewRecord = buffer(device, bytesOf("View"), UNIFORM);
+    this.showRecord = buffer(device, bytesOf("Show"), UNIFORM);
+    this.band = buffer(device, bytesOf("Pixel") * BAND_PIXELS);
     this.queue = {
-      rows: buffer(device, 64 * BAND_PIXELS), answers: buffer(device, 32 * BAND_PIXELS), count: buffer(device, 4 * (BAND_PIXELS + 4)),
+      rows: buffer(device, bytesOf("Row") * BAND_PIXELS), answers: buffer(device, 32 * BAND_PIXELS), count: buffer(device, 4 * (BAND_PIXELS + 4)),
     };
     this._bind();
   }
@@ -175,10 +174,9 @@ export class WebGPUEngine {
 
   show({ rounds, exposure, backdrop, filmic, spread }) {
     const { width, height } = this.target, { canvas, device } = this;
-    const words = Float32Array.of(
-      canvas.width, canvas.height, width, height, ...backdrop, rounds, exposure, Number(filmic), spread, 0,
-    );
-    device.queue.writeBuffer(this.showRecord, 0, words);
+    device.queue.writeBuffer(this.showRecord, 0, packed("Show", {
+      size: [canvas.width, canvas.height], picture: [width, height], backdrop, rounds, exposure, filmic: Number(filmic), spread,
+    }));
     const encoder = device.createCommandEncoder();
     const view = this.context.getCurrentTexture().createView();
     const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp: "clear", storeOp: "store" }] });
@@ -230,18 +228,13 @@ export class WebGPUEngine {
     }));
   }
 
-  /** View of shaders/band.wgsl. */
-  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst, countsCoverage, part = 0, isEmission }) {
-    const floats = new Float32Array(20), words = new Uint32Array(floats.buffer), { first, jitter } = this.span;
-    floats.set([
-      0, jitter, 0, 0, ...direction, 0, ...colour, ground?.height ?? 0, ...(ground?.colour ?? [0, 0, 0]), ground?.size ?? 0,
-      ground?.x ?? 0, ground?.z ?? 0,
-    ]);
-    words[0] = first;
-    words.set([KINDS[kind], Number(isFirst ?? false)], 2);
-    words[7] = Number(countsCoverage ?? false);
-    words.set([part, Number(isEmission ?? false)], 18);
-    this.device.queue.writeBuffer(this.viewRecord, 0, floats);
+  _writeView({ kind = "sun", direction = [0, 0, 0], colour = [0, 0, 0], ground, isFirst = false, countsCoverage = false, part = 0, isEmission = false }) {
+    const { first, jitter } = this.span;
+    const under = ground && { ground: ground.height, ground_colour: ground.colour, ground_size: ground.size, middle: [ground.x, ground.z] };
+    this.device.queue.writeBuffer(this.viewRecord, 0, packed("View", {
+      first, jitter, kind: KINDS[kind], is_first: Number(isFirst), direction, counts_coverage: Number(countsCoverage), colour, part,
+      emission: Number(isEmission), ...under,
+    }));
   }
 
   /** The environment as light 0 of the table. */

@@ -1,6 +1,7 @@
 // The WGSL of the viewer: rna_gpu's files as they stand there, put together as its compositions say, and the viewer's own
 // kernels.
 import { compositions, sharedFiles } from "rna_gpu/wgsl";  // by build.mjs
+import { declare } from "../decoder/records.js";
 import band from "./shaders/band.wgsl";
 import hit from "./shaders/hit.wgsl";
 import light from "./shaders/light.wgsl";
@@ -8,6 +9,8 @@ import queue from "./shaders/queue.wgsl";
 import show from "./shaders/show.wgsl";
 import withoutSegments from "./shaders/without_segments.wgsl";
 import withoutTextures from "./shaders/without_textures.wgsl";
+
+for (const text of [band, queue, show]) declare(text);
 
 export { sharedFiles };
 
