@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import platform
 from functools import cache
 from hashlib import sha256
+
+from rna_sdk.errors import QueryError
 
 
 def processor() -> str:
@@ -31,3 +34,17 @@ def _cpuinfo(name: str) -> str:
             return next(line.split(":", 1)[1].strip() for line in file if line.startswith(name))
     except (OSError, StopIteration):
         return ""
+
+
+def thread_count(threads: int | None) -> int:
+    """`threads`, or for None the number of cores available to this process.
+
+    Raises:
+        QueryError: `threads` is not a positive integer.
+    """
+    if threads is None:
+        affinity = getattr(os, "sched_getaffinity", None)  # Linux alone has it
+        return len(affinity(0)) if affinity else os.cpu_count() or 1
+    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+        raise QueryError(f"threads: expected an integer of at least 1 or None, found {threads!r}")
+    return threads

@@ -16,7 +16,6 @@ from rna_sdk.package.container.zip_writer import write_container
 from rna_sdk.package.decoder.decoder_form import TRANSPORT
 from rna_sdk.package.geometry.geometry_files import QUANTISED_VERSION, Geometry, geometry_to_bytes
 from rna_sdk.package.issues import Code, refuse
-from rna_sdk.package.manifest.entry_order import ordered
 from rna_sdk.package.manifest.manifest_model import EntryRecord, Manifest
 from rna_sdk.package.manifest.manifest_short import Places
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
@@ -25,6 +24,7 @@ from rna_sdk.package.manifest.manifest_writer import (
     manifest_to_json,
     with_versions,
 )
+from rna_sdk.package.manifest.tier_ranges import ordered
 from rna_sdk.package.textures.normal_maps import NORMALS
 from rna_sdk.package.textures.planes import DTYPES, Planes, planes_to_bytes
 from rna_sdk.package.textures.texture_form import Texture

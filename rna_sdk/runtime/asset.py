@@ -14,7 +14,6 @@ from rna_sdk.package import Domain, NormalMap, Package, Tier, Transmittance
 from rna_sdk.package.decoder.decoder_form import TRANSPORT, form_named
 from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS, Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
-from rna_sdk.runtime.arguments import results
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.costs import kept_cost, median_seconds
 
@@ -205,7 +204,22 @@ class AssetPart(Asset):
             make = np.zeros if evaluator is None else np.empty
             found = tuple(make((number, count, 3), np.float32))
         else:
-            found = results(out, number, count)
+            found = _results(out, number, count)
         if evaluator is not None:
             evaluator.run(Batch.of(checked, found))
         return found
+
+
+def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:
+    """`value`, checked to be a tuple of `number` writable arrays for `count` rows of results.
+
+    Raises:
+        QueryError: it is not.
+    """
+    if not isinstance(value, tuple) or len(value) != number:
+        raise QueryError(f"out: expected a tuple of {number} arrays, found {type(value).__name__}")
+    for k, array in enumerate(value):
+        vectors(name := f"out[{k}]", array, count)
+        if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):
+            raise QueryError(f"{name}: expected a C-contiguous array that can be written")
+    return value

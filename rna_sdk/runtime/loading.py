@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from os import PathLike
 
+from rna_sdk.cpu import thread_count
 from rna_sdk.package import Package, Tier
-from rna_sdk.runtime.arguments import thread_count
 from rna_sdk.runtime.asset import CompositeAsset
 from rna_sdk.runtime.fiber_asset import FiberAsset
 from rna_sdk.runtime.surface_asset import SurfaceAsset

@@ -10,9 +10,8 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from rna_export.capture.dataset.asset_arguments import Arguments, rows_of
 from rna_export.machine import GEMM_FLOP, matrix_product, seconds_of
-from rna_sdk.cpu import processor
+from rna_sdk.cpu import processor, thread_count
 from rna_sdk.runtime import FiberAsset, SurfaceAsset, load
-from rna_sdk.runtime.arguments import thread_count
 
 _SECONDS = 0.05  # of one evaluation
 _FEWEST, _MOST = 16_384, 1_000_000

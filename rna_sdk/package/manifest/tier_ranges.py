@@ -1,8 +1,9 @@
-"""Byte ranges of a package that one tier needs: for readers that fetch parts of a file."""
+"""Order of a package's entries, and the byte ranges that one tier needs: for readers of parts."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
 
 from rna_sdk.package.container.zip_container import MANIFEST_NAME
 from rna_sdk.package.manifest.manifest_model import Manifest, Part
@@ -24,7 +25,7 @@ def tier_ranges(layout: Mapping[str, range], manifest: Manifest, tier: Tier) -> 
         >>> ranges[0].start
         0
     """
-    needed = {MANIFEST_NAME, *shared_names(manifest.parts), *tier_names(tier)}
+    needed = {MANIFEST_NAME, *_shared_names(manifest.parts), *_tier_names(tier)}
     ranges: list[range] = []
     for entry in sorted((layout[name] for name in needed), key=lambda entry: entry.start):
         if ranges and ranges[-1].stop == entry.start:
@@ -34,7 +35,7 @@ def tier_ranges(layout: Mapping[str, range], manifest: Manifest, tier: Tier) -> 
     return ranges
 
 
-def shared_names(parts: tuple[Part, ...]) -> Iterator[str]:
+def _shared_names(parts: tuple[Part, ...]) -> Iterator[str]:
     """Entries of all tiers, some perhaps twice: geometry and textures of the parts."""
     for part in parts:
         yield part.geometry
@@ -42,8 +43,23 @@ def shared_names(parts: tuple[Part, ...]) -> Iterator[str]:
         yield from (record.texture for record in part.normal_maps)
 
 
-def tier_names(tier: Tier) -> Iterator[str]:
+def _tier_names(tier: Tier) -> Iterator[str]:
     """Entries of the tier, some perhaps twice: planes and decoders of its parts."""
     for part in tier.parts:
         yield part.planes
         yield from (own.entry for own in part.decoders)
+
+
+def ordered(manifest: Manifest, entries: Iterable[str]) -> list[str]:
+    """The entries behind the manifest: those that every tier needs first.
+
+    Geometry and textures; what several tiers share; what each tier has alone, tier after tier; the
+    others, which are those of extensions, in their own order. A reader then finds all of one tier
+    in two ranges of bytes.
+    """
+    own = [dict.fromkeys(_tier_names(tier)) for tier in manifest.tiers]
+    users = Counter(name for names in own for name in names)
+    of_tiers = [name for names in own for name in names]
+    first = dict.fromkeys(_shared_names(manifest.parts))
+    order = [*first, *(name for name in of_tiers if users[name] > 1), *of_tiers, *entries]
+    return list(dict.fromkeys(order))
