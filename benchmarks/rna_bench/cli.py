@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 
+from rna_bench.bench_options import OptionHelp
 from rna_bench.commands import COMMANDS, GROUPS, Command
-from rna_bench.options import OptionHelp
 from rna_bench.stamp import stamp
 from rna_sdk.command_parser import CommandParser
 from rna_sdk.console import command_parser, run_command, split_script_arguments

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rna_bench.readers.agreement import asked
+from rna_bench.readers.reader_agreement import asked
 from rna_sdk.conformance.kit import EvaluateCase, find_kit, load_kit
 from rna_sdk.conformance.program import Answer
 

@@ -1,6 +1,6 @@
 import numpy as np
 
-from rna_export.capture.axes import from_blender, to_blender
+from rna_export.capture.blender_axes import from_blender, to_blender
 
 
 def test_blenders_up_is_the_packages_up() -> None:

@@ -13,7 +13,7 @@ import torch
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training import checkpoint as checkpoint_module
 from rna_export.training.checkpoint import load_checkpoint, load_progress
-from rna_export.training.curves import Curves
+from rna_export.training.loss_curves import Curves
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.presets import ModelConfig
 from rna_export.training.training_run import Run, train

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rna_export.capture.rays.capture_directions import around, sphere
 from rna_export.capture.rays.cones import EVERYWHERE, Cap, around_both, cap_towards, merged
-from rna_export.capture.rays.directions import around, sphere
 from rna_sdk.package.limits import MAX_CONES
 from rna_sdk.runtime import in_region
 

@@ -13,7 +13,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.geometry.cut import as_cut, cut_triangles
 from rna_export.export.rna_export import main as export
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.curves import Curves
+from rna_export.training.loss_curves import Curves
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import answer

@@ -1,7 +1,13 @@
 import numpy as np
 import pytest
 
-from rna_export.capture.rays.directions import around, frame, light_direction, reflect, sphere
+from rna_export.capture.rays.capture_directions import (
+    around,
+    frame,
+    light_direction,
+    reflect,
+    sphere,
+)
 
 
 def test_sphere_fills_equal_areas_equally() -> None:

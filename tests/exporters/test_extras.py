@@ -9,7 +9,7 @@ import pytest
 import trimesh
 from PIL import Image
 
-from rna_export.export.poster import png_of
+from rna_export.export.poster_rendering import png_of
 from rna_export.export.proxy import proxy_of
 from rna_export.export.standin import standin_material
 from rna_sdk.package import Mesh

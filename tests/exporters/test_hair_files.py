@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from rna_export.blender.rna_hair import Strands, read_hair, read_tfx, write_hair
-from rna_export.capture.axes import from_blender
+from rna_export.capture.blender_axes import from_blender
 
 
 def strands() -> Strands:

@@ -18,16 +18,16 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.sample_files import write_parts
 from rna_export.capture.time_plan import TimeLimit
 from rna_export.fit.goal import Goal
+from rna_export.make import capture_rounds as rays_module
 from rna_export.make import make_run as run_module
 from rna_export.make import phases as phases_module
-from rna_export.make import rays as rays_module
-from rna_export.make import stop as stop_module
+from rna_export.make import plan as plan_module
 from rna_export.make.make_options import MakeOptions
 from rna_export.make.make_run import Made, Make
 from rna_export.make.state import RunSettings
 from rna_export.training import report as report_module
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.curves import Curves
+from rna_export.training.loss_curves import Curves
 from rna_export.training.presets import PRESETS
 from rna_sdk.errors import TrainingError
 from tests.exporters.synthetic import RAYS, make_dataset, samples_of_light, tiny
@@ -86,7 +86,7 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
     for name, width in (("tiny", 16), ("small", 24)):
         preset = tiny(name, steps=80).with_model(width=width)
         monkeypatch.setitem(PRESETS["surface"], name, preset)
-    monkeypatch.setattr(stop_module, "LEAST_GAIN_DB", 6.0)  # three rounds or four
+    monkeypatch.setattr(plan_module, "LEAST_GAIN_DB", 6.0)  # three rounds or four
     monkeypatch.setattr(Curves, "draw", lambda _: None)
     monkeypatch.setattr(report_module, "write_images", lambda *_: None)
 

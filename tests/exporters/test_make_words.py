@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from rna_export.make import progress as progress_module
+from rna_export.make import make_progress as progress_module
+from rna_export.make.make_progress import Clock, Progress
 from rna_export.make.phases import copy_first_view
-from rna_export.make.progress import Clock, Progress
 from rna_export.make.starter import write_starter
 from rna_export.pictures import training_picture_of
 from rna_render.scene.scene_file import read_scene

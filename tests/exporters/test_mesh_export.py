@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rna_export.capture.axes import from_blender
+from rna_export.capture.blender_axes import from_blender
 from rna_export.capture.geometry.mesh_cleanup import clean_mesh
 from tests.exporters.conftest import OpenWorker
 

@@ -22,8 +22,9 @@ from rna_export.compare.rna_compare import main as compare
 from rna_export.export.rna_export import main as export
 from rna_export.fit.rna_fit import main as fit
 from rna_export.make.rna_make import main as make
-from rna_export.training import closing, report
+from rna_export.training import report
 from rna_export.training import training_run as training_run
+from rna_export.training import training_summary as closing
 from rna_export.training.rna_train import main as train
 from rna_sdk.errors import TrainingError
 from rna_sdk.owned_folder import owned

@@ -14,10 +14,10 @@ from rna_export.training.checkpoint import load_checkpoint
 from rna_export.training.training_run import train
 from rna_export.trials import trial_run as run_module
 from rna_export.trials.grid import nrhints
-from rna_export.trials.packages import TRIAL_PRECISIONS, USUAL
-from rna_export.trials.pool import TrialPool, TrialWorkers
-from rna_export.trials.record import read_record
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_packages import TRIAL_PRECISIONS, USUAL
+from rna_export.trials.trial_pool import TrialPool, TrialWorkers
+from rna_export.trials.trial_record import read_record
 from rna_export.trials.trial_run import run_trial
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load

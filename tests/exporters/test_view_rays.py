@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from rna_export.capture.rays.asset_scene import AssetScene
-from rna_export.capture.rays.directions import reflect
+from rna_export.capture.rays.capture_directions import reflect
 from rna_export.capture.rays.view_rays import sample_view_rays
 from tests.exporters.meshes import ring, sphere
 

@@ -16,8 +16,8 @@ from rna_bench.frontier.findings import findings, sentences
 from rna_bench.frontier.frontier_chart import draw
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.trials.grid import full_grid
-from rna_export.trials.packages import TRIAL_PRECISIONS
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_packages import TRIAL_PRECISIONS
 from tests.exporters.synthetic import make_dataset, tiny
 from tests.render.chromium import find_chromium, open_page
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from rna_export.capture.rna_capture import main as capture
-from rna_export.trials.pool import TrialPool, TrialWorkers
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_pool import TrialPool, TrialWorkers
 from rna_render.command.rna_run import main as render
 from rna_work.executors import open_executor
 from tests.exporters.scenes import write_scene

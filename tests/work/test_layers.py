@@ -46,7 +46,8 @@ def test_ray_is_imported_in_three_files_alone() -> None:
     "code",
     [
         "from rna_work.executors import open_executor; open_executor(None).__enter__()",
-        "import rna_export.capture.capture_run, rna_export.trials.pool, rna_export.fit.fit_run",
+        "import rna_export.capture.capture_run, rna_export.trials.trial_pool",
+        "import rna_export.fit.fit_run",
         "import rna_render.command.sequence, rna_render.command.pieces",
         "import rna_work.cluster.ray_cluster, rna_work.cluster.ray_slots",
         *(f"import {entry.partition(':')[0]}" for entry in COMMANDS.values()),

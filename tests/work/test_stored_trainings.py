@@ -11,9 +11,9 @@ import pytest
 
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.optimization.fitting import Fitting
-from rna_export.trials.pool import TrialPool, TrialWorkers
-from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_pool import TrialPool, TrialWorkers
+from rna_export.trials.trial_record import Record
 from rna_export.trials.trial_worker import Job, TrialWorker
 from rna_work.cluster.store import Store
 from rna_work.cluster.stored import Mirror, StoredFolder

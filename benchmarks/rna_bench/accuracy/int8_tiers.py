@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
 from rna_bench.results import publish
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.export.package_build import build_package

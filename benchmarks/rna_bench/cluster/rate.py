@@ -20,7 +20,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
 from rna_bench.results import publish
 from rna_export.capture.blender_process import blender_env
 from rna_export.capture.blender_process.blender_worker import Source

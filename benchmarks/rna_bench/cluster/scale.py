@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
 from rna_bench.results import publish
 from rna_work.executors import Needs, open_executor
 from rna_work.pool import Pool

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from typing import Any
 
 from rna_export.trials.cost import Costs
-from rna_export.trials.record import Point, Record
+from rna_export.trials.trial_record import Point, Record
 
 COSTS = {
     "ns": "ns/query, all threads",

@@ -15,17 +15,17 @@ import json
 from pathlib import Path
 from typing import Any
 
+from rna_bench.bench_options import add_out
 from rna_bench.frontier.chart_points import label_of
-from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.fit.fit_page import write_page
 from rna_export.fit.fit_run import Fit, fit
 from rna_export.fit.goal import Goal
-from rna_export.training.options import add_device
-from rna_export.trials.pool import TrialWorkers
-from rna_export.trials.record import Record
+from rna_export.training.training_options import add_device
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_pool import TrialWorkers
+from rna_export.trials.trial_record import Record
 
 
 def run(args: argparse.Namespace) -> None:

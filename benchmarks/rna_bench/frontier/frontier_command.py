@@ -10,7 +10,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from rna_export.training.options import add_trainings
+from rna_export.training.training_options import add_trainings
 from rna_work.executors import Executor, open_executor
 
 _PARTS = ("train", "cost", "cycles", "chart")

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from rna_bench.bench_pages import webp_address, write_html
 from rna_bench.frontier.chart_points import COSTS, ERRORS, label_of
 from rna_bench.frontier.findings import sentences
 from rna_bench.frontier.frontier_chart import COLOURS, LABELS
 from rna_bench.frontier.paper_tables import paper_tables
 from rna_bench.frontier.render_strips import brightest, cut, strip_path
-from rna_bench.html_pages import webp_address, write_html
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.metrics import to_png
 

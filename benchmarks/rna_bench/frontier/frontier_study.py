@@ -23,9 +23,9 @@ from rna_export.capture.dataset.validation_view import all_queries
 from rna_export.metrics import FLIP_DEFINITION, P99_DEFINITION, PSNR_DEFINITION
 from rna_export.trials.cost import Costs, measure_costs
 from rna_export.trials.grid import FULL_STEPS, SHORT_STEPS, full_grid, short_grid
-from rna_export.trials.pool import TrialPool, TrialWorkers, largest_first
-from rna_export.trials.record import Record, read_record
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_pool import TrialPool, TrialWorkers, largest_first
+from rna_export.trials.trial_record import Record, read_record
 from rna_export.trials.trial_run import missing_precisions
 from rna_export.trials.unwrap import check_unwrapping
 from rna_sdk.atomic_file import write_atomically

@@ -21,9 +21,9 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from rna_bench.bench_options import add_out
+from rna_bench.bench_pages import save_picture
 from rna_bench.checkout import ROOT
-from rna_bench.html_pages import save_picture
-from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_export.capture.blender_process.blender_env import find_python
 from rna_export.metrics import IRRADIANCE, psnr

@@ -31,8 +31,8 @@ from typing import Any
 
 import numpy as np
 
+from rna_bench.bench_options import add_out, add_repeats
 from rna_bench.checkout import QUICKSTART
-from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
 from rna_sdk.errors import RnaError
 from tests.render.chromium import INSTALL, Page, find_chromium, open_page

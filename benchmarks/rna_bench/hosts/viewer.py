@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 import rna_gpu
-from rna_bench.options import add_out, add_repeats
+from rna_bench.bench_options import add_out, add_repeats
 from rna_bench.results import publish
 from rna_bench.speed.gpu import measure
 from rna_render import Integrator, load_world, make_integrator, render

@@ -14,7 +14,7 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
 from rna_bench.results import publish
 from rna_export.export.precision import stored_planes
 from rna_sdk.package import Package, TierData, float_planes, quantise, write_package

@@ -24,7 +24,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
 from rna_bench.readers.fuzz_readers import READERS, Mutations, Tally
 from rna_bench.results import publish, write_results
 from rna_sdk.errors import RnaError

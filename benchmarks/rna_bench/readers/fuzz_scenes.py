@@ -32,7 +32,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
 from rna_bench.results import publish, write_results
 from rna_sdk.atomic_file import write_atomically
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from rna_bench.scenes.beside_cycles import Beside
 from rna_bench.scenes.equal_error import equal_error, equal_time
-from rna_bench.scenes.measure import MeasuredScene
+from rna_bench.scenes.measured_scene import MeasuredScene
 from rna_bench.scenes.timed_images import CYCLES, OURS, image_of, label_of
 from rna_export.compare.comparison_run import Timed
 from rna_export.metrics import NoiselessPsnr

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from rna_bench.html_pages import webp_address, write_html
+from rna_bench.bench_pages import webp_address, write_html
 from rna_bench.scenes.judge import shown_pictures
-from rna_bench.scenes.measure import MeasuredScene
+from rna_bench.scenes.measured_scene import MeasuredScene
 from rna_bench.scenes.time_chart import svg_address
 
 _QUALITY = 92

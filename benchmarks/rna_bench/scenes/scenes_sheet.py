@@ -10,7 +10,7 @@ from matplotlib.figure import FigureBase
 
 from rna_bench.plot_style import figure
 from rna_bench.scenes.judge import shown_pictures
-from rna_bench.scenes.measure import MeasuredScene
+from rna_bench.scenes.measured_scene import MeasuredScene
 from rna_bench.scenes.time_chart import SIZE, draw_charts
 
 _TITLES = 0.45  # inches, of a row of pictures and what is above it

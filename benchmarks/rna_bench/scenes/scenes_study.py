@@ -10,13 +10,13 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
-from rna_bench.cycles import cycles
+from rna_bench.cycles_worker import cycles
 from rna_bench.results import write_results
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION
 from rna_bench.scenes.bleeding import bleeding
 from rna_bench.scenes.judge import judge
 from rna_bench.scenes.kept import Kept
-from rna_bench.scenes.measure import MeasuredScene, Plan
+from rna_bench.scenes.measured_scene import MeasuredScene, Plan
 from rna_bench.scenes.scene_list import WALL, find_environment, scenes
 from rna_bench.scenes.scenes_page import write_page
 from rna_bench.scenes.scenes_sheet import draw_sheet

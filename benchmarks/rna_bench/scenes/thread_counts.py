@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
 from rna_bench.results import publish
 from rna_render import read_exr
 from rna_sdk.errors import RnaError

@@ -20,8 +20,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from rna_bench.bench_options import add_out
 from rna_bench.checkout import ROOT
-from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_bench.speed.busy_worker import WORK
 from rna_export.machine import default_workers

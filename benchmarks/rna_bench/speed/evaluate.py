@@ -21,8 +21,8 @@ from typing import Any
 
 import numpy as np
 
+from rna_bench.bench_options import add_out, add_repeats
 from rna_bench.one_part import OnePart, load_one_part
-from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
 from rna_bench.speed.query_batches import Arrays, arguments_of, random_points, sphere_scan
 from rna_bench.speed.random_package import HIDDEN_LAYERS, INPUTS, write_random_package

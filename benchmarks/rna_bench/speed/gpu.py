@@ -19,8 +19,8 @@ from typing import Any
 import numpy as np
 
 import rna_gpu
+from rna_bench.bench_options import add_out
 from rna_bench.one_part import load_one_part
-from rna_bench.options import add_out
 from rna_bench.results import publish
 from rna_bench.speed.query_batches import random_queries
 from rna_gpu import Device, GpuAsset

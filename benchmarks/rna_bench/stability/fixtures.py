@@ -27,7 +27,7 @@ from rna_export.export.package_build import build_package
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.presets import PRESETS, Preset
 from rna_export.training.training_run import Run, train
-from rna_export.trials.packages import write_packages
+from rna_export.trials.trial_packages import write_packages
 from rna_sdk.errors import CaptureError
 from rna_work.cached import locked
 
@@ -179,7 +179,7 @@ class Fixtures:
         return out
 
     def packages_of_base(self) -> dict[str, Path]:
-        """Packages of `base`, by the precisions of `rna_export.trials.packages`."""
+        """Packages of `base`, by the precisions of `rna_export.trials.trial_packages`."""
         out = self._folder / "precisions"
         out.mkdir(parents=True, exist_ok=True)
         return write_packages(self.base, self.dataset, out)

@@ -9,7 +9,7 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from rna_bench.html_pages import write_html
+from rna_bench.bench_pages import write_html
 from rna_bench.plot_style import FAIL, PASS, QUIET, figure, save_chart
 from rna_bench.results import write_results
 from rna_bench.stability.case import Case, Result, Row

@@ -26,7 +26,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.dataset.dataset_manifest import CaptureManifest
 from rna_export.capture.geometry.exported_parts import exported_parts
 from rna_export.capture.rays.asset_scene import AssetScene
-from rna_export.capture.rays.directions import light_direction
+from rna_export.capture.rays.capture_directions import light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_check import check_seen
 from rna_export.capture.rays.view_rays import sample_view_rays

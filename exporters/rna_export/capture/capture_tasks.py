@@ -16,7 +16,7 @@ from rna_export.capture.dataset.dataset_manifest import emission_fields
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.sample_files import joined, write_parts
 from rna_export.capture.rays.asset_scene import AssetScene, PartRows, ShadePoints
-from rna_export.capture.rays.directions import directions_in, light_direction
+from rna_export.capture.rays.capture_directions import directions_in, light_direction
 from rna_export.capture.rays.traced_rays import TracedRays
 from rna_export.capture.rays.view_rays import ViewRays, sample_view_rays
 from rna_render import Camera

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from rna_export.capture.dataset.dataset_folder import Dataset
-from rna_export.export.poster import render_poster
+from rna_export.export.poster_rendering import render_poster
 from rna_export.export.proxy import proxy_of
 from rna_export.export.standin import standin_material
 from rna_sdk.errors import ExportError

@@ -82,7 +82,7 @@ def main(argv: list[str] | None = None) -> int:
 def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
-    from rna_export.export.closing import closing_lines
+    from rna_export.export.export_summary import closing_lines
     from rna_export.export.extras import add_extras
     from rna_export.export.package_build import build_package
     from rna_export.export.trained_tiers import checkpoint_paths

@@ -17,10 +17,10 @@ from rna_export.training.checkpoint import Trained
 from rna_export.training.model.neural_asset import NeuralAsset
 from rna_export.training.training_run import padded_bounds
 from rna_export.trials.cost import Costs, measure_costs
-from rna_export.trials.packages import TRIAL_PRECISIONS, write_packages
-from rna_export.trials.pool import TrialPool, TrialWorkers
-from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_packages import TRIAL_PRECISIONS, write_packages
+from rna_export.trials.trial_pool import TrialPool, TrialWorkers
+from rna_export.trials.trial_record import Record
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.errors import TrainingError
 

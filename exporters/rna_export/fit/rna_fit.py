@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rna_export.export.credit import add_credit
-from rna_export.training.options import add_trainings
+from rna_export.training.training_options import add_trainings
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_sdk.outputs import check_outputs, check_outside
@@ -105,7 +105,7 @@ def _run(args: argparse.Namespace, executor: Executor) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.fit.fit_run import fit, is_work_folder
     from rna_export.trials.grid import full_grid, short_grid
-    from rna_export.trials.pool import TrialWorkers
+    from rna_export.trials.trial_pool import TrialWorkers
 
     if args.steps < 16:
         raise TrainingError(f"--steps: found {args.steps}, expected at least 16")
@@ -127,7 +127,7 @@ def _write(args: argparse.Namespace, found: Fit, dataset: DatasetPart, work: Pat
     from rna_export.export.package_build import build_package
     from rna_export.fit.fit_page import write_page
     from rna_export.training.checkpoint import load_checkpoint
-    from rna_export.trials.packages import TRIAL_PRECISIONS
+    from rna_export.trials.trial_packages import TRIAL_PRECISIONS
 
     build_package(
         [load_checkpoint(found.checkpoint)],

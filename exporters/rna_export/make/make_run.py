@@ -15,11 +15,11 @@ from rna_export.export.extras import add_extras
 from rna_export.export.package_build import build_package
 from rna_export.export.precision import Precision
 from rna_export.fit.goal import Goal
+from rna_export.make.capture_rounds import Rays, open_rays, rays_folder
 from rna_export.make.make_options import MakeOptions
+from rna_export.make.make_progress import Clock, Progress
 from rna_export.make.phases import Phase, phase_folder, score, trained_in
 from rna_export.make.plan import FixedPlan, OpenPlan, Plan, TimedPlan, Verdict, verdict
-from rna_export.make.progress import Clock, Progress
-from rna_export.make.rays import Rays, open_rays, rays_folder
 from rna_export.make.state import Last, Round, RunSettings, Score, State, load_state
 from rna_export.training.checkpoint import Trained
 from rna_export.training.presets import PRESETS

@@ -12,8 +12,8 @@ from time import monotonic
 import numpy as np
 
 from rna_export.capture.dataset.dataset_folder import Dataset
+from rna_export.make.make_progress import Stage
 from rna_export.make.plan import Length
-from rna_export.make.progress import Stage
 from rna_export.make.state import Score
 from rna_export.training.checkpoint import Trained, load_checkpoint
 from rna_export.training.optimization.samples import SampleTable

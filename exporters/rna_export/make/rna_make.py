@@ -21,8 +21,8 @@ from rna_export.capture.rna_capture import (
 )
 from rna_export.export.credit import add_credit
 from rna_export.export.precision import add_precision, precisions_of
-from rna_export.training.options import add_device, chosen_device
 from rna_export.training.presets import PRESETS
+from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.console import command_line, command_parser, run_command, split_script_arguments
 from rna_sdk.outputs import check_outputs, check_outside
@@ -162,7 +162,7 @@ def _run(args: argparse.Namespace, arguments: tuple[str, ...], begun: float) -> 
     from rna_export.capture.blender_process.blender_worker import Source
     from rna_export.capture.capture_run import CaptureWorkers
     from rna_export.capture.capture_settings import CaptureSettings
-    from rna_export.export.closing import closing_lines
+    from rna_export.export.export_summary import closing_lines
     from rna_export.machine import keep_freed_memory
     from rna_export.make.make_options import MakeOptions
     from rna_export.make.make_run import Make, export
@@ -250,7 +250,7 @@ def _tell_next(args: argparse.Namespace) -> None:
 def _kept_picture(options: MakeOptions, out: Path) -> Path | None:
     """A copy, beside the package, of what the capture's check marked; None if it found nothing."""
     from rna_export.capture.check.self_check import PICTURE
-    from rna_export.make.rays import rays_folder
+    from rna_export.make.capture_rounds import rays_folder
 
     marked = rays_folder(options) / PICTURE
     if not marked.is_file():

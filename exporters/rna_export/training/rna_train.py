@@ -9,8 +9,8 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from rna_export.training.options import add_device, chosen_device
 from rna_export.training.presets import LOSSES, PRESETS, Preset
+from rna_export.training.training_options import add_device, chosen_device
 from rna_sdk.console import command_line, command_parser, run_command
 from rna_sdk.errors import TrainingError
 from rna_sdk.owned_folder import owned
@@ -117,9 +117,9 @@ def _run(args: argparse.Namespace) -> None:
     from rna_export.capture.dataset.dataset_folder import Dataset
     from rna_export.capture.geometry.cut import as_cut
     from rna_export.machine import keep_freed_memory
-    from rna_export.training.closing import closing_lines
     from rna_export.training.part_runs import part_folder, shared_minutes
     from rna_export.training.training_run import Run, is_of_training, train
+    from rna_export.training.training_summary import closing_lines
 
     keep_freed_memory()
     device = chosen_device(args.device)

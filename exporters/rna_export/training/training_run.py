@@ -15,7 +15,7 @@ from tqdm import tqdm
 from rna_export.brightness import Brightness
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.training.checkpoint import load_progress, save_checkpoint
-from rna_export.training.curves import Curves
+from rna_export.training.loss_curves import Curves
 from rna_export.training.model.emission import INPUTS
 from rna_export.training.optimization import emission_batches
 from rna_export.training.optimization.emission_batches import EmissionBatches

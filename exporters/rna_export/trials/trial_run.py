@@ -11,14 +11,14 @@ import numpy as np
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import ValidationView
 from rna_export.training.checkpoint import Trained, load_checkpoint, load_progress
-from rna_export.training.curves import read_curves
+from rna_export.training.loss_curves import read_curves
 from rna_export.training.optimization.samples import SampleTable
 from rna_export.training.training_run import Run, train
 from rna_export.training.validation import shade
-from rna_export.trials.packages import TRIAL_PRECISIONS, USUAL, write_packages
-from rna_export.trials.record import Point, Record, read_record
 from rna_export.trials.scores import judge, write_strips
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_packages import TRIAL_PRECISIONS, USUAL, write_packages
+from rna_export.trials.trial_record import Point, Record, read_record
 from rna_export.trials.unwrap import UnwrappedPart
 from rna_sdk.atomic_file import write_atomically
 from rna_sdk.runtime import load

@@ -11,8 +11,8 @@ from pathlib import Path
 
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.training.optimization.samples import SampleTable
-from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_record import Record
 from rna_work.cluster.store import Store
 from rna_work.cluster.stored import Mirror
 from rna_work.sources import Carried

@@ -11,7 +11,7 @@ from rna_bench.stability.fixtures import Fixtures
 from rna_export.capture.blender_process.capture_worker import scene_of
 from rna_export.capture.dataset.validation_view import is_lit
 from rna_export.capture.rays.asset_scene import AssetScene, ShadePoints
-from rna_export.capture.rays.directions import sphere
+from rna_export.capture.rays.capture_directions import sphere
 from rna_export.capture.rays.view_rays import sample_view_rays
 
 MOST, SHARE = 1.01, 0.01  # the mark: at most that share of the points above

@@ -18,7 +18,7 @@ from rna_export.capture.capture_settings import SHARPEST
 from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.capture.dataset.validation_view import is_lit, queries_of
 from rna_export.capture.rays.asset_scene import AssetScene
-from rna_export.capture.rays.directions import frame, light_direction
+from rna_export.capture.rays.capture_directions import frame, light_direction
 from rna_export.capture.rays.view_rays import sample_view_rays
 from rna_export.metrics import psnr
 

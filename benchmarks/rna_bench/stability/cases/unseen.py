@@ -13,7 +13,7 @@ from rna_bench.stability.chosen import ChosenSamples, Samples, rows_of
 from rna_bench.stability.fixtures import Fixtures
 from rna_bench.stability.view_errors import joined_views, relative_error
 from rna_export.capture.dataset.validation_view import queries_of
-from rna_export.capture.rays.directions import sphere
+from rna_export.capture.rays.capture_directions import sphere
 
 FACTOR = 1.5  # the mark: of the largest trained value
 

@@ -18,7 +18,7 @@ from zipfile import BadZipFile
 import numpy as np
 import OpenEXR
 
-from rna_export.capture.axes import from_blender, to_blender
+from rna_export.capture.blender_axes import from_blender, to_blender
 from rna_export.capture.capture_settings import CLAMP_DIRECT, CLAMP_INDIRECT, CaptureSettings
 from rna_sdk.errors import CaptureError
 from rna_sdk.package import Curves

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rna_export.capture.rays.directions import around
+from rna_export.capture.rays.capture_directions import around
 from rna_sdk.package import Curves
 from rna_sdk.runtime import offset_across
 from rna_trace import FiberPoints, PartPoints, tangents

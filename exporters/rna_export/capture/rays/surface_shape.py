@@ -6,7 +6,7 @@ import numpy as np
 import trimesh
 
 from rna_export.capture.capture_settings import SHARPEST
-from rna_export.capture.rays.directions import around, reflect
+from rna_export.capture.rays.capture_directions import around, reflect
 from rna_sdk.package import Mesh
 from rna_trace import PartPoints, SurfacePoints, geometric_normals
 

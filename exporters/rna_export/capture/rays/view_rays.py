@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rna_export.capture.rays.asset_scene import AssetScene, part_counts
-from rna_export.capture.rays.directions import directions_in, frame
+from rna_export.capture.rays.capture_directions import directions_in, frame
 from rna_sdk.package.manifest.manifest_fields import Region
 from rna_sdk.runtime import in_region
 

@@ -20,10 +20,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
 from rna_bench.results import publish
 from rna_sdk.conformance.kit import EvaluateCase, Kit, find_kit, load_kit
-from rna_sdk.conformance.program import Command, Program, emission, evaluate
+from rna_sdk.conformance.program import Command, Program, evaluate
+from rna_sdk.package.decoder.decoder_form import form_named
 
 Answers = list[NDArray[np.float64]]
 
@@ -48,8 +49,8 @@ def run(args: argparse.Namespace) -> None:
 
 def asked(program: Program, case: EvaluateCase) -> NDArray[np.float64]:
     """The reader's results for the case's queries."""
-    ask = emission if case.output == "emission" else evaluate
-    return ask(program, case.package, case.tier, case.part, case.queries)
+    form = form_named(case.output)
+    return evaluate(program, form, case.package, case.tier, case.part, case.queries)
 
 
 def in_tolerances(kit: Kit, found: Answers) -> float:

@@ -20,9 +20,9 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from rna_bench.cycles import cycles
-from rna_bench.html_pages import save_picture
-from rna_bench.options import add_out
+from rna_bench.bench_options import add_out
+from rna_bench.bench_pages import save_picture
+from rna_bench.cycles_worker import cycles
 from rna_bench.results import publish
 from rna_bench.scenes.beside_cycles import EXPOSURE_DEFINITION, Beside, CyclesScene, OurScene
 from rna_bench.scenes.stage import Stage

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-from rna_export.trials.record import Record
 from rna_export.trials.trial import Trial
+from rna_export.trials.trial_record import Record
 from rna_export.trials.trial_worker import Job, TrialWorker
 from rna_sdk.errors import TrainingError
 from rna_work.backend import Backend

@@ -16,9 +16,9 @@ import time
 from pathlib import Path
 from typing import Any
 
+from rna_bench.bench_options import add_out, add_repeats
 from rna_bench.checkout import CURLS, TOY
 from rna_bench.one_part import load_one_part
-from rna_bench.options import add_out, add_repeats
 from rna_bench.results import publish
 from rna_bench.speed.query_batches import random_queries
 from tests.hosts.c_host import CAsset, build

@@ -8,7 +8,7 @@ from rna_export.capture.dataset.dataset_part import DatasetPart
 from rna_export.effort import Effort
 from rna_export.psnr_words import psnr_in_words
 from rna_export.training.checkpoint import load_checkpoint
-from rna_export.training.curves import read_curves
+from rna_export.training.loss_curves import read_curves
 from rna_export.training.validation import reference_warnings
 
 

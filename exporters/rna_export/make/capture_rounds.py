@@ -10,8 +10,8 @@ from rna_export.capture.capture_tasks import Task, ValidationHalf, all_tasks
 from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.capture.time_plan import TimeLimit
 from rna_export.make.make_options import MakeOptions
+from rna_export.make.make_progress import Stage
 from rna_export.make.plan import CAPTURE
-from rna_export.make.progress import Stage
 from rna_export.make.state import Round
 
 _SHARD = 16  # lights, where rounds grow; a worker begins anew after 12 shards
