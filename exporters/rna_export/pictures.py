@@ -18,6 +18,7 @@ Picture = NDArray[np.uint8]
 
 COLUMNS = ("ours", "Cycles", "difference x 4", "FLIP")
 _MAP = "magma"  # as FLIP's authors show it
+_LEAST_WIDTH = 128  # of a picture, below which its pixels become squares
 _INK, _PAPER, _QUIET = (20, 20, 20), (255, 255, 255), (90, 90, 90)
 
 
@@ -40,10 +41,20 @@ def pictures_of(
     ]
 
 
+def enlarged(picture: Picture) -> Picture:
+    """The picture with each pixel as a square of them, if it is too small to look at."""
+    times = -(-_LEAST_WIDTH // picture.shape[1])
+    return picture.repeat(times, axis=0).repeat(times, axis=1)
+
+
 def comparison_sheet(
     rows: Sequence[tuple[Sequence[Picture], str]], columns: Sequence[str] = COLUMNS
 ) -> Image.Image:
-    """Rows of pictures of one size, (h, w, 3) uint8, each with a caption; the last one is FLIP."""
+    """Rows of pictures of one size, (h, w, 3) uint8, each with a caption; the last one is FLIP.
+
+    Small ones are enlarged, so that the labels have room.
+    """
+    rows = [([enlarged(picture) for picture in pictures], caption) for pictures, caption in rows]
     height, width = rows[0][0][0].shape[:2]
     size = max(11, round(width / 18))
     line = round(1.6 * size)

@@ -50,7 +50,7 @@ def test_little_work_is_told_and_warned_of(tmp_path: Path) -> None:
         "warning: 40 of 40,000 steps and 24 of 2,000 lights, less than a tenth"
     )
     with Image.open(tmp_path / "run" / "sheet.png") as sheet:
-        assert sheet.width == 4 * 24
+        assert sheet.width == 4 * 6 * 24  # enlarged
 
 
 def test_the_usual_work_is_no_warning() -> None:
@@ -84,7 +84,7 @@ def test_an_export_says_it_again_with_the_notes_of_the_capture(tmp_path: Path) -
     assert lines[-1] == "note: texture wood.png: no such file; black"
     assert sum(line.startswith("warning: 40 of 40,000 steps") for line in lines) == 1
     with Image.open(sheet_of(package)) as sheet:
-        assert sheet.width == 4 * 24
+        assert sheet.width == 4 * 6 * 24  # enlarged
 
 
 def test_a_black_reference_is_a_warning_and_no_record(tmp_path: Path) -> None:

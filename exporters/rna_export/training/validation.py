@@ -21,7 +21,7 @@ from rna_export.metrics import (
     relative_mse,
     to_png,
 )
-from rna_export.pictures import comparison_sheet, pictures_of, write_picture
+from rna_export.pictures import comparison_sheet, enlarged, pictures_of, write_picture
 from rna_export.training.model.neural_asset import NeuralAsset
 
 _ROWS = 65536
@@ -126,7 +126,8 @@ def write_images(folder: Path, radiance: list[np.ndarray], views: Sequence[Captu
         ours, cycles = view.image(shaded), view.image(view.reference)
         error = np.clip(255.0 * flip(ours, cycles, e)[1], 0, 255).astype(np.uint8)
         row = [to_png(ours, e), to_png(cycles, e), np.repeat(error[..., None], 3, axis=2)]
-        write_picture(folder / f"view-{view.index:02d}.png", np.concatenate(row, axis=1))
+        path = folder / f"view-{view.index:02d}.png"
+        write_picture(path, np.concatenate([enlarged(picture) for picture in row], axis=1))
 
 
 def write_sheet(path: Path, radiance: list[np.ndarray], views: Sequence[CapturedImage]) -> None:
