@@ -71,6 +71,29 @@ def test_ground_has_the_colour_of_the_page_under_both(page):
         )
 
 
+BOXES = [
+    ([-0.2, 0.0, -0.2], [0.2, 0.8, 0.2]),
+    ([-5.0, 0.0, -0.1], [5.0, 0.2, 0.1]),
+    ([1.0, 1.0, 1.0], [3.0, 3.0, 3.0]),
+]
+
+
+@pytest.mark.parametrize("aspect", [0.5, 1.1, 1.8])
+@pytest.mark.parametrize(("low", "high"), BOXES)
+def test_a_box_is_framed_whole(page, low, high, aspect):
+    box = f"{{min: {low}, max: {high}}}"
+    camera = page.evaluate(
+        f"(() => {{ const orbit = new rnaViewer.orbit.constructor(); orbit.frame({box}, {aspect});"
+        f" return orbit.camera({aspect}, 1); }})()"
+    )
+    corners = np.stack(np.meshgrid(*zip(low, high, strict=True)), axis=-1).reshape(8, 3)
+    rays = np.transpose([camera["corner"], camera["stepX"], camera["stepY"]])
+    depth, x, y = np.linalg.solve(rays, (corners - camera["position"]).T)
+    assert (depth > 0).all()
+    places = np.array([x / depth / aspect, y / depth])  # shares of the width and the height
+    assert np.abs(places - 0.5).max() == pytest.approx(0.475)
+
+
 def test_first_samples_have_less_noise(page):
     wait_for_picture(page, 1)
     roughness = {}

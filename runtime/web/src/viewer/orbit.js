@@ -1,10 +1,12 @@
 // Where the camera is: on a sphere about the point that it looks at. Angles in radians.
 
 const STEEPEST = (89 * Math.PI) / 180;
+const FILLED = 0.95;  // of the image's height or width, by a box that is framed
 
 /** a + factor * b */
 const plus = (a, b, factor = 1) => a.map((value, k) => value + factor * b[k]);
 const times = (a, factor) => a.map((value) => value * factor);
+const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
 const unit = (a) => times(a, 1 / Math.hypot(...a));
 const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 
@@ -13,13 +15,17 @@ export class Orbit {
     Object.assign(this, { target: [0, 0, 0], azimuth: 0.6, elevation: 0.35, distance: 1, fov: 30 });
   }
 
-  /** The whole box in sight. */
+  /** All corners of the box in sight, as near as that goes, from where the camera is. */
   frame({ min, max }, aspect) {
     this.target = times(plus(min, max), 0.5);
-    const radius = Math.hypot(...plus(max, min, -1)) / 2 || 1, half = (this.fov * Math.PI) / 360;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * aspect));
-    this.distance = (0.92 * radius) / Math.sin(narrow);
-    this.size = radius;
+    this.size = Math.hypot(...plus(max, min, -1)) / 2 || 1;
+    this.distance = this.size;  // any: for the axes
+    const { forward, side, above } = this._axes(), half = FILLED * Math.tan((this.fov * Math.PI) / 360);
+    const corners = Array.from({ length: 8 }, (_, k) =>
+      plus([0, 1, 2].map((axis) => ((k >> axis) & 1 ? max : min)[axis]), this.target, -1));
+    const far = corners.map((corner) =>
+      Math.max(Math.abs(dot(corner, above)), Math.abs(dot(corner, side)) / aspect) / half - dot(corner, forward));
+    this.distance = Math.max(...far) || this.size;
   }
 
   lookFrom(position, lookAt, fov) {
