@@ -8,7 +8,7 @@ from typing import Any
 
 from rna_sdk.package.geometry.curves import Curves
 from rna_sdk.package.manifest.extensions import Poster, extension
-from rna_sdk.package.manifest.manifest_model import Part
+from rna_sdk.package.manifest.manifest_model import Manifest, Part
 from rna_sdk.package.manifest.manifest_tiers import Tier, TierPart
 from rna_sdk.package.package import Package
 from rna_sdk.size_note import size_note
@@ -33,7 +33,7 @@ def package_info(path: Path) -> Info:
             "format": manifest.version,
             "size": [float(f"{side:.6g}") for side in high - low],
             "size_note": size_note(low, high),
-            "parts": [_part(package, k) for k in range(len(manifest.parts))],
+            "parts": [_part(package, k, has) for k, (_, has) in enumerate(contents(manifest))],
             "tiers": [_tier(tier) for tier in manifest.tiers],
             "directions": manifest.domain.model_dump(mode="json"),
             "source": origin.source,
@@ -50,7 +50,7 @@ def package_info(path: Path) -> Info:
         }
 
 
-def _part(package: Package, index: int) -> Info:
+def _part(package: Package, index: int, has: list[str]) -> Info:
     record = package.manifest.parts[index]
     geometry = package.geometry(index)
     counts = (
@@ -58,20 +58,23 @@ def _part(package: Package, index: int) -> Info:
         if isinstance(geometry, Curves)
         else {"triangles": len(geometry.triangles), "vertices": len(geometry.positions)}
     )
-    _, *others = package.manifest.tiers[0].parts[index].decoders
     return {
         "name": record.name,
         "kind": record.kind,
         **counts,
-        "has": [*features_of(record), *(own.form.name for own in others)],
+        "has": has,
         "proxies": list(package.proxy_heights(index)),
     }
 
 
-def features_of(part: Part) -> list[str]:
-    """What a part has beside its geometry: transmittance, normal maps."""
-    named = {"transmittance": part.transmittance, "normal maps": part.normal_maps}
-    return [name for name, records in named.items() if records]
+def contents(manifest: Manifest) -> list[tuple[Part, list[str]]]:
+    """Each part, and what it has beside geometry and transport: normal maps, emission, ..."""
+    found = []
+    for part, own in zip(manifest.parts, manifest.tiers[0].parts, strict=True):
+        named = {"transmittance": part.transmittance, "normal maps": part.normal_maps}
+        has = [name for name, records in named.items() if records]
+        found.append((part, [*has, *(decoder.form.name for decoder in own.decoders[1:])]))
+    return found
 
 
 def _tier(tier: Tier) -> Info:

@@ -6,11 +6,11 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 
 from rna_sdk.console import command_parser, run_command
+from rna_sdk.package.command.package_info import contents
 from rna_sdk.package.issues import is_valid
-from rna_sdk.package.manifest.manifest_model import Manifest
 from rna_sdk.package.manifest.manifest_short import has_short_form
 from rna_sdk.package.validator import Inspection, inspect
 
@@ -69,44 +69,22 @@ def _as_json(path: str, found: Inspection) -> dict[str, object]:
     return {
         "file": path,
         "valid": is_valid(found.issues),
-        "parts": found.manifest and [_part_as_json(part) for part in _parts(found.manifest)],
+        "parts": found.manifest
+        and [
+            {"name": part.name, "kind": part.kind, **dict.fromkeys(has, True)}
+            for part, has in contents(found.manifest)
+        ],
         "issues": [asdict(issue) for issue in found.issues],
     }
-
-
-def _part_as_json(part: _Part) -> dict[str, object]:
-    return {"name": part.name, "kind": part.kind, **dict.fromkeys(part.has, True)}
 
 
 def _print_report(path: str, found: Inspection) -> None:
     for issue in found.issues:
         print(f"{path}: {issue}")
     if found.manifest and not has_short_form(found.manifest):
-        for part in _parts(found.manifest):
-            print(f"{path}: part {part.name}: {', '.join((part.kind, *part.has))}")
+        for part, has in contents(found.manifest):
+            print(f"{path}: part {part.name}: {', '.join((part.kind, *has))}")
     print(f"{path}: {'valid' if is_valid(found.issues) else 'invalid'}")
-
-
-@dataclass(frozen=True)
-class _Part:
-    """A part as `rna-validate` shows it; has: "transmittance", "normal maps", "emission"."""
-
-    name: str
-    kind: str
-    has: tuple[str, ...]
-
-
-def _parts(manifest: Manifest) -> list[_Part]:
-    return [
-        _Part(
-            part.name,
-            part.kind,
-            ("transmittance",) * bool(part.transmittance)
-            + ("normal maps",) * bool(part.normal_maps)
-            + tuple(own.form.name for own in manifest.tiers[0].parts[k].decoders[1:]),
-        )
-        for k, part in enumerate(manifest.parts)
-    ]
 
 
 if __name__ == "__main__":
