@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from rna_gpu.records.part import NONE
 from rna_gpu.records.record import Field, Record
+from rna_render.paths.sampling import CHOICES, DIMENSIONS_A_VERTEX, DIRECTION, LIGHT, ROULETTE
+from rna_trace import CAMERA_RAY, SHADOW_RAY
 
 FRAME = Record(
     "Frame",
@@ -21,7 +24,7 @@ FRAME = Record(
     Field("rays", "<u4", (), "bit of the sort of rays"),
     Field("clamp", "<f4"),
     Field("light_count", "<u4"),
-    Field("sums", "<u4", (), "vec4f of a path in `sums`"),
+    Field("sums", "<u4", (), "vec4f of a path in `sums`: SUM_GROUPS, and two a group of lights"),
     Field("flags", "<u4", (), "of those below"),
     Field("branch", "<u4", (), "number of the ray that went on from the first point"),
     Field("branches", "<u4", (), "of those rays; 1 before them"),
@@ -72,8 +75,34 @@ PENDING = Record(
     Field("reserved", "<u4"),
 )
 
+SUMS = Record(
+    "Sums",
+    Field("beauty", "<f4", (4,)),
+    Field("normal", "<f4", (3,)),
+    Field("hit", "<f4", (), "1 of what scatters, 2 of a shadow catcher"),
+    Field("position", "<f4", (3,)),
+    Field("number", "<f4", (), "of the asset or object"),
+    Field("light_samples", "<f4", (2,), "tried, and arrived"),
+    Field("caught", "<f4", (2,), "received by a catcher, with and without what is in the way"),
+    Field("behind", "<f4", (4,), "a catcher"),
+)
+"""What `sums` holds of a path; then for each group of lights its share of beauty and of behind."""
+
+ALL_DIRECTIONS, HEMISPHERE = 0xFFFFFFFF, 0xFFFFFFFE  # in place of a number of cones of a domain
+
 SCENE_CONSTANTS = {
-    "NONE": 0xFFFFFFFF,
+    "NONE": NONE,
+    **{f"SUM_{name.upper()}": at // 16 for name, at in SUMS.offsets.items() if at % 16 == 0},
+    "SUM_GROUPS": SUMS.dtype.itemsize // 16,
+    "CAMERA_RAY": CAMERA_RAY,
+    "SHADOW_RAY": SHADOW_RAY,
+    "ALL_DIRECTIONS": ALL_DIRECTIONS,
+    "HEMISPHERE": HEMISPHERE,
+    "CHOICES": CHOICES,
+    "DIRECTION": DIRECTION,
+    "ROULETTE": ROULETTE,
+    "LIGHT": LIGHT,
+    "DIMENSIONS": DIMENSIONS_A_VERTEX,
     "HAS_SKY": HAS_SKY,
     "FOR_BETA": FOR_BETA,
     "RAYS_MEET_LIGHTS": RAYS_MEET_LIGHTS,

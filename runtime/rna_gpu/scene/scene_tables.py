@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry, Placed, Shape, build_geometry
+from rna_gpu.records.scene import ALL_DIRECTIONS, HEMISPHERE
 from rna_gpu.records.tables import THING
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_gpu.scene.scene_lights import light_rows
@@ -21,7 +22,6 @@ from rna_render.materials import ALBEDO_MEANS, ALBEDO_TABLE
 from rna_sdk.runtime import Asset
 from rna_trace import OFFSET
 
-_SPHERE, _HEMISPHERE = 0xFFFFFFFF, 0xFFFFFFFE  # as wgsl/render/domains.wgsl has them
 _ROUNDING = 1e-6  # that of rna_sdk.runtime.in_region
 
 
@@ -144,9 +144,9 @@ def domain_rows(domains: Sequence[Any]) -> NDArray[np.float32]:
 
 def _words(region: Any, cones: list[list[float]], heads: int) -> tuple[int, int]:
     if region == "sphere":
-        return _SPHERE, 0
+        return ALL_DIRECTIONS, 0
     if region == "hemisphere":
-        return _HEMISPHERE, 0
+        return HEMISPHERE, 0
     first = heads + len(cones)
     for cone in region:
         cones.append(_cone(cone))

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rna_gpu.asset import GpuPart
 from rna_gpu.device import Device
 from rna_gpu.evaluator import GpuRows
-from rna_gpu.records.scene import FRAME, PATH, PENDING
+from rna_gpu.records.scene import FRAME, PATH, PENDING, SUMS
 from rna_gpu.scene.bindings import STRIDE, Bindings, upload_geometry
 from rna_gpu.scene.scene_tables import SceneTables
 from rna_gpu.scene.steps import Step, Steps
@@ -24,7 +24,7 @@ from rna_render.lights import Light
 from rna_render.scene import Scene
 
 _MOST_PATHS = 1 << 17
-_OWN_SUMS = 5  # vec4f a path, then two for each group of lights
+_OWN_SUMS = SUMS.dtype.itemsize // 16  # vec4f a path, then two for each group of lights
 
 
 class Wavefront:
@@ -162,18 +162,19 @@ class Wavefront:
 
 
 def _layers(sums: NDArray[np.float32]) -> Layers:
-    """sums: (n, slots, 4), as Frame.sums of wgsl/render/frame.wgsl says."""
-    own, by_group = sums[:, :_OWN_SUMS], sums[:, _OWN_SUMS:, :3]
+    """sums: (n, slots, 4), those of SUMS, then two of each group of lights."""
+    own = np.ascontiguousarray(sums[:, :_OWN_SUMS]).reshape(-1).view(SUMS.dtype)
+    by_group = sums[:, _OWN_SUMS:, :3]
     return Layers(
-        beauty=own[:, 0],
+        beauty=own["beauty"],
         groups=by_group[:, 0::2],
-        hit=(own[:, 1, 3] == 1.0).astype(np.float32),
-        normal_world=own[:, 1, :3],
-        position_world=own[:, 2, :3],
-        light_samples=own[:, 3, :2],
-        caught=own[:, 3, 2:],
-        behind_catcher=own[:, 4],
+        hit=(own["hit"] == 1.0).astype(np.float32),
+        normal_world=own["normal"],
+        position_world=own["position"],
+        light_samples=own["light_samples"],
+        caught=own["caught"],
+        behind_catcher=own["behind"],
         groups_behind=by_group[:, 1::2],
-        catcher=(own[:, 1, 3] == 2.0).astype(np.float32),
-        asset=own[:, 2, 3].astype(np.uint32),
+        catcher=(own["hit"] == 2.0).astype(np.float32),
+        asset=own["number"].astype(np.uint32),
     )

@@ -17,7 +17,7 @@ fn collect_sky(k: u32, path: Path) {
         if seen && light_is(light, LIGHT_INFINITE) {
             add_met(k, path, light, escaped(light, path.direction));
             if frame.depth == 0u {
-                sums[frame.sums * k].w = 1.0;
+                sums[frame.sums * k + SUM_BEAUTY].w = 1.0;
             }
         }
     }
@@ -26,7 +26,7 @@ fn collect_sky(k: u32, path: Path) {
 fn collect_shape(k: u32, path: Path) {
     let light = path.instance & ~IS_LIGHT;
     if frame.depth == 0u {
-        sums[frame.sums * k].w = 1.0;
+        sums[frame.sums * k + SUM_BEAUTY].w = 1.0;
     }
     let pdf = shape_pdf(light, path.origin, path.direction);
     let radiance = select(vec3f(0.0), light_colour(light), pdf > 0.0);
@@ -62,22 +62,22 @@ fn collect_shining(k: u32, path: Path, record: vec4<u32>) {
 
 fn describe(k: u32, v: Vertex) {
     let at = frame.sums * k;
-    sums[at].w = 1.0;
-    sums[at + 1u] = vec4f(v.n_world, 1.0);
-    sums[at + 2u] = vec4f(v.x_world, thing_number(v.instance));
+    sums[at + SUM_BEAUTY].w = 1.0;
+    sums[at + SUM_NORMAL] = vec4f(v.n_world, 1.0);
+    sums[at + SUM_POSITION] = vec4f(v.x_world, thing_number(v.instance));
 }
 
 // What shows behind a shadow catcher.
 fn behind_catcher(k: u32, path: Path) {
     let at = frame.sums * k;
-    sums[at + 1u].w = 2.0;
+    sums[at + SUM_NORMAL].w = 2.0;
     for (var light = 0u; light < frame.light_count; light++) {
         if light_is(light, LIGHT_INFINITE) && light_is(light, LIGHT_SEEN) {
             let radiance = vec4f(escaped(light, path.direction).radiance * path.beta, 0.0);
-            sums[at + 4u] = vec4f((sums[at + 4u] + radiance).xyz, 1.0);
+            sums[at + SUM_BEHIND] = vec4f((sums[at + SUM_BEHIND] + radiance).xyz, 1.0);
             let group = light_group(light);
             if group != NONE {
-                sums[at + 6u + 2u * group] += radiance;
+                sums[at + SUM_GROUPS + 2u * group + 1u] += radiance;
             }
         }
     }

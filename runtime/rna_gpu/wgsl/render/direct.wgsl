@@ -77,7 +77,7 @@ fn catch_light(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, ke
         pendings[2u * k].visible = kept;
         return;
     }
-    sums[frame.sums * k + 3u] += vec4f(0.0, 0.0, mean_of(weight * kept), mean_of(weight));
+    sums[frame.sums * k + SUM_LIGHT_SAMPLES] += vec4f(0.0, 0.0, mean_of(weight * kept), mean_of(weight));
 }
 
 // The part of the estimate that belongs to samples of this light, over its density.
@@ -123,7 +123,7 @@ fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, 
 fn count_seen(k: u32, seen: f32) {
     pendings[2u * k].seen = seen;
     if frame.depth == 1u {
-        sums[frame.sums * k + 3u].y += seen;
+        sums[frame.sums * k + SUM_LIGHT_SAMPLES].y += seen;
     }
 }
 
@@ -161,7 +161,7 @@ fn direct(
         return;
     }
     if frame.depth == 1u && !catches {
-        sums[frame.sums * k + 3u].x += 1.0;
+        sums[frame.sums * k + SUM_LIGHT_SAMPLES].x += 1.0;
     }
     let own = select(NONE, v.instance, thing_passes(v.instance) == 1u);
     let kept = kept_on(shadow_ray(v.x_world, origin_of(v, found.wi), found), own);

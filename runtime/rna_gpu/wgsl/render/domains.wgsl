@@ -2,9 +2,6 @@
 // A part has (cones of wo, the first, cones of wi, the first) in `table`, as bits; a cone is its axis
 // and the cosine to its rim.
 
-const ALL_DIRECTIONS: u32 = 0xffffffffu; // in place of a number of cones
-const HEMISPHERE: u32 = 0xfffffffeu; // about +Y
-
 @group(1) @binding(4) var<storage, read_write> counts: array<atomic<u32>>; // of a part: asked,
     // views outside, lights outside, either
 

@@ -2,7 +2,6 @@
 
 const IS_LIGHT: u32 = 0x80000000u; // with a light's number, in place of an instance
 const PI: f32 = 3.14159265358979;
-const SHADOW_RAY: u32 = 4u;
 const SHORTER: f32 = 1.0 - 0x1p-13f; // shadow rays end before the light
 
 const DEAD: u32 = 0u;
@@ -26,10 +25,10 @@ fn path_number(id: vec3<u32>, groups: vec3<u32>) -> u32 {
 
 fn add_light(k: u32, light: u32, radiance: vec3f) {
     let at = frame.sums * k;
-    sums[at] += vec4f(radiance, 0.0);
+    sums[at + SUM_BEAUTY] += vec4f(radiance, 0.0);
     let group = light_group(light);
     if group != NONE {
-        sums[at + 5u + 2u * group] += vec4f(radiance, 0.0);
+        sums[at + SUM_GROUPS + 2u * group] += vec4f(radiance, 0.0);
     }
 }
 

@@ -4,7 +4,7 @@
 fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit {
     var hit = met;
     for (var light = 0u; light < frame.light_count; light++) {
-        let hidden = frame.rays == 1u && !light_is(light, LIGHT_SEEN);
+        let hidden = frame.rays == CAMERA_RAY && !light_is(light, LIGHT_SEEN);
         let t = meet_light(light, RnaRay(ray.origin, ray.near, ray.direction, hit.t));
         if !hidden && t < RNA_FAR && (hit.instance == RNA_NOTHING || t < hit.t) {
             hit = rna_miss(t);

@@ -51,12 +51,12 @@ fn apply_light(k: u32, emitted: vec3f) {
     } else if asked.part == CATCHES_IT {
         let third = vec3f(1.0 / 3.0);
         let received = dot(light * asked.visible, third);
-        sums[frame.sums * k + 3u] += vec4f(0.0, 0.0, received, dot(light, third));
+        sums[frame.sums * k + SUM_LIGHT_SAMPLES] += vec4f(0.0, 0.0, received, dot(light, third));
     }
     if all(emitted <= vec3f(0.0)) && asked.part != CATCHES_IT {
         pendings[2u * k].part = NONE;
         if frame.depth == 1u { // there was no light to be found
-            sums[frame.sums * k + 3u] -= vec4f(1.0, asked.seen, 0.0, 0.0);
+            sums[frame.sums * k + SUM_LIGHT_SAMPLES] -= vec4f(1.0, asked.seen, 0.0, 0.0);
         }
     }
 }

@@ -1,12 +1,6 @@
 // Owen-scrambled Sobol' points, the very ones of rna_render.paths.sampling: a pure function of seed, pixel,
 // sample and dimension.
 
-const CHOICES: u32 = 1u; // dimensions at each point of a path
-const DIRECTION: u32 = 2u;
-const ROULETTE: u32 = 3u;
-const LIGHT: u32 = 4u;
-const DIMENSIONS: u32 = 7u;
-
 fn hash_bits(value: u32) -> u32 {
     var x = (value ^ (value >> 16u)) * 0x7feb352du;
     x = (x ^ (x >> 15u)) * 0x846ca68bu;

@@ -8,7 +8,6 @@ import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
 const KINDS = { sun: 0, environment: 1, given: 2, aroundPoint: 3 };
-const CAMERA_RAYS = 1;
 
 export class WebGPUEngine {
   static label = "WebGPU";
@@ -223,7 +222,7 @@ export class WebGPUEngine {
   _writeFrame({ position, corner, stepX, stepY }, sample) {
     const { lightsAt, arrays, span, target } = this;
     this.device.queue.writeBuffer(this.frameRecord, 0, packed("Frame", {
-      camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: CAMERA_RAYS,
+      camera: position, corner, step_x: stepX, step_y: stepY, width: target.width, paths: span.pixels, sample, branches: 1, depth: 1, rays: constants.CAMERA_RAY,
       flags: arrays.transmits ? constants.TRANSMITS : 0, textures: arrays.texturesAt, lights: lightsAt,
     }));
   }
@@ -268,5 +267,5 @@ export class WebGPUEngine {
 /** The only instance, where it stands in the world; node 0 is above it. */
 const instance = (extent) => packed("RnaInstance", {
   to_object: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], rotation: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], scale: 1, root: 1,
-  rays: CAMERA_RAYS, extent,
+  rays: constants.CAMERA_RAY, extent,
 });
