@@ -16,7 +16,8 @@ import rna_sdk.package
 import rna_sdk.runtime
 from tests.conftest import REPOSITORY
 
-NAMES = vars(rna_sdk.package) | vars(rna_sdk.runtime) | {"np": np}
+MODULES = (rna_sdk.package, rna_sdk.runtime)
+NAMES = {name: getattr(module, name) for module in MODULES for name in module.__all__} | {"np": np}
 PACKAGES = {"toy.rna": "quickstart/toy.rna", "curls.rna": "fibers/curly_ball.rna"}
 RECORDS = {"Asset", "Int8Planes", "Issue", "NormalMap", "ProfileDecoder", "ProfileLayer"}
 RECORDS |= {"TierData", "Transmittance"}
@@ -30,7 +31,7 @@ def examples_of(module: ModuleType, name: str) -> list[doctest.DocTest]:
 
 
 def public() -> Iterator[tuple[ModuleType, str]]:
-    for module in (rna_sdk.package, rna_sdk.runtime):
+    for module in MODULES:
         for name in module.__all__:
             kind = getattr(module, name)
             if inspect.isfunction(kind) or (inspect.isclass(kind) and _does_something(kind)):
