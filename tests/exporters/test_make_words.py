@@ -9,7 +9,7 @@ import pytest
 
 from rna_export.make import make_progress as progress_module
 from rna_export.make.make_progress import Clock, Progress
-from rna_export.make.phases import copy_first_view
+from rna_export.make.phases import copy_sheet
 from rna_export.make.starter import write_starter
 from rna_export.pictures import training_picture_of
 from rna_render.scene.scene_file import read_scene
@@ -45,14 +45,13 @@ def test_a_resumed_bar_goes_on_where_it_was(monkeypatch: pytest.MonkeyPatch) -> 
 def test_the_picture_is_that_of_the_newest_training(tmp_path: Path) -> None:
     picture = training_picture_of(tmp_path / "helmet.rna")
     assert picture == tmp_path / "helmet.training.png"
-    copy_first_view(tmp_path / "run", picture)
+    copy_sheet(tmp_path / "run", picture)
     assert not picture.exists()
-    (tmp_path / "run" / "validation").mkdir(parents=True)
-    for name in ("view-01.png", "view-00.png"):
-        (tmp_path / "run" / "validation" / name).write_bytes(name.encode())
-    copy_first_view(tmp_path / "run", picture)
-    assert picture.read_bytes() == b"view-00.png"
-    copy_first_view(tmp_path / "run", tmp_path / "no" / "folder.png")  # ends no training
+    (tmp_path / "run").mkdir()
+    (tmp_path / "run" / "sheet.png").write_bytes(b"a sheet")
+    copy_sheet(tmp_path / "run", picture)
+    assert picture.read_bytes() == b"a sheet"
+    copy_sheet(tmp_path / "run", tmp_path / "no" / "folder.png")  # ends no training
 
 
 def test_a_starter_scene_is_written_once(tmp_path: Path) -> None:

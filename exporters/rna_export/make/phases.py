@@ -64,7 +64,7 @@ class Phase:
 
     def _show(self, training: Path) -> None:
         if self.picture is not None:
-            copy_first_view(training, self.picture)
+            copy_sheet(training, self.picture)
 
     def _preset(self, kind: str) -> Preset:
         """The preset of this length."""
@@ -74,15 +74,13 @@ class Phase:
         )
 
 
-def copy_first_view(training: Path, picture: Path) -> None:
-    """Copy the first validation picture of a training's folder, if there is one.
+def copy_sheet(training: Path, picture: Path) -> None:
+    """Copy the contact sheet of a training's folder, if there is one.
 
     A picture is no reason to end a training: one that cannot be read or written is left out.
     """
     with suppress(OSError):
-        views = sorted((training / "validation").glob("view-*.png"))
-        if views:
-            write_atomically(picture, views[0].read_bytes())
+        write_atomically(picture, (training / "sheet.png").read_bytes())
 
 
 def phase_folder(work: Path, preset: str, number: int | None) -> Path:
