@@ -1,7 +1,7 @@
 // The input blocks of decoders, by their index: spec/blocks.json.
-import { blocks as BLOCKS } from "../../../../spec/blocks.json";
+import tables from "../../../../spec/blocks.json";
 
-export { BLOCKS };
+export const BLOCKS = tables.blocks;
 
 export const blockNamed = (name) => BLOCKS.find((block) => block.name === name);
 
