@@ -23,6 +23,7 @@ def pytest_configure() -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@pytest.hookimpl(tryfirst=True)  # before pytest-xdist reads the groups
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     needs = {"blender": _no_blender, "chromium": _no_chromium, "data": _no_data, "gpu": _no_gpu}
     for marker, reason in needs.items():

@@ -103,11 +103,14 @@ def test_lights_and_steps_make_the_package_of_the_three_commands(tmp_path: Path)
     assert "lights used up" in run(source, made, *capture, *training, *export, "--", 0.4)
     runs = [tmp_path / "runs" / preset for preset in ("tiny", "small")]
     for module, *options in (
-        ("capture", source, "--out", rays, *capture, "--", 0.4),
-        *(("training", rays, "--preset", r.name, "--steps", 120, "--out", r) for r in runs),
-        ("export", *runs, "--out", apart, *export),
+        ("capture.rna_capture", source, "--out", rays, *capture, "--", 0.4),
+        *(
+            ("training.rna_train", rays, "--preset", r.name, "--steps", 120, "--out", r)
+            for r in runs
+        ),
+        ("export.rna_export", *runs, "--out", apart, *export),
     ):
-        own = [sys.executable, "-m", f"rna_export.{module}.cli", *map(str, options)]
+        own = [sys.executable, "-m", f"rna_export.{module}", *map(str, options)]
         subprocess.run(own, check=True, capture_output=True)
     with Package.open(made) as one, Package.open(apart) as other:
         assert [tier.name for tier in one.manifest.tiers] == ["tiny", "small-int8"]

@@ -19,7 +19,8 @@ RECIPES = REPOSITORY / "examples" / "recipes"
 _CENSUS = """
 import hashlib, json, os, sys
 sys.path.insert(0, {blender!r})
-import bpy, source_scene, numpy as np
+import bpy, numpy as np
+from rna_sources import source_scene
 source, out, *arguments = sys.argv[1:]
 source_scene.load(source, arguments, None, None)
 triangles, strands, digest = 0, 0, hashlib.sha256()

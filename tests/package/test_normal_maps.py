@@ -14,12 +14,12 @@ from rna_sdk.package import (
     Package,
     PackageError,
     quantise,
+    tier_ranges,
     validate,
     write_package,
 )
 from rna_sdk.package.command import rna_validate as cli
 from rna_sdk.package.command.rna_pack import main as pack_main
-from rna_sdk.package.manifest import tier_ranges
 from rna_sdk.package.manifest.manifest_reader import parse_manifest
 from rna_sdk.runtime import load
 from tests.package.builders import (

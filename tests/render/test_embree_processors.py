@@ -11,6 +11,7 @@ import gc
 import numpy as np
 import pytest
 
+from rna_sdk.cpu import has_avx512
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Curves
 from rna_trace.embree import TriangleScene
@@ -18,7 +19,13 @@ from rna_trace.embree import library as embree_library
 from rna_trace.parts_scene import PartsScene
 from tests.render.assets import EMBREE_ROUNDING, sphere, unit_vectors
 
-PROCESSORS = ["avx512", "avx2", "avx", "sse4.2"]
+PROCESSORS = [
+    pytest.param(
+        "avx512",
+        marks=pytest.mark.skipif(not has_avx512(), reason="needs a processor with AVX-512"),
+    ),
+    *("avx2", "avx", "sse4.2"),
+]
 
 
 @pytest.fixture

@@ -103,7 +103,8 @@ def test_ctrl_c_says_how_much_of_the_image_is_kept(
         os.kill(os.getpid(), signal.SIGINT)
 
     monkeypatch.setattr(KeptPieces, "keep", keep_and_press)
-    monkeypatch.setattr("rna_work.executors.place", lambda address: nullcontext(this_machine()))
+    opened = nullcontext(this_machine())
+    monkeypatch.setattr("rna_work.executors.open_executor", lambda address: opened)
     out = tmp_path / "a.exr"
     assert render([str(scene_file.path), "--out", str(out), "--cluster", "a:1"]) == INTERRUPTED
     pieces = tmp_path / "a.exr.pieces"

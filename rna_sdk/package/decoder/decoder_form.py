@@ -8,10 +8,12 @@ writer, runtime, exporter and conformance kit go by it. A new form is a value in
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rna_sdk.package.blocks import UNLIT_BLOCKS, blocks_for
-from rna_sdk.package.manifest.manifest_fields import DecoderPrecision
+
+if TYPE_CHECKING:
+    from rna_sdk.package.manifest.manifest_fields import DecoderPrecision
 
 INPUT_NAME = "queries"
 
