@@ -110,8 +110,8 @@ typedef struct RnaAsset RnaAsset;
  * an issue is an error.  `report` is filled in either case. */
 RnaAsset *rna_open(const char *path, RnaReport *report);
 
-/* As rna_open, of bytes that the host loaded.  They are not copied: they must start at a multiple of
- * 64 and stay as they are until rna_close. */
+/* As rna_open, of bytes that the host loaded.  They are not copied: they must start at a multiple
+ * of 64 and stay as they are until rna_close. */
 RnaAsset *rna_open_memory(const void *data, size_t size, RnaReport *report);
 
 /* Frees the asset, and with it all that its functions returned.  NULL is fine. */
