@@ -23,7 +23,6 @@ def pytest_configure() -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-@pytest.hookimpl(tryfirst=True)  # before pytest-xdist reads the groups
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     needs = {"blender": _no_blender, "chromium": _no_chromium, "data": _no_data, "gpu": _no_gpu}
     for marker, reason in needs.items():
@@ -31,13 +30,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         if marked and (why := reason()):
             for item in marked:
                 item.add_marker(pytest.mark.skip(reason=why))
-    for item in items:
-        item.add_marker(pytest.mark.xdist_group(_group(item.path)))
-
-
-def _group(path: Path) -> str:
-    """Tests that one process runs, one after the other: a file's, and all that start clusters."""
-    return "work" if path.parent.name == "work" else str(path)
 
 
 @pytest.fixture(scope="session")
