@@ -1,4 +1,4 @@
-"""How each kind of light is made, and for compiled code sampled, met and looked up: by its row.
+"""How each kind of light is made, and for compiled code sampled and evaluated: by its row.
 
 A sample is (wi, distance, radiance, pdf, place): three float64, in the world; a float64; red, green
 and blue; a float64, 0 where nothing arrives; and for triangles, whose radiance is asked of

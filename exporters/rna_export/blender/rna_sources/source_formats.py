@@ -22,7 +22,7 @@ SOURCE_FORMATS = {
     ".gltf": SourceFormat("gltf", "Y"),
     ".glb": SourceFormat("gltf", "Y"),
     ".obj": SourceFormat("obj", "Y"),
-    ".ply": SourceFormat("ply", "Z"),  # no up that it says; Blender's then, as of scripts
+    ".ply": SourceFormat("ply", "Z"),  # it says no up; Blender's then, as for scripts
     ".abc": SourceFormat("scene", "Y", "scene"),
     ".usd": SourceFormat("scene", "USD", "scene"),
     ".usda": SourceFormat("scene", "USD", "scene"),
