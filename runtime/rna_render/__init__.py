@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rna_render.paths.sampling import Sampler
     from rna_render.paths.world_in_time import load_world
     from rna_render.world.camera import Camera
-    from rna_render.world.placements import place_asset
+    from rna_render.world.placements import place_asset, placed_box
     from rna_render.world.world import World
 
 __all__ = [
@@ -45,6 +45,7 @@ __all__ = [
     "load_world",
     "make_integrator",
     "place_asset",
+    "placed_box",
     "read_environment",
     "read_exr",
     "read_mesh_object",

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from rna_render import MeshObject, ground, read_mesh_object
+from rna_render import MeshObject, ground, placed_box, read_mesh_object
 from rna_render.scene import DiffuseModel, MaterialModel, Scene, world_from_object
 from rna_sdk.errors import SceneError
 from rna_sdk.package import Package
@@ -76,23 +76,16 @@ def _ground(
     """The ground, which without a size reaches as far as `rna-run` lays it."""
     if scene.ground is None:
         return []
-    reach = 0.0
+    boxes = []
     if scene.ground.size is None:
         boxes = [
-            (matrix, mesh.positions.min(axis=0), mesh.positions.max(axis=0))
+            placed_box(matrix, mesh.positions.min(axis=0), mesh.positions.max(axis=0))
             for mesh, matrix, _ in objects
         ]
         if assets:
             with Package.open(scene.assets[0].path) as package:
-                boxes += [(matrix, *package.box()) for matrix in assets]
-        reach = max((_reach(*box) for box in boxes), default=0.0)
-    return [(ground(scene.ground, reach), np.eye(4), _colour(scene.ground.material))]
-
-
-def _reach(matrix: np.ndarray, low: np.ndarray, high: np.ndarray) -> float:
-    """The largest x or z of a box in the world."""
-    corners = np.array(np.meshgrid(*np.stack([low, high], axis=1))).reshape(3, -1)
-    return float(np.abs(matrix[:3, :3] @ corners + matrix[:3, 3:])[[0, 2]].max())
+                boxes += [placed_box(matrix, *package.box()) for matrix in assets]
+    return [(ground(scene.ground, boxes), np.eye(4), _colour(scene.ground.material))]
 
 
 def _described(mesh: MeshObject, matrix: np.ndarray, colour: tuple[float, ...]) -> dict[str, Any]:

@@ -45,7 +45,7 @@ class Made:
 
 
 class Make:
-    """One `rna-make` run in its work folder; a interrupted one resumes.
+    """One `rna-make` run in its work folder; an interrupted one resumes.
 
     begun: when its time began, of `time.monotonic`. Raises `TrainingError` where the work folder is
     of another make.

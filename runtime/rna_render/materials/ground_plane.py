@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,15 +18,19 @@ if TYPE_CHECKING:
 _LEAST_SIZE, _REACHES = 100.0, 20.0  # metres; side over the distance of what stands on it
 
 
-def ground(model: GroundModel, reach: float = 0.0) -> MeshObject:
+def ground(model: GroundModel, boxes: Iterable[tuple[np.ndarray, np.ndarray]] = ()) -> MeshObject:
     """A square of two triangles about (0, height, 0) that faces +Y.
 
     Its texture coordinates are metres, u along +X and v along +Z, with (0, 0) in the middle: an
-    image covers a square metre, upright for who looks down with -Z up. reach: the
-    largest x or z of what stands on it, which a ground without a size follows. Raises the errors
-    of `make_material`.
+    image covers a square metre, upright for who looks down with -Z up. boxes: lower and upper
+    corner, each (3,), in the world, of what stands on it; a ground without a size follows the
+    largest x or z of them. Raises the errors of `make_material`.
     """
-    half = (model.size or max(_LEAST_SIZE, _REACHES * reach)) / 2
+    size = model.size
+    if size is None:
+        reach = max((float(np.abs(box)[:, [0, 2]].max()) for box in boxes), default=0.0)
+        size = max(_LEAST_SIZE, _REACHES * reach)
+    half = size / 2
     x, z = np.array([[-1, 1, 1, -1], [1, 1, -1, -1]]) * half
     return MeshObject(
         positions=np.column_stack([x, np.full(4, model.height), z]).astype(np.float32),

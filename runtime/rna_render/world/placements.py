@@ -31,9 +31,16 @@ class Placement:
 
     def box(self) -> tuple[np.ndarray, np.ndarray]:
         """Lower and upper corner of the asset's or the object's box in the world, each (3,)."""
-        corners = np.array(np.meshgrid(*np.stack(_box(self.object), axis=1))).reshape(3, -1)
-        placed = self.world_from_object[:3, :3] @ corners + self.world_from_object[:3, 3:]
-        return placed.min(axis=1), placed.max(axis=1)
+        return placed_box(self.world_from_object, *_box(self.object))
+
+
+def placed_box(
+    world_from_object: np.ndarray, low: np.ndarray, high: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper corner, each (3,), of a box in the world about an object's box."""
+    corners = np.array(np.meshgrid(*np.stack([low, high], axis=1))).reshape(3, -1)
+    placed = world_from_object[:3, :3] @ corners + world_from_object[:3, 3:]
+    return placed.min(axis=1), placed.max(axis=1)
 
 
 def _box(scene_object: SceneObject) -> tuple[np.ndarray, np.ndarray]:

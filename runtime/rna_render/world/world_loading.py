@@ -90,15 +90,8 @@ def _placed_ground(scene_file: SceneFile, standing: Sequence[Placement]) -> list
     model = scene_file.resolved.ground
     if model is None:
         return []
-    reach = 0.0 if model.size is not None else max(map(_reach, standing), default=0.0)
-    mesh = ground(model, reach)
+    mesh = ground(model, (placement.box() for placement in standing))
     return [Placement(mesh, np.eye(4), mesh_light(mesh, np.eye(4)), boundless=True)]
-
-
-def _reach(placement: Placement) -> float:
-    """The largest x or z of a box about an object, world units."""
-    low, high = placement.box()
-    return float(np.abs([low, high])[:, [0, 2]].max())
 
 
 def _placed_lights(scene_file: SceneFile) -> list[Placement]:
