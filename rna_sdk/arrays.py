@@ -8,13 +8,15 @@ from numpy.typing import NDArray
 from rna_sdk.errors import QueryError
 
 
-def vectors(name: str, value: object, count: int | None = None) -> NDArray[np.float32]:
-    """`value` as a C-contiguous (n, 3) float32 array, copied only if it is not contiguous.
+def vectors(
+    name: str, value: object, count: int | None = None, columns: int = 3
+) -> NDArray[np.float32]:
+    """`value` as a C-contiguous (n, columns) float32 array, copied only if it is not contiguous.
 
     Raises:
         QueryError: it is not such an array, or does not have `count` rows.
     """
-    return _rows(name, value, count, (3,))
+    return _rows(name, value, count, (columns,))
 
 
 def scalars(name: str, value: object, count: int | None = None) -> NDArray[np.float32]:

@@ -35,7 +35,7 @@ class EvaluateCase:
         package, queries: files.
         part: its number.
         output: name of the decoder's form.
-        expected, tolerance: (n, 6), or (n, 3) for emission; float64.
+        expected, tolerance: (n, width) of the decoder's output, float64.
         step: the most that one step of one int8 activation changes an output; 0 for float32.
     """
 

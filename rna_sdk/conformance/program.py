@@ -74,12 +74,18 @@ def claimed_levels(program: Program) -> tuple[str, ...]:
 
 
 def evaluate(
-    program: Program, form: DecoderForm, package: Path, tier: str, part: int, queries: Path
+    program: Program,
+    form: DecoderForm,
+    width: int,
+    package: Path,
+    tier: str,
+    part: int,
+    queries: Path,
 ) -> NDArray[np.float64]:
     """(n, width) output of a part's decoder of this form for a file of n queries."""
     rows = queries.stat().st_size // (4 * column_count(form.arrays))
     where = str(package), tier, str(part), str(queries)
-    return _results(program, rows, form.width(None), command_of(form), *where)
+    return _results(program, rows, width, command_of(form), *where)
 
 
 def command_of(form: DecoderForm) -> str:

@@ -25,7 +25,8 @@ def evaluate(
     with Package.open(package) as opened:
         own = opened.tier(tier).parts[part]
         decoder = next((one for one in own.decoders if one.form.name == form), None)
-        result = np.zeros((len(arrays["wo"]), form_named(form).width(None)), np.float32)
+        width = form_named(form).width(None) if decoder is None else decoder.width
+        result = np.zeros((len(arrays["wo"]), width), np.float32)
         if decoder is None:
             return result
         valid = np.ones(len(result), bool)

@@ -150,6 +150,7 @@ class AssetPart(Asset):
                 filler.laying_out(one.inputs),
                 Decoder(package.decoder(tier.name, part, one.form.name), filler.largest_query),
                 threads,
+                one.form,
             )
             for one in own.decoders
         }
@@ -179,9 +180,10 @@ class AssetPart(Asset):
     def decode(
         self, form: str, arrays: Mapping[str, object], out: object = None
     ) -> tuple[Rows, ...]:
-        """The results of a decoder, each (n, 3) float32 and 0 where the part has no such decoder.
+        """The results of a decoder, each (n, columns) float32; 0 if the part has no such decoder.
 
-        form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,).
+        form: name of its form: "transport" gives (visible, shadowed), "emission" (radiance,), of
+        3 columns each.
         arrays: by name, those that the form is asked with: position, axis (a normal or tangent), h
         (of fibers alone), wo, and wi. out: arrays for the results, as for `evaluate`.
 
@@ -199,19 +201,22 @@ class AssetPart(Asset):
                 checked[array.name] = check(label, arrays.get(array.name), count)
                 count = len(checked[array.name])
         assert count is not None
-        number, evaluator = len(asked.results), self._evaluators.get(form)
+        number, columns = asked.result_count(asked.record(self.tier_part)), asked.columns
+        evaluator = self._evaluators.get(form)
         if out is None:
             make = np.zeros if evaluator is None else np.empty
-            found = tuple(make((number, count, 3), np.float32))
+            found = tuple(make((number, count, columns), np.float32))
         else:
-            found = _results(out, number, count)
+            found = _results(out, number, count, columns)
         if evaluator is not None:
             evaluator.run(Batch.of(checked, found))
         return found
 
 
-def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32], ...]:
-    """`value`, checked to be a tuple of `number` writable arrays for `count` rows of results.
+def _results(
+    value: object, number: int, count: int, columns: int
+) -> tuple[NDArray[np.float32], ...]:
+    """`value`, checked to be a tuple of `number` writable arrays, each (count, columns).
 
     Raises:
         QueryError: it is not.
@@ -219,7 +224,7 @@ def _results(value: object, number: int, count: int) -> tuple[NDArray[np.float32
     if not isinstance(value, tuple) or len(value) != number:
         raise QueryError(f"out: expected a tuple of {number} arrays, found {type(value).__name__}")
     for k, array in enumerate(value):
-        vectors(name := f"out[{k}]", array, count)
+        vectors(name := f"out[{k}]", array, count, columns)
         if not (array.flags.c_contiguous and array.flags.writeable and array.flags.aligned):
             raise QueryError(f"{name}: expected a C-contiguous array that can be written")
     return value

@@ -21,7 +21,13 @@ from rna_sdk.runtime.engine.decoder_sessions import Decoder
 from tests.package.builders import make_decoder
 
 LOBES = DecoderForm(
-    "lobes", ("lobe",), ("position", "axis", "h", "wo"), "lobes", columns=7, count="number"
+    "lobes",
+    ("lobe",),
+    ("position", "axis", "h", "wo"),
+    "lobes",
+    columns=7,
+    count="number",
+    signed=(0, 1, 2),
 )
 INPUTS = ("features", "normal", "wo")
 
@@ -42,6 +48,16 @@ def test_a_decoder_of_another_form_is_checked_and_run() -> None:
     with pytest.raises(PackageError, match="DECODER_OUTPUT") as caught:
         check_decoder(memoryview(model), declared(5))
     assert "lobes float32 [N, 35]" in str(caught.value)
+
+
+def test_signed_columns_of_each_result_may_be_negative() -> None:
+    output = np.array([[np.nan, *[-1.0] * 6, *[1.0] * 6, np.inf]])
+    negative = [False, True, True, *[False] * 4]
+    assert LOBES.allowed(output).tolist() == [[*negative, *[True] * 6, False]]
+    assert TRANSPORT.allowed(-output[:, 1:7]).all()
+    assert not TRANSPORT.allowed(output[:, 1:7]).any()
+    assert LOBES.result_count(None) == 1 and TRANSPORT.result_count(None) == 2
+    assert declared(4).form.result_count(SimpleNamespace(number=4)) == 4
 
 
 def test_a_form_without_a_light_has_no_block_of_one() -> None:

@@ -169,19 +169,21 @@ def _check_results(data: bytes, own: PartDecoder) -> None:
             return result
 
         run(queries[:0])
-        transport, permuted = run(queries), run(queries[order])
+        output, permuted = run(queries), run(queries[order])
         alone = np.concatenate([run(queries[k : k + 1]) for k in ordinary])
     except PackageError:
         raise
     except Exception as error:  # the engine's exceptions share no narrower base
         refuse(Code.DECODER_LOAD, own.entry, error, "a model that loads and runs")
-    good = (np.isfinite(transport) & (transport >= 0)).all(axis=1)
+    good = own.form.allowed(output).all(axis=1)
     if not good.all():
         row = int(np.argmin(good))
-        found = f"{transport[row].tolist()} for inputs that begin with {queries[row, 0]:g}"
-        refuse(Code.DECODER_RESULT, own.entry, found, "finite and >= 0 for any finite input")
+        found = f"{output[row].tolist()} for inputs that begin with {queries[row, 0]:g}"
+        signed = f", but for signed columns {own.form.signed}," if own.form.signed else ""
+        expected = f"finite and >= 0{signed} for any finite input"
+        refuse(Code.DECODER_RESULT, own.entry, found, expected)
     in_order = permuted[np.argsort(order)]
-    _check_rows_apart(transport[ordinary], (in_order[ordinary], alone), own)
+    _check_rows_apart(output[ordinary], (in_order[ordinary], alone), own)
 
 
 def _check_rows_apart(expected: Rows, others: Iterable[Rows], own: PartDecoder) -> None:

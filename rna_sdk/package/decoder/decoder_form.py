@@ -10,6 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rna_sdk.package.blocks import UNLIT_BLOCKS, blocks_for
 
 if TYPE_CHECKING:
@@ -29,6 +32,7 @@ class DecoderForm:
         member: of a tier part, with the decoder's record; "" for the tier part itself.
         columns: of each result; 3 for RGB.
         count: name of a member of the record: so many times there are all results; "" for once.
+        signed: numbers of the columns of a result that may be negative.
     """
 
     name: str
@@ -37,6 +41,7 @@ class DecoderForm:
     member: str = ""
     columns: int = 3
     count: str = ""
+    signed: tuple[int, ...] = ()
 
     @property
     def path(self) -> tuple[str, ...]:
@@ -47,9 +52,19 @@ class DecoderForm:
         """The record of such a decoder in a tier part; None if the part has none."""
         return getattr(part, self.member) if self.member else part
 
+    def result_count(self, record: Any) -> int:
+        """Results of a decoder with this record; of None, all results once."""
+        sets = getattr(record, self.count) if self.count and record is not None else 1
+        return len(self.results) * int(sets)
+
     def width(self, record: Any) -> int:
         """Columns of the output."""
-        return self.columns * len(self.results) * (getattr(record, self.count) if self.count else 1)
+        return self.columns * self.result_count(record)
+
+    def allowed(self, output: NDArray[np.floating]) -> NDArray[np.bool_]:
+        """Which values of (n, width) are finite, and not negative where they must not be."""
+        column = np.arange(output.shape[1]) % self.columns
+        return np.isfinite(output) & ((output >= 0) | np.isin(column, self.signed))
 
     def blocks(self, kind: str) -> list[str]:
         """The input blocks that it can have in a part of this kind."""

@@ -14,7 +14,7 @@ class Batch:
 
     Attributes:
         arrays: one for each of QUERY_ARRAYS, (n, 3) or (n,) float32.
-        results: written by the evaluation: visible and shadowed, or emission; each (n, 3) float32.
+        results: written by the evaluation: those of the decoder's form, each (n, columns) float32.
     """
 
     arrays: tuple[Rows, ...]

@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_sdk.package import Bounds, Int8Planes, Planes, TierPart
+from rna_sdk.package.decoder.decoder_form import DecoderForm
 from rna_sdk.package.decoder.query_arrays import Rows
 from rna_sdk.package.manifest.manifest_fields import Kind
 from rna_sdk.runtime.engine.batch import Batch
 from rna_sdk.runtime.engine.decoder_sessions import Decoder
 from rna_sdk.runtime.kernels.block_columns import block_columns
 from rna_sdk.runtime.kernels.lanes import LANES
-from rna_sdk.runtime.kernels.output_kernel import write_colours
+from rna_sdk.runtime.kernels.output_kernel import result_kernel
 from rna_sdk.runtime.kernels.query_kernel import query_kernel
 
 _ROW_STEP = 16
@@ -105,10 +106,14 @@ class TileEvaluator:
     depends on that row alone, to the bit: not on its tile, nor on the thread that took it.
     """
 
-    def __init__(self, filler: QueryFiller, decoder: Decoder, threads: int) -> None:
+    def __init__(
+        self, filler: QueryFiller, decoder: Decoder, threads: int, form: DecoderForm
+    ) -> None:
         self._filler = filler
         self._decoder = decoder
         self._threads = threads
+        self._columns = form.columns
+        self._write_results = result_kernel(form.columns, form.signed)
         self._helpers = ThreadPoolExecutor(max(threads - 1, 1), thread_name_prefix="rna-tile")
 
     def run(self, batch: Batch) -> None:
@@ -146,7 +151,7 @@ class TileEvaluator:
         self._filler.fill(batch, tile, queries[:count], valid[:count])
         output = self._decoder.run(queries[: _rounded_up(count)])
         for k, result in enumerate(batch.results):
-            write_colours(output, 3 * k, valid[:count], result[tile])
+            self._write_results(output, self._columns * k, valid[:count], result[tile])
 
 
 def _rounded_up(rows: int) -> int:

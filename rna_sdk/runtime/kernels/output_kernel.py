@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
+
 import numba
 import numpy as np
 from numpy.typing import NDArray
@@ -11,26 +14,39 @@ from rna_sdk.compiled import compiled
 _LARGEST = np.float32(np.finfo(np.float32).max)
 
 
-@compiled(
-    numba.types.Array(numba.types.float32, 2, "C", readonly=True),
-    numba.types.intp,
-    numba.types.boolean[::1],
-    numba.types.float32[:, ::1],
-)
-def write_colours(
-    output: NDArray[np.float32],
-    column: int,
-    valid: NDArray[np.bool_],
-    colours: NDArray[np.float32],
-) -> None:
-    """Write three columns of a decoder's output, from `column` on, to `colours`.
+@cache
+def result_kernel(columns: int, signed: tuple[int, ...] = ()) -> Callable[..., None]:
+    """The kernel for results of so many columns; signed: those that may be negative.
 
-    output: (m, k), m >= n; valid: (n,); colours: (n, 3), written. Negative values and NaN become
-    0, values too large the largest float32, rows that are not valid 0.
+    Its arguments:
+        output   (m, k) float32, m >= n, of a decoder
+        column   int, the first of this result
+        valid    (n,) bool
+        results  (n, columns) float32, written: NaN becomes 0, values too large the largest
+                 float32, negative ones 0 but in signed columns, rows that are not valid 0
     """
-    zero = np.float32(0.0)
-    for i in range(len(colours)):
-        for k in range(3):
-            value = output[i, column + k]
-            # NaN fails the comparison.
-            colours[i, k] = min(value, _LARGEST) if valid[i] and value > zero else zero
+    lowest = tuple(-_LARGEST if k in signed else np.float32(0) for k in range(columns))
+
+    @compiled(
+        numba.types.Array(numba.types.float32, 2, "C", readonly=True),
+        numba.types.intp,
+        numba.types.boolean[::1],
+        numba.types.float32[:, ::1],
+    )
+    def write_results(
+        output: NDArray[np.float32],
+        column: int,
+        valid: NDArray[np.bool_],
+        results: NDArray[np.float32],
+    ) -> None:
+        for i in range(len(results)):
+            for k in range(columns):
+                value, least = output[i, column + k], lowest[k]
+                if valid[i] and value > least:
+                    results[i, k] = min(value, _LARGEST)
+                elif valid[i] and value <= least:
+                    results[i, k] = least
+                else:  # NaN fails both comparisons
+                    results[i, k] = np.float32(0.0)
+
+    return write_results
