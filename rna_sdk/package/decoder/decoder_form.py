@@ -64,7 +64,8 @@ class DecoderForm:
     def allowed(self, output: NDArray[np.floating]) -> NDArray[np.bool_]:
         """Which values of (n, width) are finite, and not negative where they must not be."""
         column = np.arange(output.shape[1]) % self.columns
-        return np.isfinite(output) & ((output >= 0) | np.isin(column, self.signed))
+        good: NDArray[np.bool_] = np.isfinite(output)
+        return good & ((output >= 0) | np.isin(column, self.signed))
 
     def blocks(self, kind: str) -> list[str]:
         """The input blocks that it can have in a part of this kind."""
