@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 import tomllib
+from functools import cache
 from importlib import import_module
 from importlib.metadata import distribution, packages_distributions
 from pathlib import Path
@@ -39,7 +40,8 @@ sys.exit(getattr(importlib.import_module(module), function)())
 """
 
 
-def modules_beyond_the_base() -> set[str]:
+@cache
+def modules_beyond_the_base() -> frozenset[str]:
     """Top-level modules installed here that the base requirements do not bring."""
     base, todo = set(), list(PROJECT["dependencies"])
     while todo:
@@ -49,11 +51,11 @@ def modules_beyond_the_base() -> set[str]:
         if wanted and name not in base:
             base.add(name)
             todo += distribution(name).requires or []
-    return {
+    return frozenset(
         module
         for module, owners in packages_distributions().items()
         if not any(canonicalize_name(owner) in {*base, "rna-sdk"} for owner in owners)
-    }
+    )
 
 
 def run(command: str, *arguments: object) -> subprocess.CompletedProcess[str]:

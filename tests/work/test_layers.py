@@ -6,8 +6,6 @@ import ast
 import subprocess
 import sys
 
-import pytest
-
 from tests.conftest import REPOSITORY
 from tests.test_commands import COMMANDS
 
@@ -42,20 +40,21 @@ def test_ray_is_imported_in_three_files_alone() -> None:
     assert found == {"ray_cluster.py", "ray_slots.py", "travelling.py"}
 
 
-@pytest.mark.parametrize(
-    "code",
-    [
+def test_without_the_option_there_is_no_ray() -> None:
+    """In a process that imports all commands, what they import late, and opens an executor."""
+    steps = [
         "from rna_work.executors import open_executor; open_executor(None).__enter__()",
         "import rna_export.capture.capture_run, rna_export.trials.trial_pool",
         "import rna_export.fit.fit_run",
         "import rna_render.command.sequence, rna_render.command.pieces",
         "import rna_work.cluster.ray_cluster, rna_work.cluster.ray_slots",
         *(f"import {entry.partition(':')[0]}" for entry in COMMANDS.values()),
-    ],
-)
-def test_without_the_option_there_is_no_ray(code: str) -> None:
-    program = f"import sys; {code}; sys.exit('ray' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", program]).returncode == 0
+    ]
+    program = "import sys\n" + "".join(
+        f"{step}\nif 'ray' in sys.modules: sys.exit({step!r})\n" for step in steps
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_where_ray_is_missing_a_line_says_how_to_get_it() -> None:
