@@ -95,12 +95,12 @@ def make(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., tuple
         goal: Goal | None = None,
         minutes: float | None = None,
         stop_after: float = math.inf,
+        work: Path = tmp_path / "work",
         **settings: int,
     ) -> tuple[Made, Cycles]:
         cycles = Cycles(stop_after)
         monkeypatch.setattr(rays_module, "begin", cycles.begin)
         monkeypatch.setattr(rays_module, "finish", cycles.finish)
-        work = tmp_path / "work"
         run_settings = RunSettings(
             source="ball.py",
             source_sha256="0",
@@ -173,13 +173,17 @@ def test_lights_have_one_round_and_no_training_but_the_last(make: Any) -> None:
     assert [load_checkpoint(f / "best.ckpt").steps for f in made.checkpoints] == [80, 80]
 
 
+@pytest.fixture(scope="module")
+def uninterrupted(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("uninterrupted") / "work"
+
+
 @pytest.mark.parametrize("stage", ["rays 0", "rays 1", "rays 3", "train 1", "train 2", "last"])
 def test_a_make_stopped_at_any_stage_comes_to_the_same_end(
-    stage: str, make: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    stage: str, make: Any, monkeypatch: pytest.MonkeyPatch, uninterrupted: Path
 ) -> None:
-    whole, _ = make()
+    whole, _ = make(work=uninterrupted)  # once for all stages: it takes up what it finds finished
     expected = load_checkpoint(whole.checkpoints[0] / "best.ckpt").model.state_dict()
-    (tmp_path / "work").rename(tmp_path / "whole")
 
     with monkeypatch.context() as patch, pytest.raises(Stopped):
         stop_in(stage, patch)
