@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +12,13 @@ from rna_gpu.decoder_packing import PackedDecoder, pack_decoder
 from rna_gpu.device import Device
 from rna_gpu.evaluator import Evaluator, GpuRows
 from rna_gpu.part_buffers import part_uniform, upload_planes, upload_weights
+from rna_gpu.records.part import ROW
 from rna_sdk.errors import QueryError
 from rna_sdk.package import Package, Tier, read_profile_decoder
+from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
 
 Rows = NDArray[np.float32]
+_LABELS = {"position": "positions", "axis": "normals or tangents"}
 
 
 class GpuPart:
@@ -132,22 +136,20 @@ def _packed(model: memoryview, inputs: tuple[str, ...], channels: int, name: str
     return pack_decoder(read_profile_decoder(model, name), inputs, channels, name)
 
 
-def _rows(arrays: Mapping[str, Rows], kind: str) -> Rows:
-    """(n, 16) float32; wi is wo where no block reads it.
+def _rows(arrays: Mapping[str, Rows], kind: str) -> NDArray[Any]:
+    """(n,) of dtype ROW.dtype; wi is wo where no block reads it.
 
     Raises QueryError: an argument is no float32 array of n rows.
     """
     count = len(arrays["position"])
-    rows = np.zeros((count, 4, 4), np.float32)
-    named = {"position": "positions", "axis": "normals or tangents", "wo": "wo", "wi": "wi"}
-    for k, (array, name) in enumerate(named.items()):
-        values = arrays.get(array, arrays["wo"])
-        _check(name, values, (count, 3))
-        rows[:, k, :3] = values
-    if kind == "fiber":
-        _check("h", arrays["h"], (count,))
-        rows[:, 0, 3] = arrays["h"]
-    return rows.reshape(count, 16)
+    rows = np.zeros(count, ROW.dtype)
+    for array in QUERY_ARRAYS:
+        if array.kind in ("", kind):
+            values = arrays.get(array.name, arrays["wo"])
+            shape = (count,) if array.columns == 1 else (count, array.columns)
+            _check(_LABELS.get(array.name, array.name), values, shape)
+            rows[array.name] = np.ascontiguousarray(values).view(np.uint32)
+    return rows
 
 
 def _check(name: str, value: object, shape: tuple[int, ...]) -> None:

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from rna_gpu.decoder_packing import PackedDecoder
 from rna_gpu.device import Device
 from rna_gpu.part_buffers import weights_file
+from rna_gpu.records.part import ROW
 from rna_gpu.shaders import compose
 
-ROW_BYTES = 64
 _COLOUR_BYTES = 16
 _WORK = 1 << 31
 """Multiply-adds of a dispatch: some 10 ms of a small GPU, so that a desktop stays usable."""
@@ -26,8 +26,7 @@ class GpuRows:
     """Queries and their results in GPU buffers.
 
     Attributes:
-        rows: (capacity, 4, 4) float32, object space: (position, h), (n or t, unused), (wo, unused),
-            (wi, unused).
+        rows: (capacity,) of dtype ROW.dtype, object space.
         results: (capacity, 2, 4) float32: visible and shadowed RGB; emission: (capacity, 1, 4).
         count: uint32 buffer; its first element is the number of rows. Shaders may write it.
         capacity: number of rows that the buffers hold.
@@ -65,8 +64,8 @@ class Evaluator:
         self._part = self._bind(0, buffers)
         self._own: GpuRows | None = None
 
-    def run(self, rows: NDArray[np.float32]) -> NDArray[np.float32]:
-        """(n, colours, 3) float32 of (n, 16) float32 rows."""
+    def run(self, rows: NDArray[Any]) -> NDArray[np.float32]:
+        """(n, colours, 3) float32 of (n,) rows of dtype ROW.dtype."""
         results = np.empty((len(rows), self.colours, 3), np.float32)
         for start in range(0, len(rows), self.batch):
             some = rows[start : start + self.batch]
@@ -105,7 +104,7 @@ class Evaluator:
         Raises:
             GpuError: they do not fit.
         """
-        sizes = capacity * ROW_BYTES, capacity * self.colours * _COLOUR_BYTES, 4
+        sizes = capacity * ROW.dtype.itemsize, capacity * self.colours * _COLOUR_BYTES, 4
         names = "rows", "results", "count of rows"
         rows, results, number = (
             self._device.buffer(size, "STORAGE", what=name)

@@ -10,7 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rna_gpu.bvh import build_tree
-from rna_gpu.records.geometry import INSTANCE, NODE
+from rna_gpu.records.geometry import (
+    HAS_AFTER,
+    HAS_BEFORE,
+    INSTANCE,
+    IS_SEGMENT,
+    NODE,
+    PRIMITIVE,
+    SURFACE_SHIFT,
+)
 from rna_sdk.package import Curves
 
 
@@ -57,7 +65,7 @@ class Geometry:
     """Contents of the bindings of group 2, and the points' normals.
 
     Attributes:
-        nodes: of dtype NODE. primitives: (p, 4) uint32. points, normals: (v, 4) float32; their
+        nodes, primitives: of dtypes NODE and PRIMITIVE. points, normals: (v, 4) float32; their
             last numbers are the radius of curves' points, and u and v of meshes'.
         instances: (k,) of dtype INSTANCE.
         order: (k,) number of each stored instance in what was given.
@@ -68,7 +76,7 @@ class Geometry:
     """
 
     nodes: NDArray[Any]
-    primitives: NDArray[np.uint32]
+    primitives: NDArray[Any]
     points: NDArray[np.float32]
     normals: NDArray[np.float32]
     instances: NDArray[Any]
@@ -133,12 +141,13 @@ class _Body:
         self.extent = max(map(_extent, shapes))
         self.box = self.nodes["low"][0], self.nodes["high"][0]
 
-    def primitives_at(self, first_point: int) -> NDArray[np.uint32]:
+    def primitives_at(self, first_point: int) -> NDArray[Any]:
         """The primitives, where the body's points begin at that place."""
         moved = self.primitives.copy()
-        is_segment = (moved[:, 3] & 1).astype(bool)
-        moved[:, 0] += np.uint32(first_point)
-        moved[~is_segment, 1:3] += np.uint32(first_point)
+        is_triangle = (moved["tag"] & IS_SEGMENT) == 0
+        moved["a"] += np.uint32(first_point)
+        moved["b"][is_triangle] += np.uint32(first_point)
+        moved["c"][is_triangle] += np.uint32(first_point)
         return moved
 
 
@@ -155,9 +164,10 @@ def _triangles(shape: Triangles, start: int) -> tuple[NDArray[Any], ...]:
     points[:, :3], normals[:, :3] = shape.positions, shape.normals
     if shape.uvs is not None:
         points[:, 3], normals[:, 3] = shape.uvs.T
-    primitives = np.empty((len(shape.triangles), 4), np.uint32)
-    primitives[:, :3] = shape.triangles + np.uint32(start)
-    primitives[:, 3] = 2 * np.asarray(shape.surface, np.uint32)
+    primitives = np.empty(len(shape.triangles), PRIMITIVE.dtype)
+    for column, name in enumerate("abc"):
+        primitives[name] = shape.triangles[:, column] + np.uint32(start)
+    primitives["tag"] = np.asarray(shape.surface, np.uint32) << SURFACE_SHIFT
     corners = shape.positions[shape.triangles]
     return points, normals, primitives, np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
 
@@ -168,13 +178,13 @@ def _segments(shape: Strands, start: int, strand: int) -> tuple[NDArray[Any], ..
     points[:, :3], points[:, 3] = curves.points, curves.radii
     first = curves.segments().astype(np.int64)
     number = np.searchsorted(curves.offsets, first, side="right") - 1
-    primitives = np.empty((len(first), 4), np.uint32)
-    primitives[:, 0] = first + start
+    primitives = np.empty(len(first), PRIMITIVE.dtype)
+    primitives["a"] = first + start
     has_before = first > curves.offsets[number]
     has_after = first + 2 < curves.offsets[number + 1]
-    primitives[:, 1] = has_before + 2 * has_after
-    primitives[:, 2] = number + strand
-    primitives[:, 3] = 2 * shape.surface + 1
+    primitives["b"] = HAS_BEFORE * has_before + HAS_AFTER * has_after
+    primitives["c"] = number + strand
+    primitives["tag"] = shape.surface << SURFACE_SHIFT | IS_SEGMENT
     ends = np.stack([curves.points[first], curves.points[first + 1]])
     radii = np.stack([curves.radii[first], curves.radii[first + 1]])[..., None]
     boxes = np.stack([(ends - radii).min(axis=0), (ends + radii).max(axis=0)], axis=1)

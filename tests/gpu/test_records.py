@@ -11,6 +11,7 @@ from rna_gpu.records import part, write_records
 from rna_gpu.records.record import Field, Record
 from rna_sdk.package import INPUT_BLOCKS
 from rna_sdk.package.block_table import BLOCK_TABLE
+from rna_sdk.package.decoder.query_arrays import QUERY_ARRAYS
 
 INNER = Record("Inner", Field("a", "<f4", (3,)), Field("b", "<u4"))
 OUTER = Record(
@@ -51,6 +52,14 @@ def test_accessors_read_the_members() -> None:
         "fn row_numbers(k: u32, i: u32) -> u32 {\n"
         "    return bitcast<u32>(table[frame.rows + 3u * k + 1u + i / 4u][i % 4u]);\n}\n"
     )
+
+
+def test_a_row_has_every_array_of_queries() -> None:
+    """Directions begin at vec4s, which `rna_evaluate` documents; a new array needs a member."""
+    assert part.ROW.dtype.itemsize == 64 and part.ROW.offsets["wi"] == 48
+    for array in QUERY_ARRAYS:
+        shape = () if array.columns == 1 else (array.columns,)
+        assert part.ROW.dtype[array.name].shape == shape
 
 
 def test_records_are_stacked() -> None:

@@ -151,7 +151,7 @@ def test_environment_wheel_and_exposure(page):
     page.wait_for("rnaPreview.state.camera.position[2] > 5")
     assert finish(page)[12, 6].mean() < 60  # the ball has become smaller
     undo = '{"reset": true, "lighting": "scene", "exposure": 0}'
-    page.evaluate(f"rnaPreview.ask({undo})")
+    page.evaluate(f"rnaPreview.request({undo})")
     page.wait_for("rnaPreview.state.lighting === 'scene'")
 
 

@@ -57,7 +57,7 @@ static RnaAsset *open_or_tell(const char *path) {
     return asset;
 }
 
-/* What is asked: transport takes 13 numbers a row and gives 6, emission takes 10 and gives 3. */
+/* Decoder forms: transport takes 13 numbers a row and gives 6, emission takes 10 and gives 3. */
 typedef struct Question {
     const RnaAsset *asset;
     int tier, part;
@@ -158,7 +158,7 @@ static int visibility(const RnaAsset *asset, const char *hits, const char *out) 
     return problem ? fails(problem, hits) : 0;
 }
 
-/* The normals that hit records are asked with (section 4.5). */
+/* The mapped normals of hit records (section 4.5). */
 static int normals(const RnaAsset *asset, const char *hits, const char *out) {
     size_t size;
     unsigned char *records = read_file(hits, &size);

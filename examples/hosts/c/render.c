@@ -10,7 +10,7 @@
  *     --glow FACTOR            of the asset's own light; 1
  *
  * The default camera has the whole asset in view.  Options have the meaning of the same words in
- * scenes of rna-run.  Parts are asked in batches: hits are kept until there are many. */
+ * scenes of rna-run.  Parts are evaluated in batches: hits are kept until there are many. */
 #include "rna.h"
 #include "trace.h"
 
@@ -118,7 +118,7 @@ static RnaStatus shade(Renderer *renderer, int part) {
     return status;
 }
 
-/* What section 7 asks for of a hit of the ray towards `direction`. */
+/* What section 7 requires of a hit of the ray towards `direction`. */
 static void describe_hit(const Renderer *renderer, const TraceHit *hit, const double direction[3],
                          double x[3], double axis[3], double *h, double v[3]) {
     const RnaMesh *mesh = rna_part(renderer->asset, hit->part)->mesh;

@@ -106,7 +106,7 @@ typedef struct RnaPart {
 
 typedef struct RnaAsset RnaAsset;
 
-/* The asset in a file, which is mapped, checked as section 10 asks, and not written to; NULL where
+/* The asset in a file, which is mapped, checked by section 10, and not written to; NULL where
  * an issue is an error.  `report` is filled in either case. */
 RnaAsset *rna_open(const char *path, RnaReport *report);
 
@@ -148,7 +148,7 @@ RnaStatus rna_emission(const RnaAsset *asset, int tier, int part, size_t n, cons
 void rna_transmittance(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2,
                        const float direction[3], float tau[3]);
 
-/* The normal that a surface is asked with at a hit, unit, not turned to the viewer: that of the corners,
+/* The normal of a surface's query at a hit, unit, not turned to the viewer: that of the corners,
  * interpolated, with the relief of the part's normal maps (sections 4.1 and 4.5).  The visibility ray and
  * rna_transmittance go by the one without.  0 for a part or triangle that is not there. */
 void rna_normal(const RnaAsset *asset, int part, uint32_t triangle, double b1, double b2, float normal[3]);

@@ -1,5 +1,5 @@
 /* Rays against the geometry of one asset, all parts of it: a small bounding volume hierarchy in float64,
- * for the programs beside it.  An engine has its own; what it should copy is the rule of the visibility
+ * for the programs of this folder.  An engine has its own; what it should copy is the rule of the visibility
  * ray. */
 #ifndef TRACE_H
 #define TRACE_H

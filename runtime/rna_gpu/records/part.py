@@ -1,4 +1,4 @@
-"""What the shaders of decoders read: a part of a tier, its layers, and limits of both."""
+"""What the shaders of decoders read: a part of a tier, its layers, limits of both, and queries."""
 
 from __future__ import annotations
 
@@ -49,6 +49,19 @@ PART = Record(
         "first group of each block, RNA_NONE for none: see rna_slot",
     ),
 )
+
+ROW = Record(
+    "RnaRow",
+    Field("position", "<u4", (3,), "object space"),
+    Field("h", "<u4"),
+    Field("axis", "<u4", (3,), "normal or tangent"),
+    Field("reserved", "<u4"),
+    Field("wo", "<u4", (3,)),
+    Field("reserved_2", "<u4"),
+    Field("wi", "<u4", (3,)),
+    Field("reserved_3", "<u4"),
+)
+"""A query, the bits of float32: WGSL may assume that a float is finite."""
 
 PART_CONSTANTS = {
     "RNA_NONE": NONE,

@@ -30,7 +30,7 @@ FRAME = Record(
     Field("branches", "<u4", (), "of those rays; 1 before them"),
     Field("neural_part", "<u4"),
     Field("table_size", "<u4", (), "of albedo"),
-    Field("things", "<u4", (), "this and the rest: places of the sections of `table`"),
+    Field("objects", "<u4", (), "this and the rest: starts of the sections of `table`"),
     Field("surfaces", "<u4"),
     Field("lights", "<u4"),
     Field("albedo", "<u4"),
@@ -59,12 +59,12 @@ PATH = Record(
     Field("b2", "<f4"),
 )
 
-PENDING = Record(
-    "Pending",
+QUERY = Record(
+    "Query",
     Field("x", "<f4", (3,)),
     Field("h", "<f4"),
     Field("axis", "<f4", (3,)),
-    Field("part", "<u4", (), "or NONE, ADDS, CATCHES_IT"),
+    Field("part", "<u4", (), "whose decoder answers, or NONE, MATERIAL_PART, CATCHER_PART"),
     Field("wo", "<f4", (3,)),
     Field("light", "<u4"),
     Field("wi", "<f4", (3,)),
@@ -74,6 +74,18 @@ PENDING = Record(
     Field("visible", "<f4", (3,), "what the asset itself leaves of it"),
     Field("reserved", "<u4"),
 )
+
+QUERIES = Record(
+    "PathQueries",
+    Field("at_point", QUERY, (), "what the path's point scatters or emits"),
+    Field("at_light", QUERY, (), "what an asset emits at its point that was sampled as a light"),
+)
+
+IS_LIGHT = 0x80000000
+"""In `instance` of a path: a light with a shape, whose number the other bits are."""
+
+MATERIAL_PART, CATCHER_PART = 0xFFFFFFFE, 0xFFFFFFFD
+"""In `part` of a query: a material scatters, or a shadow catcher receives, what at_light emits."""
 
 SUMS = Record(
     "Sums",
@@ -93,6 +105,9 @@ ALL_DIRECTIONS, HEMISPHERE = 0xFFFFFFFF, 0xFFFFFFFE  # in place of a number of c
 SCENE_CONSTANTS = {
     "NONE": NONE,
     **{f"SUM_{name.upper()}": at // 16 for name, at in SUMS.offsets.items() if at % 16 == 0},
+    "IS_LIGHT": IS_LIGHT,
+    "MATERIAL_PART": MATERIAL_PART,
+    "CATCHER_PART": CATCHER_PART,
     "SUM_GROUPS": SUMS.dtype.itemsize // 16,
     "CAMERA_RAY": CAMERA_RAY,
     "SHADOW_RAY": SHADOW_RAY,

@@ -1,4 +1,4 @@
-"""The sections of a scene's table: things, surfaces, textures and lights, and their flags."""
+"""The sections of a scene's table: objects, surfaces, textures and lights, and their flags."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from rna_gpu.records.record import Field, Record
 from rna_render.lights import LIGHT_ROWS, ROW_NUMBERS, row_places
 from rna_render.world.bodies import FIBER_LOBES, SURFACE_LOBES
 
-THING = Record(
-    "Thing",
+OBJECT = Record(
+    "Object",
     Field("number", "<f4", (), "of the asset or object in the scene file"),
     Field("catches", "<u4", (), "1: a shadow catcher"),
     Field("step", "<f4", (), "off the surface, where rays start"),
@@ -82,6 +82,10 @@ LIGHT_PLACES = {
     "image": ("texels", "heights", "row_sums", "column_sums"),
     "triangles": ("sums", "primitives", "densities", "count"),
 }
+
+VIEWER_LIGHTS = ("sun", "environment", "given", "aroundPoint")
+"""Lights of the viewer's passes: a sun; the environment, sampled by its brightness; directions of
+the rows; the environment, sampled around the mirror direction and the normal."""
 
 TABLE_CONSTANTS = {
     "OF_MATERIAL": OF_MATERIAL,

@@ -21,7 +21,7 @@ _LIMITS = {
     "UNIFORM_WEIGHTS": part.UNIFORM_WEIGHTS,
 }
 _SECTIONS = {
-    "things": tables.THING,
+    "objects": tables.OBJECT,
     "surfaces": tables.SURFACE,
     "textures": tables.TEXTURE,
     "lights": tables.LIGHT,
@@ -30,18 +30,25 @@ _SECTIONS = {
 
 def files() -> dict[str, str]:
     """Path below the repository -> text."""
-    of_parts, of_bodies = (part.LAYER, part.PART), (geometry.NODE, geometry.INSTANCE)
-    of_scenes = scene.FRAME, scene.PATH, scene.PENDING
-    records = *of_parts, *of_bodies, *of_scenes, *_SECTIONS.values()
+    of_parts = part.LAYER, part.PART
+    of_bodies = geometry.NODE, geometry.PRIMITIVE, geometry.INSTANCE
+    of_scenes = scene.FRAME, scene.PATH, scene.QUERY, scene.QUERIES
+    records = *of_parts, part.ROW, *of_bodies, *of_scenes, *_SECTIONS.values()
     found = {
         "note": note(_MODULE),
-        "constants": _LIMITS | part.PART_CONSTANTS | scene.SCENE_CONSTANTS | tables.TABLE_CONSTANTS,
+        "constants": _LIMITS
+        | part.PART_CONSTANTS
+        | geometry.GEOMETRY_CONSTANTS
+        | scene.SCENE_CONSTANTS
+        | tables.TABLE_CONSTANTS,
         "records": {record.name: record.layout() for record in records},
         "lights": {kind: row_places(kind) for kind in LIGHT_ROWS},
+        "viewerLights": {kind: k for k, kind in enumerate(tables.VIEWER_LIGHTS)},
     }
     return {
         f"{_SHADERS}/part_records.wgsl": _wgsl(part.PART_CONSTANTS, *of_parts),
-        f"{_SHADERS}/geometry_records.wgsl": _wgsl({}, *of_bodies),
+        f"{_SHADERS}/row_records.wgsl": _wgsl({}, part.ROW),
+        f"{_SHADERS}/geometry_records.wgsl": _wgsl(geometry.GEOMETRY_CONSTANTS, *of_bodies),
         f"{_SHADERS}/render/scene_records.wgsl": _wgsl(scene.SCENE_CONSTANTS, *of_scenes),
         f"{_SHADERS}/render/table_records.wgsl": _tables(),
         f"{_SHADERS}/render/lobe_constants.wgsl": _wgsl(tables.LOBE_CONSTANTS),

@@ -1,4 +1,4 @@
-"""What hits of a package see, and are asked with: the GPU's geometry, for the conformance kit."""
+"""Visibility and mapped normals at hits of a package on the GPU, for the conformance kit."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from rna_gpu.geometry import Geometry, Placed, Shape, build_geometry
 from rna_gpu.records.scene import ALL_DIRECTIONS, HEMISPHERE
-from rna_gpu.records.tables import THING
+from rna_gpu.records.tables import OBJECT
 from rna_gpu.scene.scene_images import NONE, Images
 from rna_gpu.scene.scene_lights import light_rows
 from rna_gpu.scene.scene_surfaces import Surfaces
@@ -86,7 +86,7 @@ def _joined(
 ) -> SceneTables:
     images = surfaces.images
     rows = {
-        "things": _scene_objects(world, list(stored), geometry, placed),
+        "objects": _scene_objects(world, list(stored), geometry, placed),
         "surfaces": surfaces.with_points(geometry.first_points),
         "lights": light_rows(lights, world, images, geometry, stored, bodies),
         "albedo": _albedo() if surfaces.has_coat else np.zeros((1, 4), np.float32),
@@ -108,8 +108,8 @@ def asset_at(world: World, place: int) -> Asset:
 def _scene_objects(
     world: World, kept: Sequence[int], geometry: Geometry, placed: Sequence[Placed]
 ) -> NDArray[np.float32]:
-    """(k, 4): a row of THING an instance."""
-    rows = np.zeros(len(kept), THING.dtype)
+    """(k, 4): a row of OBJECT an instance."""
+    rows = np.zeros(len(kept), OBJECT.dtype)
     for row, k, stored in zip(rows, kept, geometry.order, strict=True):
         scene_object = world.placements[k].object
         is_object = isinstance(scene_object, MeshObject)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rna_gpu.asset import GpuPart
 from rna_gpu.device import Device
 from rna_gpu.evaluator import GpuRows
-from rna_gpu.records.scene import FRAME, PATH, PENDING, SUMS
+from rna_gpu.records.scene import FRAME, PATH, QUERIES, SUMS
 from rna_gpu.scene.bindings import STRIDE, Bindings, upload_geometry
 from rna_gpu.scene.scene_tables import SceneTables
 from rna_gpu.scene.steps import Step, Steps
@@ -126,7 +126,7 @@ class Wavefront:
             self._uniform,
             self._paths,
             self._path_sums,
-            device.buffer(2 * count * PENDING.dtype.itemsize, "STORAGE", what="queries"),
+            device.buffer(count * QUERIES.dtype.itemsize, "STORAGE", what="queries"),
             device.upload(tables.table, "STORAGE", what="tables"),
             device.upload(tables.images, "STORAGE", what="images"),
         ]

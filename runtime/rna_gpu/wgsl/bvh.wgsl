@@ -1,5 +1,5 @@
 // Closest and any hits: a tree over instances, and one in each body's object space. Loops take
-// their lengths from the data. Of every hit of a triangle they ask
+// their lengths from the data. Of every hit of a triangle they call
 //     fn rna_stops(primitive: u32, ray: RnaRay, found: vec3f, instance: u32) -> bool
 // which opaque.wgsl answers, or a host that knows what lets light through; found: (t, b1, b2).
 
@@ -23,7 +23,7 @@ fn rna_enter_node(node: u32, origin: vec3f, inverse: vec3f, near: f32, far: f32)
     return select(RNA_FAR, enter, enter <= leave * 1.0000005);
 }
 
-// The next node down, nearer child first; RNA_NOTHING where none is met.
+// The next node down, nearer child first; RNA_NOTHING where none is hit.
 fn rna_descend(
     node: u32, ray: RnaRay, inverse: vec3f, far: f32, top: ptr<function, u32>,
 ) -> u32 {
@@ -46,13 +46,13 @@ fn rna_descend(
     return select(right, left, left_first);
 }
 
-// Tests a primitive; whether it is met, nearer than `hit`, which then becomes it.
+// Tests a primitive; whether it is hit nearer than `hit`, which is then set to it.
 fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, RnaHit>) -> bool {
     let record = rna_primitives[primitive];
     let line = RnaRay(ray.origin, ray.near, ray.direction, (*hit).t);
-    if (record.w & 1u) == 0u {
+    if !rna_is_segment(record) {
         let found = rna_meet_triangle(
-            line, rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz,
+            line, rna_points[record.a].xyz, rna_points[record.b].xyz, rna_points[record.c].xyz,
         );
         if found.x >= RNA_FAR || !rna_stops(primitive, ray, found, (*hit).instance) {
             return false;
@@ -60,7 +60,7 @@ fn rna_meet(primitive: u32, ray: RnaRay, own_strand: u32, hit: ptr<function, Rna
         *hit = RnaHit(found.x, (*hit).instance, primitive, found.y, found.z, vec3f(0.0));
         return true;
     }
-    if record.z == own_strand {
+    if rna_strand(record) == own_strand {
         return false;
     }
     let entry = rna_meet_segment(line, record);

@@ -1,6 +1,6 @@
 // Evaluation of rows: spec/RNA.md, 8 Evaluation. Transport and emission, surfaces and fibers.
 
-@group(1) @binding(0) var<storage, read> rna_rows: array<vec4<u32>>; // 4 a row, see README.md
+@group(1) @binding(0) var<storage, read> rna_rows: array<RnaRow>;
 @group(1) @binding(1) var<storage, read_write> rna_results: array<vec4f>;
 @group(1) @binding(2) var<storage, read> rna_row_count: array<u32>; // [0]
 
@@ -20,19 +20,16 @@ fn rna_evaluate(
     if row >= rna_row_count[0] {
         return;
     }
-    let position = rna_rows[4u * row];
-    let axis = rna_rows[4u * row + 1u].xyz;
-    let wo = rna_rows[4u * row + 2u].xyz;
-    let wi = rna_rows[4u * row + 3u].xyz;
-    let finite = rna_is_finite(position) && rna_is_finite(vec4<u32>(axis, 0u))
-        && rna_is_finite(vec4<u32>(wo, 0u)) && rna_is_finite(vec4<u32>(wi, 0u));
-    let a = rna_unit(axis);
-    let o = rna_unit(wo);
-    let i = rna_unit(wi);
+    let at = rna_rows[row];
+    let finite = rna_is_finite(vec4<u32>(at.position, at.h)) && rna_is_finite(vec4<u32>(at.axis, 0u))
+        && rna_is_finite(vec4<u32>(at.wo, 0u)) && rna_is_finite(vec4<u32>(at.wi, 0u));
+    let a = rna_unit(at.axis);
+    let o = rna_unit(at.wo);
+    let i = rna_unit(at.wi);
     let nothing = vec3f(0.0);
     var result = RnaTransport(nothing, nothing);
     if finite && any(a != nothing) && any(o != nothing) && any(i != nothing) {
-        result = rna_query(bitcast<vec3f>(position.xyz), a, bitcast<f32>(position.w), o, i);
+        result = rna_query(bitcast<vec3f>(at.position), a, bitcast<f32>(at.h), o, i);
     }
     rna_write(row, result);
 }

@@ -4,9 +4,7 @@
 // The tree over instances comes first.
 @group(2) @binding(0) var<storage, read> rna_nodes: array<RnaNode>;
 
-// A triangle: three points and 2 surface. A segment: its first point, neighbours on its strand
-// (1: before, 2: after), strand and 2 surface + 1.
-@group(2) @binding(1) var<storage, read> rna_primitives: array<vec4<u32>>;
+@group(2) @binding(1) var<storage, read> rna_primitives: array<RnaPrimitive>;
 
 // Position and, of curves, radius; the fourth number of a mesh's points is the host's.
 @group(2) @binding(2) var<storage, read> rna_points: array<vec4f>;
@@ -32,10 +30,21 @@ struct RnaHit {
     normal: vec3f, // outward, of a segment
 }
 
-const RNA_NOTHING: u32 = 0xffffffffu;
-
 fn rna_miss(far: f32) -> RnaHit {
     return RnaHit(far, RNA_NOTHING, 0u, 0.0, 0.0, vec3f(0.0));
+}
+
+fn rna_is_segment(primitive: RnaPrimitive) -> bool {
+    return (primitive.tag & RNA_IS_SEGMENT) != 0u;
+}
+
+fn rna_surface(primitive: RnaPrimitive) -> u32 {
+    return primitive.tag >> RNA_SURFACE_SHIFT;
+}
+
+// Of a segment.
+fn rna_strand(primitive: RnaPrimitive) -> u32 {
+    return primitive.c;
 }
 
 // The ray in an instance's object space, where its direction is unit as well.

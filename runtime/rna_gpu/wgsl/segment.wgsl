@@ -88,24 +88,24 @@ fn rna_enter_cone(cone: RnaCone, p: vec3f, d: vec3f) -> RnaEntry {
 }
 
 // Whether p, on a segment, is inside the one before or after it: there is no surface there.
-fn rna_in_neighbour(segment: vec4<u32>, p: vec3f) -> bool {
-    if (segment.y & 1u) != 0u {
-        let before = rna_cone(segment.x - 1u);
+fn rna_in_neighbour(segment: RnaPrimitive, p: vec3f) -> bool {
+    if (segment.b & RNA_HAS_BEFORE) != 0u {
+        let before = rna_cone(segment.a - 1u);
         if rna_cone_distance(before, p) < -1e-4 * min(before.ra, before.rb) {
             return true;
         }
     }
-    if (segment.y & 2u) != 0u {
-        let after = rna_cone(segment.x + 1u);
+    if (segment.b & RNA_HAS_AFTER) != 0u {
+        let after = rna_cone(segment.a + 1u);
         return rna_cone_distance(after, p) < -1e-4 * min(after.ra, after.rb);
     }
     return false;
 }
 
 // t of RNA_FAR for a miss.
-fn rna_meet_segment(ray: RnaRay, segment: vec4<u32>) -> RnaEntry {
+fn rna_meet_segment(ray: RnaRay, segment: RnaPrimitive) -> RnaEntry {
     let miss = RnaEntry(RNA_FAR, vec3f(0.0));
-    let cone = rna_cone(segment.x);
+    let cone = rna_cone(segment.a);
     let shift = dot(0.5 * (cone.a + cone.b) - ray.origin, ray.direction);
     let p = ray.origin + shift * ray.direction;
     let entry = rna_enter_cone(cone, p, ray.direction);

@@ -6,7 +6,7 @@
 
 /* Values lie column after column, ROWS queries in each, and every loop over rows has this constant
  * length: compilers make it whole vectors.  Multiply-adds are written as such, so that a row's result
- * does not hang on what the compiler contracts, nor on the rows beside it. */
+ * does not hang on what the compiler contracts, nor on other rows. */
 #if defined(__AVX512F__)
 enum { LANES = 16 };
 #elif defined(__AVX__)

@@ -73,7 +73,7 @@ static size_t texel_bytes(const Planes *planes) {
     return planes->precision == INT8 ? 1 : planes->precision == FLOAT16 ? 2 : 4;
 }
 
-/* The footprints of a point in the three planes; asks for their memory. */
+/* The footprints of a point in the three planes; prefetches their memory. */
 static void find_footprints(const Planes *planes, const Points *points, int r, Footprint prints[3]) {
     const size_t size = (size_t)planes->resolution, channels = (size_t)planes->channels;
     Cell cells[3];

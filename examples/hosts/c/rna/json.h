@@ -19,7 +19,7 @@ typedef struct Json {
     Span key;    /* of a member */
     Span string; /* unescaped, with a zero byte behind it */
     double number;
-    struct Json *first, *next; /* items or members, and the next one beside this */
+    struct Json *first, *next; /* items or members, and the next sibling */
     size_t count;
 } Json;
 

@@ -122,7 +122,7 @@ static void read_part(Container *zip, const Json *root, const Json *json, RnaAss
 
 /* ---------------------------------------------------------------------- Tiers */
 
-/* Takes the planes from an earlier tier part that asks the same of the same entry. */
+/* Takes the planes from an earlier tier part that reads the same entry alike. */
 static bool share_planes(const RnaAsset *asset, TierPart *part, Span data) {
     for (int t = 0; t < asset->tiers; t++)
         for (int i = 0; i < asset->parts; i++) {

@@ -1,4 +1,4 @@
-/* Points that are asked for, made ready: directions of unit length, places in the bounds. */
+/* Points of queries, prepared: directions of unit length, places in the bounds. */
 #ifndef RNA_POINTS_H
 #define RNA_POINTS_H
 

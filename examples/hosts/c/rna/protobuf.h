@@ -98,7 +98,7 @@ static void *grown(Wire *wire, void *array, size_t count, size_t *room, size_t i
     return moved;
 }
 
-/* The place of a new last item; NULL where memory is out. */
+/* A new last item; NULL where memory is out. */
 #define APPEND(wire, list)                                                                      \
     ((list)->at = grown(wire, (list)->at, (list)->count, &(list)->room, sizeof *(list)->at),    \
      (list)->count < (list)->room ? &(list)->at[(list)->count++] : NULL)

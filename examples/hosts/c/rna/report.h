@@ -44,7 +44,7 @@ static void warn(RnaReport *report, const char *code, const char *where, const c
     va_end(arguments);
 }
 
-/* "byte N" for the place of an issue in the file. */
+/* "byte N", where an issue is in the file. */
 typedef struct Place {
     char text[32];
 } Place;

@@ -13,24 +13,24 @@ fn point_tangent(base: u32, point: u32) -> vec4f {
 }
 
 // The file's tangent, interpolated, and the bitangent's sign; a sign of 0 where a corner has none.
-fn given_tangent(record: vec4<u32>, b: vec3f) -> vec4f {
-    let base = surface_tangents(record.w >> 1u);
+fn given_tangent(record: RnaPrimitive, b: vec3f) -> vec4f {
+    let base = surface_tangents(rna_surface(record));
     if base == NONE {
         return vec4f(0.0);
     }
-    let first = point_tangent(base, record.x);
-    let second = point_tangent(base, record.y);
-    let third = point_tangent(base, record.z);
+    let first = point_tangent(base, record.a);
+    let second = point_tangent(base, record.b);
+    let third = point_tangent(base, record.c);
     let all_there = first.w != 0.0 && second.w != 0.0 && third.w != 0.0;
     let t = b.x * first.xyz + b.y * second.xyz + b.z * third.xyz;
     return vec4f(t, select(0.0, first.w, all_there));
 }
 
 // The direction of u on the triangle, and the sign that makes the bitangent go against v.
-fn derived_tangent(record: vec4<u32>, uv: mat3x2f, n: vec3f) -> vec4f {
-    let p = rna_points[record.x].xyz;
-    let e1 = rna_points[record.y].xyz - p;
-    let e2 = rna_points[record.z].xyz - p;
+fn derived_tangent(record: RnaPrimitive, uv: mat3x2f, n: vec3f) -> vec4f {
+    let p = rna_points[record.a].xyz;
+    let e1 = rna_points[record.b].xyz - p;
+    let e2 = rna_points[record.c].xyz - p;
     let d1 = uv[1] - uv[0];
     let d2 = uv[2] - uv[0];
     let area = d1.x * d2.y - d2.x * d1.y;
@@ -53,8 +53,8 @@ fn kept_above(m: vec3f, g: vec3f, o: vec3f) -> vec3f {
 
 // The normal m with the relief of its material's normal texture; g, o: geometric normal and unit
 // direction to the viewer.
-fn bumped_normal(record: vec4<u32>, b1: f32, b2: f32, m: vec3f, g: vec3f, o: vec3f) -> vec3f {
-    let texture = surface_textures(record.w >> 1u, RELIEF);
+fn bumped_normal(record: RnaPrimitive, b1: f32, b2: f32, m: vec3f, g: vec3f, o: vec3f) -> vec3f {
+    let texture = surface_textures(rna_surface(record), RELIEF);
     if texture == NONE {
         return m;
     }
@@ -68,7 +68,7 @@ fn bumped_normal(record: vec4<u32>, b1: f32, b2: f32, m: vec3f, g: vec3f, o: vec
     if tangent.w == 0.0 || dot(t, t) == 0.0 {
         return m;
     }
-    let scale = surface_normal_scale(record.w >> 1u);
+    let scale = surface_normal_scale(rna_surface(record));
     let relief = 2.0 * texture_value(texture, uvs * b) - 1.0;
     let bitangent = tangent.w * cross(m, t);
     let bent = unit_or_zero(relief.z * m + scale * (relief.x * t + relief.y * bitangent));

@@ -22,7 +22,7 @@ fn camera(
     path.state = ALIVE;
     path.own = NONE;
     paths[k] = path;
-    pendings[2u * k].part = NONE;
+    queries[k].at_point.part = NONE;
     for (var slot = 0u; slot < frame.sums; slot++) {
         sums[frame.sums * k + slot] = vec4f(0.0);
     }

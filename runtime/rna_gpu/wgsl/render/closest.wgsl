@@ -18,17 +18,17 @@ fn closest(
     paths[k].b1 = hit.b1;
     paths[k].b2 = hit.b2;
     paths[k].normal = hit.normal;
-    let asked = pendings[2u * k];
-    if asked.part == NONE {
+    let query = queries[k].at_point;
+    if query.part == NONE {
         paths[k].beta = path.beta * found.weight;
         return;
     }
     if hit.instance == RNA_NOTHING && (frame.flags & HAS_SKY) == 0u {
-        pendings[2u * k].part = NONE; // a ray into a black sky brings nothing
+        queries[k].at_point.part = NONE; // a ray into a black sky brings nothing
         return;
     }
     let far = min(hit.t / rna_instances[path.own].scale, RNA_FAR);
-    let way = RnaRay(path.leaving, 0.0, asked.wi, far);
-    pendings[2u * k].visible = own_kept(path.own, way, asked.strand);
-    pendings[2u * k].weight = asked.weight * found.weight;
+    let way = RnaRay(path.leaving, 0.0, query.wi, far);
+    queries[k].at_point.visible = own_kept(path.own, way, query.strand);
+    queries[k].at_point.weight = query.weight * found.weight;
 }

@@ -1,21 +1,21 @@
-// The light that rays have met, and what the camera sees; ends paths that met no scatterer.
+// Emission at the hits of rays, and what the camera sees; ends paths that hit no scatterer.
 
-fn met_weight(path: Path, light: u32, pdf: f32) -> vec3f {
+fn mis_weight(path: Path, light: u32, pdf: f32) -> vec3f {
     if frame.depth == 0u {
         return path.beta;
     }
     return path.beta * share(path.pdf, samples_of(light, frame.depth) * pdf);
 }
 
-fn add_met(k: u32, path: Path, light: u32, met: Met) {
-    add_light(k, light, clamped(met_weight(path, light, met.pdf) * met.radiance));
+fn add_light_hit(k: u32, path: Path, light: u32, found: LightHit) {
+    add_light(k, light, clamped(mis_weight(path, light, found.pdf) * found.radiance));
 }
 
 fn collect_sky(k: u32, path: Path) {
     for (var light = 0u; light < frame.light_count; light++) {
         let seen = frame.depth > 0u || light_is(light, LIGHT_SEEN);
         if seen && light_is(light, LIGHT_INFINITE) {
-            add_met(k, path, light, escaped(light, path.direction));
+            add_light_hit(k, path, light, environment_along(light, path.direction));
             if frame.depth == 0u {
                 sums[frame.sums * k + SUM_BEAUTY].w = 1.0;
             }
@@ -30,32 +30,32 @@ fn collect_shape(k: u32, path: Path) {
     }
     let pdf = shape_pdf(light, path.origin, path.direction);
     let radiance = select(vec3f(0.0), light_colour(light), pdf > 0.0);
-    add_met(k, path, light, Met(radiance, pdf));
+    add_light_hit(k, path, light, LightHit(radiance, pdf));
 }
 
-// The light of a thing that scatters, too.
-fn collect_shining(k: u32, path: Path, record: vec4<u32>) {
+// Emission of surfaces that also scatter.
+fn collect_emission(k: u32, path: Path, record: RnaPrimitive) {
     let light = rna_instances[path.instance].own;
-    if light == NONE || !surface_has(record.w >> 1u, EMITS) {
+    if light == NONE || !surface_has(rna_surface(record), EMITS) {
         return;
     }
     if frame.depth > 0u && (frame.flags & RAYS_MEET_LIGHTS) == 0u {
         return;
     }
     var pdf = 0.0;
-    if (record.w & 1u) == 0u { // strands are found by rays alone
+    if !rna_is_segment(record) { // strands are found by rays alone
         let x = rna_object_point(path.origin, path.instance);
         let d = rna_object_direction(path.direction, path.instance);
         pdf = triangle_pdf(light, path.primitive, x, d);
     }
-    if surface_kind(record.w >> 1u) == OF_MATERIAL {
-        add_met(k, path, light, Met(emission_on(record, path.b1, path.b2), pdf));
+    if surface_kind(rna_surface(record)) == OF_MATERIAL {
+        add_light_hit(k, path, light, LightHit(emission_on(record, path.b1, path.b2), pdf));
         return;
     }
-    let weight = met_weight(path, light, pdf) * light_colour(light);
+    let weight = mis_weight(path, light, pdf) * light_colour(light);
     let v = vertex_of(path);
     let none = vec3f(0.0);
-    pendings[2u * k] = Pending(
+    queries[k].at_point = Query(
         v.x, v.h, v.axis, v.part, v.wo, light, v.wo, NONE, weight, 0.0, none, 0u,
     );
 }
@@ -64,7 +64,7 @@ fn describe(k: u32, v: Vertex) {
     let at = frame.sums * k;
     sums[at + SUM_BEAUTY].w = 1.0;
     sums[at + SUM_NORMAL] = vec4f(v.n_world, 1.0);
-    sums[at + SUM_POSITION] = vec4f(v.x_world, thing_number(v.instance));
+    sums[at + SUM_POSITION] = vec4f(v.x_world, object_number(v.instance));
 }
 
 // What shows behind a shadow catcher.
@@ -73,7 +73,7 @@ fn behind_catcher(k: u32, path: Path) {
     sums[at + SUM_NORMAL].w = 2.0;
     for (var light = 0u; light < frame.light_count; light++) {
         if light_is(light, LIGHT_INFINITE) && light_is(light, LIGHT_SEEN) {
-            let radiance = vec4f(escaped(light, path.direction).radiance * path.beta, 0.0);
+            let radiance = vec4f(environment_along(light, path.direction).radiance * path.beta, 0.0);
             sums[at + SUM_BEHIND] = vec4f((sums[at + SUM_BEHIND] + radiance).xyz, 1.0);
             let group = light_group(light);
             if group != NONE {
@@ -92,7 +92,7 @@ fn collect(
         return;
     }
     let path = paths[k];
-    pendings[2u * k].part = NONE;
+    queries[k].at_point.part = NONE;
     let meets = frame.depth == 0u || (frame.flags & RAYS_MEET_LIGHTS) != 0u;
     if path.instance == RNA_NOTHING {
         paths[k].state = DEAD;
@@ -104,11 +104,11 @@ fn collect(
         if meets {
             collect_shape(k, path);
         }
-    } else if thing_catches(path.instance) == 0u {
+    } else if object_catches(path.instance) == 0u {
         if frame.depth == 0u {
             describe(k, vertex_of(path));
         }
-        collect_shining(k, path, rna_primitives[path.primitive]);
+        collect_emission(k, path, rna_primitives[path.primitive]);
     } else if frame.depth == 0u {
         behind_catcher(k, path);
     }

@@ -1,5 +1,5 @@
-// A sample of a light at each path's point: what materials send on is added at once, what assets send
-// on waits for their decoder, and before that for the decoder of what an asset emits as a light.
+// A sample of a light at each path's point: what materials scatter is added at once, what assets
+// scatter waits for their decoder, and before that for the decoder of an asset's emission as a light.
 
 // Direction and length of the ray from `origin` to just before the light's point.
 fn shadow_ray(x: vec3f, origin: vec3f, light: LightSample) -> RnaRay {
@@ -34,30 +34,30 @@ fn light_point(pixel: u32) -> vec2f {
     return square(pixel, dimension, path_of_pixel() * frame.parts + frame.part);
 }
 
-// Asks what an asset emits at the point of it that was sampled, towards the path's point, with the
-// share of it that is there; or does the same for an object. Returns the sample with its radiance.
+// Queries what an asset emits at the sampled point of it, towards the path's point, weighted by the
+// share that does not let light through; evaluates it for an object. Returns the sample with its radiance.
 fn shining(k: u32, light: u32, found: LightSample) -> LightSample {
     var lit = found;
     let instance = light_instance(light);
     let record = rna_primitives[found.primitive];
     let there = triangle_vertex(record, found.b1, found.b2);
     let d = rna_object_direction(found.wi, instance);
-    if surface_kind(record.w >> 1u) == OF_MATERIAL {
+    if surface_kind(rna_surface(record)) == OF_MATERIAL {
         let tau = transmittance(record, found.b1, found.b2, vec3f(1.0), true);
         lit.radiance *= emission_on(record, found.b1, found.b2) * (1.0 - tau);
         return lit;
     }
     lit.radiance *= 1.0 - transmittance(record, found.b1, found.b2, d, dot(there.ng, d) < 0.0);
     let none = vec3f(0.0);
-    let part = surface_part(record.w >> 1u);
-    pendings[2u * k + 1u] = Pending(
+    let part = surface_part(rna_surface(record));
+    queries[k].at_light = Query(
         there.x, 0.0, there.axis, part, -d, light, -d, NONE, none, 0.0, none, 0u,
     );
     return lit;
 }
 
 fn waits_for_light(k: u32) -> bool {
-    return pendings[2u * k + 1u].part != NONE;
+    return queries[k].at_light.part != NONE;
 }
 
 fn mean_of(c: vec3f) -> f32 {
@@ -72,9 +72,9 @@ fn catch_light(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, ke
     }
     let weight = found.radiance * (cosine / (found.pdf * samples_of(light, 1u)));
     if waits_for_light(k) {
-        pendings[2u * k].part = CATCHES_IT;
-        pendings[2u * k].weight = weight;
-        pendings[2u * k].visible = kept;
+        queries[k].at_point.part = CATCHER_PART;
+        queries[k].at_point.weight = weight;
+        queries[k].at_point.visible = kept;
         return;
     }
     sums[frame.sums * k + SUM_LIGHT_SAMPLES] += vec4f(0.0, 0.0, mean_of(weight * kept), mean_of(weight));
@@ -96,9 +96,9 @@ fn direct_material(k: u32, path: Path, v: Vertex, light: u32, found: LightSample
     let share_of = light_share(light, found.pdf, bsdf_density(b, v.wo, wi));
     let weight = path.beta * value * found.radiance * share_of * kept;
     if waits_for_light(k) {
-        pendings[2u * k].part = ADDS;
-        pendings[2u * k].light = light;
-        pendings[2u * k].weight = weight;
+        queries[k].at_point.part = MATERIAL_PART;
+        queries[k].at_point.light = light;
+        queries[k].at_point.weight = weight;
     } else {
         add_light(k, light, clamped(weight));
     }
@@ -114,14 +114,14 @@ fn direct_neural(k: u32, path: Path, v: Vertex, light: u32, found: LightSample, 
     let tangent = select(vec3f(0.0), v.axis, is_fiber);
     let own = lobe_density(lobe_frame(v.shading, tangent, v.wo), is_fiber, wi);
     let weight = path.beta * found.radiance * light_share(light, found.pdf, own) * kept;
-    pendings[2u * k] = Pending(
+    queries[k].at_point = Query(
         v.x, v.h, v.axis, v.part, v.wo, light, wi, v.strand, weight, 0.0, visible, 0u,
     );
     count_seen(k, mean_of(visible) * mean_of(kept));
 }
 
 fn count_seen(k: u32, seen: f32) {
-    pendings[2u * k].seen = seen;
+    queries[k].at_point.seen = seen;
     if frame.depth == 1u {
         sums[frame.sums * k + SUM_LIGHT_SAMPLES].y += seen;
     }
@@ -130,7 +130,7 @@ fn count_seen(k: u32, seen: f32) {
 // Whether what the light throws on the point's own instance is part of its transport.
 fn is_own_light(light: u32, v: Vertex) -> bool {
     return light_kind(light) == TRIANGLES && light_instance(light) == v.instance
-        && thing_passes(v.instance) == 1u;
+        && object_passes(v.instance) == 1u;
 }
 
 @compute @workgroup_size(64)
@@ -141,11 +141,11 @@ fn direct(
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }
-    pendings[2u * k].part = NONE;
-    pendings[2u * k + 1u].part = NONE;
+    queries[k].at_point.part = NONE;
+    queries[k].at_light.part = NONE;
     let path = paths[k];
     let v = vertex_of(path);
-    let catches = thing_catches(v.instance) == 1u;
+    let catches = object_catches(v.instance) == 1u;
     let light = chosen_light(path.pixel);
     if (catches && frame.depth != 1u) || is_own_light(light, v) {
         return;
@@ -157,18 +157,18 @@ fn direct(
     let behind = v.kind == OF_MATERIAL && !catches
         && dot(v.ng_world, path.direction) * dot(v.ng_world, found.wi) >= 0.0;
     if found.pdf <= 0.0 || all(found.radiance <= vec3f(0.0)) || behind {
-        pendings[2u * k + 1u].part = NONE;
+        queries[k].at_light.part = NONE;
         return;
     }
     if frame.depth == 1u && !catches {
         sums[frame.sums * k + SUM_LIGHT_SAMPLES].x += 1.0;
     }
-    let own = select(NONE, v.instance, thing_passes(v.instance) == 1u);
+    let own = select(NONE, v.instance, object_passes(v.instance) == 1u);
     let kept = kept_on(shadow_ray(v.x_world, origin_of(v, found.wi), found), own);
     if catches {
         catch_light(k, path, v, light, found, kept);
     } else if all(kept <= vec3f(0.0)) {
-        pendings[2u * k + 1u].part = NONE;
+        queries[k].at_light.part = NONE;
     } else if v.kind == OF_MATERIAL {
         direct_material(k, path, v, light, found, kept);
     } else {

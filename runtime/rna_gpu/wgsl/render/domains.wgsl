@@ -2,7 +2,7 @@
 // A part has (cones of wo, the first, cones of wi, the first) in `table`, as bits; a cone is its axis
 // and the cosine to its rim.
 
-@group(1) @binding(4) var<storage, read_write> counts: array<atomic<u32>>; // of a part: asked,
+@group(1) @binding(4) var<storage, read_write> counts: array<atomic<u32>>; // of a part: queries,
     // views outside, lights outside, either
 
 fn in_region(cones: u32, first: u32, d: vec3f) -> bool {

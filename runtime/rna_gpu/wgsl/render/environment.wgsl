@@ -131,7 +131,7 @@ fn sample_image(light: u32, u: vec2f) -> LightSample {
     return light_sample(wi, RNA_FAR, light_colour(light) * radiance, pdf);
 }
 
-fn look_up_image(light: u32, d: vec3f) -> Met {
+fn look_up_image(light: u32, d: vec3f) -> LightHit {
     let size = image_size(light);
     let turn = vec2f(image_turn_cosine(light), image_turn_sine(light));
     let x = turn.x * d.x - turn.y * d.z;
@@ -150,5 +150,5 @@ fn look_up_image(light: u32, d: vec3f) -> Met {
     let radiance = in_cell(cell, s - left, t - f32(row));
     let mean = dot(cell.luminances, vec4f(0.25));
     let pdf = image_density(light, row, sine, luminance(radiance), mean);
-    return Met(light_colour(light) * radiance, pdf);
+    return LightHit(light_colour(light) * radiance, pdf);
 }

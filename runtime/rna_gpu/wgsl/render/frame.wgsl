@@ -1,21 +1,15 @@
 // What all steps of the renderer share: the step's numbers, paths, sums, and tables.
 
-const IS_LIGHT: u32 = 0x80000000u; // with a light's number, in place of an instance
 const PI: f32 = 3.14159265358979;
 const SHORTER: f32 = 1.0 - 0x1p-13f; // shadow rays end before the light
 
 const DEAD: u32 = 0u;
 const ALIVE: u32 = 1u;
 
-// A path has two queries: what its point sends on, and what an asset emits that its point samples as
-// a light.
-const ADDS: u32 = 0xfffffffeu; // parts, beside NONE: no decoder is asked what is sent on
-const CATCHES_IT: u32 = 0xfffffffdu; // a shadow catcher
-
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read_write> paths: array<Path>;
 @group(0) @binding(2) var<storage, read_write> sums: array<vec4f>;
-@group(0) @binding(3) var<storage, read_write> pendings: array<Pending>;
+@group(0) @binding(3) var<storage, read_write> queries: array<PathQueries>;
 @group(0) @binding(4) var<storage, read> table: array<vec4f>;
 @group(0) @binding(5) var<storage, read> images: array<u32>; // floats of skies, bytes of textures
 
@@ -32,7 +26,7 @@ fn add_light(k: u32, light: u32, radiance: vec3f) {
     }
 }
 
-// Not above the clamp where light left more than one thing.
+// Clamped after two or more scatterings.
 fn clamped(radiance: vec3f) -> vec3f {
     if frame.clamp <= 0.0 || frame.depth < 2u {
         return radiance;

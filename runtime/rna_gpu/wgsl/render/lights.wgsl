@@ -1,4 +1,4 @@
-// Lights: samples of them, and what rays that meet them find. They are those of rna_render.lights.
+// Lights: samples of them, and their radiance and density at hits of rays. They are those of rna_render.lights.
 
 const MAX_PDF: f32 = 1e18;
 const MIN_SOLID_ANGLE: f32 = 1e-3; // float32 knows no smaller one to 1e-3 of itself
@@ -17,7 +17,8 @@ fn light_sample(wi: vec3f, distance: f32, radiance: vec3f, pdf: f32) -> LightSam
     return LightSample(wi, distance, radiance, pdf, NONE, 0.0, 0.0);
 }
 
-struct Met {
+// A light along a ray: its radiance, and the density of sampling it there.
+struct LightHit {
     radiance: vec3f,
     pdf: f32,
 }
@@ -212,24 +213,24 @@ fn sample_light(light: u32, x: vec3f, u: vec2f) -> LightSample {
     return light_sample(way / r, r, colour, shape_pdf(light, x, way / r));
 }
 
-// What a ray along d that leaves the scene finds.
-fn escaped(light: u32, d: vec3f) -> Met {
+// An infinite light along d.
+fn environment_along(light: u32, d: vec3f) -> LightHit {
     let kind = light_kind(light);
     let colour = light_colour(light);
     if kind == IMAGE {
         return look_up_image(light, d);
     }
     if kind == UNIFORM {
-        return Met(colour, SPHERE_PDF);
+        return LightHit(colour, SPHERE_PDF);
     }
     if kind == SUN {
         let off = d - sun_axis(light);
         let cone = sun_one_minus_cosine(light);
         if dot(off, off) <= 2.0 * cone {
-            return Met(colour, 1.0 / (2.0 * PI * cone));
+            return LightHit(colour, 1.0 / (2.0 * PI * cone));
         }
     }
-    return Met(vec3f(0.0), 0.0);
+    return LightHit(vec3f(0.0), 0.0);
 }
 
 // Where a ray meets the plane of a flat light; RNA_FAR where it is along it.
@@ -241,7 +242,7 @@ fn meet_plane(f: mat4x3f, ray: RnaRay) -> f32 {
     return dot(f[3] - ray.origin, f[2]) / down;
 }
 
-// The ray's place there, along the light's axes.
+// The ray's position there, along the light's axes.
 fn on_plane(f: mat4x3f, ray: RnaRay, t: f32) -> vec2f {
     let p = ray.origin + t * ray.direction - f[3];
     return vec2f(dot(p, f[0]), dot(p, f[1]));

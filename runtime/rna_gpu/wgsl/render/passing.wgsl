@@ -18,7 +18,7 @@ fn start_passing(how: u32) {
     is_coloured = false;
 }
 
-// In [0, 1), the same for a primitive whenever this ray asks.
+// In [0, 1), a fixed number for each primitive and ray.
 fn chance(primitive: u32, instance: u32) -> f32 {
     let state = hash_bits(hash_bits(chance_key ^ primitive) + instance);
     return f32(state >> 8u) * 0x1p-24f;
@@ -40,11 +40,11 @@ fn rna_stops(primitive: u32, ray: RnaRay, found: vec3f, instance: u32) -> bool {
         return true;
     }
     let record = rna_primitives[primitive];
-    if !surface_has(record.w >> 1u, LETS_THROUGH) {
+    if !surface_has(rna_surface(record), LETS_THROUGH) {
         return passing != WEIGH;
     }
-    let p = rna_points[record.x].xyz;
-    let ng = cross(rna_points[record.y].xyz - p, rna_points[record.z].xyz - p);
+    let p = rna_points[record.a].xyz;
+    let ng = cross(rna_points[record.b].xyz - p, rna_points[record.c].xyz - p);
     let facing = dot(ng, ray.direction) < 0.0;
     let tau = transmittance(record, found.y, found.z, ray.direction, facing);
     if passing == WEAKEN {

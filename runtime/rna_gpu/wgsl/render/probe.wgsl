@@ -1,10 +1,10 @@
-// What hits of an asset see and are asked with, for the conformance kit: `paths` hold the hits, results
-// go to `sums`. An instance of the asset in the world's place is number 0.
+// Visibility and mapped normals at hits of an asset, for the conformance kit: `paths` hold the hits, results
+// go to `sums`. Instance 0 is the asset, untransformed.
 
 fn probed(k: u32) -> Vertex {
     let path = paths[k];
     let record = rna_primitives[path.primitive];
-    if (record.w & 1u) == 0u {
+    if !rna_is_segment(record) {
         var v = triangle_vertex(record, path.b1, path.b2);
         v.kind = OF_NEURAL;
         return v;
@@ -12,7 +12,7 @@ fn probed(k: u32) -> Vertex {
     var v: Vertex;
     v.kind = OF_FIBERS;
     v.x = path.origin;
-    v.strand = record.z;
+    v.strand = rna_strand(record);
     return v;
 }
 

@@ -1,24 +1,20 @@
-// Queries of one part: gathered from the paths that have one, and what becomes of the answers.
+// Queries of one part: collected from the paths that have one, and the results applied to them.
 
-struct Row {
-    x: vec3f,
-    h: f32,
-    axis: vec3f,
-    a: f32,
-    wo: vec3f,
-    b: f32,
-    wi: vec3f,
-    c: f32,
-}
-
-@group(1) @binding(0) var<storage, read_write> rows: array<Row>;
+@group(1) @binding(0) var<storage, read_write> rows: array<RnaRow>;
 @group(1) @binding(1) var<storage, read_write> results: array<vec4f>;
 @group(1) @binding(2) var<storage, read_write> row_count: atomic<u32>;
 @group(1) @binding(3) var<storage, read_write> path_of_row: array<u32>;
 
-// Which of a path's two queries a step is about.
-fn pending_of(k: u32) -> u32 {
-    return 2u * k + select(0u, 1u, (frame.flags & FOR_LIGHT) != 0u);
+// The query of a path that a step is about.
+fn query_of(k: u32) -> Query {
+    if (frame.flags & FOR_LIGHT) != 0u {
+        return queries[k].at_light;
+    }
+    return queries[k].at_point;
+}
+
+fn bits_of(v: vec3f) -> vec3<u32> {
+    return bitcast<vec3<u32>>(v);
 }
 
 @compute @workgroup_size(64)
@@ -29,34 +25,37 @@ fn gather(
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }
-    let asked = pendings[pending_of(k)];
-    if asked.part != frame.neural_part {
+    let query = query_of(k);
+    if query.part != frame.neural_part {
         return;
     }
     let row = atomicAdd(&row_count, 1u);
-    rows[row] = Row(asked.x, asked.h, asked.axis, 0.0, asked.wo, 0.0, asked.wi, 0.0);
+    rows[row] = RnaRow(
+        bits_of(query.x), bitcast<u32>(query.h), bits_of(query.axis), 0u, bits_of(query.wo), 0u,
+        bits_of(query.wi), 0u,
+    );
     path_of_row[row] = k;
     if (frame.flags & (FOR_EMISSION | FOR_LIGHT)) == 0u {
-        watch_domain(asked.part, asked.wo, asked.wi);
+        watch_domain(query.part, query.wo, query.wi);
     }
 }
 
 // What an asset emits as a light, for what waits for it.
 fn apply_light(k: u32, emitted: vec3f) {
-    let asked = pendings[2u * k];
-    let light = asked.weight * emitted;
-    pendings[2u * k].weight = light;
-    if asked.part == ADDS {
-        add_light(k, asked.light, clamped(light));
-    } else if asked.part == CATCHES_IT {
+    let query = queries[k].at_point;
+    let light = query.weight * emitted;
+    queries[k].at_point.weight = light;
+    if query.part == MATERIAL_PART {
+        add_light(k, query.light, clamped(light));
+    } else if query.part == CATCHER_PART {
         let third = vec3f(1.0 / 3.0);
-        let received = dot(light * asked.visible, third);
+        let received = dot(light * query.visible, third);
         sums[frame.sums * k + SUM_LIGHT_SAMPLES] += vec4f(0.0, 0.0, received, dot(light, third));
     }
-    if all(emitted <= vec3f(0.0)) && asked.part != CATCHES_IT {
-        pendings[2u * k].part = NONE;
+    if all(emitted <= vec3f(0.0)) && query.part != CATCHER_PART {
+        queries[k].at_point.part = NONE;
         if frame.depth == 1u { // there was no light to be found
-            sums[frame.sums * k + SUM_LIGHT_SAMPLES] -= vec4f(1.0, asked.seen, 0.0, 0.0);
+            sums[frame.sums * k + SUM_LIGHT_SAMPLES] -= vec4f(1.0, query.seen, 0.0, 0.0);
         }
     }
 }
@@ -70,19 +69,19 @@ fn apply(
         return;
     }
     let k = path_of_row[row];
-    let asked = pendings[2u * k];
+    let query = queries[k].at_point;
     if (frame.flags & FOR_LIGHT) != 0u {
         apply_light(k, results[row].xyz);
         return;
     }
     if (frame.flags & FOR_EMISSION) != 0u {
-        add_light(k, asked.light, clamped(asked.weight * results[row].xyz));
+        add_light(k, query.light, clamped(query.weight * results[row].xyz));
         return;
     }
-    let transport = mix(results[2u * row + 1u].xyz, results[2u * row].xyz, asked.visible);
+    let transport = mix(results[2u * row + 1u].xyz, results[2u * row].xyz, query.visible);
     if (frame.flags & FOR_BETA) != 0u {
-        paths[k].beta = asked.weight * transport;
+        paths[k].beta = query.weight * transport;
     } else {
-        add_light(k, asked.light, clamped(asked.weight * transport));
+        add_light(k, query.light, clamped(query.weight * transport));
     }
 }

@@ -8,9 +8,9 @@ fn scatter(
     if k >= frame.paths || paths[k].state == DEAD {
         return;
     }
-    pendings[2u * k].part = NONE;
+    queries[k].at_point.part = NONE;
     let path = paths[k];
-    if thing_catches(path.instance) == 1u {
+    if object_catches(path.instance) == 1u {
         paths[k].state = DEAD;
         return;
     }
@@ -45,7 +45,7 @@ fn scatter(
         wi = lobe_sample(at, is_fiber, u.xy);
         pdf = lobe_density(at, is_fiber, wi);
         let weight = beta / max(pdf, 1e-30);
-        pendings[2u * k] = Pending(
+        queries[k].at_point = Query(
             v.x, v.h, v.axis, v.part, v.wo, NONE, wi, v.strand, weight, 0.0, vec3f(0.0), 0u,
         );
         paths[k].leaving = leaving_point(v, wi);
@@ -56,5 +56,5 @@ fn scatter(
     paths[k].direction = wi_world;
     paths[k].pdf = pdf;
     paths[k].beta = beta;
-    paths[k].own = select(NONE, v.instance, thing_passes(v.instance) == 1u);
+    paths[k].own = select(NONE, v.instance, object_passes(v.instance) == 1u);
 }

@@ -6,6 +6,9 @@ const SUM_NORMAL: u32 = 1u;
 const SUM_POSITION: u32 = 2u;
 const SUM_LIGHT_SAMPLES: u32 = 3u;
 const SUM_BEHIND: u32 = 4u;
+const IS_LIGHT: u32 = 0x80000000u;
+const MATERIAL_PART: u32 = 0xfffffffeu;
+const CATCHER_PART: u32 = 0xfffffffdu;
 const SUM_GROUPS: u32 = 5u;
 const CAMERA_RAY: u32 = 1u;
 const SHADOW_RAY: u32 = 4u;
@@ -45,7 +48,7 @@ struct Frame { // 144 bytes
     branches: u32, // 104; of those rays; 1 before them
     neural_part: u32, // 108
     table_size: u32, // 112; of albedo
-    things: u32, // 116; this and the rest: places of the sections of `table`
+    objects: u32, // 116; this and the rest: starts of the sections of `table`
     surfaces: u32, // 120
     lights: u32, // 124
     albedo: u32, // 128
@@ -70,11 +73,11 @@ struct Path { // 96 bytes
     b2: f32, // 92
 }
 
-struct Pending { // 96 bytes
+struct Query { // 96 bytes
     x: vec3f, // 0
     h: f32, // 12
     axis: vec3f, // 16
-    part: u32, // 28; or NONE, ADDS, CATCHES_IT
+    part: u32, // 28; whose decoder answers, or NONE, MATERIAL_PART, CATCHER_PART
     wo: vec3f, // 32
     light: u32, // 44
     wi: vec3f, // 48
@@ -83,4 +86,9 @@ struct Pending { // 96 bytes
     seen: f32, // 76; mean of what all that is in the way leaves of the light
     visible: vec3f, // 80; what the asset itself leaves of it
     reserved: u32, // 92
+}
+
+struct PathQueries { // 192 bytes
+    at_point: Query, // 0; what the path's point scatters or emits
+    at_light: Query, // 96; what an asset emits at its point that was sampled as a light
 }

@@ -15,12 +15,12 @@ fn corner_uv(surface: u32, point: u32, uv_set: u32) -> vec2f {
     return vec2f(bitcast<f32>(images[at]), bitcast<f32>(images[at + 1u]));
 }
 
-fn corner_uvs(record: vec4<u32>, uv_set: u32) -> mat3x2f {
-    let surface = record.w >> 1u;
+fn corner_uvs(record: RnaPrimitive, uv_set: u32) -> mat3x2f {
+    let surface = rna_surface(record);
     return mat3x2f(
-        corner_uv(surface, record.x, uv_set),
-        corner_uv(surface, record.y, uv_set),
-        corner_uv(surface, record.z, uv_set),
+        corner_uv(surface, record.a, uv_set),
+        corner_uv(surface, record.b, uv_set),
+        corner_uv(surface, record.c, uv_set),
     );
 }
 

@@ -29,17 +29,17 @@ const UNIFORM: u32 = 6u;
 const IMAGE: u32 = 7u;
 const TRIANGLES: u32 = 8u;
 
-fn thing_number(k: u32) -> f32 {
-    return table[frame.things + 1u * k + 0u].x;
+fn object_number(k: u32) -> f32 {
+    return table[frame.objects + 1u * k + 0u].x;
 }
-fn thing_catches(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.things + 1u * k + 0u].y);
+fn object_catches(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.objects + 1u * k + 0u].y);
 }
-fn thing_step(k: u32) -> f32 {
-    return table[frame.things + 1u * k + 0u].z;
+fn object_step(k: u32) -> f32 {
+    return table[frame.objects + 1u * k + 0u].z;
 }
-fn thing_passes(k: u32) -> u32 {
-    return bitcast<u32>(table[frame.things + 1u * k + 0u].w);
+fn object_passes(k: u32) -> u32 {
+    return bitcast<u32>(table[frame.objects + 1u * k + 0u].w);
 }
 
 fn surface_kind(k: u32) -> u32 {

@@ -64,14 +64,14 @@ fn texture_value(texture: u32, uv: vec2f) -> vec3f {
 }
 
 // On a triangle at barycentrics.
-fn texture_on(texture: u32, record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
+fn texture_on(texture: u32, record: RnaPrimitive, b1: f32, b2: f32) -> vec3f {
     let uv_set = (image_of(texture).form >> 5u) & 1u;
     return texture_value(texture, corner_uvs(record, uv_set) * weights_of(b1, b2));
 }
 
 // A texture of the triangle's material; 1 where it has none.
-fn factor_on(k: u32, record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
-    let texture = surface_textures(record.w >> 1u, k);
+fn factor_on(k: u32, record: RnaPrimitive, b1: f32, b2: f32) -> vec3f {
+    let texture = surface_textures(rna_surface(record), k);
     if texture == NONE {
         return vec3f(1.0);
     }
@@ -79,6 +79,6 @@ fn factor_on(k: u32, record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
 }
 
 // Radiance that a material emits, to both sides.
-fn emission_on(record: vec4<u32>, b1: f32, b2: f32) -> vec3f {
-    return surface_emission(record.w >> 1u) * factor_on(GLOW, record, b1, b2);
+fn emission_on(record: RnaPrimitive, b1: f32, b2: f32) -> vec3f {
+    return surface_emission(rna_surface(record)) * factor_on(GLOW, record, b1, b2);
 }

@@ -1,10 +1,10 @@
 // Rays of the three sorts through the whole scene. light_shapes.wgsl adds lights with a shape, or a host says
-//     fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit
+//     fn with_lights(ray: RnaRay, found: RnaHit) -> RnaHit
 // where there are none.
 
 struct Through {
     hit: RnaHit,
-    weight: vec3f, // for what the ray passed or met at random, if that has a colour
+    weight: vec3f, // for what the ray passed or hit at random, if that has a colour
 }
 
 // The closest hit of a camera or indirect ray; `key` decides what it passes.
@@ -22,7 +22,7 @@ fn closest_through(ray: RnaRay, own: u32, key: u32) -> Through {
         }
         hit = with_lights(ray, found);
         let is_triangle = (hit.instance & IS_LIGHT) == 0u
-            && (rna_primitives[hit.primitive].w & 1u) == 0u;
+            && !rna_is_segment(rna_primitives[hit.primitive]);
         share = select(share, stopped_share, is_triangle);
         if !is_coloured {
             break;

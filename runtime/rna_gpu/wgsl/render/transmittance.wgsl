@@ -15,16 +15,16 @@ fn dielectric_reflectance(eta: f32, cosine: f32) -> f32 {
 
 // The part that a smooth interface does not reflect of a ray along d, in object space.
 fn passed_interface(
-    record: vec4<u32>, b: vec3f, d: vec3f, facing: bool,
+    record: RnaPrimitive, b: vec3f, d: vec3f, facing: bool,
 ) -> f32 {
-    let surface = record.w >> 1u;
+    let surface = rna_surface(record);
     let ior = surface_ior(surface);
     let eta = select(ior.y, ior.x, facing);
     let schlick = surface_has(surface, HAS_SCHLICK);
     if eta == 0.0 && !schlick {
         return 1.0;
     }
-    let n = mat3x3f(normals[record.x].xyz, normals[record.y].xyz, normals[record.z].xyz) * b;
+    let n = mat3x3f(normals[record.a].xyz, normals[record.b].xyz, normals[record.c].xyz) * b;
     let cosine = min(abs(dot(n, d)) / max(sqrt(dot(n, n) * dot(d, d)), 1e-30), 1.0);
     if eta != 0.0 {
         return 1.0 - dielectric_reflectance(eta, cosine);
@@ -35,8 +35,8 @@ fn passed_interface(
 }
 
 // Of a triangle, for a ray along d in object space. facing: it meets the normal's side.
-fn transmittance(record: vec4<u32>, b1: f32, b2: f32, d: vec3f, facing: bool) -> vec3f {
-    let surface = record.w >> 1u;
+fn transmittance(record: RnaPrimitive, b1: f32, b2: f32, d: vec3f, facing: bool) -> vec3f {
+    let surface = rna_surface(record);
     if !surface_has(surface, LETS_THROUGH) {
         return vec3f(0.0);
     }

@@ -6,8 +6,8 @@
 fn triangle_pdf(light: u32, primitive: u32, x: vec3f, d: vec3f) -> f32 {
     let per_area = bitcast<f32>(images[triangles_densities(light) + primitive]);
     let record = rna_primitives[primitive];
-    let p = rna_points[record.x].xyz;
-    let area = cross(rna_points[record.y].xyz - p, rna_points[record.z].xyz - p);
+    let p = rna_points[record.a].xyz;
+    let area = cross(rna_points[record.b].xyz - p, rna_points[record.c].xyz - p);
     let normal = area / max(length(area), 1e-30);
     let side = select(1.0, -1.0, dot(x - p, normal) < 0.0);
     return flat_pdf(p, side * normal, per_area, x, d);
@@ -29,8 +29,8 @@ fn sample_triangles(light: u32, x_world: vec3f, u: vec2f) -> LightSample {
     let b = vec2f(root * (1.0 - u.y), root * u.y);
     let primitive = images[triangles_primitives(light) + chosen];
     let record = rna_primitives[primitive];
-    let p = rna_points[record.x].xyz;
-    let way = p - x + b.x * (rna_points[record.y].xyz - p) + b.y * (rna_points[record.z].xyz - p);
+    let p = rna_points[record.a].xyz;
+    let way = p - x + b.x * (rna_points[record.b].xyz - p) + b.y * (rna_points[record.c].xyz - p);
     let r = length(way);
     let wi = way / max(r, 1e-30);
     let pdf = select(0.0, triangle_pdf(light, primitive, x, wi), r > 0.0);

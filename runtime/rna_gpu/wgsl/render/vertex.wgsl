@@ -9,7 +9,7 @@ struct Vertex {
     part: u32,
     lift: vec3f,
     h: f32,
-    axis: vec3f, // what a decoder is asked with: mapped normal or tangent
+    axis: vec3f, // of a decoder's queries: mapped normal or tangent
     strand: u32,
     wo: vec3f,
     instance: u32,
@@ -19,7 +19,7 @@ struct Vertex {
     b1: f32,
     ng_world: vec3f,
     b2: f32,
-    record: vec4<u32>, // of its primitive
+    record: RnaPrimitive, // of its primitive
 }
 
 // Of a normal map: a u32 a texel, whose first two bytes are its numbers.
@@ -29,13 +29,13 @@ fn rna_map_texel(map: u32, row: u32, column: u32) -> vec2f {
     return vec2f(f32(word & 255u), f32((word >> 8u) & 255u));
 }
 
-fn triangle_vertex(record: vec4<u32>, b1: f32, b2: f32) -> Vertex {
+fn triangle_vertex(record: RnaPrimitive, b1: f32, b2: f32) -> Vertex {
     var v: Vertex;
     let b = weights_of(b1, b2);
     let p = mat3x3f(
-        rna_points[record.x].xyz, rna_points[record.y].xyz, rna_points[record.z].xyz,
+        rna_points[record.a].xyz, rna_points[record.b].xyz, rna_points[record.c].xyz,
     );
-    let n = mat3x3f(normals[record.x].xyz, normals[record.y].xyz, normals[record.z].xyz);
+    let n = mat3x3f(normals[record.a].xyz, normals[record.b].xyz, normals[record.c].xyz);
     v.x = p[0] + b1 * (p[1] - p[0]) + b2 * (p[2] - p[0]);
     let mixed = n * b;
     v.n = select(vec3f(0.0), mixed / max(length(mixed), 1e-30), dot(mixed, mixed) > 0.0);
@@ -48,7 +48,7 @@ fn triangle_vertex(record: vec4<u32>, b1: f32, b2: f32) -> Vertex {
     v.shading = v.n;
     v.b1 = b1;
     v.b2 = b2;
-    let map = surface_normal_map(record.w >> 1u);
+    let map = surface_normal_map(rna_surface(record));
     if map != NONE {
         v.shading = rna_mapped_normal(map, image_of(map).size, v.n, p, corner_uvs(record, 0u), b);
     }
@@ -57,9 +57,9 @@ fn triangle_vertex(record: vec4<u32>, b1: f32, b2: f32) -> Vertex {
     return v;
 }
 
-fn segment_vertex(path: Path, record: vec4<u32>, wo: vec3f) -> Vertex {
+fn segment_vertex(path: Path, record: RnaPrimitive, wo: vec3f) -> Vertex {
     var v: Vertex;
-    let cone = rna_cone(record.x);
+    let cone = rna_cone(record.a);
     let way = cone.b - cone.a;
     let size = max(abs(way.x), max(abs(way.y), abs(way.z)));
     v.axis = normalize(way / size);
@@ -75,7 +75,7 @@ fn segment_vertex(path: Path, record: vec4<u32>, wo: vec3f) -> Vertex {
         v.h = clamp(dot(v.n, across) / width, -1.0, 1.0);
     }
     v.shading = v.n;
-    v.strand = record.z;
+    v.strand = rna_strand(record);
     return v;
 }
 
@@ -93,13 +93,13 @@ fn vertex_of(path: Path) -> Vertex {
     let record = rna_primitives[path.primitive];
     let wo = rna_object_direction(-path.direction, path.instance);
     var v: Vertex;
-    if (record.w & 1u) == 0u {
+    if !rna_is_segment(record) {
         v = triangle_vertex(record, path.b1, path.b2);
     } else {
         v = segment_vertex(path, record, wo);
     }
     v.record = record;
-    v.surface = record.w >> 1u;
+    v.surface = rna_surface(record);
     v.kind = surface_kind(v.surface);
     v.part = surface_part(v.surface);
     if v.kind == OF_MATERIAL {
@@ -115,11 +115,11 @@ fn vertex_of(path: Path) -> Vertex {
 
 // Where rays along wi start in the world: on materials a step off the surface.
 fn origin_of(v: Vertex, wi_world: vec3f) -> vec3f {
-    let step = thing_step(v.instance);
+    let step = object_step(v.instance);
     return v.x_world + select(step, -step, dot(v.ng_world, wi_world) < 0.0) * v.ng_world;
 }
 
-// Where the ray along wi starts that asks whether the asset itself is in the way; object space.
+// Origin of the visibility ray along wi against the asset itself; object space.
 fn leaving_point(v: Vertex, wi: vec3f) -> vec3f {
     if v.kind == OF_FIBERS {
         return v.x;

@@ -1,7 +1,7 @@
 // Records of buffers by the names of their members: rna_gpu/records declares them, records.json has their places.
 import layouts from "../../../rna_gpu/wgsl/records.json";
 
-export const { constants, records } = layouts;
+export const { constants, records, viewerLights } = layouts;
 
 /** Takes the structs of a WGSL text, of numbers and vectors, to the records. */
 export function declare(wgsl) {
@@ -24,6 +24,10 @@ export function packed(name, values) {
   write(words, new Float32Array(words.buffer), 0, name, values);
   return words;
 }
+
+/** Declarations of the kinds of light of a pass, in WGSL or GLSL: LIGHT_SUN and so on. declaration: of a name and a number. */
+export const lightKinds = (declaration) => Object.entries(viewerLights)
+  .map(([kind, number]) => declaration(`LIGHT_${kind.replace(/[A-Z]/g, "_$&").toUpperCase()}`, number)).join("\n");
 
 export const bytesOf = (name) => 4 * records[name].words;
 

@@ -1,13 +1,14 @@
 // A bounding volume hierarchy with binned surface-area heuristics, as rna_gpu/bvh.py builds it.
 // Wald, On fast Construction of SAH-based Bounding Volume Hierarchies (2007).
+import { records } from "../decoder/records.js";
 
+const { words: NODE_WORDS, members: NODE } = records.RnaNode;
 const BINS = 16;
 const LEAF = 4;          // primitives
 const HALVED_FROM = 24;  // levels; from here on sets are halved, which ends below the stack of shaders
 
 /**
- * { nodes, order }: nodes of 8 words, as rna_gpu/wgsl/geometry.wgsl has them: min, right child or first primitive; max,
- * number of primitives or 0. The left child is next. order: numbers of the primitives in the order of the leaves.
+ * { nodes, order }: nodes: words of RnaNode. order: numbers of the primitives in the order of the leaves.
  * boxes: six numbers a primitive, min and max. at: place of the root among all nodes.
  */
 export function buildHierarchy(boxes, at = 0) {
@@ -16,28 +17,28 @@ export function buildHierarchy(boxes, at = 0) {
   for (let k = 0; k < count; k++) {
     for (let axis = 0; axis < 3; axis++) centres[3 * k + axis] = 0.5 * (boxes[6 * k + axis] + boxes[6 * k + 3 + axis]);
   }
-  const floats = new Float32Array(16 * count), words = new Uint32Array(floats.buffer), own = { boxes, centres, order };
+  const floats = new Float32Array(2 * NODE_WORDS * count), words = new Uint32Array(floats.buffer), own = { boxes, centres, order };
   const stack = [[0, count, 0, -1]];  // first, end, level, parent of a right child
   let used = 0;
   while (stack.length) {
-    const [first, end, level, parent] = stack.pop(), node = 8 * used;
+    const [first, end, level, parent] = stack.pop(), node = NODE_WORDS * used;
     used += 1;
-    if (parent >= 0) words[parent + 3] = at + node / 8;
+    if (parent >= 0) words[parent + NODE.child.at] = at + used - 1;
     boundsOf(own, first, end);
     for (let k = 0; k < 3; k++) {
-      floats[node + k] = box[k];
-      floats[node + 4 + k] = box[3 + k];
+      floats[node + NODE.low.at + k] = box[k];
+      floats[node + NODE.high.at + k] = box[3 + k];
     }
     if (end - first <= LEAF) {
-      words[node + 3] = first;
-      words[node + 7] = end - first;
+      words[node + NODE.child.at] = first;
+      words[node + NODE.count.at] = end - first;
       continue;
     }
     let middle = level < HALVED_FROM ? split(own, first, end) : first;
     if (!(first < middle && middle < end)) middle = halve(own, first, end);
     stack.push([middle, end, level + 1, node], [first, middle, level + 1, -1]);
   }
-  return { nodes: words.slice(0, 8 * used), order };
+  return { nodes: words.slice(0, NODE_WORDS * used), order };
 }
 
 /** Makes the box at `to` of `target` hold the one at `from` of `boxes` too. */

@@ -1,12 +1,14 @@
 // What shaders know of an asset's geometry: all parts in one hierarchy, in the layouts of rna_gpu/wgsl/geometry.wgsl,
 // render/surfaces.wgsl and render/textures.wgsl.
+import { constants, records } from "../decoder/records.js";
 import { buildHierarchy } from "./bvh.js";
 import { SurfaceTable } from "./surface_table.js";
 
-const HAS_BEFORE = 1, HAS_AFTER = 2;
+const { RNA_HAS_BEFORE, RNA_HAS_AFTER, RNA_IS_SEGMENT, RNA_SURFACE_SHIFT } = constants;
+const PRIMITIVE = records.RnaPrimitive, NODE = records.RnaNode;
 
 /**
- * nodes: one of the only instance, then those of the hierarchy. primitives: 4 words each, in the order of the leaves.
+ * nodes: one of the only instance, then those of the hierarchy. primitives: RnaPrimitive, in the order of the leaves.
  * points: x, y, z, and u or the radius. normals: n, v, of meshes' points. table, images: of the surfaces (SurfaceTable).
  * where: of a primitive's number its place in `primitives`; numbers count through all parts, of which `parts[k].first` is
  * the first of part k. extent: the largest coordinate.
@@ -15,7 +17,7 @@ export function sceneArrays(parts) {
   const counts = parts.map(countsOf);
   const total = (name) => counts.reduce((sum, own) => sum + own[name], 0);
   const arrays = {
-    primitives: new Uint32Array(4 * total("primitives")),
+    primitives: new Uint32Array(PRIMITIVE.words * total("primitives")),
     points: new Float32Array(4 * total("points")),
     normals: new Float32Array(4 * total("normals")),
     boxes: new Float32Array(6 * total("primitives")),
@@ -34,7 +36,7 @@ export function sceneArrays(parts) {
   const { nodes, order: leaves } = buildHierarchy(arrays.boxes, 1);
   const primitives = new Uint32Array(arrays.primitives.length), where = new Uint32Array(leaves.length);
   leaves.forEach((from, to) => {
-    primitives.set(arrays.primitives.subarray(4 * from, 4 * from + 4), 4 * to);
+    primitives.set(arrays.primitives.subarray(PRIMITIVE.words * from, PRIMITIVE.words * (from + 1)), PRIMITIVE.words * to);
     where[from] = to;
   });
   return { ...arrays, boxes: null, ...arrays.surfaces.arrays(), primitives, nodes: withInstance(nodes), where, box: boxOf(nodes) };
@@ -64,7 +66,8 @@ function addMesh(arrays, part, number, { primitive, point }) {
   const surfaces = arrays.surfaces.ofTriangles(part, number);
   for (let k = 0; k < indices.length / 3; k++) {
     const corners = [0, 1, 2].map((c) => indices[3 * k + c]);
-    primitives.set([...corners.map((corner) => corner + point), 2 * surfaces[k]], 4 * (primitive + k));
+    const [a, b, c] = corners.map((corner) => corner + point);
+    setPrimitive(primitives, primitive + k, a, b, c, surfaces[k] << RNA_SURFACE_SHIFT);
     for (let axis = 0; axis < 3; axis++) {
       const values = corners.map((corner) => positions[3 * corner + axis]);
       boxes[6 * (primitive + k) + axis] = Math.min(...values);
@@ -83,8 +86,8 @@ function addCurves(arrays, curves, part, { primitive, point }) {
   let number = primitive;
   for (let strand = 0; strand + 1 < offsets.length; strand++, arrays.strands++) {
     for (let k = offsets[strand]; k + 1 < offsets[strand + 1]; k++, number++) {
-      const neighbours = (k > offsets[strand] && HAS_BEFORE) | (k + 2 < offsets[strand + 1] && HAS_AFTER);
-      primitives.set([point + k, neighbours, arrays.strands, 2 * surface + 1], 4 * number);
+      const neighbours = (k > offsets[strand] && RNA_HAS_BEFORE) | (k + 2 < offsets[strand + 1] && RNA_HAS_AFTER);
+      setPrimitive(primitives, number, point + k, neighbours, arrays.strands, (surface << RNA_SURFACE_SHIFT) | RNA_IS_SEGMENT);
       for (let axis = 0; axis < 3; axis++) {
         const a = curves.points[3 * k + axis], b = curves.points[3 * k + 3 + axis];
         // Half a thousandth more, since the intersection rounds.
@@ -96,17 +99,26 @@ function addCurves(arrays, curves, part, { primitive, point }) {
   }
 }
 
+/** Record k of the primitives. */
+function setPrimitive(words, k, a, b, c, tag) {
+  const { members, words: size } = PRIMITIVE, at = size * k;
+  words[at + members.a.at] = a;
+  words[at + members.b.at] = b;
+  words[at + members.c.at] = c;
+  words[at + members.tag.at] = tag;
+}
+
 /** The nodes behind a leaf with instance 0. */
 function withInstance(nodes) {
-  const all = new Uint32Array(nodes.length + 8);
-  all.set(nodes.subarray(0, 8));
-  all[3] = 0;
-  all[7] = 1;
-  all.set(nodes, 8);
+  const all = new Uint32Array(nodes.length + NODE.words);
+  all.set(nodes.subarray(0, NODE.words));
+  all[NODE.members.child.at] = 0;
+  all[NODE.members.count.at] = 1;
+  all.set(nodes, NODE.words);
   return all;
 }
 
 function boxOf(nodes) {
-  const box = new Float32Array(nodes.buffer, 0, 8);
-  return { min: [...box.subarray(0, 3)], max: [...box.subarray(4, 7)] };
+  const box = new Float32Array(nodes.buffer, 0, NODE.words), corner = ({ at, count }) => [...box.subarray(at, at + count)];
+  return { min: corner(NODE.members.low), max: corner(NODE.members.high) };
 }

@@ -1,4 +1,4 @@
-// What is asked for. Changes wait, and add up, until a picture of the last one is there: so every picture is seen, and
+// Changes of the picture. They wait, and add up, until a picture of the last one is there: so every picture is seen, and
 // none is begun that would not be.
 import { clamp } from "../ui/elements.js";
 
@@ -20,7 +20,7 @@ export class Changes {
     Object.assign(this, { isSeen, onstate, onerror, pending: null, sending: false });
   }
 
-  ask(change) {
+  request(change) {
     this.pending = added(this.pending, change);
     this.send();
   }

@@ -1,17 +1,17 @@
-// What stands beside the picture: the scene, how far it is, the lights, the exposure.
+// The panel: the scene, how far it is, the lights, the exposure.
 import { element, on, showValue, signed } from "../ui/elements.js";
 
 export class Panel {
   constructor(preview) {
-    on("lighting", "change", ({ value }) => preview.ask({ lighting: value }));
+    on("lighting", "change", ({ value }) => preview.request({ lighting: value }));
     on("rotation", "input", ({ valueAsNumber }) => preview.setRotation(valueAsNumber));
     on("exposure", "input", ({ valueAsNumber }) => {
       this.showExposure(valueAsNumber);
-      preview.ask({ exposure: valueAsNumber });
+      preview.request({ exposure: valueAsNumber });
     });
-    on("denoise", "change", ({ checked }) => preview.ask({ denoise: checked }));
+    on("denoise", "change", ({ checked }) => preview.request({ denoise: checked }));
     on("reset", "click", () => preview.reset());
-    on("view-transform", "change", ({ value }) => preview.ask({ view: value }));
+    on("view-transform", "change", ({ value }) => preview.request({ view: value }));
     on("copy", "click", (button) => copy(button, preview.state?.text ?? ""));
     on("save", "click", () => this._save(preview));
   }

@@ -1,4 +1,4 @@
-// The page's state: what the renderer last told, which picture is shown, what is asked for next.
+// The page's state: what the renderer last told, which picture is shown, which is requested next.
 import { element, say, wrappedDegrees } from "../ui/elements.js";
 import { listen } from "../ui/pointer.js";
 import { Changes } from "./changes.js";
@@ -18,27 +18,27 @@ export class Preview {
       onerror: say,
     });
     listen(this.canvas, {
-      orbit: (x, y) => this.ask({ orbit_deg: [x * DEGREES, y * DEGREES] }),
+      orbit: (x, y) => this.request({ orbit_deg: [x * DEGREES, y * DEGREES] }),
       light: (x) => this.setRotation(wrappedDegrees(this.rotation + x * DEGREES)),
-      pan: (x, y) => this.ask({ pan: [x, y] }),
-      zoom: (factor) => this.ask({ dolly: factor }),
+      pan: (x, y) => this.request({ pan: [x, y] }),
+      zoom: (factor) => this.request({ dolly: factor }),
       settle: () => {},
       reset: () => this.reset(),
     });
   }
 
-  ask(change) {
-    this.changes.ask(change);
+  request(change) {
+    this.changes.request(change);
   }
 
   setRotation(degrees) {
     this._showRotation(degrees);
-    this.ask({ light_rotation_deg: degrees });
+    this.request({ light_rotation_deg: degrees });
   }
 
   reset() {
     this._showRotation(0);
-    this.ask({ reset: true, light_rotation_deg: 0 });
+    this.request({ reset: true, light_rotation_deg: 0 });
   }
 
   /** Pictures, for as long as the server is there. */

@@ -9,7 +9,7 @@ export function on(id, event, action) {
 const notices = new Map();
 
 /**
- * A line over the picture; null takes it away. calm: it is no error. about: lines about other things stay.
+ * A line over the picture; null takes it away. calm: it is no error. about: lines about other subjects stay.
  */
 export function say(text, calm = false, about = "page") {
   if (text) notices.set(about, { text, calm });
@@ -31,7 +31,7 @@ export function signed(x, digits) {
   return Number(text) === 0 ? text : (x < 0 ? "\u2212" : "+") + text;
 }
 
-/** What an <output> beside a slider says of its value. */
+/** What an <output> of a slider shows of its value. */
 export function showValue(id, value, text) {
   element(id).value = value;
   element(`${id}-value`).textContent = text;

@@ -1,4 +1,4 @@
-// What stands beside the picture: the panel's controls and figures, progress, poster, messages.
+// The panel's controls and figures, progress, poster, messages.
 import { element, on, readableBytes, readableTime, say, showValue, signed } from "../ui/elements.js";
 
 const FLUENT_MS = 100;  // a sample, while something moves

@@ -40,7 +40,7 @@ export async function evaluate(engine, part, output, rows, wantsAnswers = true) 
     const own = rows.slice(16 * first, 16 * (first + some));
     for (let k = 0; k < some; k++) {
       usable(own.subarray(16 * k, 16 * k + 16));
-      own[16 * k + 7] = own[16 * k + 3];  // h stands beside the axis here
+      own[16 * k + 7] = own[16 * k + 3];  // h is with the axis here
       own[16 * k + 3] = part + 1;
       own[16 * k + 15] = 1;
     }

@@ -143,7 +143,7 @@ export function pass(gl, program, target, { textures = {}, uniforms = {}, to } =
   gl.drawArrays(gl.TRIANGLES, 0, 3);
 }
 
-/** Once all that was asked for is done. */
+/** When all commands are done. */
 export async function finished(gl) {
   const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl.flush();

@@ -1,5 +1,6 @@
 // The asset in WebGL2: passes over float images, one for hits, and for each light one for rays, one a part for its
 // decoder, one for the sum.
+import { viewerLights } from "../decoder/records.js";
 import { finished, openContext, pass, Program, table, Target } from "./context.js";
 import { PartProgram, uploadPlanes } from "./part_program.js";
 import { sources } from "./sources.js";
@@ -179,11 +180,9 @@ export class WebGLEngine {
   }
 }
 
-const KINDS = { sun: 0, environment: 1, given: 2, aroundPoint: 3 };
-
 function lightUniforms({ kind, direction = [0, 1, 0], colour, angle = 0, ground }) {
   return {
-    lightKind: ["1i", KINDS[kind]], lightDirection: ["3fv", direction], lightColour: ["3fv", colour],
+    lightKind: ["1i", viewerLights[kind]], lightDirection: ["3fv", direction], lightColour: ["3fv", colour],
     turn: ["2f", Math.cos(angle), Math.sin(angle)],
     ground: ["4f", ground?.height ?? 0, ground ? 1 : 0, ground?.x ?? 0, ground?.z ?? 0],
     groundColour: ["3fv", ground?.colour ?? [0, 0, 0]], groundSize: ["1f", ground?.size ?? 1],

@@ -1,6 +1,6 @@
 // The decoder of one part as a shader, its planes and weights in textures.
 import { packDecoder, planeWords } from "../decoder/pack_decoder.js";
-import { constants, records } from "../decoder/records.js";
+import { records } from "../decoder/records.js";
 import { NotSupported } from "../package/errors.js";
 import { plain, Program, table } from "./context.js";
 import { sources } from "./sources.js";
@@ -38,7 +38,6 @@ function membersOf(name) {
 
 const RECORDS = `struct RnaLayer { ${membersOf("RnaLayer")} };
 layout(std140) uniform Part { ${membersOf("RnaPart")} } part;
-${Object.entries(constants).filter(([name]) => name.startsWith("RNA_")).map(([name, value]) => `const uint ${name} = ${value}u;`).join("\n")}
 `;
 
 /** Ready to answer for one part; `inputs` are the decoder's blocks. */

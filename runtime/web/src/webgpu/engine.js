@@ -1,13 +1,12 @@
 // The asset in WebGPU: kernels over a band of the picture, one for hits, and for each light one for rays; the
 // decoder of rna_gpu over the queries of each part; the sum in a buffer.
 import { planeWords } from "../decoder/pack_decoder.js";
-import { bytesOf, constants, lightNumbers, packed } from "../decoder/records.js";
+import { bytesOf, constants, lightNumbers, packed, viewerLights } from "../decoder/records.js";
 import { bind, bindGroup, buffer, compiled, dispatch, groupLayout, openDevice, read } from "./gpu_device.js";
 import { PartEvaluator, Pipelines } from "./part_evaluator.js";
 import { rayKernels, sources } from "./sources.js";
 
 const BAND_PIXELS = 1 << 17;
-const KINDS = { sun: 0, environment: 1, given: 2, aroundPoint: 3 };
 
 export class WebGPUEngine {
   static label = "WebGPU";
@@ -57,7 +56,7 @@ export class WebGPUEngine {
     this.showRecord = buffer(device, bytesOf("Show"), UNIFORM);
     this.band = buffer(device, bytesOf("Pixel") * BAND_PIXELS);
     this.queue = {
-      rows: buffer(device, bytesOf("Row") * BAND_PIXELS), answers: buffer(device, 32 * BAND_PIXELS), count: buffer(device, 4 * (BAND_PIXELS + 4)),
+      rows: buffer(device, bytesOf("RnaRow") * BAND_PIXELS), answers: buffer(device, 32 * BAND_PIXELS), count: buffer(device, 4 * (BAND_PIXELS + 4)),
     };
     this._bind();
   }
@@ -231,7 +230,7 @@ export class WebGPUEngine {
     const { first, jitter } = this.span;
     const under = ground && { ground: ground.height, ground_colour: ground.colour, ground_size: ground.size, middle: [ground.x, ground.z] };
     this.device.queue.writeBuffer(this.viewRecord, 0, packed("View", {
-      first, jitter, kind: KINDS[kind], is_first: Number(isFirst), direction, counts_coverage: Number(countsCoverage), colour, part,
+      first, jitter, kind: viewerLights[kind], is_first: Number(isFirst), direction, counts_coverage: Number(countsCoverage), colour, part,
       emission: Number(isEmission), ...under,
     }));
   }

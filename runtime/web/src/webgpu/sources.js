@@ -1,7 +1,7 @@
 // The WGSL of the viewer: rna_gpu's files as they stand there, put together as its compositions say, and the viewer's own
 // kernels.
 import { compositions, sharedFiles } from "rna_gpu/wgsl";  // by build.mjs
-import { declare } from "../decoder/records.js";
+import { declare, lightKinds } from "../decoder/records.js";
 import band from "./shaders/band.wgsl";
 import hit from "./shaders/hit.wgsl";
 import light from "./shaders/light.wgsl";
@@ -11,6 +11,8 @@ import withoutSegments from "./shaders/without_segments.wgsl";
 import withoutTextures from "./shaders/without_textures.wgsl";
 
 for (const text of [band, queue, show]) declare(text);
+
+const kinds = lightKinds((name, number) => `const ${name}: u32 = ${number}u;`);
 
 export { sharedFiles };
 
@@ -29,7 +31,7 @@ export function rayKernels({ hasSegments, hasTextures }) {
   const instead = { ...sharedFiles };
   if (!hasSegments) instead["segment.wgsl"] = withoutSegments;
   if (!hasTextures) Object.assign(instead, { "normal_maps.wgsl": withoutTextures, "render/transmittance.wgsl": "" });
-  return { hit: joined(compositions.hit, instead) + band + hit, light: joined(compositions.light, instead) + band + light };
+  return { hit: joined(compositions.hit, instead) + band + hit, light: [joined(compositions.light, instead), band, kinds, light].join("\n") };
 }
 
 export const sources = { queue: joined(compositions.queue) + band + queue, show };

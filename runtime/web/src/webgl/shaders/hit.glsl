@@ -40,7 +40,7 @@ void main() {
     }
     if (chance > 0.0) through *= (1.0 - tau) / (1.0 - chance);
     vec3 x = origin + hit.t * d;
-    float part = float(surfaceRow(primitive, 0).y + 1u);
+    float part = float(surfaceRow(primitive, SURFACE_PART_ROW)[SURFACE_PART] + 1u);
     if (fiber) {
       vec3 t = tangentOf(primitive);
       row1 = vec4(t, offsetAcross(hit.n, t, -d));

@@ -102,7 +102,7 @@ float distanceTo(Cone cone, vec3 p) {
 // An entry inside the segment before or after is no surface.
 bool insideNeighbour(int point, uint neighbours, vec3 p) {
   for (int k = 0; k < 2; k++) {
-    if ((neighbours & uint(1 + k)) == 0u) continue;
+    if ((neighbours & (k == 0 ? RNA_HAS_BEFORE : RNA_HAS_AFTER)) == 0u) continue;
     Cone cone = coneAt(point + (k == 0 ? -1 : 1));
     if (distanceTo(cone, p) < -1e-4 * min(cone.ra, cone.rb)) return true;
   }
@@ -110,12 +110,12 @@ bool insideNeighbour(int point, uint neighbours, vec3 p) {
 }
 
 bool meetsSegment(uvec4 primitive, vec3 origin, vec3 d, float far, inout Hit hit) {
-  int point = int(primitive.x);
+  int point = int(primitive[PRIMITIVE_A]);
   float t;
   vec3 n;
   if (!entersCone(coneAt(point), origin, d, t, n)) return false;
   if (!(t >= 0.0 && t < far)) return false;
-  if (insideNeighbour(point, primitive.y, origin + t * d)) return false;
+  if (insideNeighbour(point, primitive[PRIMITIVE_B], origin + t * d)) return false;
   hit.t = t;
   hit.n = n;
   return true;

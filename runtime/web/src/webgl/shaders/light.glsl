@@ -1,4 +1,4 @@
-// For each query a direction of one light, what arrives from there, and how much of it the asset lets through.
+// For each query a direction of one light, the radiance from there, and how much of it the asset lets through.
 #include random
 
 uniform sampler2D rows0;
@@ -6,7 +6,7 @@ uniform sampler2D rows1;
 uniform sampler2D rows2;
 uniform sampler2D rows3;
 uniform sampler2D given;        // directions, of the conformance kit
-uniform int lightKind;          // 0: sun; environment: 1 where it is bright, 3 about the point; 2: given directions
+uniform int lightKind;          // LIGHT_SUN and so on, of sources.js
 uniform vec3 lightDirection;    // of a sun
 uniform vec3 lightColour;       // its irradiance, or a factor of the environment
 uniform sampler2D sky;          // the environment's numbers: see light/environment.js
@@ -151,12 +151,12 @@ Surroundings surroundingsOf(vec4 row0, vec4 row1, vec4 row2) {
 
 // One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
 vec3 sampleLight(ivec2 pixel, Surroundings at, out vec3 wi) {
-  if (lightKind == 0 || lightKind == 2) {
-    wi = lightKind == 0 ? lightDirection : texelFetch(given, pixel, 0).xyz;
+  if (lightKind == LIGHT_SUN || lightKind == LIGHT_GIVEN) {
+    wi = lightKind == LIGHT_SUN ? lightDirection : texelFetch(given, pixel, 0).xyz;
     return lightColour;
   }
   vec2 u = random(ivec2(pixel.x, height - 1 - pixel.y - firstRow), DIRECTION);
-  wi = lightKind == 1 ? brightDirection(u) : directionAbout(at, u);
+  wi = lightKind == LIGHT_ENVIRONMENT ? brightDirection(u) : directionAbout(at, u);
   vec3 d = vec3(turn.x * wi.x - turn.y * wi.z, wi.y, turn.x * wi.z + turn.y * wi.x);
   float density;
   vec3 radiance = skyAt(d, density);
@@ -174,7 +174,7 @@ struct Start {
 Start startOf(vec4 row0, vec4 row1, vec4 row2, float b2, vec3 wi) {
   int place = int(row2.w);
   uvec4 primitive = wordsAt(primitives, place);
-  if (isSegment(primitive)) return Start(row0.xyz, primitive.z, vec3(1.0), 1.0);
+  if (isSegment(primitive)) return Start(row0.xyz, primitive[PRIMITIVE_C], vec3(1.0), 1.0);
   Hit hit = Hit(0.0, place, row1.w, b2, vec3(0.0));
   return Start(liftedOrigin(primitive, hit, wi), NONE, vec3(1.0), 1.0);
 }

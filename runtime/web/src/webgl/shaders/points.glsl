@@ -8,7 +8,7 @@ struct Corners {
 Corners cornersOf(uvec4 primitive) {
   Corners corners;
   for (int k = 0; k < 3; k++) {
-    vec4 place = valuesAt(points, int(primitive[k])), normal = valuesAt(normals, int(primitive[k]));
+    vec4 place = valuesAt(points, int(primitive[PRIMITIVE_A + k])), normal = valuesAt(normals, int(primitive[PRIMITIVE_A + k]));
     corners.p[k] = place.xyz;
     corners.n[k] = normal.xyz;
     corners.uv[k] = vec2(place.w, normal.w);
@@ -31,11 +31,11 @@ vec2 uvOf(Corners corners, vec3 b) {
 // The bilinear lookup of 4.4, in values from 0 to 255; the texture repeats.
 vec3 lookUp(uint image, vec2 uv) {
   uvec4 record = wordsAt(surfaces, texturesAt + TEXTURE_ROWS * int(image));
-  ivec2 size = ivec2(record.y & 0xffffu, record.y >> 16u);
+  ivec2 size = ivec2(record[TEXTURE_SIZE] & 0xffffu, record[TEXTURE_SIZE] >> 16u);
   vec2 place = uv * vec2(size) - 0.5, low = floor(place), f = place - low;
   // Repeat before integers: coordinates may be large.
   ivec2 at = clamp(ivec2(low - vec2(size) * floor(low / vec2(size))), ivec2(0), size - 1), next = (at + 1) % size;
-  ivec4 places = int(record.x) + ivec4(at.y, at.y, next.y, next.y) * size.x + ivec4(at.x, next.x, at.x, next.x);
+  ivec4 places = int(record[TEXTURE_PLACE]) + ivec4(at.y, at.y, next.y, next.y) * size.x + ivec4(at.x, next.x, at.x, next.x);
   vec3 lower = mix(vec3(wordsAt(texels, places.x).xyz), vec3(wordsAt(texels, places.y).xyz), f.x);
   vec3 upper = mix(vec3(wordsAt(texels, places.z).xyz), vec3(wordsAt(texels, places.w).xyz), f.x);
   return mix(lower, upper, f.y);
@@ -49,15 +49,18 @@ float fresnel(float index, float c) {
 }
 
 vec3 transmittance(uvec4 primitive, Hit hit, vec3 d) {
-  uint flags = surfaceRow(primitive, 0).z;
+  uint flags = surfaceRow(primitive, SURFACE_FLAGS_ROW)[SURFACE_FLAGS];
   if ((flags & LETS_THROUGH) == 0u) return vec3(0.0);
-  uvec4 rule = surfaceRow(primitive, THROUGH_ROW);  // texture, cutoff, indices of refraction
+  uint through = surfaceRow(primitive, SURFACE_THROUGH_ROW)[SURFACE_THROUGH];
+  float cutoff = uintBitsToFloat(surfaceRow(primitive, SURFACE_CUTOFF_ROW)[SURFACE_CUTOFF]);
+  uvec4 iors = surfaceRow(primitive, SURFACE_IOR_ROW);
+  vec2 ior = uintBitsToFloat(uvec2(iors[SURFACE_IOR], iors[SURFACE_IOR + 1]));  // in front and behind
   Corners corners = cornersOf(primitive);
-  vec3 b = weightsOf(hit), tau = lookUp(rule.x, uvOf(corners, b)) / 255.0, index = uintBitsToFloat(rule.yzw);
-  if ((flags & HAS_CUTOFF) != 0u) tau = vec3(tau.x > index.x ? 1.0 : 0.0);
-  if (index.y > 0.0) {
+  vec3 b = weightsOf(hit), tau = lookUp(through, uvOf(corners, b)) / 255.0;
+  if ((flags & HAS_CUTOFF) != 0u) tau = vec3(tau.x > cutoff ? 1.0 : 0.0);
+  if (ior.x > 0.0) {
     vec3 n = unit(mixed(corners.n, b)), ng = cross(corners.p[1] - corners.p[0], corners.p[2] - corners.p[0]);
-    tau *= 1.0 - fresnel(dot(d, ng) < 0.0 ? index.y : index.z, abs(dot(n, d)));
+    tau *= 1.0 - fresnel(dot(d, ng) < 0.0 ? ior.x : ior.y, abs(dot(n, d)));
   }
   return tau;
 }
@@ -82,11 +85,12 @@ vec3 mappedNormal(uint map, Corners corners, vec3 b, vec3 n) {
 vec3 shadingNormal(uvec4 primitive, Hit hit) {
   Corners corners = cornersOf(primitive);
   vec3 b = weightsOf(hit);
-  return mappedNormal(surfaceRow(primitive, 0).w, corners, b, unit(mixed(corners.n, b)));
+  return mappedNormal(surfaceRow(primitive, SURFACE_NORMAL_MAP_ROW)[SURFACE_NORMAL_MAP], corners, b, unit(mixed(corners.n, b)));
 }
 
 vec3 tangentOf(uvec4 primitive) {
-  return unit(valuesAt(points, int(primitive.x) + 1).xyz - valuesAt(points, int(primitive.x)).xyz);
+  int point = int(primitive[PRIMITIVE_A]);
+  return unit(valuesAt(points, point + 1).xyz - valuesAt(points, point).xyz);
 }
 
 // h of 4.2.

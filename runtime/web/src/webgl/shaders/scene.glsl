@@ -6,15 +6,13 @@ precision highp sampler2DArray;
 precision highp usampler2D;
 
 uniform usampler2D nodes;       // two texels a node: min, right child or first primitive; max, number of primitives
-uniform usampler2D primitives;  // one a primitive, in the order of the leaves; last twice the surface, + 1 of a segment
+uniform usampler2D primitives;  // RnaPrimitive, one a texel, in the order of the leaves
 uniform sampler2D points;       // position, and u or the radius
 uniform sampler2D normals;      // normal and v
 uniform usampler2D surfaces;    // rows of surfaces, then of textures: see geometry/surface_table.js
 uniform usampler2D texels;      // of textures
 uniform int texturesAt;
 uniform float epsilon;          // the spec's e, 7.1
-
-const uint NONE = 0xffffffffu;
 
 uvec4 wordsAt(usampler2D table, int k) {
   int width = textureSize(table, 0).x;
@@ -27,11 +25,12 @@ vec4 valuesAt(sampler2D table, int k) {
 }
 
 bool isSegment(uvec4 primitive) {
-  return (primitive.w & 1u) != 0u;
+  return (primitive[PRIMITIVE_TAG] & RNA_IS_SEGMENT) != 0u;
 }
 
+// Row k of the record of a primitive's surface.
 uvec4 surfaceRow(uvec4 primitive, int k) {
-  return wordsAt(surfaces, SURFACE_ROWS * int(primitive.w >> 1u) + k);
+  return wordsAt(surfaces, SURFACE_ROWS * int(primitive[PRIMITIVE_TAG] >> RNA_SURFACE_SHIFT) + k);
 }
 
 struct Hit {

@@ -31,9 +31,9 @@ vec3 traced(vec3 origin, vec3 d, uint own, bool weakens, out Hit hit) {
     for (int k = first; k < first + count; k++) {
       uvec4 primitive = wordsAt(primitives, k);
       bool segment = isSegment(primitive);
-      if (segment && primitive.z == own) continue;
-      bool met = segment ? meetsSegment(primitive, origin, d, hit.t, hit) : meetsTriangle(primitive, origin, shear, hit.t, hit);
-      if (!met) continue;
+      if (segment && primitive[PRIMITIVE_C] == own) continue;
+      bool isHit = segment ? meetsSegment(primitive, origin, d, hit.t, hit) : meetsTriangle(primitive, origin, shear, hit.t, hit);
+      if (!isHit) continue;
       hit.place = k;
       if (!weakens) continue;
       light *= segment ? vec3(0.0) : transmittance(primitive, hit, d);

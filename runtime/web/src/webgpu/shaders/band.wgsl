@@ -1,9 +1,9 @@
-// What a band of the picture holds between the kernels, and what the viewer's kernels know beside rna_gpu's Frame.
+// A band of the picture between the kernels, and the viewer's own numbers of a step, with rna_gpu's Frame.
 
 struct View {
     first: u32,  // pixel of the band
     jitter: f32, // 0: rays through the middles of pixels, 1: anywhere in them
-    kind: u32,   // of the light, see light.wgsl
+    kind: u32,   // of the light: LIGHT_SUN and so on
     is_first: u32, // 1: the sum starts with this
     direction: vec3f, // of a sun
     counts_coverage: u32,
@@ -12,11 +12,11 @@ struct View {
     ground_colour: vec3f, // radiance of it in full light, over the light's irradiance
     ground_size: f32,     // 0: there is no ground
     middle: vec2f,        // of the ground, x and z
-    part: u32,     // that is asked, + 1
+    part: u32,     // of the queries, + 1
     emission: u32, // 1: answers are of emission, one vec4f each
 }
 
-// A pixel: a row as rna_evaluate reads it, with two numbers in its free places; and what it weighs.
+// A pixel: the members of a row of rna_evaluate, with two numbers in free ones; and its weights.
 struct Pixel {
     position: vec4<u32>, // and h of a fiber
     axis: vec4<u32>,     // and part + 1, or 0 where nothing is hit

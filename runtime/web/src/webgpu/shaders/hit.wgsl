@@ -5,8 +5,8 @@ fn words(v: vec3f, last: u32) -> vec4<u32> {
 }
 
 // There are no lights with a shape.
-fn with_lights(ray: RnaRay, met: RnaHit) -> RnaHit {
-    return met;
+fn with_lights(ray: RnaRay, found: RnaHit) -> RnaHit {
+    return found;
 }
 
 fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
@@ -17,7 +17,7 @@ fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
     }
     let record = rna_primitives[hit.primitive];
     var v: Vertex;
-    if (record.w & 1u) == 0u {
+    if !rna_is_segment(record) {
         v = triangle_vertex(record, hit.b1, hit.b2);
     } else {
         var path: Path;
@@ -28,7 +28,7 @@ fn pixel_of(hit: RnaHit, wo: vec3f) -> Pixel {
         v = segment_vertex(path, record, wo);
     }
     pixel.position = words(v.x, bitcast<u32>(v.h));
-    pixel.axis = words(v.axis, surface_part(record.w >> 1u) + 1u);
+    pixel.axis = words(v.axis, surface_part(rna_surface(record)) + 1u);
     pixel.b1 = hit.b1;
     pixel.b2 = hit.b2;
     return pixel;

@@ -1,10 +1,5 @@
-// For each query a direction of one light, what arrives from there, and how much of it the asset lets through; and
-// the light on the ground.
-
-const OF_SUN = 0u; // kinds of view.kind
-const BRIGHT = 1u; // the environment, where it is bright
-const GIVEN = 2u;  // directions of the rows
-const ABOUT = 3u;  // the environment, about the point
+// For each query a direction of one light, the radiance from there, and how much of it the asset lets through; and
+// the light on the ground. sources.js declares the kinds of light.
 
 struct Arrival {
     wi: vec3f,
@@ -50,7 +45,7 @@ fn surroundings_of(pixel: Pixel) -> Surroundings {
     if pixel.axis.w == 0u {
         return Surroundings(vec3f(0.0, 1.0, 0.0), vec3f(0.0)); // of the ground
     }
-    if (rna_primitives[pixel.wo.w].w & 1u) != 0u {
+    if rna_is_segment(rna_primitives[pixel.wo.w]) {
         return Surroundings(vec3f(0.0), vec3f(0.0));
     }
     let n = bitcast<vec3f>(pixel.axis.xyz);
@@ -60,14 +55,14 @@ fn surroundings_of(pixel: Pixel) -> Surroundings {
 
 // One sample of both techniques each, as two lights: the balance heuristic (Veach and Guibas 1995).
 fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
-    if view.kind == OF_SUN {
+    if view.kind == LIGHT_SUN {
         return Arrival(view.direction, view.colour);
     }
-    if view.kind == GIVEN {
+    if view.kind == LIGHT_GIVEN {
         return Arrival(bitcast<vec3f>(pixel.wi.xyz), view.colour);
     }
     let at = surroundings_of(pixel);
-    if view.kind == BRIGHT {
+    if view.kind == LIGHT_ENVIRONMENT {
         let bright = sample_image(0u, at_point(number, LIGHT));
         return Arrival(bright.wi, bright.radiance / (bright.pdf + density_about(at, bright.wi)));
     }
@@ -80,13 +75,13 @@ fn arrival_at(number: u32, pixel: Pixel) -> Arrival {
 fn visibility_of(pixel: Pixel, wi: vec3f) -> vec3f {
     let record = rna_primitives[pixel.wo.w];
     var v: Vertex;
-    if (record.w & 1u) == 0u {
+    if !rna_is_segment(record) {
         v = triangle_vertex(record, pixel.b1, pixel.b2);
         v.kind = OF_NEURAL;
     } else {
         v.x = bitcast<vec3f>(pixel.position.xyz);
         v.kind = OF_FIBERS;
-        v.strand = record.z;
+        v.strand = rna_strand(record);
     }
     return own_kept(0u, RnaRay(leaving_point(v, wi), 0.0, wi, RNA_FAR), v.strand);
 }

@@ -1,13 +1,6 @@
 // The queries of one part, one behind the other as rna_evaluate reads them; and back, its answers to the picture.
 
-struct Row {
-    position: vec4<u32>,
-    axis: vec4<u32>,
-    wo: vec4<u32>,
-    wi: vec4<u32>,
-}
-
-@group(2) @binding(0) var<storage, read_write> asked: array<Row>;
+@group(2) @binding(0) var<storage, read_write> rows: array<RnaRow>;
 @group(2) @binding(1) var<storage, read_write> answers: array<vec4f>;
 @group(2) @binding(2) var<storage, read_write> count: array<atomic<u32>>; // [0]; then the pixel of each row
 
@@ -39,7 +32,7 @@ fn gather(
     atomicStore(&count[at + 1u], k);
     // No block of emission reads wi.
     let wi = select(pixel.wi, pixel.wo, view.emission == 1u);
-    asked[at] = Row(pixel.position, pixel.axis, pixel.wo, wi);
+    rows[at] = RnaRow(pixel.position.xyz, pixel.position.w, pixel.axis.xyz, 0u, pixel.wo.xyz, 0u, wi.xyz, 0u);
 }
 
 @compute @workgroup_size(64)

@@ -21,6 +21,6 @@ fn rna_enter_sphere(p: vec3f, d: vec3f, centre: vec3f, radius: f32) -> f32 {
     return RNA_FAR;
 }
 
-fn rna_meet_segment(ray: RnaRay, segment: vec4<u32>) -> RnaEntry {
+fn rna_meet_segment(ray: RnaRay, segment: RnaPrimitive) -> RnaEntry {
     return RnaEntry(RNA_FAR, vec3f(0.0));
 }

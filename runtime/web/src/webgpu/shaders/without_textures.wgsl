@@ -6,6 +6,6 @@ fn rna_mapped_normal(
     return n;
 }
 
-fn transmittance(record: vec4<u32>, b1: f32, b2: f32, d: vec3f, facing: bool) -> vec3f {
+fn transmittance(record: RnaPrimitive, b1: f32, b2: f32, d: vec3f, facing: bool) -> vec3f {
     return vec3f(0.0);
 }
