@@ -1,26 +1,13 @@
 // Builds the pages from the sources: node build.mjs [OUT]. The same sources give the same bytes.
 import { build } from "esbuild";
-import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
+import { copyFileSync, mkdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { shaders } from "./shaders.mjs";
 
-const here = dirname(fileURLToPath(import.meta.url)), SHADERS = join(here, "../rna_gpu/wgsl");
+const here = dirname(fileURLToPath(import.meta.url));
 const PAGES = { viewer: "../rna_view/site", preview: "../rna_render/preview/site" };
 const ENTRIES = ["surface", "fiber", "evaluate", "weights_uniform.wgsl", "weights_storage.wgsl", "hit", "light", "queue"];
-
-/** What rna_gpu's shaders are composed of: compositions, and the files that the viewer's need. */
-function shaders() {
-  const read = (path) => JSON.parse(readFileSync(path, "utf8"));
-  const compositions = {
-    ...read(join(SHADERS, "compositions.json")), ...read(join(SHADERS, "render/compositions.json")),
-    ...read(join(here, "src/webgpu/compositions.json")),
-  };
-  const filesOf = (name) => (name.endsWith(".wgsl") ? [name] : compositions[name].flatMap(filesOf));
-  const files = [...new Set(ENTRIES.flatMap(filesOf))].sort();
-  const sharedFiles = Object.fromEntries(files.map((name) => [name, readFileSync(join(SHADERS, name), "utf8")]));
-  const own = Object.fromEntries(Object.entries(compositions).filter(([, parts]) => parts.flatMap(filesOf).every((name) => name in sharedFiles)));
-  return `export const compositions = ${JSON.stringify(own)};\nexport const sharedFiles = ${JSON.stringify(sharedFiles)};\n`;
-}
 
 /** Imports that are no files: rna_gpu's shaders; and in place of all of three what its reader of EXR needs. */
 const plugin = {
@@ -28,7 +15,7 @@ const plugin = {
   setup({ onResolve, onLoad }) {
     onResolve({ filter: /^three$/ }, () => ({ path: join(here, "src/light/parts_of_three.js") }));
     onResolve({ filter: /^rna_gpu\/wgsl$/ }, ({ path }) => ({ path, namespace: "shaders" }));
-    onLoad({ filter: /.*/, namespace: "shaders" }, () => ({ contents: shaders() }));
+    onLoad({ filter: /.*/, namespace: "shaders" }, () => ({ contents: shaders(ENTRIES) }));
   },
 };
 

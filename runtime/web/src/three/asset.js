@@ -1,0 +1,118 @@
+// An asset in a scene: a mesh for each part; each picture takes the tier that is good enough for its size.
+import { Box3, BufferAttribute, BufferGeometry, Group, InstancedMesh, Mesh, Sphere, Vector2, Vector3 } from "three/webgpu";
+import { RnaMaterial, SharedBuffers } from "./material.js";
+import { chooseTier } from "./tiers.js";
+
+const DEFAULTS = { visibility: "rays", environmentSamples: 16, areaSamples: 3, maxError: 0.05 };
+const centre = /*@__PURE__*/ new Vector3(), eye = /*@__PURE__*/ new Vector3(), size = /*@__PURE__*/ new Vector2();
+
+/** What copies of an asset share. */
+class Content {
+  constructor(data, options) {
+    Object.assign(this, { data, options, users: 0, materials: new Map() });
+    this.buffers = new SharedBuffers(data.geometry);
+    this.geometries = data.parts.map(geometryOf);
+    this.sphere = new Box3(new Vector3(...data.box.min), new Vector3(...data.box.max)).getBoundingSphere(new Sphere());
+  }
+
+  materialsOf(tier) {
+    if (!this.materials.has(tier)) {
+      const { parts } = this.data.tiers.find(({ name }) => name === tier);
+      this.materials.set(tier, parts.map((part, k) => new RnaMaterial(this.buffers, this.data.parts[k].kind, part, this.options)));
+    }
+    return this.materials.get(tier);
+  }
+
+  dispose() {
+    this.buffers.dispose();
+    for (const geometry of this.geometries) geometry.dispose();
+    for (const materials of this.materials.values()) for (const material of materials) material.dispose();
+    this.materials.clear();
+  }
+}
+
+export class RnaAsset extends Group {
+  /** data: what `readAsset` gives, or the content of another one. */
+  constructor(data, options = {}) {
+    super();
+    this.content = data instanceof Content ? data : new Content(data, { ...DEFAULTS, ...options });
+    this.content.users += 1;
+    const { name, parts, tiers, notes, manifest } = this.content.data;
+    Object.assign(this, { isRnaAsset: true, type: "RnaAsset", name, tier: "auto", manifest, height: Infinity });
+    // three.js calls `update` of objects with these two once a picture, as of its own THREE.LOD.
+    Object.assign(this, { isLOD: true, autoUpdate: true });
+    this.shown = tiers[0].name;
+    const materials = this.content.materialsOf(this.shown);
+    parts.forEach((part, k) => this.add(this._mesh(part, k, materials[k])));
+    for (const note of notes) console.warn(`rna-three: ${name}: ${note}`);
+  }
+
+  get tiers() {
+    return this.content.data.tiers.map(({ name }) => name);
+  }
+
+  get meshes() {
+    return this.children.filter(({ material }) => material?.isRnaMaterial);
+  }
+
+  /** Chooses the tier; the size is that of the picture before. */
+  update(camera) {
+    const wanted = this.tier === "auto" ? chooseTier(this.content.data.tiers, this.content.options.maxError, this.pixels(camera)) : this.tier;
+    if (wanted === this.shown) return;
+    const materials = this.content.materialsOf(wanted);
+    this.meshes.forEach((mesh, k) => { mesh.material = materials[k]; });
+    this.shown = wanted;
+  }
+
+  /** Height in the image of the sphere about the asset. */
+  pixels(camera) {
+    if (!camera.isPerspectiveCamera || this.height === Infinity) return Infinity;
+    const { sphere } = this.content, radius = sphere.radius * this.matrixWorld.getMaxScaleOnAxis();
+    const distance = centre.copy(sphere.center).applyMatrix4(this.matrixWorld).distanceTo(eye.setFromMatrixPosition(camera.matrixWorld));
+    return (radius / Math.max(distance, radius)) * camera.projectionMatrix.elements[5] * this.height;
+  }
+
+  /** An InstancedMesh of each part, in the tier that is shown, whose geometry and decoders it shares. */
+  instanced(count) {
+    return this.meshes.map(({ geometry, material, name, castShadow, receiveShadow }) =>
+      Object.assign(new InstancedMesh(geometry, material, count), { name, castShadow, receiveShadow }));
+  }
+
+  /** Shares the geometry and the decoders; each is disposed of by itself. */
+  clone(recursive) {
+    return new this.constructor(this.content).copy(this, recursive);
+  }
+
+  copy(source) {
+    super.copy(source, false);
+    Object.assign(this, { tier: source.tier });
+    this.meshes.forEach((mesh, k) => {
+      const { castShadow, receiveShadow, visible } = source.meshes[k];
+      Object.assign(mesh, { castShadow, receiveShadow, visible });
+    });
+    return this;
+  }
+
+  /** Lets go of everything on the GPU, once no copy is left. */
+  dispose() {
+    this.removeFromParent();
+    this.content.users -= 1;
+    if (!this.content.users) this.content.dispose();
+  }
+
+  _mesh(part, k, material) {
+    const mesh = new Mesh(this.content.geometries[k], material);
+    Object.assign(mesh, { name: part.name, castShadow: true, receiveShadow: true });
+    mesh.onBeforeRender = (renderer) => { this.height = renderer.getDrawingBufferSize(size).y; };
+    return mesh;
+  }
+}
+
+function geometryOf({ position, normal, primitive, index }) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(position, 3));
+  geometry.setAttribute("normal", new BufferAttribute(normal, 3));
+  geometry.setAttribute("rnaPrimitive", new BufferAttribute(primitive, 1));
+  if (index) geometry.setIndex(new BufferAttribute(index, 1));
+  return geometry;
+}

@@ -1,0 +1,4 @@
+// rna-three: relightable neural assets in scenes of three.js.
+export { RnaAsset } from "./asset.js";
+export { RnaLoader } from "./loader.js";
+export { RnaMaterial } from "./material.js";

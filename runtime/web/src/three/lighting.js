@@ -1,0 +1,73 @@
+// What the lights of a scene bring to a fragment: for each a query of the decoder, and what hides it.
+import { LightingModel } from "three/webgpu";
+import { cameraViewMatrix, float, Loop, positionViewDirection, positionWorld, property, vec2, vec3, vec4 } from "three/tsl";
+import { environmentLight } from "./environment.js";
+import { viewToWorld, worldToObject } from "./spaces.js";
+
+/** Where shadow maps are asked. */
+export const shadowPosition = /*@__PURE__*/ property("vec3", "rnaShadowPosition");
+
+/** From the fragment to the viewer, in the asset's space. */
+export const towardsViewer = (builder) => worldToObject(viewToWorld(positionViewDirection), builder).normalize();
+
+export class RnaLighting extends LightingModel {
+  constructor(material) {
+    super();
+    this.material = material;
+  }
+
+  start(builder) {
+    const { functions, kind } = this.material;
+    // The shadow is asked for in `direct`, at a place of its own.
+    builder.context.getShadow = (lightNode) => lightNode.baseColorNode;
+    const begun = functions.begin(towardsViewer(builder)).toVar("rnaBegun");
+    if (kind === "fiber") begun.equal(0).discard();
+    super.start(builder);
+  }
+
+  direct({ lightDirection, lightColor, lightNode, reflectedLight }, builder) {
+    const sent = this.sentOf(lightDirection, shadowOf(lightNode, builder), builder);
+    reflectedLight.directDiffuse.addAssign(lightColor.mul(sent));
+  }
+
+  /** Radiance for irradiance 1, shadows included. direction: of view space; shadow: three's for this light, or null. */
+  sentOf(direction, shadow, builder) {
+    const { functions, options } = this.material;
+    const world = viewToWorld(direction).toVar(), scaled = worldToObject(world, builder).toVar(), wi = scaled.normalize().toVar();
+    if (options.visibility === "shadow-map") {
+      if (!shadow) return functions.sent(wi, float(1));
+      shadowPosition.assign(positionWorld);
+      return functions.sent(wi, vec3(shadow).x);
+    }
+    const own = functions.own(wi, shadow !== null).toVar();
+    if (!shadow) return functions.sent(wi, own.x);
+    // Where the light enters the asset: the map, in which the asset itself is, tells there of others alone.
+    shadowPosition.assign(positionWorld.add(world.mul(own.y.div(scaled.length()))));
+    return functions.sent(wi, own.x).mul(vec3(shadow).toVar());
+  }
+
+  /** Points of the lamp in a grid, whose middles are asked: it shines to one side. */
+  directRectArea({ lightColor, lightPosition, halfWidth, halfHeight, reflectedLight }, builder) {
+    const side = this.material.options.areaSamples, corner = halfWidth.cross(halfHeight);
+    const place = cameraViewMatrix.mul(vec4(positionWorld, 1)).xyz.toVar();
+    const normal = corner.normalize().toVar(), area = corner.length().mul(4);
+    const sum = vec3(0).toVar();
+    Loop(side, side, ({ i, j }) => {
+      const at = vec2(float(i), float(j)).add(0.5).mul(2 / side).sub(1);
+      const way = lightPosition.add(halfWidth.mul(at.x)).add(halfHeight.mul(at.y)).sub(place).toVar();
+      const distance = way.length().toVar(), direction = way.div(distance).toVar();
+      const cosine = direction.dot(normal).max(0);
+      sum.addAssign(this.sentOf(direction, null, builder).mul(cosine.div(distance.mul(distance))));
+    });
+    reflectedLight.directDiffuse.addAssign(lightColor.mul(sum).mul(area.div(side * side)));
+  }
+
+  indirect(builder) {
+    environmentLight(this.material, builder);
+  }
+}
+
+/** The shadow map's term, a vector or a number, of a light that has one. */
+function shadowOf({ light, shadowNode }, { object, renderer }) {
+  return light?.castShadow && object.receiveShadow && renderer.shadowMap.enabled ? shadowNode : null;
+}

@@ -1,0 +1,73 @@
+// Loads packages as three.js loads models.
+import { FileLoader, Loader } from "three/webgpu";
+import { RnaAsset } from "./asset.js";
+import { read } from "./reading.js";
+
+export class RnaLoader extends Loader {
+  constructor(manager) {
+    super(manager);
+    this.tier = null;
+    this.options = {};
+    this.aborting = new AbortController();
+    this.files = new Set();
+  }
+
+  /** Reads this tier of a package alone; null: all, and each picture chooses. */
+  setTier(name) {
+    this.tier = name;
+    return this;
+  }
+
+  /** Of RnaAsset, for what is loaded from here on. */
+  setOptions(options) {
+    this.options = { ...this.options, ...options };
+    return this;
+  }
+
+  load(url, onLoad = () => {}, onProgress, onError) {
+    const { manager } = this, file = this._file();
+    const address = manager.resolveURL(new URL(this.path + url, document.baseURI).href);
+    manager.itemStart(address);
+    const failed = (error) => {
+      if (onError) onError(error);
+      else console.error(`RnaLoader: ${error.message}`);
+      manager.itemError(address);
+      manager.itemEnd(address);
+    };
+    const done = (asset) => {
+      onLoad(asset);
+      manager.itemEnd(address);
+    };
+    this.files.add(file);
+    file.load(url, (bytes) => {
+      this.files.delete(file);
+      this.parseAsync(bytes, nameOf(address)).then(done).catch(failed);
+    }, onProgress, (error) => {
+      this.files.delete(file);
+      failed(error);
+    });
+  }
+
+  /** bytes: an ArrayBuffer, which stays as it is. */
+  parse(bytes, onLoad, onError = (error) => console.error(`RnaLoader: ${error.message}`)) {
+    this.parseAsync(bytes).then(onLoad, onError);
+  }
+
+  async parseAsync(bytes, name = "package") {
+    return new RnaAsset(await read(bytes, name, this.tier, this.aborting.signal), this.options);
+  }
+
+  abort() {
+    for (const file of this.files) file.abort();
+    this.aborting.abort();
+    this.aborting = new AbortController();
+    return this;
+  }
+
+  _file() {
+    return new FileLoader(this.manager).setPath(this.path).setResponseType("arraybuffer").setRequestHeader(this.requestHeader)
+      .setWithCredentials(this.withCredentials).setPriority(this.priority).setCache(this.cache);
+  }
+}
+
+const nameOf = (url) => decodeURIComponent(new URL(url).pathname.split("/").pop());

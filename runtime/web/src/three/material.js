@@ -1,0 +1,117 @@
+// The node material of a part in one tier: rna_gpu's WGSL with the buffers that three.js binds.
+import { DoubleSide, FrontSide, LightingNode, NodeMaterial, StorageBufferAttribute } from "three/webgpu";
+import { attribute, bool, buffer, Fn, positionGeometry, referenceAttribute, storage, wgsl, wgslFn } from "three/tsl";
+import { RnaLighting, shadowPosition, towardsViewer } from "./lighting.js";
+import { partSource } from "./shader_source.js";
+import { instanceColumns } from "./spaces.js";
+
+/** Buffers of all parts and tiers of an asset. */
+export class SharedBuffers {
+  constructor({ nodes, primitives, points, ...facts }) {
+    this.facts = facts;
+    this.nodes = new StorageBufferAttribute(nodes, 8);
+    this.primitives = new StorageBufferAttribute(primitives, 4);
+    this.points = new StorageBufferAttribute(points, 4);
+  }
+
+  dispose() {
+    for (const own of [this.nodes, this.primitives, this.points]) own.dispose();
+  }
+}
+
+const named = (own, type, name) => storage(own, type, own.count).toReadOnly().setName(name);
+
+export class RnaMaterial extends NodeMaterial {
+  static get type() {
+    return "RnaMaterial";
+  }
+
+  /** options: those of RnaAsset. part: planes and decoders of a part in a tier. */
+  constructor(shared, kind, { planes, transport, emission }, options) {
+    super();
+    Object.assign(this, { lights: true, side: kind === "fiber" ? FrontSide : DoubleSide, isRnaMaterial: true, options, kind });
+    this.receivedShadowPositionNode = shadowPosition;
+    this.stored = [];
+    const [xy, yz, zx] = planes.map((plane) => this._store(plane, 1));
+    const buffers = [
+      named(shared.nodes, "RnaNode", "rna_nodes"), named(shared.primitives, "uvec4", "rna_primitives"),
+      named(shared.points, "vec4", "rna_points"),
+      named(xy, "uint", "rna_plane_xy"), named(yz, "uint", "rna_plane_yz"), named(zx, "uint", "rna_plane_zx"),
+      ...this._decoder(transport, "rna_"), ...(emission ? this._decoder(emission, "rnae_") : []),
+    ];
+    const groups = Math.max(transport.groups, emission?.groups ?? 0);
+    this.functions = functionsOf(partSource({ kind, groups, emits: emission !== null, ...shared.facts }), buffers);
+    if (emission) this.emissiveNode = Fn((builder) => this.functions.emitted(towardsViewer(builder)))();
+  }
+
+  _store(array, items) {
+    const own = new StorageBufferAttribute(array, items);
+    this.stored.push(own);
+    return own;
+  }
+
+  /** Up to 64 KiB the weights are uniform, which is faster. */
+  _decoder({ record, weights, uniform }, prefix) {
+    const name = `${prefix}weights`;
+    return [
+      buffer(new Float32Array(record.buffer), "RnaPart", 1).setName(`${prefix}part`),
+      uniform ? buffer(weights, "vec4", weights.length / 4).setName(name) : named(this._store(weights, 4), "vec4", name),
+    ];
+  }
+
+  /** Materials have buffers of their own, which three.js keeps with the program. */
+  customProgramCacheKey() {
+    return `${super.customProgramCacheKey()} ${this.uuid}`;
+  }
+
+  setupLightingModel() {
+    return new RnaLighting(this);
+  }
+
+  setupEnvironment(builder) {
+    const node = super.setupEnvironment(builder) ?? builder.environmentNode;
+    return node ? new EnvironmentOfScene(node) : null;
+  }
+
+  setupPosition(builder) {
+    const result = super.setupPosition(builder);
+    if (builder.object.isInstancedMesh) {
+      const matrix = referenceAttribute("instanceMatrix", "mat4");
+      instanceColumns.forEach((column, k) => column.assign(matrix.element(k).xyz));
+    }
+    return result;
+  }
+
+  dispose() {
+    super.dispose();
+    for (const own of this.stored) own.dispose();
+  }
+}
+
+/** Tells RnaLighting of the scene's environment. */
+class EnvironmentOfScene extends LightingNode {
+  constructor(node) {
+    super();
+    this.node = node;
+  }
+
+  setup(builder) {
+    builder.context.rnaEnvironment = this.node.value;
+  }
+}
+
+/** The WGSL's functions, as nodes. `begin` says where the fragment is, for all that follow: 0 where there is nothing. */
+function functionsOf(source, buffers) {
+  const all = wgsl(source, buffers), primitive = attribute("rnaPrimitive", "uint");
+  const make = (head, body) => wgslFn(`fn rna_three_${head} {\n    return ${body};\n}`, [all]);
+  const begin = make("begin(primitive: u32, x: vec3f, wo: vec3f) -> f32", "begin(primitive, x, wo)");
+  const own = make("own(wi: vec3f, entry: bool) -> vec2f", "own_visibility(wi, entry)");
+  const emitted = make("emitted(primitive: u32, x: vec3f, wo: vec3f) -> vec3f", "emitted(primitive, x, wo)");
+  return {
+    begin: (wo) => begin(primitive, positionGeometry, wo),
+    own: (wi, entry) => own(wi, bool(entry)),
+    sent: make("sent(wi: vec3f, visibility: f32) -> vec3f", "sent(wi, visibility)"),
+    direction: make("direction(number: f32, count: f32, turn: f32) -> vec4f", "direction_about(number, count, turn)"),
+    emitted: (wo) => emitted(primitive, positionGeometry, wo),
+  };
+}

@@ -1,0 +1,124 @@
+// From the bytes of a package to plain arrays, as the GPU takes them. It runs in a worker, or where there is none in the
+// page: it knows nothing of three.js.
+import { packDecoder, planeWords } from "../decoder/pack_decoder.js";
+import { constants } from "../decoder/records.js";
+import { sceneArrays } from "../geometry/scene_arrays.js";
+import { Package } from "../package/package.js";
+import { BlobSource } from "../package/source.js";
+
+/** What `RnaAsset` shows. wanted: a tier's name, or null for all. */
+export async function readAsset(bytes, name, wanted = null) {
+  const own = await Package.open(new BlobSource(new Blob([bytes]), name));
+  const names = wanted ? [own.tier(wanted).name] : own.manifest.tiers.map((tier) => tier.name);
+  const loaded = [];
+  for (const tier of names) loaded.push(await own.load(tier));
+  const { parts } = loaded[0], arrays = sceneArrays(parts);
+  return {
+    name: own.manifest.name, manifest: own.manifest, box: arrays.box, geometry: shared(arrays),
+    parts: parts.map((part, k) => ({ name: part.name, kind: part.kind, ...drawn(part, k, arrays, parts) })),
+    tiers: loaded.map(tierOf),
+    notes: notesOf(parts),
+  };
+}
+
+/** The arrays' own buffers, to be handed over rather than copied. */
+export function buffersOf(value, found = new Set()) {
+  if (ArrayBuffer.isView(value)) found.add(value.buffer);
+  else if (value && typeof value === "object") Object.values(value).forEach((one) => buffersOf(one, found));
+  return [...found];
+}
+
+/** Of all parts: normals lie behind the points. */
+function shared({ nodes, primitives, points, normals, extent, strands }) {
+  const both = new Float32Array(points.length + normals.length);
+  both.set(points);
+  both.set(normals, points.length);
+  return { nodes, primitives, points: both, normalsAt: points.length / 4, extent, hasSegments: strands > 0 };
+}
+
+/** What is rasterised of a part: `primitive` has the number of each corner's triangle or segment. */
+function drawn(part, k, arrays, parts) {
+  const { first, fiber } = arrays.parts[k], next = arrays.parts.map((own) => own.first).filter((own) => own > first);
+  const count = Math.min(arrays.primitives.length / 4, ...next) - first;
+  const numbers = arrays.where.subarray(first, first + count);
+  return fiber ? tubes(numbers, arrays) : triangles(numbers, arrays);
+}
+
+function triangles(numbers, { primitives, points, normals }) {
+  const corners = 3 * numbers.length;
+  const own = { position: new Float32Array(3 * corners), normal: new Float32Array(3 * corners), primitive: new Uint32Array(corners) };
+  numbers.forEach((number, k) => {
+    for (let c = 0; c < 3; c++) {
+      const point = 4 * primitives[4 * number + c], to = 3 * (3 * k + c);
+      for (let axis = 0; axis < 3; axis++) {
+        own.position[to + axis] = points[point + axis];
+        own.normal[to + axis] = normals[point + axis];
+      }
+      own.primitive[3 * k + c] = number;
+    }
+  });
+  return own;
+}
+
+/** A square tube about each segment, round ends included; `begin` in fiber.wgsl finds the segment in it. */
+function tubes(numbers, { primitives, points }) {
+  const corners = 8 * numbers.length;
+  const own = { position: new Float32Array(3 * corners), normal: new Float32Array(3 * corners), primitive: new Uint32Array(corners), index: new Uint32Array(24 * numbers.length) };
+  numbers.forEach((number, k) => {
+    const first = 4 * primitives[4 * number], [a, b] = [points.subarray(first, first + 4), points.subarray(first + 4, first + 8)];
+    const { along, sides } = frameOf(a, b);
+    for (let c = 0; c < 8; c++) {
+      const end = c < 4 ? a : b, away = c < 4 ? -end[3] : end[3], to = 3 * (8 * k + c), side = sides[c % 4];
+      for (let axis = 0; axis < 3; axis++) {
+        own.position[to + axis] = end[axis] + away * along[axis] + Math.SQRT2 * end[3] * side[axis];
+        own.normal[to + axis] = side[axis];
+      }
+      own.primitive[8 * k + c] = number;
+    }
+    for (let c = 0; c < 4; c++) {
+      const [p, q] = [8 * k + c, 8 * k + ((c + 1) % 4)];
+      own.index.set([p, q, q + 4, p, q + 4, p + 4], 24 * k + 6 * c);
+    }
+  });
+  return own;
+}
+
+/** Unit vectors along a segment and to the corners of its tube. */
+function frameOf(a, b) {
+  const unit = (v) => v.map((value) => value / (Math.hypot(...v) || 1));
+  const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
+  const along = unit([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
+  const u = unit(cross(along, Math.abs(along[0]) > 0.7 ? [0, 1, 0] : [1, 0, 0])), v = cross(along, u), minus = (w) => w.map((value) => -value);
+  return { along, sides: [u, v, minus(u), minus(v)] };
+}
+
+/** work: multiply-adds a query; those of int8 decoders count half. */
+function tierOf({ name, tier, parts }) {
+  const isInt8 = tier.parts.every(({ decoderPrecision }) => decoderPrecision === "int8");
+  const work = (tier.cost?.multiplyAdds ?? Infinity) * (isInt8 ? 0.5 : 1);
+  return { name, validation: tier.validation, work, parts: parts.map(decoders) };
+}
+
+function decoders(part) {
+  const make = (decoder, inputs) => {
+    const { weights, record, groups } = packDecoder(part, decoder, inputs), fits = weights.length / 4 <= constants.UNIFORM_WEIGHTS;
+    const padded = fits ? new Float32Array(4 * constants.UNIFORM_WEIGHTS) : weights;
+    if (fits) padded.set(weights);
+    return { weights: padded, record, groups, uniform: fits };
+  };
+  const planes = [0, 1, 2].map((k) => {
+    const words = planeWords(part.planes, k);
+    return new Uint32Array(words.buffer.slice(words.byteOffset, words.byteOffset + words.byteLength));
+  });
+  return {
+    planes, transport: make(part.transport, part.inputs), emission: part.emission && make(part.emission, part.emission.inputs),
+  };
+}
+
+/** What the package has and this module does not show. */
+function notesOf(parts) {
+  const notes = [];
+  if (parts.some(({ transmittance }) => transmittance.length)) notes.push("holes and panes are shown opaque");
+  if (parts.some(({ normalMaps }) => normalMaps.length)) notes.push("normal maps are not applied");
+  return notes;
+}

@@ -1,0 +1,52 @@
+// Types of rna-three. Those of three.js itself are in @types/three.
+import type { Camera, Group, InstancedMesh, Loader, LoadingManager, Mesh, NodeMaterial } from "three/webgpu";
+
+export interface RnaOptions {
+  /** What hides light from the asset itself: rays through its own hierarchy, or the light's shadow map. Default "rays". */
+  visibility?: "rays" | "shadow-map";
+  /** Directions a pixel for scene.environment, HemisphereLight and AmbientLight. Default 16. */
+  environmentSamples?: number;
+  /** Points of a RectAreaLight along each of its sides. Default 3. */
+  areaSamples?: number;
+  /** Largest mean FLIP of the tier that is chosen by size. Default 0.05. */
+  maxError?: number;
+}
+
+/** Loads .rna packages, as other loaders of three.js do; packages are read in a worker. */
+export class RnaLoader extends Loader<RnaAsset> {
+  constructor(manager?: LoadingManager);
+  /** Reads one tier alone; null: all, from which each picture chooses. */
+  setTier(name: string | null): this;
+  setOptions(options: RnaOptions): this;
+  /** From bytes that are there already. */
+  parse(bytes: ArrayBuffer, onLoad: (asset: RnaAsset) => void, onError?: (error: Error) => void): void;
+  parseAsync(bytes: ArrayBuffer, name?: string): Promise<RnaAsset>;
+  /** Stops what is under way; its promises are rejected. */
+  abort(): this;
+}
+
+/** A relightable asset: a group of a mesh for each part. */
+export class RnaAsset extends Group {
+  readonly isRnaAsset: true;
+  /** The package's manifest. */
+  readonly manifest: Record<string, unknown>;
+  /** Names of the tiers that were read. */
+  readonly tiers: string[];
+  /** A tier's name, or "auto": the cheapest that is good enough for the asset's size in the image. */
+  tier: string;
+  /** Meshes of the parts; geometry and material can be given to an InstancedMesh. */
+  readonly meshes: Mesh[];
+  /** Chooses the tier; the renderer calls it. */
+  update(camera: Camera): void;
+  /** Many of it, each with a matrix of its own, which may turn, move and scale evenly. */
+  instanced(count: number): InstancedMesh[];
+  /** Shares geometry and decoders. */
+  clone(recursive?: boolean): this;
+  /** Frees what is on the GPU, once the last copy is disposed of. */
+  dispose(): void;
+}
+
+/** The node material of a part; WebGPU alone. */
+export class RnaMaterial extends NodeMaterial {
+  readonly isRnaMaterial: true;
+}
