@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from rna_export.capture.capture_settings import CaptureSettings
 from rna_export.capture.dataset.dataset_folder import Dataset
@@ -24,6 +27,16 @@ def tiny(preset: str = "small", kind: str = "surface", **training: object) -> Pr
     """Like the preset, but trained within a second: 16 texels, 2 layers of 16."""
     small = PRESETS[kind][preset].with_model(resolution=16, width=16, hidden_layers=2)
     return small.with_training(**{"steps": 40, "batch": 512, **training})
+
+
+@contextmanager
+def hurried_packages() -> Iterator[None]:
+    """Little tuning of int8 decoders and short timings, where no test looks at their results."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("rna_export.export.int8_tuning._STEPS", 8)
+        patch.setattr("rna_export.trials.cost._SECONDS", 0.005)
+        patch.setattr("rna_export.trials.cost._FEWEST", 1024)
+        yield
 
 
 def make_dataset(

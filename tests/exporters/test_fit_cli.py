@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from rna_export.fit.rna_fit import main
 from rna_export.trials import grid as grid_module
 from rna_export.trials.trial import Trial
 from rna_sdk.runtime import load
-from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
 
 
 def grid(kind: str, steps: int) -> list[Trial]:
@@ -21,6 +22,12 @@ def grid(kind: str, steps: int) -> list[Trial]:
         Trial(name="wide", family="ours", preset=preset.with_model(width=64)),
         Trial(name="theirs", family="paper", preset=preset),
     ]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def hurried() -> Iterator[None]:
+    with hurried_packages():
+        yield
 
 
 @pytest.fixture(scope="module")

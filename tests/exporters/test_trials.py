@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,7 @@ from rna_export.trials.trial_record import read_record
 from rna_export.trials.trial_run import run_trial
 from rna_sdk.errors import TrainingError
 from rna_sdk.runtime import load
-from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
 from tests.exporters.two_parts import hairy_ball
 
 CPU = TrialWorkers(count=1, threads=1, device="cpu")
@@ -29,6 +30,12 @@ CPU = TrialWorkers(count=1, threads=1, device="cpu")
 
 def trial(name: str = "tiny", **training: object) -> Trial:
     return Trial(name=name, family="ours", preset=tiny(steps=12, **training))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def hurried() -> Iterator[None]:
+    with hurried_packages():
+        yield
 
 
 @pytest.fixture(scope="module")
