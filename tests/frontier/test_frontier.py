@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,7 @@ from rna_export.capture.dataset.dataset_folder import Dataset
 from rna_export.trials.grid import full_grid
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_packages import TRIAL_PRECISIONS
-from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
 from tests.render.chromium import find_chromium, open_page
 
 POINTS = 3 * len(TRIAL_PRECISIONS)
@@ -36,6 +37,12 @@ def grid(kind: str, steps: int) -> list[Trial]:
             tables=("no-hint",),
         ),
     ]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def hurried() -> Iterator[None]:
+    with hurried_packages():
+        yield
 
 
 @pytest.fixture(scope="module")

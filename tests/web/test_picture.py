@@ -129,7 +129,7 @@ def test_sun_in_an_image(api, tmp_path):
     sky = np.repeat(rows[:, None], 64, axis=1)
     sky[9, 40] = [160.0, 140.0, 112.0]
     OpenEXR.File({}, {"RGB": sky}).write(str(tmp_path / "sky.exr"))
-    path = write_scene(tmp_path, TOY, SKY, [48, 30], 320)
+    path = write_scene(tmp_path, TOY, SKY, [32, 20], 320)
     found, expected = by_viewer(path, api, "&jitter=0"), by_rna_run(path)
     assert psnr(found, expected) >= LEAST_PSNR
     assert found[..., :3].max() < 1.2 * expected[..., :3].max()

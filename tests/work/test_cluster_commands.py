@@ -10,6 +10,7 @@ from rna_export.capture.rna_capture import main as capture
 from rna_export.trials.trial import Trial
 from rna_export.trials.trial_pool import TrialPool, TrialWorkers
 from rna_render.command.rna_run import main as render
+from rna_work.cluster.store import Store
 from rna_work.executors import open_executor
 from tests.exporters.scenes import write_scene
 from tests.exporters.synthetic import make_dataset, tiny
@@ -78,20 +79,28 @@ def test_a_large_image_has_the_same_bits(ray_address: str, tmp_path: Path) -> No
     assert one.read_bytes() == other.read_bytes()
 
 
-def test_trainings_have_the_same_bits(ray_address: str, tmp_path: Path) -> None:
+def test_trainings_have_the_same_bits(
+    ray_address: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On workers that see the folder, and on one that has only a store."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     dataset = make_dataset(tmp_path / "ball.rays")
     trials = [Trial(name=f"t{k}", family="ours", preset=tiny(steps=12), seed=k) for k in range(2)]
+    store = Store(f"file://{tmp_path}/store")
 
-    def points(executor: object, name: str) -> dict[str, object]:
-        workers = TrialWorkers(None if executor.far else 1, 1, "cpu", executor)
+    def points(workers: TrialWorkers, name: str, trials: list[Trial]) -> dict[str, object]:
         with TrialPool(dataset.folder, workers) as pool:
             records = list(pool.run([(t, tmp_path / name / t.name) for t in trials]))
         return {record.trial.name: record.points for record in records}
 
     with open_executor(None) as here:
-        expected = points(here, "a")
+        expected = points(TrialWorkers(1, 1, "cpu", here), "a", trials)
     with open_executor(ray_address) as there:
-        assert points(there, "b") == expected
-    for trial in trials:
-        packages = [tmp_path / name / trial.name / "int8-int8.rna" for name in ("a", "b")]
-        assert packages[0].read_bytes() == packages[1].read_bytes()
+        assert points(TrialWorkers(None, 1, "cpu", there), "b", trials) == expected
+        (found,) = points(TrialWorkers(1, 1, "cpu", there, store), "c", trials[:1]).items()
+    assert found in expected.items()
+    for name, of in (("b", trials), ("c", trials[:1])):
+        for trial in of:
+            packages = [tmp_path / n / trial.name / "int8-int8.rna" for n in ("a", name)]
+            assert packages[0].read_bytes() == packages[1].read_bytes()
+    assert list((tmp_path / "store" / "trials").iterdir())

@@ -1,8 +1,10 @@
-"""Trainings on machines that share no folder: dataset and checkpoints go through a store."""
+"""Trainings on machines that share no folder: dataset and checkpoints go through a store.
+
+`test_cluster_commands.py` has them on a cluster.
+"""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from uuid import uuid4
@@ -19,11 +21,17 @@ from rna_work.cluster.store import Store
 from rna_work.cluster.stored import Mirror, StoredFolder
 from rna_work.executors import open_executor
 from rna_work.sources import InPlace
-from tests.exporters.synthetic import make_dataset, tiny
+from tests.exporters.synthetic import hurried_packages, make_dataset, tiny
 from tests.work.stores import s3
 
 pytestmark = pytest.mark.filterwarnings("ignore")  # of Ray and moto
 TRIALS = [Trial(name=f"t{k}", family="ours", preset=tiny(steps=12), seed=k) for k in range(2)]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def hurried() -> Iterator[None]:
+    with hurried_packages():
+        yield
 
 
 @pytest.fixture
@@ -125,20 +133,3 @@ def test_what_is_in_the_store_is_not_trained_again(
             logs.append((tmp_path / name / "t0" / "log.txt").read_text())
             assert (tmp_path / name / "t0" / "int8-int8.rna").is_file()
     assert "samples" in logs[0] and logs[1] == logs[0]
-
-
-def test_trainings_on_a_cluster_have_the_same_bits(
-    ray_address: str, dataset: DatasetPart, tmp_path: Path
-) -> None:
-    store = Store(f"file://{tmp_path}/store")
-    points = []
-    for name, address in (("a", None), ("b", ray_address)):
-        with open_executor(address) as executor:
-            workers = TrialWorkers(1, 1, "cpu", executor, store if address else None)
-            with TrialPool(dataset.folder, workers) as pool:
-                [record] = pool.run([(TRIALS[0], tmp_path / name / "t0")])
-        points.append(record.points)
-    assert points[0] == points[1]
-    packages = [tmp_path / name / "t0" / "int8-int8.rna" for name in ("a", "b")]
-    assert packages[0].read_bytes() == packages[1].read_bytes()
-    assert os.listdir(tmp_path / "store" / "trials")
