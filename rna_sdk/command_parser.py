@@ -1,4 +1,4 @@
-"""The parser of every command: --version, and errors of usage in two lines."""
+"""The parser of every command: --version, --debug, and errors of usage in two lines."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rna_sdk.lasting_streams import lasting_streams
 
 
 class CommandParser(argparse.ArgumentParser):
-    """An ArgumentParser with --version, whose errors show an example in place of all options.
+    """An ArgumentParser with --version and --debug; errors show an example, not all options.
 
     example: a command to copy; None for none.
     """
@@ -26,6 +26,9 @@ class CommandParser(argparse.ArgumentParser):
             action="version",
             version=f"{self.prog} {__version__}",
             help="show the version and exit (default: off)",
+        )
+        self.add_argument(
+            "--debug", action="store_true", help="show the traceback of an error (default: off)"
         )
 
     def exit(self, status: int = 0, message: str | None = None) -> NoReturn:

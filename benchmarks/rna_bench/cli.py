@@ -44,9 +44,6 @@ def parser_of(command: Command) -> argparse.ArgumentParser:
         formatter_class=OptionHelp,
     )
     module.add_options(p)
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     p.set_defaults(run=module.run)
     return p
 

@@ -6,7 +6,7 @@ import hashlib
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,7 @@ class EvaluateCase:
         step: the most that one step of one int8 activation changes an output; 0 for float32.
     """
 
+    level: ClassVar[str] = "evaluate"
     package: Path
     tier: str
     part: int
@@ -54,6 +55,7 @@ class EvaluateCase:
 class VisibilityCase:
     """Hits on the parts of a package; expected: (n, 3) float32, the visibility, RGB."""
 
+    level: ClassVar[str] = "visibility"
     package: Path
     hits: Path
     expected: NDArray[np.float32]
@@ -64,6 +66,7 @@ class VisibilityCase:
 class NormalsCase:
     """Hits on a part of a package; expected, tolerance: (n, 3) float64, the mapped normal."""
 
+    level: ClassVar[str] = "normals"
     package: Path
     part: int
     hits: Path
@@ -81,6 +84,7 @@ class ValidateCase:
         extension: an optional one that the fault is in; a reader that does not know it says so.
     """
 
+    level: ClassVar[str] = "validate"
     package: Path
     valid: bool
     code: str | None

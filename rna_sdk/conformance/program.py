@@ -93,16 +93,10 @@ def command_of(form: DecoderForm) -> str:
     return "evaluate" if form is TRANSPORT else form.name
 
 
-def visibility(program: Program, package: Path, hits: Path) -> NDArray[np.float64]:
-    """(n, 3) visibility, RGB, for a file of n hits."""
+def of_hits(program: Program, level: str, package: Path, hits: Path) -> NDArray[np.float64]:
+    """(n, 3) visibility, RGB, or mapped normals, by level, for a file of n hits."""
     rows = hits.stat().st_size // 32
-    return _results(program, rows, 3, "visibility", str(package), str(hits))
-
-
-def normals(program: Program, package: Path, hits: Path) -> NDArray[np.float64]:
-    """(n, 3) mapped normals for a file of n hits."""
-    rows = hits.stat().st_size // 32
-    return _results(program, rows, 3, "normals", str(package), str(hits))
+    return _results(program, rows, 3, level, str(package), str(hits))
 
 
 def _results(program: Program, rows: int, columns: int, *call: str) -> NDArray[np.float64]:

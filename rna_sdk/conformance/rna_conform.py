@@ -84,7 +84,6 @@ def _parser() -> argparse.ArgumentParser:
         help="time limit per run of COMMAND, seconds (float, default: 300)",
     )
     parser.add_argument("--json", action="store_true", help="print JSON (default: a table)")
-    parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
     return parser
 
 

@@ -70,30 +70,40 @@ def score(program: Program, kit: Kit, case: Case) -> Score:
 
 
 def _nothing(case: Case) -> Score:
-    name = case.package.stem
-    if isinstance(case, EvaluateCase):
-        return Score("evaluate", name, _tier(case), len(case.expected), 0, False)
-    if isinstance(case, VisibilityCase):
-        return Score("visibility", name, "", len(case.expected), 0, False)
-    if isinstance(case, NormalsCase):
-        return Score("normals", name, "", len(case.expected), 0, False)
-    return Score("validate", name, "", 1, 0, False)
+    rows = 1 if isinstance(case, ValidateCase) else len(case.expected)
+    return Score(case.level, case.package.stem, _tier(case), rows, 0, False)
 
 
 def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
     form = form_named(case.output)
     where = case.package, case.tier, case.part, case.queries
     found = reader.evaluate(program, form, case.expected.shape[1], *where)
-    difference = np.where(form.allowed(found), np.abs(found - case.expected), np.inf)
+    return _compared(case, found, form.allowed(found), case.step, int8_share)
+
+
+def _normals(program: Program, case: NormalsCase) -> Score:
+    found = reader.of_hits(program, case.level, case.package, case.hits)
+    return _compared(case, found, np.isfinite(found))
+
+
+def _compared(
+    case: EvaluateCase | NormalsCase,
+    found: NDArray[np.float64],
+    allowed: NDArray[np.bool_],
+    step: float = 0.0,
+    int8_share: float = 0.0,
+) -> Score:
+    """Each value against its tolerance; `int8_share` of the rows may be off by a step of int8."""
+    difference = np.where(allowed, np.abs(found - case.expected), np.inf)
     units = _units(difference, case.tolerance)
     wrong = units.max(axis=1) > 1
-    by_a_step = np.all(difference <= case.tolerance + case.step, axis=1)
-    few = case.step > 0 and int(np.sum(wrong)) <= int8_share * len(found)
+    by_a_step = np.all(difference <= case.tolerance + step, axis=1)
+    few = step > 0 and int(np.sum(wrong)) <= int8_share * len(found)
     within = not wrong.any() or (few and bool(by_a_step[wrong].all()))
     counted = ~wrong if within else np.ones_like(wrong)
     steps = f"{int(wrong.sum())} rows by one step of int8" if within and wrong.any() else ""
     return Score(
-        "evaluate",
+        case.level,
         case.package.stem,
         _tier(case),
         len(found),
@@ -105,7 +115,9 @@ def _evaluate(program: Program, case: EvaluateCase, int8_share: float) -> Score:
     )
 
 
-def _tier(case: EvaluateCase) -> str:
+def _tier(case: Case) -> str:
+    if not isinstance(case, EvaluateCase):
+        return ""
     return f"{case.tier} {case.part}" + f" {case.output}" * (case.output != TRANSPORT.name)
 
 
@@ -129,32 +141,14 @@ def _shown(values: NDArray[np.floating]) -> str:
 
 
 def _visibility(program: Program, case: VisibilityCase, tolerance: float) -> Score:
-    found = reader.visibility(program, case.package, case.hits)
+    found = reader.of_hits(program, case.level, case.package, case.hits)
     difference = np.where(np.isfinite(found), np.abs(found - case.expected), np.inf).max(axis=1)
     wrong, note = np.flatnonzero(difference > tolerance), ""
     if len(wrong):
         where = ", ".join(sorted({_class_of(case.classes, int(k)) for k in wrong}))
         note = f"{_worst(case, found, int(wrong[0]))}; wrong in: {where}"
     rows = len(found)
-    return Score("visibility", case.package.stem, "", rows, rows - len(wrong), not note, note=note)
-
-
-def _normals(program: Program, case: NormalsCase) -> Score:
-    found = reader.normals(program, case.package, case.hits)
-    difference = np.where(np.isfinite(found), np.abs(found - case.expected), np.inf)
-    units = _units(difference, case.tolerance)
-    wrong, worst = units.max(axis=1) > 1, int(units.max(axis=1).argmax())
-    return Score(
-        "normals",
-        case.package.stem,
-        "",
-        len(found),
-        int(np.sum(~wrong)),
-        not wrong.any(),
-        float(units.max()),
-        float(difference.max()),
-        _worst(case, found, worst) if wrong.any() else "",
-    )
+    return Score(case.level, case.package.stem, "", rows, rows - len(wrong), not note, note=note)
 
 
 def _validate(program: Program, case: ValidateCase) -> Score:
@@ -169,7 +163,7 @@ def _validate(program: Program, case: ValidateCase) -> Score:
         names = {True: "valid", False: "invalid"}
         expected = " ".join(filter(None, (names[case.valid], case.code)))
         note = f"found {' '.join((names[valid], *codes[:4]))}, expected {expected}"
-    return Score("validate", case.package.stem, "", 1, int(passed), passed, note=note)
+    return Score(case.level, case.package.stem, "", 1, int(passed), passed, note=note)
 
 
 def _class_of(classes: tuple[RowClass, ...], row: int) -> str:

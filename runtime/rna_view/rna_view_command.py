@@ -71,7 +71,6 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--no-browser", action="store_true", help="do not open a browser (default: off)"
     )
-    parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
     return parser
 
 

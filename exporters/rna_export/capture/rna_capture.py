@@ -76,14 +76,7 @@ def parser() -> argparse.ArgumentParser:
         action="store_true",
         help="install Blender's Python module in its own environment, then exit (default: off)",
     )
-    p.add_argument(
-        "--for",
-        dest="for_scene",
-        type=Path,
-        metavar="SCENE",
-        help="capture only the view and light directions that this scene file uses (path, default: "
-        "all of --domain)",
-    )
+    add_scene(p)
     p.add_argument(
         "--minutes",
         type=float,
@@ -92,10 +85,19 @@ def parser() -> argparse.ArgumentParser:
     )
     add_settings(p, _OPTIONS)
     add_workers(p)
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     return p
+
+
+def add_scene(p: argparse.ArgumentParser) -> None:
+    """The option for a scene that limits a capture."""
+    p.add_argument(
+        "--for",
+        dest="for_scene",
+        type=Path,
+        metavar="SCENE",
+        help="capture only the view and light directions that this scene file uses (path, default: "
+        "all of --domain)",
+    )
 
 
 def add_settings(p: argparse.ArgumentParser, names: Sequence[str]) -> None:

@@ -73,9 +73,6 @@ def parser() -> argparse.ArgumentParser:
         default=CAMERAS,
         help="cameras to use (default: all; strands only for pure hair)",
     )
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     return p
 
 

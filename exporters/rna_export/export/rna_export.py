@@ -64,9 +64,6 @@ def parser() -> argparse.ArgumentParser:
         "the package (default: %(default)s)",
     )
     add_credit(p)
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     return p
 
 

@@ -72,9 +72,6 @@ def parser() -> argparse.ArgumentParser:
     )
     add_trainings(p)
     add_credit(p)
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     return p
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from rna_export.capture.blender_process import source_help
 from rna_export.capture.orientation import joined_axes
 from rna_export.capture.rna_capture import (
+    add_scene,
     add_settings,
     add_workers,
     check_settings,
@@ -96,14 +97,7 @@ def parser() -> argparse.ArgumentParser:
         help="one tier per preset, the default tier first; the target applies to the most "
         "expensive (default: small)",
     )
-    p.add_argument(
-        "--for",
-        dest="for_scene",
-        type=Path,
-        metavar="SCENE",
-        help="capture only the view and light directions that this scene file uses (path, default: "
-        "all of --domain)",
-    )
+    add_scene(p)
     p.add_argument(
         "--steps",
         type=int,
@@ -124,9 +118,6 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--keep", action="store_true", help="keep the work folder (default: off)")
     add_precision(p)
     add_credit(p)
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     return p
 
 

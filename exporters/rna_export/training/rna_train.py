@@ -92,9 +92,6 @@ def parser() -> argparse.ArgumentParser:
         help="random seed; with --steps, CPU runs are reproducible (int, default: %(default)s)",
     )
     add_device(p, "the training")
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     return p
 
 

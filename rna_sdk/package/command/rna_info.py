@@ -40,9 +40,6 @@ def parser() -> argparse.ArgumentParser:
         metavar="PNG",
         help="write the package's picture to this file (path, default: none)",
     )
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     return p
 
 

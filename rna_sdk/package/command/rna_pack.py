@@ -36,9 +36,6 @@ def parser() -> argparse.ArgumentParser:
         metavar="PNG",
         help="poster image of the asset (path, default: unchanged)",
     )
-    p.add_argument(
-        "--debug", action="store_true", help="show the traceback of an error (default: off)"
-    )
     return p
 
 

@@ -60,7 +60,6 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help="packages to validate (paths)")
     parser.add_argument("--json", action="store_true", help="print JSON (default: text)")
-    parser.add_argument("--debug", action="store_true", help="show tracebacks (default: off)")
     return parser
 
 

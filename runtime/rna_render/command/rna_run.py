@@ -142,7 +142,6 @@ def _parser() -> argparse.ArgumentParser:
         help="render device: cpu, or gpu with the extra `gpu`, see docs/gpu.md (default: cpu)",
     )
     add_cluster_option(parser)
-    add("--debug", action="store_true", help="show the traceback of an error (default: off)")
     return parser
 
 
