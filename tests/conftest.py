@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -23,7 +24,11 @@ def pytest_configure() -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if hasattr(config, "workerinput"):  # one of several processes, see scripts/test
+        # Files of few tests are the longest; those of many short ones fill up the end.
+        tests = Counter(item.path for item in items)
+        items.sort(key=lambda item: tests[item.path])
     needs = {"blender": _no_blender, "chromium": _no_chromium, "data": _no_data, "gpu": _no_gpu}
     for marker, reason in needs.items():
         marked = [item for item in items if item.get_closest_marker(marker)]
